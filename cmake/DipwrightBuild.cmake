@@ -1,0 +1,60 @@
+# What every target of the project shares: the language level, the warnings, where binaries go,
+# and the two functions with which folders declare their library and their tests.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+set(DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin/plugins)
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+add_library(dipwright_options INTERFACE)
+if(MSVC)
+    target_compile_options(dipwright_options INTERFACE /W4 /permissive- $<$<BOOL:${DIPWRIGHT_WERROR}>:/WX>)
+else()
+    # -ffp-contract=off keeps results the same between machines with and without fused multiply-add.
+    target_compile_options(dipwright_options INTERFACE
+        $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+        -fno-math-errno -ffp-contract=off
+        $<$<BOOL:${DIPWRIGHT_WERROR}>:-Werror>>)
+endif()
+if(DIPWRIGHT_SANITIZE)
+    target_compile_options(dipwright_options INTERFACE -fsanitize=${DIPWRIGHT_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(dipwright_options INTERFACE -fsanitize=${DIPWRIGHT_SANITIZE})
+endif()
+target_compile_definitions(dipwright_options INTERFACE
+    DIPWRIGHT_VERSION="${PROJECT_VERSION}" $<$<CXX_COMPILER_ID:MSVC>:_USE_MATH_DEFINES>)
+
+# dipwright_library(NAME SOURCES … PUBLIC … PRIVATE …)
+#   One folder of core, solvers or app as a static library. A target sees only the folders that it
+#   links: an include path reaches a folder's headers only through the target that owns them.
+function(dipwright_library name)
+    cmake_parse_arguments(LIB "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+    add_library(${name} STATIC ${LIB_SOURCES})
+    target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/..)
+    target_link_libraries(${name} PUBLIC ${LIB_PUBLIC} PRIVATE dipwright_options ${LIB_PRIVATE})
+endfunction()
+
+# dipwright_test(NAME SOURCES … LINK …)
+#   A Qt Test program that ctest runs by the name NAME, without a display. ENVIRONMENT adds variables.
+function(dipwright_test name)
+    cmake_parse_arguments(TST "" "" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
+    add_executable(${name} ${TST_SOURCES})
+    set_target_properties(${name} PROPERTIES AUTOMOC ON
+        RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+    target_link_libraries(${name} PRIVATE dipwright_options Qt6::Test ${TST_LINK})
+    target_compile_definitions(${name} PRIVATE
+        DIPWRIGHT_BINARY_FOLDER="${CMAKE_BINARY_DIR}/bin"
+        DIPWRIGHT_RESOURCE_FOLDER="${PROJECT_SOURCE_DIR}/resources"
+        DIPWRIGHT_SHARED_MODELS="${PROJECT_SOURCE_DIR}/../shared/data/models")
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES TIMEOUT 600
+        ENVIRONMENT "QT_QPA_PLATFORM=offscreen;DIPWRIGHT_PLUGIN_PATH=${DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY};${TST_ENVIRONMENT}")
+endfunction()

@@ -1,0 +1,55 @@
+// One dip from start to end: the solver's run loop as the program sees it.
+#pragma once
+
+#include "base/Progress.h"
+#include "dip/Pose.h"
+#include "film/DippedFilm.h"
+#include "film/FilmSettings.h"
+#include "geometry/DistanceField.h"
+
+#include <functional>
+#include <optional>
+
+namespace dipwright {
+
+// The project file's "process".
+struct ProcessSettings {
+    MillimetresPerSecond dipSpeed{5};
+    Seconds timeStep{1.0 / 60};  // paper-2020 only; the production film chooses its own step
+    int iterations = 5;          // paper-2020 only
+    solver::Relaxation relaxation = solver::Relaxation::Jacobi; // paper-2020 only
+    bool selfContact = false;    // paper-2020 only
+    double contactTravel = 0.25; // production only: cells the contact line travels in one step
+    std::optional<Millimetres> depth; // how far the lowest point goes under; none: all of the body
+    Millimetres margin{2};       // farther than fully under
+    double tearStretch = 4;      // area stretch past which film counts as torn
+    Degrees overhang{20};        // film holds on faces that turn upwards by no more than this
+    QString solver = QStringLiteral("auto");
+    bool operator==(const ProcessSettings&) const = default;
+};
+
+// Film points in the world frame while a dip runs, for display. Valid during the call only.
+struct FilmFrame {
+    std::span<const float> positions; // x, y, z a point; world frame, waterline y = 0
+    std::span<const solver::PointState> states;
+    double descent = 0;               // mm; the body's lowest point is at startHeight − descent
+    std::int64_t steps = 0;
+};
+using FilmObserver = std::function<void(const FilmFrame&)>;
+
+// mm between the body's lowest point and the water before the dip.
+inline constexpr double startHeight = 0.5;
+
+solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
+                          const Immersion& immersion, const FilmSettings& film,
+                          const ProcessSettings& process);
+
+// Runs the dip on `module`. `observer` (may be empty) is called from the working thread, at most
+// about thirty times a second. Throws Error when the solver fails or the body never meets the film;
+// Cancelled within one step of being cancelled.
+DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
+                       const Immersion& immersion, const FilmSettings& film,
+                       const ProcessSettings& process, const solver::SolverModule& module,
+                       const Progress& progress, const FilmObserver& observer);
+
+} // namespace dipwright

@@ -1,0 +1,34 @@
+// How a body is held over the film.
+//
+// Pose frame: the body rotated about its bounding box's centre by X, then Y, then Z (fixed axes),
+// that centre at x = z = 0, the lowest point of the rotated body at y = 0. Results are written in
+// this frame. The world frame of the solver differs from it by the immersion's offset on the
+// waterline and by the descent along −Y.
+#pragma once
+
+#include "base/Units.h"
+#include "model/TexturedMesh.h"
+
+#include <QString>
+
+namespace dipwright {
+
+struct Immersion {
+    QString name = QStringLiteral("Immersion");
+    std::array<Degrees, 3> rotation{};   // about X, Y, Z, applied in that order
+    std::array<Millimetres, 2> offset{}; // of the body on the waterline, x and z
+    bool operator==(const Immersion&) const = default;
+};
+
+// Model coordinates to the pose frame.
+Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immersion);
+
+// A body in the pose frame of one immersion, with what asks it questions.
+struct PosedBody {
+    TexturedMesh model;           // positions in the pose frame
+    Eigen::Isometry3d modelToPose; // from the coordinates of the model and its distance field
+    double height = 0;            // mm from the lowest to the highest point
+};
+PosedBody posedBody(const TexturedMesh& model, const Immersion& immersion);
+
+} // namespace dipwright

@@ -1,0 +1,56 @@
+// The film at the end of a dip, and what can be read off it.
+#pragma once
+
+#include <dipwright/FilmSolver.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace dipwright {
+
+// Positions are in the body's pose frame (see dip/Pose.h), mm; arrays have one entry a film point,
+// in the film's order.
+struct DippedFilm {
+    solver::FilmGrid grid;
+    bool isotropic = true; // the lattice, which says which constraints there are
+    std::vector<Eigen::Vector3f> positions;
+    std::vector<solver::PointState> states;
+    std::int64_t steps = 0;
+    double wallSeconds = 0; // of the solver alone
+
+    bool adhered(std::size_t point) const { return states[point] == solver::PointState::Adhered; }
+};
+
+using FilmTriangle = std::array<std::uint32_t, 3>; // point indices
+
+// The flat film's resting place of a point: x to the right, y (the film's Z) down the sheet, mm,
+// origin in the middle.
+Eigen::Vector2f restPosition(const solver::FilmGrid& grid, std::size_t point);
+// Two triangles a cell, cut as FilmSolver.h says; cell (i, j) owns triangles 2·(j·(columns−1)+i) and
+// the next one. Wound counterclockwise seen from above (+Y).
+std::vector<FilmTriangle> filmTriangles(const solver::FilmGrid& grid);
+// The number of distance constraints: columns·(rows−1) + rows·(columns−1), and two a cell more for
+// an isotropic lattice (film-physics §1, Table I).
+std::size_t constraintCount(const solver::FilmGrid& grid, bool isotropic);
+
+// Principal stretches of each film triangle from its deformation gradient (film-physics §4).
+struct PrincipalStretch {
+    float larger = 1;  // λ1
+    float smaller = 1; // λ2
+    float area() const { return larger * smaller; } // J
+};
+std::vector<PrincipalStretch> principalStretches(const DippedFilm& film);
+// Final over rest length of every horizontal and vertical constraint: first the
+// rows·(columns−1) horizontal ones, then the columns·(rows−1) vertical ones.
+std::vector<float> constraintStretches(const DippedFilm& film);
+// The mean of the constraints that meet in a point.
+std::vector<float> pointStretches(const DippedFilm& film);
+
+struct Distribution {
+    double minimum = 0, mean = 0, percentile95 = 0, maximum = 0;
+};
+Distribution distribution(std::vector<float> values); // all 0 for no values
+
+} // namespace dipwright

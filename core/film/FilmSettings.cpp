@@ -1,0 +1,1 @@
+#include "film/FilmSettings.h"

@@ -1,0 +1,46 @@
+// What the user says of the film, as in the project file's "film".
+#pragma once
+
+#include "base/Units.h"
+
+#include <dipwright/FilmSolver.h>
+
+#include <QString>
+#include <limits>
+#include <vector>
+
+namespace dipwright {
+
+// Which sides of the film are held by barriers; left is −X, top is −Z (the top of the sheet).
+struct FilmEdges {
+    bool leftPinned = false;
+    bool rightPinned = false;
+    bool topPinned = false;
+    bool bottomPinned = false;
+    bool operator==(const FilmEdges&) const = default;
+};
+
+struct FilmSettings {
+    QString preset = QStringLiteral("A4");
+    Millimetres width{210}; // the printed sheet along X
+    Millimetres height{297}; // the printed sheet along Z
+    int columns = 120;
+    int rows = 170;
+    solver::Lattice lattice = solver::Lattice::Isotropic;
+    solver::Support support = solver::Support::Water;
+    FilmEdges edges;
+    double swellX = 1; // wetted length over printed length
+    double swellY = 1; // along the sheet's height, the film's Z
+    Seconds relaxationTime{std::numeric_limits<double>::infinity()}; // infinity: elastic, 0: viscous
+    Millimetres contactDistance{0};
+    bool operator==(const FilmSettings&) const = default;
+};
+
+// The floating film: the printed sheet grown by the swell.
+solver::FilmGrid filmGrid(const FilmSettings& settings);
+// One byte a point, empty when all edges are free.
+std::vector<std::uint8_t> pinnedPoints(const FilmSettings& settings);
+// Rows for a given number of columns (or the reverse) so that the cells are as square as they can be.
+int squareCellRows(Millimetres width, Millimetres height, int columns);
+
+} // namespace dipwright

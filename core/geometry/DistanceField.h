@@ -1,0 +1,35 @@
+// The signed distance field (SDF) of a body: φ on a uniform grid in body coordinates, negative
+// inside, with the surface normal as its gradient (film-physics §1).
+#pragma once
+
+#include "base/Progress.h"
+#include "geometry/TriangleMesh.h"
+
+#include <memory>
+
+namespace dipwright {
+
+// Samples (i, j, k) at origin + spacing·(i, j, k), index (k·size.y + j)·size.x + i; mm.
+struct DistanceField {
+    std::array<int, 3> size{};
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    double spacing = 0;
+    std::vector<float> distance;
+
+    // Trilinear; outside the grid a distance that is never too large.
+    double sample(const Eigen::Vector3d& position) const;
+    // ∇φ by the trilinear interpolant's central difference over one cell; not normalised.
+    Eigen::Vector3d gradient(const Eigen::Vector3d& position) const;
+};
+
+// `resolution` (64 … 512) samples along each edge of the cube round the body; the cube leaves at
+// least two cells free round the body. Exact (to float rounding) within three cells of the surface;
+// farther away a bound that is never too large in magnitude. All cores; deterministic; throws Cancelled.
+DistanceField buildDistanceField(const TriangleMesh& body, int resolution, const Progress& progress);
+
+// The same through a cache on disk, keyed by the content of the mesh and the resolution. A damaged
+// or unwritable cache is as good as none.
+std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& body, int resolution,
+                                                         const Progress& progress);
+
+} // namespace dipwright

@@ -1,0 +1,45 @@
+// Closest-point and ray queries against one mesh, by Embree's bounding-volume hierarchy.
+#pragma once
+
+#include "geometry/TriangleMesh.h"
+
+#include <limits>
+#include <memory>
+
+namespace dipwright {
+
+struct ClosestPoint {
+    SurfacePoint point; // invalid: nothing within the asked distance
+    float distance = std::numeric_limits<float>::infinity(); // mm, unsigned
+};
+
+struct RayHit {
+    SurfacePoint point; // invalid: nothing was hit
+    float distance = std::numeric_limits<float>::infinity(); // in units of the direction's length
+};
+
+// Built once for a mesh, asked often. Copies its own view of the mesh; all queries are const, may
+// run on many threads at once and give the same answer in every run.
+class SurfaceQuery {
+public:
+    explicit SurfaceQuery(const TriangleMesh& mesh);
+    ~SurfaceQuery();
+    SurfaceQuery(SurfaceQuery&&) noexcept;
+    SurfaceQuery& operator=(SurfaceQuery&&) noexcept;
+
+    // The surface point nearest to `position`, no farther than `within` mm.
+    ClosestPoint closest(const Eigen::Vector3f& position,
+                         float within = std::numeric_limits<float>::infinity()) const;
+    // The first hit of the ray from `origin` along `direction`, up to `reach` times its length.
+    RayHit hit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
+               float reach = std::numeric_limits<float>::infinity()) const;
+    // Inside or not, by the parity of crossings of several rays (majority), so that small holes in
+    // an open mesh do not turn the answer round.
+    bool isInside(const Eigen::Vector3f& position) const;
+
+private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,43 @@
+// Triangle meshes in millimetres, and what can be said of one by itself.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace dipwright {
+
+using BoundingBox = Eigen::AlignedBox3f;
+
+// Corners are counterclockwise seen from outside. Positions are shared between triangles (welded).
+struct TriangleMesh {
+    std::vector<Eigen::Vector3f> positions; // mm
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+BoundingBox boundingBox(const TriangleMesh& mesh);
+// mm³, by the divergence theorem; meaningful for a closed mesh.
+double volume(const TriangleMesh& mesh);
+double surfaceArea(const TriangleMesh& mesh); // mm²
+double triangleArea(const TriangleMesh& mesh, std::size_t triangle); // mm²
+// Unit normal, outward; zero for a degenerate triangle.
+Eigen::Vector3f triangleNormal(const TriangleMesh& mesh, std::size_t triangle);
+// Area-weighted unit normals, one a position.
+std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh);
+// Every edge belongs to exactly two triangles that run along it in opposite directions.
+bool isClosed(const TriangleMesh& mesh);
+TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& transform);
+
+// A place on a mesh: a triangle and the barycentric weights of its corners (they sum to 1).
+struct SurfacePoint {
+    std::uint32_t triangle = noTriangle;
+    Eigen::Vector3f weights = Eigen::Vector3f::Zero();
+
+    static constexpr std::uint32_t noTriangle = 0xffffffffu;
+    bool isValid() const { return triangle != noTriangle; }
+};
+Eigen::Vector3f position(const TriangleMesh& mesh, const SurfacePoint& point);
+
+} // namespace dipwright

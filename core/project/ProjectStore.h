@@ -1,0 +1,16 @@
+// Project files *.dipw: a zip with `mimetype` (first, stored), project.json, assets/, results/.
+#pragma once
+
+#include "project/Project.h"
+
+namespace dipwright {
+
+// Reads a project, migrating older versions in memory. Throws Error: missing, empty, truncated,
+// encrypted, not a zip, larger than sane when unpacked, entries with unsafe paths, a newer version.
+Project loadProject(const QString& path);
+
+// Writes the whole file or leaves the old one whole: to a temporary file beside it, flushed to the
+// disk, then renamed over it. Throws Error (not writable, disk full).
+void saveProject(const Project& project, const QString& path);
+
+} // namespace dipwright

@@ -1,0 +1,53 @@
+// The page as it leaves the printer: film image, marks, ruler and job line at true size.
+#pragma once
+
+#include "base/Units.h"
+#include "film/FilmSettings.h"
+
+#include <QIODevice>
+#include <QPainter>
+#include <QImage>
+
+namespace dipwright {
+
+// The project file's "sheet".
+struct SheetSettings {
+    QString paper = QStringLiteral("film"); // film (the page is the film), A4, A3, Letter, custom
+    bool landscape = false;
+    Millimetres customWidth{210};
+    Millimetres customHeight{297};
+    DotsPerInch resolution{300};
+    Millimetres bleed{2};
+    bool marks = true;
+    bool ruler = true;
+    bool jobLine = true;
+    bool operator==(const SheetSettings&) const = default;
+};
+
+// What the job line says. The hash identifies image and settings; no time of day, so that the same
+// project gives the same sheet bit for bit; `date` is the project's own.
+struct JobLine {
+    QString project, immersion, date, film, scale, hash;
+};
+
+// A film image at its printed size with what is printed round it.
+struct Sheet {
+    QImage image;      // the film's printed size at `resolution`, ink side up
+    Millimetres filmWidth{210}, filmHeight{297}; // printed size
+    SheetSettings settings;
+    JobLine job;
+};
+
+// Pixels of a film image at true size: A4 at 300 dpi is 2480 × 3508.
+QSize sheetPixels(Millimetres width, Millimetres height, DotsPerInch resolution);
+// The page in mm for this film; throws Error when the paper is smaller than the film.
+QSizeF pageSize(const Sheet& sheet);
+// Draws the whole page with a painter whose unit is the millimetre and whose origin is the page's
+// upper left corner: used by the PDF, the printer and the preview.
+void paintSheet(QPainter& painter, const Sheet& sheet);
+// PNG with resolution and sRGB profile. Unprinted is white.
+void writeSheetPng(const Sheet& sheet, QIODevice& device);
+// PDF at true size, the image stored without loss. Same bytes for the same sheet.
+void writeSheetPdf(const Sheet& sheet, QIODevice& device);
+
+} // namespace dipwright

@@ -1,0 +1,49 @@
+// Finding, judging and loading solver plugins.
+//
+// A plugin is a loadable module with a metadata file of the same base name beside it:
+//   pbd-cpu.json   {"format":"dipwright-solver","interface":1,"id":"pbd-cpu","name":…,"version":…,
+//                   "device":"cpu|gpu","vendor":…,"module":"pbd-cpu.so","priority":10}
+// The metadata is read before any of the module's code runs; a module is loaded when first asked for.
+#pragma once
+
+#include <dipwright/FilmSolver.h>
+
+#include <QString>
+#include <QStringList>
+#include <memory>
+#include <vector>
+
+namespace dipwright {
+
+struct SolverInfo {
+    QString id, name, version, device, vendor;
+    QString modulePath, metadataPath;
+    int priority = 0;      // "auto" takes the available one with the highest
+    bool available = false;
+    QString reason;        // a sentence, where not available
+};
+
+class SolverRegistry {
+public:
+    // The folders searched, in this order; of two plugins with one id the first found wins:
+    // DIPWRIGHT_PLUGIN_PATH, "plugins" beside the executable, the user's plugin folder.
+    static QStringList standardFolders();
+
+    explicit SolverRegistry(const QStringList& folders = standardFolders());
+    ~SolverRegistry();
+    SolverRegistry(const SolverRegistry&) = delete;
+    SolverRegistry& operator=(const SolverRegistry&) = delete;
+
+    // All plugins found, sorted by id, each loaded far enough to know whether it can run here.
+    std::vector<SolverInfo> solvers() const;
+    // The module of `id`, or of the best available one for "auto". Throws Error with the reason.
+    // Lives as long as the registry.
+    const solver::SolverModule& module(const QString& id) const;
+    SolverInfo info(const QString& id) const; // of the same solver as module(id)
+
+private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,168 @@
+// The interface between the program and a film solver: plain C++, no Qt, no VTK.
+//
+// A solver simulates one film that floats on the water (the plane y = 0) while one rigid body moves
+// down along −Y. Millimetres, seconds, radians; right-handed frame, Y up. The host owns the loop: it
+// calls begin(), then advance() until `finished`, and may read the film between two calls. One
+// solver object is used by one thread at a time; different objects are independent.
+//
+// Errors: every member may throw std::exception (std::runtime_error with a sentence for the user);
+// the object can then only be destroyed or begun anew.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace dipwright::solver {
+
+// Raised whenever anything in this folder changes in a way that an older module would not survive.
+inline constexpr int interfaceVersion = 1;
+
+// Which constraints hold the film together.
+enum class Lattice : std::uint8_t {
+    Structural, // horizontal and vertical neighbours only (the paper)
+    Isotropic,  // constant-strain triangles, two to a cell, plane stress, Poisson ratio 1/3
+};
+
+// What keeps free film up.
+enum class Support : std::uint8_t {
+    None,  // nothing: no water, no gravity (the paper)
+    Water, // a free point stays on the plane y = 0
+};
+
+// How the distance constraints of one iteration are relaxed (structural lattice).
+enum class Relaxation : std::uint8_t { Jacobi, GaussSeidel };
+
+// The flat film before the dip: columns × rows points, columns along +X, rows along +Z, centred on
+// the origin in the plane y = 0. Point (column i, row j) has index j·columns + i and rests at
+// (−width/2 + i·width/(columns−1), 0, −depth/2 + j·depth/(rows−1)).
+// Each cell is cut into two triangles along the diagonal (i, j)–(i+1, j+1) where i + j is even and
+// (i+1, j)–(i, j+1) where it is odd.
+struct FilmGrid {
+    int columns = 0;
+    int rows = 0;
+    double width = 0; // mm along X, swell included
+    double depth = 0; // mm along Z, swell included
+
+    std::size_t pointCount() const { return std::size_t(columns) * std::size_t(rows); }
+    double spacingX() const { return width / (columns - 1); }
+    double spacingZ() const { return depth / (rows - 1); }
+};
+
+// Signed distance of the body, sampled on a uniform grid in body coordinates; not owned, valid
+// until the solver is begun anew or destroyed. Sample (i, j, k) is at origin + spacing·(i, j, k) and
+// stands at index (k·ny + j)·nx + i. Negative inside. Between samples: trilinear.
+struct FieldView {
+    const float* distance = nullptr;
+    std::array<int, 3> size{};
+    std::array<double, 3> origin{};
+    double spacing = 0;
+};
+
+// The body's way through the water. A point q of the body (body coordinates, those of the field) is
+// in the world at  rotation·q + start − (0, descent, 0),  descent growing from 0 to `travel`.
+struct BodyMotion {
+    std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1}; // row-major
+    std::array<double, 3> start{};                             // mm
+    double travel = 0;                                         // mm
+    double speed = 5;                                          // mm/s
+};
+
+struct Settings {
+    Lattice lattice = Lattice::Isotropic;
+    Support support = Support::Water;
+    double contactDistance = 0; // mm: a point at this distance from the surface touches it
+    // Seconds in which stress in the floating film decays: infinity = elastic, 0 = viscous.
+    // Isotropic film on water only.
+    double relaxationTime = 0;
+    // Structural lattice, or no support: the step in seconds and the sweeps of one step.
+    double timeStep = 1.0 / 60;
+    int iterations = 5;
+    Relaxation relaxation = Relaxation::Jacobi;
+    bool selfContact = false;
+    // Isotropic film on water: the travel of the contact line in one step, in cells, and the
+    // residual at which a step counts as in equilibrium (mean force over mean elastic force).
+    double contactTravel = 0.25;
+    double residual = 1e-4;
+    int threads = 0; // 0: all the host has
+};
+
+// Everything a dip needs. `pinned` has one byte a point (non-zero: held where it rests, as by a
+// barrier) or is empty.
+struct DipSetup {
+    FilmGrid film;
+    FieldView field;
+    BodyMotion motion;
+    Settings settings;
+    std::vector<std::uint8_t> pinned;
+};
+
+struct Progress {
+    std::int64_t steps = 0; // done so far
+    double descent = 0;     // mm the body has come down
+    bool finished = false;  // descent has reached the travel
+};
+
+// What has become of one film point.
+enum class PointState : std::uint8_t {
+    Free = 0,
+    Adhered = 1, // it has met the surface and moves with the body
+    Trapped = 2, // caught over a surface that it cannot reach; carried along, not painted
+};
+
+class FilmSolver {
+public:
+    virtual ~FilmSolver() = default;
+
+    // Lays the flat film under the body; copies what it needs of `setup` except the field's samples.
+    virtual void begin(const DipSetup& setup) = 0;
+
+    // Advances by at most `maximumSteps` steps of the solver's own length.
+    virtual Progress advance(int maximumSteps) = 0;
+
+    // World positions (x, y, z per point, film order) and states of all points as they are now.
+    // `positions` holds 3·pointCount floats, `states` pointCount or is empty.
+    virtual void read(std::span<float> positions, std::span<PointState> states) const = 0;
+};
+
+// One dip of a batch: what to simulate and where its end goes.
+struct BatchItem {
+    DipSetup setup;
+    std::vector<float> positions; // filled: 3·pointCount, world frame at the end
+    std::vector<PointState> states;
+    std::int64_t steps = 0;
+};
+
+// Asked between pieces of work; true: stop as soon as possible.
+using CancelFunction = bool (*)(void* context);
+
+// What a module gives the host. Owned by the module, alive while it is loaded.
+class SolverModule {
+public:
+    virtual ~SolverModule() = default;
+
+    // nullptr when the solver can run here, else a sentence why not (no GPU, driver too old …).
+    virtual const char* unavailableReason() const = 0;
+    // The device in words: "2 × AMD EPYC, AVX-512", "NVIDIA H200".
+    virtual const char* device() const = 0;
+    virtual std::unique_ptr<FilmSolver> create() const = 0;
+    // Simulates all dips, together where the device gains by it. Same results as one by one.
+    // Returns false if cancelled.
+    virtual bool runBatch(std::span<BatchItem> items, CancelFunction cancelled,
+                          void* context) const = 0;
+};
+
+} // namespace dipwright::solver
+
+// A module exports exactly this symbol, with C linkage.
+#if defined(_WIN32)
+#define DIPWRIGHT_EXPORT __declspec(dllexport)
+#else
+#define DIPWRIGHT_EXPORT __attribute__((visibility("default")))
+#endif
+#define DIPWRIGHT_SOLVER_ENTRY "dipwrightSolverModule"
+// Its type: given the interface version of the host, the module, or nullptr if it does not fit.
+using DipwrightSolverEntry = const dipwright::solver::SolverModule*(int hostInterfaceVersion);

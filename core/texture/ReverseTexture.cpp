@@ -1,0 +1,1 @@
+#include "texture/ReverseTexture.h"
