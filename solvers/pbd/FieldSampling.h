@@ -1,0 +1,95 @@
+// Trilinear sampling of the signed distance field (film-physics §1).
+#pragma once
+
+#include "pbd/Vector3.h"
+
+#include <dipwright/FilmSolver.h>
+
+namespace dipwright::pbd {
+
+// A FieldView in the precision of the solver. `distance` is not owned and may lie on a device.
+template <typename Real>
+struct FieldGrid {
+    const float* distance = nullptr;
+    int nx = 0, ny = 0, nz = 0;
+    Vector3<Real> origin; // of sample (0, 0, 0), body coordinates
+    Real spacing{};
+    Real inverseSpacing{};
+};
+
+template <typename Real>
+FieldGrid<Real> fieldGrid(const solver::FieldView& view) {
+    return {view.distance,
+            view.size[0],
+            view.size[1],
+            view.size[2],
+            {Real(view.origin[0]), Real(view.origin[1]), Real(view.origin[2])},
+            Real(view.spacing),
+            Real(1 / view.spacing)};
+}
+
+template <typename Real>
+struct FieldSample {
+    Real distance{};        // φ, mm, negative inside
+    Vector3<Real> gradient; // ∇φ of the trilinear interpolant, not normalised
+};
+
+namespace detail {
+
+// One coordinate in cells, held within the grid: the cell, the place in it, and how far outside.
+template <typename Real>
+struct CellPlace {
+    int cell;
+    Real fraction, outside;
+};
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE CellPlace<Real> cellPlace(Real coordinate, int size) {
+    const Real last = Real(size - 1);
+    const Real clamped = coordinate > Real(0) ? (coordinate < last ? coordinate : last) : Real(0);
+    int cell = int(clamped);
+    cell = cell > size - 2 ? size - 2 : cell;
+    return {cell, clamped - Real(cell), coordinate - clamped};
+}
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE Real mix(Real a, Real b, Real t) {
+    return a + t * (b - a);
+}
+
+} // namespace detail
+
+// φ and ∇φ at `position` (body coordinates). Outside the grid: the sample at the nearest place of
+// the grid, plus the distance to it. A position that is not a number gives a distance that is none
+// either.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE FieldSample<Real> sampleField(const FieldGrid<Real>& field,
+                                                    Vector3<Real> position) {
+    using detail::mix;
+    const Vector3<Real> grid = (position - field.origin) * field.inverseSpacing;
+    const auto x = detail::cellPlace(grid.x, field.nx);
+    const auto y = detail::cellPlace(grid.y, field.ny);
+    const auto z = detail::cellPlace(grid.z, field.nz);
+
+    const std::size_t rowStride = std::size_t(field.nx);
+    const std::size_t layerStride = rowStride * std::size_t(field.ny);
+    const float* corner = field.distance + std::size_t(z.cell) * layerStride +
+                          std::size_t(y.cell) * rowStride + std::size_t(x.cell);
+    const Real c000 = corner[0], c100 = corner[1];
+    const Real c010 = corner[rowStride], c110 = corner[rowStride + 1];
+    const Real c001 = corner[layerStride], c101 = corner[layerStride + 1];
+    const Real c011 = corner[layerStride + rowStride], c111 = corner[layerStride + rowStride + 1];
+
+    const Real c00 = mix(c000, c100, x.fraction), c10 = mix(c010, c110, x.fraction);
+    const Real c01 = mix(c001, c101, x.fraction), c11 = mix(c011, c111, x.fraction);
+    const Real c0 = mix(c00, c10, y.fraction), c1 = mix(c01, c11, y.fraction);
+
+    const Real alongX0 = mix(c100 - c000, c110 - c010, y.fraction);
+    const Real alongX1 = mix(c101 - c001, c111 - c011, y.fraction);
+    const Vector3<Real> gradient{mix(alongX0, alongX1, z.fraction),
+                                 mix(c10 - c00, c11 - c01, z.fraction), c1 - c0};
+    const Real outside = length(Vector3<Real>{x.outside, y.outside, z.outside});
+    return {mix(c0, c1, z.fraction) + outside * field.spacing, gradient * field.inverseSpacing};
+}
+
+} // namespace dipwright::pbd
