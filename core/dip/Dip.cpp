@@ -1,1 +1,179 @@
 #include "dip/Dip.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <chrono>
+
+namespace dipwright {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto observerInterval = std::chrono::milliseconds(33);
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("Dip", text);
+}
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+Error missedFilm(const Immersion& immersion) {
+    return {tr("The body does not meet the film; move it over the film or choose a larger film"),
+            immersion.name};
+}
+
+// Before anything is computed: whether any of the body is over the film at all.
+void requireBodyOverFilm(const PosedBody& body, const Immersion& immersion,
+                         const solver::FilmGrid& film) {
+    const BoundingBox box = boundingBox(body.model.mesh);
+    const double x = immersion.offset[0].value();
+    const double z = immersion.offset[1].value();
+    const bool over = box.min().x() + x < film.width / 2 && box.max().x() + x > -film.width / 2 &&
+                      box.min().z() + z < film.depth / 2 && box.max().z() + z > -film.depth / 2;
+    if (!over) {
+        throw missedFilm(immersion);
+    }
+}
+
+// From the pose frame to the world frame when the body has come down by `descent`.
+Eigen::Vector3d poseToWorld(const Immersion& immersion, double descent) {
+    return {immersion.offset[0].value(), startHeight - descent, immersion.offset[1].value()};
+}
+
+// The solver's film and the loop that drives it. Exceptions of the module pass through.
+class Run {
+public:
+    Run(const solver::DipSetup& setup, const solver::SolverModule& module)
+        : setup_(setup), solver_(module.create()), positions_(3 * setup.film.pointCount()),
+          states_(setup.film.pointCount()) {}
+
+    void toTheEnd(const Progress& progress, const FilmObserver& observer) {
+        timed([&] { solver_->begin(setup_); });
+        Clock::time_point lastShown = Clock::now() - observerInterval;
+        while (!state_.finished) {
+            progress(state_.descent / setup_.motion.travel, tr("Dipping"));
+            if (observer && Clock::now() - lastShown >= observerInterval) {
+                lastShown = Clock::now();
+                show(observer);
+            }
+            timed([&] { state_ = solver_->advance(1); });
+        }
+        solver_->read(positions_, states_);
+        if (observer) {
+            observer({positions_, states_, state_.descent, state_.steps});
+        }
+        progress(1, tr("Dipping"));
+    }
+
+    DippedFilm film(const Immersion& immersion) const {
+        DippedFilm film;
+        film.grid = setup_.film;
+        film.isotropic = setup_.settings.lattice == solver::Lattice::Isotropic;
+        film.states = states_;
+        film.steps = state_.steps;
+        film.wallSeconds = seconds_;
+        const Eigen::Vector3d shift = poseToWorld(immersion, state_.descent);
+        film.positions.reserve(states_.size());
+        for (std::size_t point = 0; point < states_.size(); ++point) {
+            const Eigen::Vector3d world =
+                Eigen::Map<const Eigen::Vector3f>(&positions_[3 * point]).cast<double>();
+            film.positions.push_back((world - shift).cast<float>());
+        }
+        return film;
+    }
+
+private:
+    template <typename Work>
+    void timed(const Work& work) {
+        const Clock::time_point start = Clock::now();
+        work();
+        seconds_ += secondsSince(start);
+    }
+    void show(const FilmObserver& observer) {
+        solver_->read(positions_, states_);
+        observer({positions_, states_, state_.descent, state_.steps});
+    }
+
+    const solver::DipSetup& setup_;
+    std::unique_ptr<solver::FilmSolver> solver_;
+    std::vector<float> positions_;
+    std::vector<solver::PointState> states_;
+    solver::Progress state_;
+    double seconds_ = 0;
+};
+
+void requireFinite(const DippedFilm& film, const QString& where) {
+    for (const Eigen::Vector3f& position : film.positions) {
+        if (!position.allFinite()) {
+            throw Error(tr("The simulation became unstable; choose a smaller time step"), where);
+        }
+    }
+}
+
+} // namespace
+
+solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
+                          const Immersion& immersion, const FilmSettings& film,
+                          const ProcessSettings& process) {
+    solver::DipSetup setup;
+    setup.film = filmGrid(film);
+    setup.field.distance = field.distance.data();
+    setup.field.size = field.size;
+    setup.field.spacing = field.spacing;
+    Eigen::Map<Eigen::Vector3d>(setup.field.origin.data()) = field.origin;
+
+    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    Eigen::Map<RowMajor>(setup.motion.rotation.data()) = body.modelToPose.linear();
+    Eigen::Map<Eigen::Vector3d>(setup.motion.start.data()) =
+        body.modelToPose.translation() + poseToWorld(immersion, 0);
+    const double depth =
+        process.depth ? process.depth->value() : body.height + process.margin.value();
+    setup.motion.travel = startHeight + depth;
+    setup.motion.speed = process.dipSpeed.value();
+
+    setup.settings.lattice = film.lattice;
+    setup.settings.support = film.support;
+    setup.settings.contactDistance = film.contactDistance.value();
+    setup.settings.relaxationTime = film.relaxationTime.value();
+    setup.settings.timeStep = process.timeStep.value();
+    setup.settings.iterations = process.iterations;
+    setup.settings.relaxation = process.relaxation;
+    setup.settings.selfContact = process.selfContact;
+    setup.settings.contactTravel = process.contactTravel;
+    setup.pinned = pinnedPoints(film);
+    return setup;
+}
+
+DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
+                       const Immersion& immersion, const FilmSettings& film,
+                       const ProcessSettings& process, const solver::SolverModule& module,
+                       const Progress& progress, const FilmObserver& observer) {
+    const solver::DipSetup setup = dipSetup(body, field, immersion, film, process);
+    requireBodyOverFilm(body, immersion, setup.film);
+    DippedFilm dipped;
+    try {
+        Run run(setup, module);
+        run.toTheEnd(progress, observer);
+        dipped = run.film(immersion);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& failure) {
+        throw Error(tr("The solver failed: %1").arg(QString::fromUtf8(failure.what())),
+                    immersion.name);
+    }
+    requireFinite(dipped, immersion.name);
+    if (std::find(dipped.states.begin(), dipped.states.end(), solver::PointState::Adhered) ==
+        dipped.states.end()) {
+        throw missedFilm(immersion);
+    }
+    return dipped;
+}
+
+} // namespace dipwright

@@ -1,1 +1,35 @@
 #include "dip/Pose.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace dipwright {
+
+Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immersion) {
+    const BoundingBox box = boundingBox(body);
+    const Eigen::Vector3d centre = (box.min().cast<double>() + box.max().cast<double>()) / 2;
+    const Eigen::Matrix3d rotation =
+        (Eigen::AngleAxisd(radians(immersion.rotation[2]), Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(radians(immersion.rotation[1]), Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(radians(immersion.rotation[0]), Eigen::Vector3d::UnitX()))
+            .toRotationMatrix();
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3f& point : body.positions) {
+        lowest = std::min(lowest, rotation.row(1).dot(point.cast<double>() - centre));
+    }
+    Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
+    transform.linear() = rotation;
+    transform.translation() = -(rotation * centre) - Eigen::Vector3d(0, lowest, 0);
+    return transform;
+}
+
+PosedBody posedBody(const TexturedMesh& model, const Immersion& immersion) {
+    PosedBody body;
+    body.modelToPose = poseTransform(model.mesh, immersion);
+    body.model = model;
+    body.model.mesh = transformed(model.mesh, body.modelToPose);
+    body.height = boundingBox(body.model.mesh).max().y();
+    return body;
+}
+
+} // namespace dipwright

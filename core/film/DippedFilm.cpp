@@ -1,1 +1,132 @@
 #include "film/DippedFilm.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace dipwright {
+
+Eigen::Vector2f restPosition(const solver::FilmGrid& grid, std::size_t point) {
+    const auto column = double(point % std::size_t(grid.columns));
+    const auto row = double(point / std::size_t(grid.columns));
+    return {float(column * grid.spacingX() - grid.width / 2),
+            float(row * grid.spacingZ() - grid.depth / 2)};
+}
+
+std::vector<FilmTriangle> filmTriangles(const solver::FilmGrid& grid) {
+    std::vector<FilmTriangle> triangles;
+    triangles.reserve(2 * std::size_t(grid.columns - 1) * std::size_t(grid.rows - 1));
+    const auto columns = std::uint32_t(grid.columns);
+    for (std::uint32_t row = 0; row + 1 < std::uint32_t(grid.rows); ++row) {
+        for (std::uint32_t column = 0; column + 1 < columns; ++column) {
+            const std::uint32_t upperLeft = row * columns + column;
+            const std::uint32_t upperRight = upperLeft + 1;
+            const std::uint32_t lowerLeft = upperLeft + columns;
+            const std::uint32_t lowerRight = lowerLeft + 1;
+            if ((column + row) % 2 == 0) {
+                triangles.push_back({upperLeft, lowerLeft, lowerRight});
+                triangles.push_back({upperLeft, lowerRight, upperRight});
+            } else {
+                triangles.push_back({upperLeft, lowerLeft, upperRight});
+                triangles.push_back({upperRight, lowerLeft, lowerRight});
+            }
+        }
+    }
+    return triangles;
+}
+
+std::size_t constraintCount(const solver::FilmGrid& grid, bool isotropic) {
+    const auto columns = std::size_t(grid.columns);
+    const auto rows = std::size_t(grid.rows);
+    const std::size_t diagonals = isotropic ? 2 * (columns - 1) * (rows - 1) : 0;
+    return columns * (rows - 1) + rows * (columns - 1) + diagonals;
+}
+
+std::vector<PrincipalStretch> principalStretches(const DippedFilm& film) {
+    const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
+    std::vector<PrincipalStretch> stretches;
+    stretches.reserve(triangles.size());
+    for (const FilmTriangle& corners : triangles) {
+        Eigen::Matrix2d flat;
+        Eigen::Matrix<double, 3, 2> dipped;
+        for (int edge = 0; edge < 2; ++edge) {
+            flat.col(edge) = (restPosition(film.grid, corners[std::size_t(edge) + 1]) -
+                              restPosition(film.grid, corners[0]))
+                                 .cast<double>();
+            dipped.col(edge) =
+                (film.positions[corners[std::size_t(edge) + 1]] - film.positions[corners[0]])
+                    .cast<double>();
+        }
+        const Eigen::Matrix<double, 3, 2> gradient = dipped * flat.inverse();
+        const Eigen::Matrix2d squared = gradient.transpose() * gradient;
+        const double middle = squared.trace() / 2;
+        const double radius = std::hypot((squared(0, 0) - squared(1, 1)) / 2, squared(0, 1));
+        stretches.push_back(
+            {float(std::sqrt(middle + radius)), float(std::sqrt(std::max(0.0, middle - radius)))});
+    }
+    return stretches;
+}
+
+std::vector<float> constraintStretches(const DippedFilm& film) {
+    const auto columns = std::size_t(film.grid.columns);
+    const auto rows = std::size_t(film.grid.rows);
+    std::vector<float> stretches;
+    stretches.reserve(constraintCount(film.grid, false));
+    const auto add = [&](std::size_t one, std::size_t other, double restLength) {
+        const double length = (film.positions[one] - film.positions[other]).cast<double>().norm();
+        stretches.push_back(float(length / restLength));
+    };
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column + 1 < columns; ++column) {
+            add(row * columns + column, row * columns + column + 1, film.grid.spacingX());
+        }
+    }
+    for (std::size_t row = 0; row + 1 < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            add(row * columns + column, (row + 1) * columns + column, film.grid.spacingZ());
+        }
+    }
+    return stretches;
+}
+
+std::vector<float> pointStretches(const DippedFilm& film) {
+    const auto columns = std::size_t(film.grid.columns);
+    const auto rows = std::size_t(film.grid.rows);
+    const std::vector<float> constraints = constraintStretches(film);
+    const std::size_t firstVertical = rows * (columns - 1);
+    std::vector<float> means;
+    means.reserve(film.grid.pointCount());
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            float sum = 0;
+            int count = 0;
+            const auto add = [&](bool exists, std::size_t constraint) {
+                if (exists) {
+                    sum += constraints[constraint];
+                    ++count;
+                }
+            };
+            const std::size_t right = row * (columns - 1) + column;
+            const std::size_t below = firstVertical + row * columns + column;
+            add(column > 0, right - 1);
+            add(column + 1 < columns, right);
+            add(row > 0, below - columns);
+            add(row + 1 < rows, below);
+            means.push_back(sum / float(count));
+        }
+    }
+    return means;
+}
+
+Distribution distribution(std::vector<float> values) {
+    if (values.empty()) {
+        return {};
+    }
+    std::sort(values.begin(), values.end());
+    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+    const auto rank = std::size_t(std::ceil(0.95 * double(values.size())));
+    return {values.front(), sum / double(values.size()), values[rank - 1], values.back()};
+}
+
+} // namespace dipwright
