@@ -24,8 +24,10 @@ struct DistanceField {
 
 // `resolution` (64 … 512) samples along each edge of the cube round the body; the cube leaves at
 // least two cells free round the body. Exact (to float rounding) within three cells of the surface;
-// farther away a bound that is never too large in magnitude. All cores; deterministic; throws Cancelled.
-DistanceField buildDistanceField(const TriangleMesh& body, int resolution, const Progress& progress);
+// farther away a bound that is never too large in magnitude. All cores; deterministic; throws
+// Cancelled.
+DistanceField buildDistanceField(const TriangleMesh& body, int resolution,
+                                 const Progress& progress);
 
 // The same through a cache on disk, keyed by the content of the mesh and the resolution. A damaged
 // or unwritable cache is as good as none.

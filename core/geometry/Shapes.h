@@ -15,7 +15,7 @@ TriangleMesh coneMesh(double halfAngleRadians, double height, int segments);
 TriangleMesh boxMesh(const Eigen::Vector3d& size);
 // A lying cylinder along Z with flat ends.
 TriangleMesh cylinderMesh(double radius, double length, int segments);
-// A regular tetrahedron, one face down, by its edge.
+// A regular tetrahedron, one face down, by its edge; its centroid is the origin.
 TriangleMesh tetrahedronMesh(double edge);
 
 } // namespace dipwright

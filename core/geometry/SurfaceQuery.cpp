@@ -1,1 +1,257 @@
 #include "geometry/SurfaceQuery.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+// Weights of the point of triangle abc nearest to p, by the Voronoi regions of its corners and
+// edges (Ericson, Real-Time Collision Detection, §5.1.5).
+Eigen::Vector3d closestWeights(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                               const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    const Eigen::Vector3d ab = b - a, ac = c - a;
+    const Eigen::Vector3d ap = p - a, bp = p - b, cp = p - c;
+    const double abAp = ab.dot(ap), acAp = ac.dot(ap);
+    if (abAp <= 0 && acAp <= 0) {
+        return {1, 0, 0};
+    }
+    const double abBp = ab.dot(bp), acBp = ac.dot(bp);
+    if (abBp >= 0 && acBp <= abBp) {
+        return {0, 1, 0};
+    }
+    const double abCp = ab.dot(cp), acCp = ac.dot(cp);
+    if (acCp >= 0 && abCp <= acCp) {
+        return {0, 0, 1};
+    }
+    const double areaC = abAp * acBp - abBp * acAp;
+    if (areaC <= 0 && abAp >= 0 && abBp <= 0) {
+        const double along = abAp / (abAp - abBp);
+        return {1 - along, along, 0};
+    }
+    const double areaB = abCp * acAp - abAp * acCp;
+    if (areaB <= 0 && acAp >= 0 && acCp <= 0) {
+        const double along = acAp / (acAp - acCp);
+        return {1 - along, 0, along};
+    }
+    const double areaA = abBp * acCp - abCp * acBp;
+    const double fromB = acBp - abBp, fromC = abCp - acCp;
+    if (areaA <= 0 && fromB >= 0 && fromC >= 0) {
+        const double along = fromB / (fromB + fromC);
+        return {0, 1 - along, along};
+    }
+    const double area = areaA + areaB + areaC;
+    return {areaA / area, areaB / area, areaC / area};
+}
+
+// What is known of a closest-point query while it goes down the hierarchy.
+struct ClosestSearch {
+    const TriangleMesh& mesh;
+    Eigen::Vector3d position;
+    double slack; // mm by which Embree's float distances to boxes may be too large
+    double limit; // mm² beyond which nothing counts
+    double squaredDistance = std::numeric_limits<double>::infinity();
+    std::uint32_t triangle = SurfacePoint::noTriangle;
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();
+};
+
+bool visitTriangle(RTCPointQueryFunctionArguments* arguments) {
+    auto& search = *static_cast<ClosestSearch*>(arguments->userPtr);
+    const auto& index = search.mesh.triangles[arguments->primID];
+    const Eigen::Vector3d a = search.mesh.positions[index[0]].cast<double>();
+    const Eigen::Vector3d b = search.mesh.positions[index[1]].cast<double>();
+    const Eigen::Vector3d c = search.mesh.positions[index[2]].cast<double>();
+    const Eigen::Vector3d weights = closestWeights(search.position, a, b, c);
+    const double squaredDistance =
+        (weights[0] * a + weights[1] * b + weights[2] * c - search.position).squaredNorm();
+    // Of triangles equally near the first one counts, so that the order of visits does not matter.
+    const bool nearer =
+        squaredDistance < search.squaredDistance ||
+        (squaredDistance == search.squaredDistance && arguments->primID < search.triangle);
+    if (!nearer || !(squaredDistance <= search.limit)) {
+        return false;
+    }
+    search.squaredDistance = squaredDistance;
+    search.triangle = arguments->primID;
+    search.weights = weights;
+    const float radius = float(std::sqrt(squaredDistance) + search.slack);
+    if (radius >= arguments->query->radius) {
+        return false;
+    }
+    arguments->query->radius = radius;
+    return true;
+}
+
+RTCRay makeRay(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float reach) {
+    RTCRay ray{};
+    ray.org_x = origin.x(), ray.org_y = origin.y(), ray.org_z = origin.z();
+    ray.dir_x = direction.x(), ray.dir_y = direction.y(), ray.dir_z = direction.z();
+    ray.tnear = 0;
+    ray.tfar = reach;
+    ray.mask = ~0u;
+    return ray;
+}
+
+// Embree's context comes first, so that a filter can find what else the query carries.
+struct FirstHit {
+    RTCIntersectContext context;
+    float distance = std::numeric_limits<float>::infinity();
+    std::uint32_t triangle = RTC_INVALID_GEOMETRY_ID;
+};
+
+// Of triangles hit at the same distance (on a shared edge) the first one counts, whatever the order
+// in which the hierarchy is gone through.
+void keepFirstTriangle(const RTCFilterFunctionNArguments* arguments) {
+    auto& best = *reinterpret_cast<FirstHit*>(arguments->context);
+    const float distance = RTCRayN_tfar(arguments->ray, arguments->N, 0);
+    const std::uint32_t triangle = RTCHitN_primID(arguments->hit, arguments->N, 0);
+    if (distance < best.distance || (distance == best.distance && triangle < best.triangle)) {
+        best.distance = distance;
+        best.triangle = triangle;
+    } else {
+        arguments->valid[0] = 0;
+    }
+}
+
+struct CrossingCount {
+    RTCIntersectContext context;
+    int winding = 0;
+};
+
+// Counts how often the ray leaves the body, less how often it enters it, and lets the ray go on.
+void countCrossing(const RTCFilterFunctionNArguments* arguments) {
+    auto* ray = arguments->ray;
+    auto* hit = arguments->hit;
+    const unsigned n = arguments->N;
+    const float along = RTCRayN_dir_x(ray, n, 0) * RTCHitN_Ng_x(hit, n, 0) +
+                        RTCRayN_dir_y(ray, n, 0) * RTCHitN_Ng_y(hit, n, 0) +
+                        RTCRayN_dir_z(ray, n, 0) * RTCHitN_Ng_z(hit, n, 0);
+    reinterpret_cast<CrossingCount*>(arguments->context)->winding += along > 0 ? 1 : -1;
+    arguments->valid[0] = 0;
+}
+
+[[noreturn]] void throwNoMemory() {
+    throw Error(QCoreApplication::translate(
+                    "SurfaceQuery", "The mesh is too large for this computer's memory; reduce its "
+                                    "number of triangles"),
+                QString());
+}
+
+} // namespace
+
+struct SurfaceQuery::Data {
+    TriangleMesh mesh;
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    double slack = 0;
+
+    Data() = default;
+    Data(const Data&) = delete;
+    Data& operator=(const Data&) = delete;
+    ~Data() {
+        rtcReleaseScene(scene);
+        rtcReleaseDevice(device);
+    }
+    void build();
+};
+
+void SurfaceQuery::Data::build() {
+    device = rtcNewDevice(nullptr);
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene,
+                     RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    // Embree's own buffers are padded as its vector loads need; a mesh's vectors are not.
+    auto* positions = static_cast<Eigen::Vector3f*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                sizeof(Eigen::Vector3f), mesh.positions.size()));
+    auto* triangles = static_cast<std::array<std::uint32_t, 3>*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                sizeof(mesh.triangles[0]), mesh.triangles.size()));
+    if (!mesh.triangles.empty() && positions && triangles) {
+        std::copy(mesh.positions.begin(), mesh.positions.end(), positions);
+        std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
+        rtcSetGeometryPointQueryFunction(geometry, visitTriangle);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene, geometry);
+    }
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene);
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) {
+        throwNoMemory();
+    }
+    const BoundingBox box = boundingBox(mesh);
+    if (!box.isEmpty()) {
+        slack = 4e-7 * (box.min().cwiseAbs().maxCoeff() + box.max().cwiseAbs().maxCoeff());
+    }
+}
+
+SurfaceQuery::SurfaceQuery(const TriangleMesh& mesh) : data_(std::make_unique<Data>()) {
+    data_->mesh = mesh;
+    data_->build();
+}
+
+SurfaceQuery::~SurfaceQuery() = default;
+SurfaceQuery::SurfaceQuery(SurfaceQuery&&) noexcept = default;
+SurfaceQuery& SurfaceQuery::operator=(SurfaceQuery&&) noexcept = default;
+
+ClosestPoint SurfaceQuery::closest(const Eigen::Vector3f& position, float within) const {
+    const double slack = data_->slack + 4e-7 * position.cwiseAbs().maxCoeff();
+    ClosestSearch search{data_->mesh, position.cast<double>(), slack, double(within) * within};
+    RTCPointQuery query{position.x(), position.y(), position.z(), 0, float(within + slack)};
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(data_->scene, &query, &context, nullptr, &search);
+    ClosestPoint result;
+    if (search.triangle != SurfacePoint::noTriangle) {
+        result.point = {search.triangle, search.weights.cast<float>()};
+        result.distance = float(std::sqrt(search.squaredDistance));
+    }
+    return result;
+}
+
+RayHit SurfaceQuery::hit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
+                         float reach) const {
+    FirstHit first;
+    rtcInitIntersectContext(&first.context);
+    first.context.filter = keepFirstTriangle;
+    RTCRayHit query{makeRay(origin, direction, reach), {}};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(data_->scene, &first.context, &query);
+    RayHit result;
+    if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
+        const float u = query.hit.u, v = query.hit.v;
+        result.point = {query.hit.primID, Eigen::Vector3f(1 - u - v, u, v)};
+        result.distance = query.ray.tfar;
+    }
+    return result;
+}
+
+bool SurfaceQuery::isInside(const Eigen::Vector3f& position) const {
+    // Off the axes, so that bodies made of faces and edges along them are met in general position.
+    static const std::array<Eigen::Vector3f, 5> directions = {{{0.911f, 0.217f, 0.351f},
+                                                               {-0.823f, 0.419f, -0.383f},
+                                                               {0.137f, -0.941f, 0.309f},
+                                                               {0.271f, 0.523f, -0.808f},
+                                                               {-0.319f, -0.457f, 0.830f}}};
+    int inside = 0;
+    for (const auto& direction : directions) {
+        CrossingCount crossings;
+        rtcInitIntersectContext(&crossings.context);
+        crossings.context.filter = countCrossing;
+        RTCRayHit query{makeRay(position, direction, std::numeric_limits<float>::infinity()), {}};
+        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(data_->scene, &crossings.context, &query);
+        inside += crossings.winding != 0;
+    }
+    return inside > int(directions.size()) / 2;
+}
+
+} // namespace dipwright

@@ -14,7 +14,7 @@ struct ClosestPoint {
 };
 
 struct RayHit {
-    SurfacePoint point; // invalid: nothing was hit
+    SurfacePoint point;                                      // invalid: nothing was hit
     float distance = std::numeric_limits<float>::infinity(); // in units of the direction's length
 };
 
@@ -33,8 +33,8 @@ public:
     // The first hit of the ray from `origin` along `direction`, up to `reach` times its length.
     RayHit hit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                float reach = std::numeric_limits<float>::infinity()) const;
-    // Inside or not, by the parity of crossings of several rays (majority), so that small holes in
-    // an open mesh do not turn the answer round.
+    // Inside or not: most of several rays leave the body more often, or less often, than they enter
+    // it. Overlapping parts count as one body, and small holes do not turn the answer round.
     bool isInside(const Eigen::Vector3f& position) const;
 
 private:

@@ -20,7 +20,7 @@ struct TriangleMesh {
 BoundingBox boundingBox(const TriangleMesh& mesh);
 // mm³, by the divergence theorem; meaningful for a closed mesh.
 double volume(const TriangleMesh& mesh);
-double surfaceArea(const TriangleMesh& mesh); // mm²
+double surfaceArea(const TriangleMesh& mesh);                        // mm²
 double triangleArea(const TriangleMesh& mesh, std::size_t triangle); // mm²
 // Unit normal, outward; zero for a degenerate triangle.
 Eigen::Vector3f triangleNormal(const TriangleMesh& mesh, std::size_t triangle);

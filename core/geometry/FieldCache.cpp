@@ -1,0 +1,140 @@
+#include "geometry/DistanceField.h"
+
+#include <QCryptographicHash>
+#include <QDataStream>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <QStandardPaths>
+
+#include <span>
+
+namespace dipwright {
+
+namespace {
+
+// Raised when what buildDistanceField computes, or how it is stored, changes.
+constexpr quint32 cacheVersion = 1;
+constexpr qint64 cacheBytes = qint64(512) << 20;
+
+QString cacheFolder() {
+    const QString chosen = qEnvironmentVariable("DIPWRIGHT_CACHE");
+    return chosen.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::CacheLocation)
+                            : chosen;
+}
+
+template <typename Value>
+QByteArrayView bytesOf(const std::vector<Value>& values) {
+    return {reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(Value))};
+}
+
+QByteArray contentHash(const TriangleMesh& body, int resolution) {
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    const std::vector<quint64> sizes = {cacheVersion, quint64(resolution), body.positions.size(),
+                                        body.triangles.size()};
+    hash.addData(bytesOf(sizes));
+    hash.addData(bytesOf(body.positions));
+    hash.addData(bytesOf(body.triangles));
+    return hash.result();
+}
+
+// The samples are stored as this computer holds them: the cache never leaves it.
+QByteArray header(const DistanceField& field) {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream << cacheVersion << qint32(Q_BYTE_ORDER);
+    for (int axis = 0; axis < 3; ++axis) {
+        stream << qint32(field.size[axis]) << field.origin[axis];
+    }
+    stream << field.spacing
+           << QCryptographicHash::hash(bytesOf(field.distance), QCryptographicHash::Sha1);
+    return bytes;
+}
+
+std::shared_ptr<const DistanceField> load(const QString& path, int resolution) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return nullptr;
+    }
+    auto field = std::make_shared<DistanceField>();
+    QByteArray stored;
+    QDataStream stream(&file);
+    stream >> stored;
+    QDataStream fields(stored);
+    quint32 version = 0;
+    qint32 byteOrder = 0;
+    fields >> version >> byteOrder;
+    for (int axis = 0; axis < 3; ++axis) {
+        qint32 size = 0;
+        fields >> size >> field->origin[axis];
+        field->size[axis] = size;
+    }
+    fields >> field->spacing;
+    const auto edge = std::size_t(resolution);
+    const auto bytes = qint64(edge * edge * edge * sizeof(float));
+    if (version != cacheVersion || field->size != std::array{resolution, resolution, resolution} ||
+        file.size() - file.pos() != bytes) {
+        return nullptr;
+    }
+    field->distance.resize(edge * edge * edge);
+    if (file.read(reinterpret_cast<char*>(field->distance.data()), bytes) != bytes ||
+        header(*field) != stored) {
+        return nullptr;
+    }
+    return field;
+}
+
+// Throws out the fields that were not used for longest until the rest fits.
+void makeRoom(const QDir& folder, qint64 bytes) {
+    const auto files = folder.entryInfoList({QStringLiteral("*.field")}, QDir::Files, QDir::Time);
+    for (const QFileInfo& file : files) { // newest first
+        bytes += file.size();
+        if (bytes > cacheBytes) {
+            QFile::remove(file.absoluteFilePath());
+        }
+    }
+}
+
+void store(const QString& path, const DistanceField& field) {
+    const qint64 bytes = bytesOf(field.distance).size();
+    const QDir folder = QFileInfo(path).dir();
+    if (bytes > cacheBytes || !folder.mkpath(QStringLiteral("."))) {
+        return;
+    }
+    makeRoom(folder, bytes);
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) {
+        return;
+    }
+    QDataStream stream(&file);
+    stream << header(field);
+    file.write(bytesOf(field.distance).data(), bytes);
+    file.commit();
+}
+
+void markUsed(const QString& path) {
+    QFile file(path);
+    if (file.open(QIODevice::ReadWrite)) {
+        file.setFileTime(QDateTime::currentDateTime(), QFileDevice::FileModificationTime);
+    }
+}
+
+} // namespace
+
+std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& body, int resolution,
+                                                         const Progress& progress) {
+    const QString name = QString::fromLatin1(contentHash(body, resolution).toHex());
+    const QString path = QDir(cacheFolder()).filePath(name + QStringLiteral(".field"));
+    if (auto field = load(path, resolution)) {
+        markUsed(path);
+        return field;
+    }
+    auto field =
+        std::make_shared<const DistanceField>(buildDistanceField(body, resolution, progress));
+    store(path, *field);
+    return field;
+}
+
+} // namespace dipwright
