@@ -1,0 +1,248 @@
+#include "BodyActors.h"
+
+#include "VtkConversions.h"
+#include "base/Units.h"
+
+#include <cmath>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace dipwright {
+
+namespace {
+
+// Faces that meet at a blunter angle than this are shaded as one smooth surface.
+const float creaseCosine = std::cos(40.0f * float(pi) / 180);
+
+std::vector<Eigen::Vector3f> cornerNormals(const TriangleMesh& mesh) {
+    const std::size_t count = mesh.triangles.size();
+    std::vector<Eigen::Vector3f> weighted(count); // length: twice the area
+    std::vector<Eigen::Vector3f> unit(count);
+    std::vector<std::uint32_t> first(mesh.positions.size() + 1, 0);
+    for (std::size_t t = 0; t < count; ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        weighted[t] =
+            (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
+        unit[t] = weighted[t].normalized();
+        for (const std::uint32_t corner : mesh.triangles[t]) {
+            ++first[corner + 1];
+        }
+    }
+    for (std::size_t p = 1; p < first.size(); ++p) {
+        first[p] += first[p - 1];
+    }
+    std::vector<std::uint32_t> around(count * 3);
+    std::vector<std::uint32_t> filled(first.begin(), first.end() - 1);
+    for (std::size_t t = 0; t < count; ++t) {
+        for (const std::uint32_t corner : mesh.triangles[t]) {
+            around[filled[corner]++] = std::uint32_t(t);
+        }
+    }
+    std::vector<Eigen::Vector3f> normals(count * 3);
+    for (std::size_t t = 0; t < count; ++t) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t point = mesh.triangles[t][corner];
+            Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+            for (std::uint32_t entry = first[point]; entry < first[point + 1]; ++entry) {
+                if (unit[around[entry]].dot(unit[t]) >= creaseCosine) {
+                    sum += weighted[around[entry]];
+                }
+            }
+            normals[t * 3 + corner] = sum.normalized();
+        }
+    }
+    return normals;
+}
+
+vtkSmartPointer<vtkPolyData> weldedSurface(const TriangleMesh& mesh) {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetNumberOfPoints(vtkIdType(mesh.positions.size()));
+    for (std::size_t p = 0; p < mesh.positions.size(); ++p) {
+        points->SetPoint(vtkIdType(p), mesh.positions[p].x(), mesh.positions[p].y(),
+                         mesh.positions[p].z());
+    }
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    for (const auto& [a, b, c] : mesh.triangles) {
+        cells->InsertNextCell({vtkIdType(a), vtkIdType(b), vtkIdType(c)});
+    }
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    return data;
+}
+
+} // namespace
+
+BodyActors::BodyActors(vtkRenderer* renderer)
+    : renderer_(renderer), waterPlane_(vtkSmartPointer<vtkPlane>::New()),
+      waterCut_(vtkSmartPointer<vtkCutter>::New()), waterline_(vtkSmartPointer<vtkActor>::New()) {
+    waterPlane_->SetNormal(0, 1, 0);
+    waterCut_->SetCutFunction(waterPlane_);
+    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputConnection(waterCut_->GetOutputPort());
+    mapper->ScalarVisibilityOff();
+    // Drawn over the surface that it lies in.
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);
+    waterline_->SetMapper(mapper);
+    waterline_->GetProperty()->SetLineWidth(2.5f);
+    waterline_->GetProperty()->LightingOff();
+    waterline_->PickableOff();
+}
+
+void BodyActors::setModel(std::shared_ptr<const TexturedMesh> model) {
+    for (const Part& part : parts_) {
+        renderer_->RemoveActor(part.actor);
+    }
+    parts_.clear();
+    renderer_->RemoveActor(waterline_);
+    model_ = std::move(model);
+    if (!model_) {
+        return;
+    }
+    const auto normals = cornerNormals(model_->mesh);
+    for (std::size_t material = 0; material < model_->materials.size(); ++material) {
+        addPart(material, normals);
+    }
+    surface_ = weldedSurface(model_->mesh);
+    waterCut_->SetInputData(surface_);
+    renderer_->AddActor(waterline_);
+    setTransform(modelToWorld_);
+    setVisible(visible_);
+}
+
+void BodyActors::addPart(std::size_t material, const std::vector<Eigen::Vector3f>& normals) {
+    Part part;
+    for (std::size_t t = 0; t < model_->mesh.triangles.size(); ++t) {
+        if (model_->material[t] == material) {
+            part.triangles.push_back(std::uint32_t(t));
+        }
+    }
+    if (part.triangles.empty()) {
+        return;
+    }
+    const auto corners = vtkIdType(part.triangles.size() * 3);
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetNumberOfPoints(corners);
+    auto shading = vtkSmartPointer<vtkFloatArray>::New();
+    shading->SetNumberOfComponents(3);
+    shading->SetNumberOfTuples(corners);
+    auto texture = vtkSmartPointer<vtkFloatArray>::New();
+    texture->SetNumberOfComponents(2);
+    texture->SetNumberOfTuples(corners);
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    vtkIdType corner = 0;
+    for (const std::uint32_t t : part.triangles) {
+        cells->InsertNextCell({corner, corner + 1, corner + 2});
+        for (std::size_t c = 0; c < 3; ++c, ++corner) {
+            const Eigen::Vector3f& p = model_->mesh.positions[model_->mesh.triangles[t][c]];
+            const Eigen::Vector3f& n = normals[std::size_t(t) * 3 + c];
+            Eigen::Vector2f uv = model_->textureCoordinates[t][c];
+            if (!uv.allFinite()) {
+                uv.setZero();
+            }
+            points->SetPoint(corner, p.x(), p.y(), p.z());
+            shading->SetTuple3(corner, n.x(), n.y(), n.z());
+            texture->SetTuple2(corner, uv.x(), uv.y());
+        }
+    }
+    part.data = vtkSmartPointer<vtkPolyData>::New();
+    part.data->SetPoints(points);
+    part.data->SetPolys(cells);
+    part.data->GetPointData()->SetNormals(shading);
+    part.data->GetPointData()->SetTCoords(texture);
+
+    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputData(part.data);
+    part.actor = vtkSmartPointer<vtkActor>::New();
+    part.actor->SetMapper(mapper);
+    part.actor->GetProperty()->SetAmbient(0.15);
+    part.actor->GetProperty()->SetDiffuse(0.85);
+    part.actor->GetProperty()->SetSpecular(0.08);
+    part.actor->GetProperty()->SetSpecularPower(25);
+    part.colour = model_->materials[material].colour;
+    const int picture = model_->materials[material].texture;
+    if (picture >= 0) {
+        part.texture = vtkTextureOf(model_->textures[std::size_t(picture)]);
+        part.texture->RepeatOn();
+    }
+    wearOwnLook(part);
+    renderer_->AddActor(part.actor);
+    parts_.push_back(std::move(part));
+}
+
+void BodyActors::wearOwnLook(const Part& part) const {
+    part.data->GetCellData()->SetScalars(nullptr);
+    part.actor->SetTexture(part.texture);
+    const QColor colour = part.texture ? QColor(Qt::white) : part.colour;
+    part.actor->GetProperty()->SetColor(vtkColour(colour).data());
+}
+
+void BodyActors::setTriangleColours(const std::vector<QRgb>& colours) {
+    for (const Part& part : parts_) {
+        if (colours.empty()) {
+            wearOwnLook(part);
+            continue;
+        }
+        auto scalars = vtkSmartPointer<vtkUnsignedCharArray>::New();
+        scalars->SetNumberOfComponents(3);
+        scalars->SetNumberOfTuples(vtkIdType(part.triangles.size()));
+        for (std::size_t entry = 0; entry < part.triangles.size(); ++entry) {
+            const QRgb colour = colours[part.triangles[entry]];
+            const std::array<unsigned char, 3> rgb{static_cast<unsigned char>(qRed(colour)),
+                                                   static_cast<unsigned char>(qGreen(colour)),
+                                                   static_cast<unsigned char>(qBlue(colour))};
+            scalars->SetTypedTuple(vtkIdType(entry), rgb.data());
+        }
+        part.data->GetCellData()->SetScalars(scalars);
+        part.actor->SetTexture(nullptr);
+    }
+}
+
+void BodyActors::setTransform(const Eigen::Isometry3d& modelToWorld) {
+    modelToWorld_ = modelToWorld;
+    const auto matrix = vtkMatrix(modelToWorld);
+    for (const Part& part : parts_) {
+        part.actor->SetUserMatrix(matrix);
+    }
+    waterline_->SetUserMatrix(matrix);
+    // The waterline y = 0 in the model's own coordinates.
+    const Eigen::Isometry3d inverse = modelToWorld.inverse();
+    const Eigen::Vector3d normal = inverse.linear() * Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d origin = inverse.translation();
+    waterPlane_->SetOrigin(origin.x(), origin.y(), origin.z());
+    waterPlane_->SetNormal(normal.x(), normal.y(), normal.z());
+}
+
+void BodyActors::setVisible(bool visible) {
+    visible_ = visible;
+    for (const Part& part : parts_) {
+        part.actor->SetVisibility(visible);
+    }
+    waterline_->SetVisibility(visible);
+}
+
+void BodyActors::setWaterlineColour(const QColor& colour) {
+    waterline_->GetProperty()->SetColor(vtkColour(colour).data());
+}
+
+BoundingBox BodyActors::worldBox() const {
+    BoundingBox box;
+    if (model_) {
+        const BoundingBox own = boundingBox(model_->mesh);
+        for (int corner = 0; corner < 8; ++corner) {
+            const Eigen::Vector3d point =
+                own.corner(BoundingBox::CornerType(corner)).cast<double>();
+            box.extend((modelToWorld_ * point).cast<float>());
+        }
+    }
+    return box;
+}
+
+} // namespace dipwright

@@ -1,0 +1,51 @@
+// The body in the view: an actor a material, and the line in which the water meets it.
+#pragma once
+
+#include "model/TexturedMesh.h"
+
+#include <QRgb>
+#include <memory>
+#include <vector>
+#include <vtkActor.h>
+#include <vtkCutter.h>
+#include <vtkPlane.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+namespace dipwright {
+
+class BodyActors {
+public:
+    explicit BodyActors(vtkRenderer* renderer);
+
+    void setModel(std::shared_ptr<const TexturedMesh> model);
+    void setTransform(const Eigen::Isometry3d& modelToWorld);
+    void setTriangleColours(const std::vector<QRgb>& colours); // empty: the model's own look
+    void setVisible(bool visible);
+    void setWaterlineColour(const QColor& colour);
+    BoundingBox worldBox() const; // empty without a body
+
+private:
+    struct Part {
+        std::vector<std::uint32_t> triangles;
+        vtkSmartPointer<vtkPolyData> data;
+        vtkSmartPointer<vtkActor> actor;
+        vtkSmartPointer<vtkTexture> texture;
+        QColor colour;
+    };
+    void addPart(std::size_t material, const std::vector<Eigen::Vector3f>& cornerNormals);
+    void wearOwnLook(const Part& part) const;
+
+    vtkRenderer* renderer_;
+    std::shared_ptr<const TexturedMesh> model_;
+    Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
+    std::vector<Part> parts_;
+    vtkSmartPointer<vtkPolyData> surface_; // welded, for the waterline
+    vtkSmartPointer<vtkPlane> waterPlane_;
+    vtkSmartPointer<vtkCutter> waterCut_;
+    vtkSmartPointer<vtkActor> waterline_;
+    bool visible_ = true;
+};
+
+} // namespace dipwright

@@ -1,0 +1,125 @@
+#include "FilmActor.h"
+
+#include "VtkConversions.h"
+
+#include <algorithm>
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace dipwright {
+
+FilmActor::FilmActor(vtkRenderer* renderer)
+    : positions_(vtkSmartPointer<vtkFloatArray>::New()),
+      normals_(vtkSmartPointer<vtkFloatArray>::New()), data_(vtkSmartPointer<vtkPolyData>::New()),
+      actor_(vtkSmartPointer<vtkActor>::New()) {
+    positions_->SetNumberOfComponents(3);
+    normals_->SetNumberOfComponents(3);
+    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputData(data_);
+    // The film lies on the body: drawn in front of it.
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -4);
+    actor_->SetMapper(mapper);
+    actor_->GetProperty()->SetAmbient(0.3);
+    actor_->GetProperty()->SetDiffuse(0.7);
+    actor_->GetProperty()->SetSpecular(0.1);
+    actor_->GetProperty()->SetSpecularPower(40);
+    actor_->PickableOff();
+    renderer->AddActor(actor_);
+}
+
+void FilmActor::setShape(const FilmShape& shape, std::span<const float> positions) {
+    triangles_ = shape.triangles;
+    const auto count = vtkIdType(shape.texture.size());
+    positions_->SetNumberOfTuples(count);
+    normals_->SetNumberOfTuples(count);
+    auto texture = vtkSmartPointer<vtkFloatArray>::New();
+    texture->SetNumberOfComponents(2);
+    texture->SetNumberOfTuples(count);
+    for (vtkIdType point = 0; point < count; ++point) {
+        const Eigen::Vector2f& uv = shape.texture[std::size_t(point)];
+        texture->SetTuple2(point, uv.x(), 1 - uv.y());
+    }
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    cells->AllocateExact(vtkIdType(triangles_.size()), vtkIdType(triangles_.size() * 3));
+    for (const auto& [a, b, c] : triangles_) {
+        cells->InsertNextCell({vtkIdType(a), vtkIdType(b), vtkIdType(c)});
+    }
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetData(positions_);
+    data_->SetPoints(points);
+    data_->SetPolys(cells);
+    data_->GetPointData()->SetTCoords(texture);
+    data_->GetPointData()->SetNormals(normals_);
+    data_->GetPointData()->SetScalars(nullptr);
+    actor_->SetTexture(picture_);
+    setPositions(positions);
+}
+
+void FilmActor::setPositions(std::span<const float> positions) {
+    std::copy(positions.begin(), positions.end(), positions_->GetPointer(0));
+    updateNormals();
+    positions_->Modified();
+    normals_->Modified();
+    data_->GetPoints()->Modified();
+    data_->Modified();
+}
+
+void FilmActor::updateNormals() {
+    const auto count = std::size_t(positions_->GetNumberOfTuples());
+    using Points = Eigen::Map<Eigen::Matrix3Xf>;
+    const Points points(positions_->GetPointer(0), 3, Eigen::Index(count));
+    Points normals(normals_->GetPointer(0), 3, Eigen::Index(count));
+    normals.setZero();
+    for (const auto& [a, b, c] : triangles_) {
+        const Eigen::Vector3f weighted =
+            (points.col(b) - points.col(a)).cross(points.col(c) - points.col(a));
+        normals.col(a) += weighted;
+        normals.col(b) += weighted;
+        normals.col(c) += weighted;
+    }
+    normals.colwise().normalize();
+}
+
+void FilmActor::setTransform(const Eigen::Isometry3d& filmToWorld) {
+    actor_->SetUserMatrix(vtkMatrix(filmToWorld));
+}
+
+void FilmActor::setPicture(const QImage& picture) {
+    picture_ = picture.isNull() ? nullptr : vtkTextureOf(picture);
+    if (picture_) {
+        picture_->RepeatOff();
+        picture_->EdgeClampOn();
+    }
+    data_->GetPointData()->SetScalars(nullptr);
+    actor_->SetTexture(picture_);
+}
+
+void FilmActor::setPointColours(const std::vector<QRgb>& colours) {
+    if (colours.empty()) {
+        data_->GetPointData()->SetScalars(nullptr);
+        actor_->SetTexture(picture_);
+        return;
+    }
+    auto scalars = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    scalars->SetNumberOfComponents(3);
+    scalars->SetNumberOfTuples(vtkIdType(colours.size()));
+    for (std::size_t point = 0; point < colours.size(); ++point) {
+        const std::array<unsigned char, 3> rgb{static_cast<unsigned char>(qRed(colours[point])),
+                                               static_cast<unsigned char>(qGreen(colours[point])),
+                                               static_cast<unsigned char>(qBlue(colours[point]))};
+        scalars->SetTypedTuple(vtkIdType(point), rgb.data());
+    }
+    data_->GetPointData()->SetScalars(scalars);
+    actor_->SetTexture(nullptr);
+}
+
+void FilmActor::setVisible(bool visible) {
+    actor_->SetVisibility(visible);
+}
+
+} // namespace dipwright

@@ -1,0 +1,37 @@
+// The film in the view: fixed triangles over points that are moved in place.
+#pragma once
+
+#include "DipView.h"
+
+#include <vtkActor.h>
+#include <vtkFloatArray.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTexture.h>
+
+namespace dipwright {
+
+class FilmActor {
+public:
+    explicit FilmActor(vtkRenderer* renderer);
+
+    void setShape(const FilmShape& shape, std::span<const float> positions);
+    void setPositions(std::span<const float> positions);
+    void setTransform(const Eigen::Isometry3d& filmToWorld);
+    void setPicture(const QImage& picture);
+    void setPointColours(const std::vector<QRgb>& colours);
+    void setVisible(bool visible);
+
+private:
+    void updateNormals();
+
+    std::vector<std::array<std::uint32_t, 3>> triangles_;
+    vtkSmartPointer<vtkFloatArray> positions_;
+    vtkSmartPointer<vtkFloatArray> normals_;
+    vtkSmartPointer<vtkPolyData> data_;
+    vtkSmartPointer<vtkActor> actor_;
+    vtkSmartPointer<vtkTexture> picture_;
+};
+
+} // namespace dipwright

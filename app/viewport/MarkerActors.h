@@ -1,0 +1,36 @@
+// The linked cursor and the measured distance in the view.
+#pragma once
+
+#include <Eigen/Core>
+#include <QColor>
+#include <QString>
+#include <optional>
+#include <vector>
+#include <vtkActor.h>
+#include <vtkBillboardTextActor3D.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkSphereSource.h>
+
+namespace dipwright {
+
+class MarkerActors {
+public:
+    explicit MarkerActors(vtkRenderer* renderer);
+
+    void setMarker(const std::optional<Eigen::Vector3f>& position);
+    void setMeasure(const std::vector<Eigen::Vector3f>& points, const QString& label);
+    void setSize(double sceneSize); // mm, of the whole scene
+    void setColours(const QColor& accent, const QColor& ink);
+    void setFontSize(int pixels);
+
+private:
+    vtkSmartPointer<vtkSphereSource> ball_;
+    vtkSmartPointer<vtkActor> marker_, line_;
+    vtkSmartPointer<vtkPolyData> lineData_;
+    std::array<vtkSmartPointer<vtkActor>, 2> ends_;
+    vtkSmartPointer<vtkBillboardTextActor3D> label_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,110 @@
+#include "RotationRings.h"
+
+#include "VtkConversions.h"
+#include "base/Units.h"
+
+#include <cmath>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRegularPolygonSource.h>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int segments = 180;
+constexpr double reachPixels = 9;
+// Red, green, blue for X, Y, Z as in every CAD program, told apart by lightness as well.
+const std::array<QColor, 3> axisColours{QColor(214, 69, 65), QColor(92, 176, 60),
+                                        QColor(66, 120, 224)};
+
+double lengthOf(QPointF vector) {
+    return std::hypot(vector.x(), vector.y());
+}
+
+} // namespace
+
+RotationRings::RotationRings(vtkRenderer* renderer) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        auto circle = vtkSmartPointer<vtkRegularPolygonSource>::New();
+        circle->SetNumberOfSides(segments);
+        circle->SetRadius(1);
+        circle->GeneratePolygonOff();
+        circle->SetNormal(axis == 0, axis == 1, axis == 2);
+        auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+        mapper->SetInputConnection(circle->GetOutputPort());
+        rings_[axis] = vtkSmartPointer<vtkActor>::New();
+        rings_[axis]->SetMapper(mapper);
+        rings_[axis]->GetProperty()->LightingOff();
+        rings_[axis]->VisibilityOff();
+        rings_[axis]->PickableOff();
+        renderer->AddActor(rings_[axis]);
+    }
+    highlight(-1);
+}
+
+void RotationRings::setPlace(const Eigen::Vector3f& centre, double radius) {
+    centre_ = centre;
+    radius_ = radius;
+    for (const auto& ring : rings_) {
+        ring->SetPosition(centre.x(), centre.y(), centre.z());
+        ring->SetScale(radius);
+    }
+}
+
+void RotationRings::setVisible(bool visible) {
+    visible_ = visible;
+    for (const auto& ring : rings_) {
+        ring->SetVisibility(visible);
+    }
+}
+
+void RotationRings::highlight(int axis) {
+    for (int ring = 0; ring < 3; ++ring) {
+        vtkProperty* look = rings_[std::size_t(ring)]->GetProperty();
+        const bool lit = ring == axis;
+        look->SetLineWidth(lit ? 4.5f : 2.5f);
+        const QColor colour = axisColours[std::size_t(ring)];
+        look->SetColor(vtkColour(lit ? colour.lighter(130) : colour).data());
+    }
+}
+
+Eigen::Vector3f RotationRings::ringPoint(int axis, double degrees) const {
+    const double angle = degrees * pi / 180;
+    Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+    offset[(axis + 1) % 3] = std::cos(angle);
+    offset[(axis + 2) % 3] = std::sin(angle);
+    return centre_ + (radius_ * offset).cast<float>();
+}
+
+std::optional<int> RotationRings::axisAt(QPointF position, const Projection& project) const {
+    if (!visible_) {
+        return std::nullopt;
+    }
+    std::optional<int> nearest;
+    double least = reachPixels;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double angle = angleAt(axis, position, project);
+        const double distance = lengthOf(project(ringPoint(axis, angle)) - position);
+        if (distance < least) {
+            least = distance;
+            nearest = axis;
+        }
+    }
+    return nearest;
+}
+
+double RotationRings::angleAt(int axis, QPointF position, const Projection& project) const {
+    double best = 0, least = INFINITY;
+    for (int step = 0; step < 720; ++step) {
+        const double angle = step * 0.5;
+        const double distance = lengthOf(project(ringPoint(axis, angle)) - position);
+        if (distance < least) {
+            least = distance;
+            best = angle;
+        }
+    }
+    return best;
+}
+
+} // namespace dipwright

@@ -1,0 +1,26 @@
+// The water round the film and the edges of the tank.
+#pragma once
+
+#include "DipView.h"
+
+#include <vtkActor.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+namespace dipwright {
+
+class TankActors {
+public:
+    explicit TankActors(vtkRenderer* renderer);
+
+    void setSize(QSizeF film, double depth);
+    void setVisible(bool visible);
+    void setColours(const QColor& water, const QColor& edge);
+
+private:
+    vtkSmartPointer<vtkPolyData> waterData_, edgeData_;
+    vtkSmartPointer<vtkActor> water_, edge_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,40 @@
+#include "VtkConversions.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vtkImageData.h>
+
+namespace dipwright {
+
+vtkSmartPointer<vtkMatrix4x4> vtkMatrix(const Eigen::Isometry3d& transform) {
+    auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            matrix->SetElement(row, column, transform.matrix()(row, column));
+        }
+    }
+    return matrix;
+}
+
+vtkSmartPointer<vtkTexture> vtkTextureOf(const QImage& picture) {
+    const QImage pixels = picture.convertToFormat(QImage::Format_RGBA8888);
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(pixels.width(), pixels.height(), 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+    for (int row = 0; row < pixels.height(); ++row) {
+        std::memcpy(image->GetScalarPointer(0, pixels.height() - 1 - row, 0),
+                    pixels.constScanLine(row), std::size_t(pixels.width()) * 4);
+    }
+    auto texture = vtkSmartPointer<vtkTexture>::New();
+    texture->SetInputData(image);
+    texture->InterpolateOn();
+    texture->MipmapOn();
+    texture->SetMaximumAnisotropicFiltering(4);
+    return texture;
+}
+
+std::array<double, 3> vtkColour(const QColor& colour) {
+    return {colour.redF(), colour.greenF(), colour.blueF()};
+}
+
+} // namespace dipwright

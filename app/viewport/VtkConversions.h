@@ -1,0 +1,18 @@
+// From the project's values to VTK's.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <QColor>
+#include <QImage>
+#include <vtkMatrix4x4.h>
+#include <vtkSmartPointer.h>
+#include <vtkTexture.h>
+
+namespace dipwright {
+
+vtkSmartPointer<vtkMatrix4x4> vtkMatrix(const Eigen::Isometry3d& transform);
+// Picture row 0 at texture coordinate v = 1, as OBJ has it.
+vtkSmartPointer<vtkTexture> vtkTextureOf(const QImage& picture);
+std::array<double, 3> vtkColour(const QColor& colour);
+
+} // namespace dipwright
