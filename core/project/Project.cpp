@@ -1,1 +1,272 @@
 #include "project/Project.h"
+
+#include "base/Error.h"
+#include "project/Schema.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <limits>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Project)
+};
+
+constexpr int maximumImmersions = 2;
+
+// The value at a dotted path; undefined where there is none. Throws Error where an object is
+// expected on the way and something else stands there.
+QJsonValue valueAt(const QJsonObject& json, const QString& path, const QString& file) {
+    const auto dot = path.indexOf(QLatin1Char('.'));
+    if (dot < 0) {
+        return json.value(path);
+    }
+    const QString head = path.left(dot);
+    const QJsonValue inner = json.value(head);
+    if (inner.isUndefined()) {
+        return inner;
+    }
+    if (!inner.isObject()) {
+        throw Error(Text::tr("“%1” must be an object").arg(head), file);
+    }
+    return valueAt(inner.toObject(), path.mid(dot + 1), file);
+}
+
+void insertAt(QJsonObject& json, const QString& path, const QJsonValue& value) {
+    const auto dot = path.indexOf(QLatin1Char('.'));
+    if (dot < 0) {
+        json.insert(path, value);
+        return;
+    }
+    QJsonObject inner = json.value(path.left(dot)).toObject();
+    insertAt(inner, path.mid(dot + 1), value);
+    json.insert(path.left(dot), inner);
+}
+
+// Removes the value, and every object on the way that it leaves empty.
+void removeAt(QJsonObject& json, const QString& path) {
+    const auto dot = path.indexOf(QLatin1Char('.'));
+    if (dot < 0) {
+        json.remove(path);
+        return;
+    }
+    const QString head = path.left(dot);
+    if (!json.value(head).isObject()) {
+        return;
+    }
+    QJsonObject inner = json.value(head).toObject();
+    removeAt(inner, path.mid(dot + 1));
+    if (inner.isEmpty()) {
+        json.remove(head);
+    } else {
+        json.insert(head, inner);
+    }
+}
+
+template <typename Owner>
+void readFields(Owner& owner, const std::vector<Field<Owner>>& fields, const QJsonObject& json,
+                const QString& prefix, const QString& file) {
+    for (const Field<Owner>& field : fields) {
+        const QJsonValue value = valueAt(json, field.path, file);
+        if (!value.isUndefined()) {
+            checkValue(field.rule, value, prefix + field.path, file);
+            field.set(owner, value);
+        }
+    }
+}
+
+template <typename Owner>
+void writeFields(const Owner& owner, const std::vector<Field<Owner>>& fields, QJsonObject& json) {
+    for (const Field<Owner>& field : fields) {
+        insertAt(json, field.path, field.get(owner));
+    }
+}
+
+template <typename Owner>
+QJsonObject withoutFields(QJsonObject json, const std::vector<Field<Owner>>& fields) {
+    for (const Field<Owner>& field : fields) {
+        removeAt(json, field.path);
+    }
+    return json;
+}
+
+std::vector<Immersion> readImmersions(const QJsonValue& value, const QString& file) {
+    const QJsonArray array = value.toArray();
+    if (!value.isArray() || array.isEmpty() || array.size() > maximumImmersions) {
+        throw Error(Text::tr("immersions must be an array of one or two immersions"), file);
+    }
+    std::vector<Immersion> immersions;
+    for (int index = 0; index < array.size(); ++index) {
+        const QString path = QStringLiteral("immersions[%1]").arg(index);
+        if (!array.at(index).isObject()) {
+            throw Error(Text::tr("%1 must be an object").arg(path), file);
+        }
+        Immersion immersion;
+        readFields(immersion, immersionFields(), array.at(index).toObject(),
+                   path + QLatin1Char('.'), file);
+        immersions.push_back(immersion);
+    }
+    return immersions;
+}
+
+QJsonArray writeImmersions(const Project& project) {
+    const QJsonArray unknown = project.unknown.value(QLatin1String("immersions")).toArray();
+    QJsonArray array;
+    for (const Immersion& immersion : project.immersions) {
+        QJsonObject json = unknown.at(array.size()).toObject();
+        writeFields(immersion, immersionFields(), json);
+        array.append(json);
+    }
+    return array;
+}
+
+// What of a file this version does not know, with the shape of the file.
+QJsonObject unknownPart(const QJsonObject& json) {
+    QJsonObject unknown = withoutFields(json, projectFields());
+    for (const char* key : {"format", "version", "immersions"}) {
+        unknown.remove(QLatin1String(key));
+    }
+    for (const char* path : {"model.mesh", "model.texture", "model.textures"}) {
+        removeAt(unknown, QLatin1String(path)); // the store's, which knows the assets
+    }
+    QJsonArray immersions;
+    bool anything = false;
+    for (const QJsonValue& immersion : json.value(QLatin1String("immersions")).toArray()) {
+        immersions.append(withoutFields(immersion.toObject(), immersionFields()));
+        anything = anything || !immersions.last().toObject().isEmpty();
+    }
+    if (anything) {
+        unknown.insert(QStringLiteral("immersions"), immersions);
+    }
+    return unknown;
+}
+
+void checkFormat(const QJsonObject& json, const QString& file) {
+    if (json.value(QLatin1String("format")).toString() != QLatin1String("dipwright-project")) {
+        throw Error(Text::tr("This is not a Dipwright project"), file);
+    }
+    const QJsonValue version = json.value(QLatin1String("version"));
+    checkValue({FieldKind::WholeNumber, 1, false, 1, 1e6}, version, QStringLiteral("version"),
+               file);
+    if (version.toInt() > projectVersion) {
+        throw Error(Text::tr("The project has version %1 of the file format and this program reads "
+                             "up to version %2, open it with a newer Dipwright")
+                        .arg(version.toInt())
+                        .arg(projectVersion),
+                    file);
+    }
+}
+
+// Each takes a document of the version of its place (the first: version 1) to the next version.
+using Migration = void (*)(QJsonObject&);
+const std::vector<Migration> migrations{};
+
+QJsonObject migrated(QJsonObject json) {
+    const auto version = std::size_t(json.value(QLatin1String("version")).toInt());
+    for (std::size_t step = version - 1; step < migrations.size(); ++step) {
+        migrations[step](json);
+    }
+    return json;
+}
+
+// The paths that begin as the unknown one does, for a hint.
+QStringList siblingPaths(const QString& path) {
+    const QString section = path.left(path.indexOf(QLatin1Char('.')) + 1);
+    QStringList paths;
+    for (const auto& field : projectFields()) {
+        if (!section.isEmpty() && field.path.startsWith(section)) {
+            paths.append(field.path);
+        }
+    }
+    return paths;
+}
+
+[[noreturn]] void throwUnknownPath(const QString& path) {
+    const QStringList siblings = siblingPaths(path);
+    const QString hint =
+        siblings.isEmpty()
+            ? Text::tr("the sections are film, process, body, immersions[0], sheet and ink")
+            : Text::tr("there are %1").arg(siblings.join(QStringLiteral(", ")));
+    throw Error(Text::tr("There is no such setting, %1").arg(hint), path);
+}
+
+template <typename Owner>
+bool setField(Owner& owner, const std::vector<Field<Owner>>& fields, const QString& fieldPath,
+              const QString& path, const QString& text) {
+    for (const Field<Owner>& field : fields) {
+        if (field.path == fieldPath) {
+            field.set(owner, parseValue(field.rule, text, path));
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+void applyPreset(Project& project, const QString& preset) {
+    const ProcessSettings standard;
+    if (preset == QLatin1String("production")) {
+        project.film.lattice = solver::Lattice::Isotropic;
+        project.film.support = solver::Support::Water;
+    } else if (preset == QLatin1String("paper-2020")) {
+        project.film.lattice = solver::Lattice::Structural;
+        project.film.support = solver::Support::None;
+        project.film.relaxationTime = Seconds(std::numeric_limits<double>::infinity());
+        project.film.edges = {};
+    } else {
+        throw Error(Text::tr("There is no preset %1, use production or paper-2020").arg(preset),
+                    QStringLiteral("preset"));
+    }
+    project.process.dipSpeed = standard.dipSpeed;
+    project.process.timeStep = standard.timeStep;
+    project.process.iterations = standard.iterations;
+    project.process.relaxation = standard.relaxation;
+    project.process.selfContact = standard.selfContact;
+    project.process.contactTravel = standard.contactTravel;
+}
+
+void setByPath(Project& project, const QString& path, const QString& value) {
+    static const QRegularExpression immersionPath(
+        QStringLiteral("^immersions\\[(\\d{1,3})\\]\\.(.+)$"));
+    if (const auto match = immersionPath.match(path); match.hasMatch()) {
+        const auto index = match.captured(1).toUInt();
+        if (index >= project.immersions.size()) {
+            throw Error(Text::tr("The project has %1 immersion(s), the first is immersions[0]")
+                            .arg(project.immersions.size()),
+                        path);
+        }
+        if (setField(project.immersions[index], immersionFields(), match.captured(2), path,
+                     value)) {
+            return;
+        }
+    } else if (!path.startsWith(QLatin1String("model.")) &&
+               setField(project, projectFields(), path, path, value)) {
+        return;
+    }
+    throwUnknownPath(path);
+}
+
+QJsonObject toJson(const Project& project) {
+    QJsonObject json = project.unknown;
+    json.insert(QStringLiteral("format"), QStringLiteral("dipwright-project"));
+    json.insert(QStringLiteral("version"), projectVersion);
+    writeFields(project, projectFields(), json);
+    json.insert(QStringLiteral("immersions"), writeImmersions(project));
+    return json;
+}
+
+Project fromJson(const QJsonObject& json, const QString& where) {
+    checkFormat(json, where);
+    const QJsonObject current = migrated(json);
+    Project project;
+    readFields(project, projectFields(), current, {}, where);
+    project.immersions = readImmersions(current.value(QLatin1String("immersions")), where);
+    project.unknown = unknownPart(current);
+    return project;
+}
+
+} // namespace dipwright

@@ -12,8 +12,8 @@
 namespace dipwright {
 
 struct ModelSource {
-    QString source;    // where it was imported from, for "reload from disk"
-    QString texture;   // the picture that replaced the model's own, or empty
+    QString source;  // where it was imported from, for "reload from disk"
+    QString texture; // the picture that replaced the model's own, or empty
     double unitMillimetres = 1;
     QByteArray sha256; // of the embedded model, hex
     bool operator==(const ModelSource&) const = default;
@@ -22,11 +22,12 @@ struct ModelSource {
 struct Project {
     QString name;
     QString date; // ISO date of creation; stands in the job line
-    std::shared_ptr<const TexturedMesh> model; // shared between versions of the document, never null in a valid project
+    std::shared_ptr<const TexturedMesh>
+        model; // shared between versions of the document, never null in a valid project
     ModelSource modelSource;
     FilmSettings film;
     ProcessSettings process;
-    int fieldResolution = 128; // body.sdf_resolution
+    int fieldResolution = 128;                      // body.sdf_resolution
     std::vector<Immersion> immersions{Immersion{}}; // one or two
     SheetSettings sheet;
     InkSettings ink;
@@ -35,11 +36,12 @@ struct Project {
     bool operator==(const Project&) const = default;
 };
 
-// "production" (the default) or "paper-2020"; changes film and process, throws Error on another name.
+// "production" (the default) or "paper-2020"; changes film and process, throws Error on another
+// name.
 void applyPreset(Project& project, const QString& preset);
 
-// Sets one value by its path in the schema ("film.points", "immersions[0].rotation_deg"), parts of an
-// array joined by x or ;. Throws Error naming the path when it is unknown or out of range.
+// Sets one value by its path in the schema ("film.points", "immersions[0].rotation_deg"), parts of
+// an array joined by x or ;. Throws Error naming the path when it is unknown or out of range.
 void setByPath(Project& project, const QString& path, const QString& value);
 
 // project.json and back; `fromJson` checks every value's range and throws Error by its path.

@@ -1,1 +1,146 @@
 #include "project/ProjectStore.h"
+
+#include "base/Error.h"
+#include "model/ImportModel.h"
+#include "project/Archive.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSaveFile>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ProjectStore)
+};
+
+const QByteArray mimeType = QByteArrayLiteral("application/vnd.dipwright.project");
+const QString documentEntry = QStringLiteral("project.json");
+const QString meshEntry = QStringLiteral("assets/model.bin");
+
+QString textureEntry(std::size_t index) {
+    return QStringLiteral("assets/texture-%1.png").arg(index + 1);
+}
+
+QByteArray sha256(const QByteArray& bytes) {
+    return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex();
+}
+
+QByteArray pngBytes(const QImage& image) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG")) {
+        throw Error(Text::tr("A texture cannot be stored"), {});
+    }
+    return bytes;
+}
+
+// The model without its pictures: they stand beside it in the file, where any program can look at
+// them, and one pixel holds each one's place.
+TexturedMesh withoutPictures(const TexturedMesh& model) {
+    TexturedMesh bare = model;
+    for (QImage& texture : bare.textures) {
+        texture = QImage(1, 1, QImage::Format_RGBA8888);
+        texture.fill(Qt::white);
+    }
+    return bare;
+}
+
+QJsonArray textureEntries(const TexturedMesh& model) {
+    QJsonArray entries;
+    for (std::size_t index = 0; index < model.textures.size(); ++index) {
+        entries.append(textureEntry(index));
+    }
+    return entries;
+}
+
+QByteArray projectBytes(const Project& project) {
+    const QByteArray mesh = writeModel(withoutPictures(*project.model));
+    QJsonObject json = toJson(project);
+    QJsonObject model = json.value(QLatin1String("model")).toObject();
+    const QJsonArray textures = textureEntries(*project.model);
+    model.insert(QStringLiteral("mesh"), meshEntry);
+    model.insert(QStringLiteral("texture"), textures.isEmpty() ? QJsonValue() : textures.first());
+    model.insert(QStringLiteral("textures"), textures);
+    model.insert(QStringLiteral("sha256"), QString::fromLatin1(sha256(mesh)));
+    json.insert(QStringLiteral("model"), model);
+
+    ArchiveWriter archive;
+    archive.add(QStringLiteral("mimetype"), mimeType, ArchiveWriter::Packing::Stored);
+    archive.add(documentEntry, QJsonDocument(json).toJson(), ArchiveWriter::Packing::Deflated);
+    archive.add(meshEntry, mesh, ArchiveWriter::Packing::Deflated);
+    for (std::size_t index = 0; index < project.model->textures.size(); ++index) {
+        archive.add(textureEntry(index), pngBytes(project.model->textures[index]),
+                    ArchiveWriter::Packing::Stored);
+    }
+    return archive.finish();
+}
+
+QJsonObject readDocument(ArchiveReader& archive, const QString& path) {
+    if (!archive.contains(documentEntry)) {
+        throw Error(Text::tr("This is not a Dipwright project, it holds no project.json"), path);
+    }
+    QJsonParseError error;
+    const auto document = QJsonDocument::fromJson(archive.read(documentEntry), &error);
+    if (!document.isObject()) {
+        throw Error(Text::tr("project.json is damaged at character %1: %2")
+                        .arg(error.offset)
+                        .arg(error.errorString()),
+                    path);
+    }
+    return document.object();
+}
+
+QImage readTexture(ArchiveReader& archive, const QString& entry, const QString& path) {
+    const QImage image = QImage::fromData(archive.read(entry), "PNG");
+    if (image.isNull()) {
+        throw Error(Text::tr("The texture %1 cannot be read").arg(entry), path);
+    }
+    return image.convertToFormat(QImage::Format_RGBA8888);
+}
+
+std::shared_ptr<const TexturedMesh> readAssets(ArchiveReader& archive, const QJsonObject& json,
+                                               const QString& path) {
+    const QJsonObject entries = json.value(QLatin1String("model")).toObject();
+    const QByteArray mesh = archive.read(entries.value(QLatin1String("mesh")).toString());
+    if (entries.value(QLatin1String("sha256")).toString().toLatin1() != sha256(mesh)) {
+        throw Error(Text::tr("The model in the project is not the one that was saved, its sha256 "
+                             "differs"),
+                    path);
+    }
+    auto model = std::make_shared<TexturedMesh>(readModel(mesh, path));
+    const QJsonArray textures = entries.value(QLatin1String("textures")).toArray();
+    if (std::size_t(textures.size()) != model->textures.size()) {
+        throw Error(Text::tr("The project lists %1 textures and its model needs %2")
+                        .arg(textures.size())
+                        .arg(model->textures.size()),
+                    path);
+    }
+    for (std::size_t index = 0; index < model->textures.size(); ++index) {
+        model->textures[index] = readTexture(archive, textures.at(int(index)).toString(), path);
+    }
+    return model;
+}
+
+} // namespace
+
+Project loadProject(const QString& path) {
+    ArchiveReader archive(path);
+    const QJsonObject json = readDocument(archive, path);
+    Project project = fromJson(json, path);
+    project.model = readAssets(archive, json, path);
+    return project;
+}
+
+void saveProject(const Project& project, const QString& path) {
+    const QByteArray bytes = projectBytes(project);
+    QSaveFile file(path); // temporary beside the target, flushed to the disk, renamed over it
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
+        throw Error(Text::tr("The project cannot be saved: %1").arg(file.errorString()), path);
+    }
+}
+
+} // namespace dipwright

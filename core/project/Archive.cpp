@@ -1,0 +1,150 @@
+#include "project/Archive.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <quazip.h>
+#include <quazipfile.h>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Archive)
+};
+
+constexpr quint16 encryptedFlag = 1;
+
+bool isSafeName(const QString& name) {
+    if (name.isEmpty() || name.startsWith(QLatin1Char('/')) || name.contains(QLatin1Char('\\')) ||
+        name.contains(QLatin1Char(':')) || name.contains(QChar(0))) {
+        return false;
+    }
+    const QStringList parts = name.split(QLatin1Char('/'));
+    return !parts.contains(QStringLiteral("..")) && !parts.contains(QStringLiteral("."));
+}
+
+bool isBomb(const QuaZipFileInfo64& entry) {
+    const auto unpacked = qint64(entry.uncompressedSize);
+    const auto packed = qint64(entry.compressedSize);
+    return unpacked < 0 || packed < 0 ||
+           (unpacked > harmlessBytes && unpacked / maximumPackingRatio > packed);
+}
+
+} // namespace
+
+ArchiveReader::ArchiveReader(const QString& path) : path_(path), file_(path) {
+    const QFileInfo info(path);
+    if (!info.exists()) {
+        throw Error(Text::tr("There is no such file"), path);
+    }
+    if (!info.isFile()) {
+        throw Error(Text::tr("This is not a file"), path);
+    }
+    if (info.size() == 0) {
+        throw Error(Text::tr("The file is empty"), path);
+    }
+    if (info.size() > maximumFileBytes) {
+        throw Error(Text::tr("The file is too large for a project"), path);
+    }
+    if (!file_.open(QIODevice::ReadOnly)) {
+        throw Error(Text::tr("The file cannot be read: %1").arg(file_.errorString()), path);
+    }
+    zip_ = std::make_unique<QuaZip>(&file_);
+    if (!zip_->open(QuaZip::mdUnzip)) {
+        throw Error(Text::tr("This is not a Dipwright project, or the file is cut off or damaged"),
+                    path);
+    }
+    judgeDirectory();
+}
+
+ArchiveReader::~ArchiveReader() {
+    if (zip_) {
+        zip_->close();
+    }
+}
+
+void ArchiveReader::judgeDirectory() {
+    if (zip_->getEntriesCount() > maximumEntries) {
+        throw Error(Text::tr("The file holds more entries than any project has"), path_);
+    }
+    const QList<QuaZipFileInfo64> entries = zip_->getFileInfoList64();
+    if (entries.isEmpty() || entries.size() != zip_->getEntriesCount()) {
+        throw Error(Text::tr("The file is cut off or damaged"), path_);
+    }
+    qint64 unpacked = 0;
+    for (const QuaZipFileInfo64& entry : entries) {
+        if (!isSafeName(entry.name)) {
+            throw Error(Text::tr("The file holds an entry with an unsafe path and is not opened"),
+                        path_);
+        }
+        if (names_.contains(entry.name)) {
+            throw Error(Text::tr("The file holds the entry %1 twice").arg(entry.name), path_);
+        }
+        if ((entry.flags & encryptedFlag) != 0) {
+            throw Error(Text::tr("The file is encrypted, save it without a password"), path_);
+        }
+        unpacked += qint64(entry.uncompressedSize);
+        if (isBomb(entry) || unpacked > maximumUnpackedBytes) {
+            throw Error(Text::tr("The file would unpack to more than any project needs and is not "
+                                 "opened"),
+                        path_);
+        }
+        names_.insert(entry.name);
+    }
+}
+
+QByteArray ArchiveReader::read(const QString& name) {
+    QuaZipFileInfo64 info;
+    if (!zip_->setCurrentFile(name, QuaZip::csSensitive) || !zip_->getCurrentFileInfo(&info)) {
+        throw Error(Text::tr("The project lacks %1").arg(name), path_);
+    }
+    QuaZipFile entry(zip_.get());
+    QByteArray contents;
+    if (entry.open(QIODevice::ReadOnly)) {
+        // No more than announced is unpacked, whatever the compressed data would give.
+        contents = entry.read(qint64(info.uncompressedSize));
+        const bool complete = contents.size() == qint64(info.uncompressedSize) && entry.atEnd();
+        entry.close();
+        if (complete && entry.getZipError() == UNZ_OK) {
+            return contents;
+        }
+    }
+    throw Error(Text::tr("%1 in the project is cut off or damaged").arg(name), path_);
+}
+
+ArchiveWriter::ArchiveWriter() {
+    buffer_.open(QIODevice::ReadWrite);
+    zip_ = std::make_unique<QuaZip>(&buffer_);
+    zip_->setAutoClose(false);
+    zip_->setUtf8Enabled(true);
+    zip_->setDataDescriptorWritingEnabled(false);
+    zip_->open(QuaZip::mdCreate);
+}
+
+ArchiveWriter::~ArchiveWriter() = default;
+
+void ArchiveWriter::add(const QString& name, const QByteArray& contents, Packing packing) {
+    QuaZipNewInfo info(name);
+    info.dateTime = QDateTime(QDate(1980, 1, 1), QTime(0, 0));
+    const bool stored = packing == Packing::Stored;
+    QuaZipFile entry(zip_.get());
+    const bool written = entry.open(QIODevice::WriteOnly, info, nullptr, 0, stored ? 0 : Z_DEFLATED,
+                                    stored ? 0 : Z_DEFAULT_COMPRESSION) &&
+                         entry.write(contents) == contents.size();
+    entry.close();
+    if (!written || entry.getZipError() != ZIP_OK) {
+        throw Error(Text::tr("The project cannot be packed"), name);
+    }
+}
+
+QByteArray ArchiveWriter::finish() {
+    zip_->close();
+    if (zip_->getZipError() != ZIP_OK) {
+        throw Error(Text::tr("The project cannot be packed"), {});
+    }
+    return buffer_.data();
+}
+
+} // namespace dipwright

@@ -1,0 +1,58 @@
+// A zip as the store needs it: read with distrust, written the same way every time.
+#pragma once
+
+#include <QBuffer>
+#include <QByteArray>
+#include <QFile>
+#include <QSet>
+#include <QString>
+#include <memory>
+
+class QuaZip;
+
+namespace dipwright {
+
+// What a project file may hold when unpacked. Far above any real project, far below what hurts.
+inline constexpr qint64 maximumFileBytes = qint64(4) << 30;
+inline constexpr qint64 maximumUnpackedBytes = qint64(4) << 30;
+inline constexpr int maximumEntries = 10'000;
+inline constexpr qint64 maximumPackingRatio = 200; // of entries larger than `harmlessBytes`
+inline constexpr qint64 harmlessBytes = qint64(16) << 20;
+
+// A zip to read from. All of the directory is judged before anything is unpacked: the constructor
+// throws Error for a file that is missing, empty, truncated, not a zip, encrypted, has unsafe or
+// repeated names, or would be too large when unpacked.
+class ArchiveReader {
+public:
+    explicit ArchiveReader(const QString& path);
+    ~ArchiveReader();
+
+    bool contains(const QString& name) const { return names_.contains(name); }
+    // The whole entry, its checksum verified. Throws Error.
+    QByteArray read(const QString& name);
+
+private:
+    void judgeDirectory();
+
+    QString path_;
+    QFile file_;
+    std::unique_ptr<QuaZip> zip_;
+    QSet<QString> names_;
+};
+
+// A zip written into memory: no time stamps, so that equal contents give equal bytes.
+class ArchiveWriter {
+public:
+    enum class Packing { Stored, Deflated };
+
+    ArchiveWriter();
+    ~ArchiveWriter();
+    void add(const QString& name, const QByteArray& contents, Packing packing);
+    QByteArray finish();
+
+private:
+    QBuffer buffer_;
+    std::unique_ptr<QuaZip> zip_;
+};
+
+} // namespace dipwright

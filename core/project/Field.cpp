@@ -1,0 +1,143 @@
+#include "project/Field.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Project)
+};
+
+QString place(const QString& path, const QString& file) {
+    return file.isEmpty() ? path : QStringLiteral("%1: %2").arg(file, path);
+}
+
+QString plain(double number) {
+    return QString::number(number, 'g', 10);
+}
+
+QString expectation(const FieldRule& rule) {
+    switch (rule.kind) {
+    case FieldKind::Text:
+        return Text::tr("a text of at most %1 characters").arg(plain(rule.maximum));
+    case FieldKind::Choice:
+        return Text::tr("one of %1").arg(rule.choices.join(QStringLiteral(", ")));
+    case FieldKind::Flag:
+        return Text::tr("true or false");
+    case FieldKind::Number:
+        return Text::tr("a number from %1 to %2").arg(plain(rule.minimum), plain(rule.maximum));
+    case FieldKind::WholeNumber:
+        return Text::tr("a whole number from %1 to %2")
+            .arg(plain(rule.minimum), plain(rule.maximum));
+    }
+    return {};
+}
+
+bool keepsRule(const FieldRule& rule, const QJsonValue& value) {
+    const double number = value.toDouble(std::nan(""));
+    switch (rule.kind) {
+    case FieldKind::Text:
+        return value.isString() && value.toString().size() <= rule.maximum;
+    case FieldKind::Choice:
+        return value.isString() && rule.choices.contains(value.toString());
+    case FieldKind::Flag:
+        return value.isBool();
+    case FieldKind::Number:
+        return number >= rule.minimum && number <= rule.maximum;
+    case FieldKind::WholeNumber:
+        return number >= rule.minimum && number <= rule.maximum && number == std::floor(number);
+    }
+    return false;
+}
+
+QString shown(const QJsonValue& value) {
+    switch (value.type()) {
+    case QJsonValue::Null:
+        return QStringLiteral("null");
+    case QJsonValue::Bool:
+        return value.toBool() ? QStringLiteral("true") : QStringLiteral("false");
+    case QJsonValue::Double:
+        return plain(value.toDouble());
+    case QJsonValue::String:
+        return QStringLiteral("“%1”").arg(value.toString().left(60));
+    case QJsonValue::Array:
+        return Text::tr("an array");
+    case QJsonValue::Object:
+        return Text::tr("an object");
+    case QJsonValue::Undefined:
+        break;
+    }
+    return Text::tr("nothing");
+}
+
+void checkPart(const FieldRule& rule, const QJsonValue& value, const QString& path,
+               const QString& file) {
+    if (!keepsRule(rule, value)) {
+        throw Error(Text::tr("%1 does not fit here, give %2").arg(shown(value), expectation(rule)),
+                    place(path, file));
+    }
+}
+
+QJsonValue parsePart(const FieldRule& rule, const QString& text) {
+    if (rule.kind == FieldKind::Flag) {
+        if (text == QLatin1String("true") || text == QLatin1String("false")) {
+            return text == QLatin1String("true");
+        }
+        return text;
+    }
+    if (rule.kind == FieldKind::Number || rule.kind == FieldKind::WholeNumber) {
+        bool isNumber = false;
+        const double number = QLocale::c().toDouble(text, &isNumber);
+        return isNumber ? QJsonValue(number) : QJsonValue(text);
+    }
+    return text;
+}
+
+} // namespace
+
+void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& path,
+                const QString& file) {
+    if (rule.nullable && value.isNull()) {
+        return;
+    }
+    if (rule.parts == 1) {
+        checkPart(rule, value, path, file);
+        return;
+    }
+    if (!value.isArray() || value.toArray().size() != rule.parts) {
+        throw Error(Text::tr("%1 does not fit here, give %2 parts, each %3")
+                        .arg(shown(value), QString::number(rule.parts), expectation(rule)),
+                    place(path, file));
+    }
+    for (int part = 0; part < rule.parts; ++part) {
+        checkPart(rule, value.toArray().at(part), QStringLiteral("%1[%2]").arg(path).arg(part),
+                  file);
+    }
+}
+
+QJsonValue parseValue(const FieldRule& rule, const QString& text, const QString& path) {
+    QJsonValue value;
+    if (rule.nullable && text == QLatin1String("null")) {
+        return value;
+    }
+    if (rule.parts == 1) {
+        value = parsePart(rule, text);
+    } else {
+        static const QRegularExpression separator(QStringLiteral("[x;]"));
+        QJsonArray parts;
+        for (const QString& part : text.split(separator)) {
+            parts.append(parsePart(rule, part.trimmed()));
+        }
+        value = parts;
+    }
+    checkValue(rule, value, path, {});
+    return value;
+}
+
+} // namespace dipwright

@@ -1,0 +1,43 @@
+// One value of the project file's schema, declared once: where it stands, what it may be, and how
+// it is got from and set in its owner. Reading, writing, `--set` and the dialogs' limits all use
+// it.
+#pragma once
+
+#include <QJsonValue>
+#include <QString>
+#include <QStringList>
+#include <functional>
+
+namespace dipwright {
+
+enum class FieldKind { Text, Choice, Flag, Number, WholeNumber };
+
+// What a value must be. With `parts` > 1 it is an array of that many such values.
+struct FieldRule {
+    FieldKind kind = FieldKind::Number;
+    int parts = 1;
+    bool nullable = false;
+    double minimum = 0; // of numbers, both ends allowed; of texts: nothing
+    double maximum = 0; // of numbers; of texts: the greatest length
+    QStringList choices = {};
+};
+
+// `set` is only called with values that keep the rule, and may throw Error for what depends on
+// more than one value.
+template <typename Owner>
+struct Field {
+    QString path; // "film.size_mm", from the owner's own object
+    FieldRule rule;
+    std::function<QJsonValue(const Owner&)> get;
+    std::function<void(Owner&, const QJsonValue&)> set;
+};
+
+// Throws Error naming `path` (with the index of the offending part) and `file`, which may be empty.
+void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& path,
+                const QString& file);
+
+// The value written as text on a command line: parts joined by x or ;, "null", "true" and "false".
+// Throws Error naming `path`; the result keeps the rule.
+QJsonValue parseValue(const FieldRule& rule, const QString& text, const QString& path);
+
+} // namespace dipwright

@@ -1,0 +1,329 @@
+#include "project/Schema.h"
+
+#include "base/Error.h"
+#include "project/FilmSizes.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Project)
+};
+
+double plainNumber(double number) {
+    return number;
+}
+template <typename Unit>
+double plainNumber(Quantity<Unit> quantity) {
+    return quantity.value();
+}
+
+// `access` is a generic lambda from an owner, const or not, to a reference to the value.
+template <typename Owner, typename Access>
+using ValueOf = std::remove_cvref_t<decltype(std::declval<Access>()(std::declval<Owner&>()))>;
+
+template <typename Owner = Project, typename Access>
+Field<Owner> number(const char* path, double minimum, double maximum, Access access) {
+    using Value = ValueOf<Owner, Access>;
+    const bool whole = std::is_integral_v<Value>;
+    return {QString::fromLatin1(path),
+            {whole ? FieldKind::WholeNumber : FieldKind::Number, 1, false, minimum, maximum},
+            [access](const Owner& owner) { return QJsonValue(plainNumber(access(owner))); },
+            [access](Owner& owner, const QJsonValue& value) {
+                access(owner) = Value(value.toDouble());
+            }};
+}
+
+// Several numbers of one unit: `access` gives the part of that index.
+template <typename Owner = Project, typename Access>
+Field<Owner> numbers(const char* path, int parts, double minimum, double maximum, Access access) {
+    using Value = std::remove_cvref_t<decltype(access(std::declval<Owner&>(), 0))>;
+    return {QString::fromLatin1(path),
+            {FieldKind::Number, parts, false, minimum, maximum},
+            [access, parts](const Owner& owner) {
+                QJsonArray array;
+                for (int part = 0; part < parts; ++part) {
+                    array.append(plainNumber(access(owner, part)));
+                }
+                return QJsonValue(array);
+            },
+            [access, parts](Owner& owner, const QJsonValue& value) {
+                for (int part = 0; part < parts; ++part) {
+                    access(owner, part) = Value(value.toArray().at(part).toDouble());
+                }
+            }};
+}
+
+template <typename Owner = Project, typename Access>
+Field<Owner> text(const char* path, int maximumLength, Access access) {
+    return {QString::fromLatin1(path),
+            {FieldKind::Text, 1, false, 0, double(maximumLength)},
+            [access](const Owner& owner) { return QJsonValue(access(owner)); },
+            [access](Owner& owner, const QJsonValue& value) { access(owner) = value.toString(); }};
+}
+
+template <typename Access>
+Field<Project> flag(const char* path, Access access) {
+    return {
+        QString::fromLatin1(path),
+        {FieldKind::Flag},
+        [access](const Project& project) { return QJsonValue(access(project)); },
+        [access](Project& project, const QJsonValue& value) { access(project) = value.toBool(); }};
+}
+
+// A value out of a list of words; `words` are in the order of the values 0, 1, 2 …
+template <typename Access>
+Field<Project> choice(const char* path, const QStringList& words, Access access) {
+    using Value = ValueOf<Project, Access>;
+    return {QString::fromLatin1(path),
+            {FieldKind::Choice, 1, false, 0, 0, words},
+            [access, words](const Project& project) {
+                return QJsonValue(words.at(int(access(project))));
+            },
+            [access, words](Project& project, const QJsonValue& value) {
+                access(project) = Value(words.indexOf(value.toString()));
+            }};
+}
+
+Field<Project> filmPreset() {
+    return {QStringLiteral("film.preset"),
+            {FieldKind::Choice, 1, false, 0, 0, filmSizeNames() << QStringLiteral("custom")},
+            [](const Project& project) { return QJsonValue(project.film.preset); },
+            [](Project& project, const QJsonValue& value) {
+                if (value.toString() != QLatin1String("custom")) {
+                    const QSizeF size = filmSize(value.toString());
+                    resizeFilm(project.film, Millimetres(size.width()), Millimetres(size.height()));
+                }
+                project.film.preset = value.toString();
+            }};
+}
+
+Field<Project> filmSizeField() {
+    return {QStringLiteral("film.size_mm"),
+            {FieldKind::Number, 2, false, 10, 3000},
+            [](const Project& project) {
+                return QJsonArray{project.film.width.value(), project.film.height.value()};
+            },
+            [](Project& project, const QJsonValue& value) {
+                const QJsonArray size = value.toArray();
+                resizeFilm(project.film, Millimetres(size.at(0).toDouble()),
+                           Millimetres(size.at(1).toDouble()));
+            }};
+}
+
+Field<Project> filmPoints() {
+    return {QStringLiteral("film.points"),
+            {FieldKind::WholeNumber, 2, false, minimumFilmPoints, maximumFilmPoints},
+            [](const Project& project) {
+                return QJsonArray{project.film.columns, project.film.rows};
+            },
+            [](Project& project, const QJsonValue& value) {
+                const int columns = value.toArray().at(0).toInt();
+                const int rows = value.toArray().at(1).toInt();
+                if (columns * rows > maximumFilmGrid) {
+                    throw Error(Text::tr("%1 × %2 points are more than the %3 million that a film "
+                                         "may have, give fewer")
+                                    .arg(columns)
+                                    .arg(rows)
+                                    .arg(maximumFilmGrid / 1'000'000),
+                                QStringLiteral("film.points"));
+                }
+                project.film.columns = columns;
+                project.film.rows = rows;
+            }};
+}
+
+Field<Project> relaxationTime() {
+    return {QStringLiteral("film.relaxation_time_s"),
+            {FieldKind::Number, 1, true, 0, 1e6},
+            [](const Project& project) {
+                const double seconds = project.film.relaxationTime.value();
+                return std::isinf(seconds) ? QJsonValue() : QJsonValue(seconds);
+            },
+            [](Project& project, const QJsonValue& value) {
+                project.film.relaxationTime = Seconds(
+                    value.isNull() ? std::numeric_limits<double>::infinity() : value.toDouble());
+            }};
+}
+
+Field<Project> dipDepth() {
+    return {QStringLiteral("process.depth_mm"),
+            {FieldKind::Number, 1, true, 0.1, 5000},
+            [](const Project& project) {
+                const auto& depth = project.process.depth;
+                return depth ? QJsonValue(depth->value()) : QJsonValue();
+            },
+            [](Project& project, const QJsonValue& value) {
+                project.process.depth.reset();
+                if (!value.isNull()) {
+                    project.process.depth = Millimetres(value.toDouble());
+                }
+            }};
+}
+
+Field<Project> modelHash() {
+    return {QStringLiteral("model.sha256"),
+            {FieldKind::Text, 1, false, 0, 64},
+            [](const Project& project) {
+                return QJsonValue(QString::fromLatin1(project.modelSource.sha256));
+            },
+            [](Project& project, const QJsonValue& value) {
+                project.modelSource.sha256 = value.toString().toLatin1();
+            }};
+}
+
+void addModelFields(std::vector<Field<Project>>& fields) {
+    fields.push_back(text(
+        "model.source", 4096, [](auto& p) -> auto& { return p.modelSource.source; }));
+    fields.push_back(text(
+        "model.texture_source", 4096, [](auto& p) -> auto& { return p.modelSource.texture; }));
+    fields.push_back(number(
+        "model.unit_mm", 1e-9, 1e9,
+        [](auto& p) -> auto& { return p.modelSource.unitMillimetres; }));
+    fields.push_back(modelHash());
+}
+
+void addFilmFields(std::vector<Field<Project>>& fields) {
+    const QStringList edge{QStringLiteral("free"), QStringLiteral("pinned")};
+    fields.push_back(filmPreset());
+    fields.push_back(filmSizeField());
+    fields.push_back(filmPoints());
+    fields.push_back(choice(
+        "film.lattice", {QStringLiteral("structural"), QStringLiteral("isotropic")},
+        [](auto& p) -> auto& { return p.film.lattice; }));
+    fields.push_back(choice(
+        "film.support", {QStringLiteral("none"), QStringLiteral("water")},
+        [](auto& p) -> auto& { return p.film.support; }));
+    fields.push_back(choice(
+        "film.edges.left", edge, [](auto& p) -> auto& { return p.film.edges.leftPinned; }));
+    fields.push_back(choice(
+        "film.edges.right", edge, [](auto& p) -> auto& { return p.film.edges.rightPinned; }));
+    fields.push_back(choice(
+        "film.edges.top", edge, [](auto& p) -> auto& { return p.film.edges.topPinned; }));
+    fields.push_back(choice(
+        "film.edges.bottom", edge, [](auto& p) -> auto& { return p.film.edges.bottomPinned; }));
+    fields.push_back(numbers(
+        "film.swell", 2, 0.5, 2,
+        [](auto& p, int part) -> auto& { return part == 0 ? p.film.swellX : p.film.swellY; }));
+    fields.push_back(relaxationTime());
+    fields.push_back(number(
+        "film.contact_distance_mm", 0, 10,
+        [](auto& p) -> auto& { return p.film.contactDistance; }));
+}
+
+void addProcessFields(std::vector<Field<Project>>& fields) {
+    fields.push_back(number(
+        "process.dip_speed_mm_s", 0.01, 1000, [](auto& p) -> auto& { return p.process.dipSpeed; }));
+    fields.push_back(number(
+        "process.time_step_s", 1e-5, 1, [](auto& p) -> auto& { return p.process.timeStep; }));
+    fields.push_back(number(
+        "process.iterations", 1, 1000, [](auto& p) -> auto& { return p.process.iterations; }));
+    fields.push_back(choice(
+        "process.relaxation", {QStringLiteral("jacobi"), QStringLiteral("gauss-seidel")},
+        [](auto& p) -> auto& { return p.process.relaxation; }));
+    fields.push_back(flag(
+        "process.self_contact", [](auto& p) -> auto& { return p.process.selfContact; }));
+    fields.push_back(number(
+        "process.contact_travel_cells", 0.001, 1,
+        [](auto& p) -> auto& { return p.process.contactTravel; }));
+    fields.push_back(dipDepth());
+    fields.push_back(number(
+        "process.margin_mm", 0, 100, [](auto& p) -> auto& { return p.process.margin; }));
+    fields.push_back(number(
+        "process.tear_stretch", 1, 100, [](auto& p) -> auto& { return p.process.tearStretch; }));
+    fields.push_back(number(
+        "process.overhang_deg", 0, 90, [](auto& p) -> auto& { return p.process.overhang; }));
+    fields.push_back(text(
+        "process.solver", 100, [](auto& p) -> auto& { return p.process.solver; }));
+    fields.push_back(number(
+        "body.sdf_resolution", 64, 512, [](auto& p) -> auto& { return p.fieldResolution; }));
+}
+
+Field<Project> paper() {
+    const QStringList papers{QStringLiteral("film"), QStringLiteral("A4"), QStringLiteral("A3"),
+                             QStringLiteral("Letter"), QStringLiteral("custom")};
+    return {
+        QStringLiteral("sheet.paper"),
+        {FieldKind::Choice, 1, false, 0, 0, papers},
+        [](const Project& project) { return QJsonValue(project.sheet.paper); },
+        [](Project& project, const QJsonValue& value) { project.sheet.paper = value.toString(); }};
+}
+
+void addSheetFields(std::vector<Field<Project>>& fields) {
+    fields.push_back(paper());
+    fields.push_back(flag(
+        "sheet.landscape", [](auto& p) -> auto& { return p.sheet.landscape; }));
+    fields.push_back(numbers(
+        "sheet.custom_size_mm", 2, 10, 5000, [](auto& p, int part) -> auto& {
+            return part == 0 ? p.sheet.customWidth : p.sheet.customHeight;
+        }));
+    fields.push_back(number(
+        "sheet.dpi", 30, 2400, [](auto& p) -> auto& { return p.sheet.resolution; }));
+    fields.push_back(number(
+        "sheet.bleed_mm", 0, 50, [](auto& p) -> auto& { return p.sheet.bleed; }));
+    fields.push_back(flag(
+        "sheet.marks", [](auto& p) -> auto& { return p.sheet.marks; }));
+    fields.push_back(flag(
+        "sheet.ruler", [](auto& p) -> auto& { return p.sheet.ruler; }));
+    fields.push_back(flag(
+        "sheet.job_line", [](auto& p) -> auto& { return p.sheet.jobLine; }));
+    fields.push_back(flag(
+        "ink.compensate", [](auto& p) -> auto& { return p.ink.compensate; }));
+    fields.push_back(number(
+        "ink.limit", 0.1, 10, [](auto& p) -> auto& { return p.ink.limit; }));
+}
+
+} // namespace
+
+const std::vector<Field<Project>>& projectFields() {
+    static const std::vector<Field<Project>> fields = [] {
+        std::vector<Field<Project>> all;
+        all.push_back(text(
+            "name", 200, [](auto& p) -> auto& { return p.name; }));
+        all.push_back(text(
+            "created", 40, [](auto& p) -> auto& { return p.date; }));
+        addModelFields(all);
+        addFilmFields(all);
+        addProcessFields(all);
+        addSheetFields(all);
+        return all;
+    }();
+    return fields;
+}
+
+const std::vector<Field<Immersion>>& immersionFields() {
+    static const std::vector<Field<Immersion>> fields{
+        text<Immersion>(
+            "name", 100, [](auto& i) -> auto& { return i.name; }),
+        numbers<Immersion>(
+            "rotation_deg", 3, -360, 360,
+            [](auto& i, int part) -> auto& { return i.rotation[part]; }),
+        numbers<Immersion>(
+            "offset_mm", 2, -5000, 5000,
+            [](auto& i, int part) -> auto& { return i.offset[part]; })};
+    return fields;
+}
+
+std::optional<FieldRule> ruleOf(const QString& path) {
+    static const QRegularExpression immersion(QStringLiteral("^immersions\\[\\d+\\]\\.(.+)$"));
+    if (const auto match = immersion.match(path); match.hasMatch()) {
+        for (const auto& field : immersionFields()) {
+            if (field.path == match.captured(1)) {
+                return field.rule;
+            }
+        }
+    }
+    for (const auto& field : projectFields()) {
+        if (field.path == path) {
+            return field.rule;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace dipwright

@@ -1,0 +1,24 @@
+// The schema of project.json, version 1 (interfaces.md), as tables of fields. Private to this
+// folder but for the limits, which the dialogs show.
+#pragma once
+
+#include "project/Field.h"
+#include "project/Project.h"
+
+#include <optional>
+#include <vector>
+
+namespace dipwright {
+
+inline constexpr int projectVersion = 1;
+
+// In the order in which a file is read: a film's preset comes before its size, its size before its
+// points, as each sets what follows.
+const std::vector<Field<Project>>& projectFields();
+const std::vector<Field<Immersion>>& immersionFields();
+
+// What the value at `path` must be ("film.swell", "immersions[0].offset_mm"); none for an unknown
+// path.
+std::optional<FieldRule> ruleOf(const QString& path);
+
+} // namespace dipwright
