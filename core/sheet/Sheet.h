@@ -1,19 +1,22 @@
 // The page as it leaves the printer: film image, marks, ruler and job line at true size.
+//
+// Everything here that sets type (all but sheetPixels, pageSize and flattened) needs a
+// QGuiApplication; the "offscreen" platform will do. All functions are reentrant.
 #pragma once
 
 #include "base/Units.h"
 #include "film/FilmSettings.h"
 
 #include <QIODevice>
-#include <QPainter>
 #include <QImage>
+#include <QPainter>
 
 namespace dipwright {
 
 // The project file's "sheet".
 struct SheetSettings {
     QString paper = QStringLiteral("film"); // film (the page is the film), A4, A3, Letter, custom
-    bool landscape = false;
+    bool landscape = false; // turns A4, A3 and Letter; film and custom pages are as they are given
     Millimetres customWidth{210};
     Millimetres customHeight{297};
     DotsPerInch resolution{300};
@@ -32,22 +35,26 @@ struct JobLine {
 
 // A film image at its printed size with what is printed round it.
 struct Sheet {
-    QImage image;      // the film's printed size at `resolution`, ink side up
+    QImage image; // the film's printed size at `resolution`, ink side up
     Millimetres filmWidth{210}, filmHeight{297}; // printed size
     SheetSettings settings;
     JobLine job;
 };
 
-// Pixels of a film image at true size: A4 at 300 dpi is 2480 × 3508.
+// Pixels of a film image at true size: A4 at 300 dpi is 2480 × 3508. Throws Error past 32,000
+// pixels a side.
 QSize sheetPixels(Millimetres width, Millimetres height, DotsPerInch resolution);
-// The page in mm for this film; throws Error when the paper is smaller than the film.
+// The page in mm for this film; throws Error when the paper is smaller than the film or unknown.
 QSizeF pageSize(const Sheet& sheet);
+// The film image on white, opaque (Format_RGB888, sRGB): what the printer is sent.
+QImage flattened(const QImage& filmImage);
 // Draws the whole page with a painter whose unit is the millimetre and whose origin is the page's
 // upper left corner: used by the PDF, the printer and the preview.
 void paintSheet(QPainter& painter, const Sheet& sheet);
-// PNG with resolution and sRGB profile. Unprinted is white.
+// PNG with resolution and sRGB profile. Unprinted is white. Throws Error when not writable.
 void writeSheetPng(const Sheet& sheet, QIODevice& device);
-// PDF at true size, the image stored without loss. Same bytes for the same sheet.
+// PDF at true size, the image stored without loss, sRGB as output intent, viewers asked not to
+// scale. Same bytes for the same sheet. Throws Error when not writable.
 void writeSheetPdf(const Sheet& sheet, QIODevice& device);
 
 } // namespace dipwright

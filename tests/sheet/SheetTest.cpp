@@ -1,0 +1,415 @@
+// The sheet as a user meets it: measured on the finished PDF and PNG with the tools of poppler.
+#include "sheet/Sheet.h"
+#include "sheet/SheetLayout.h"
+
+#include "base/Error.h"
+
+#include <QBuffer>
+#include <QColorSpace>
+#include <QImageReader>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+Sheet sheetOf(Millimetres width, Millimetres height) {
+    Sheet sheet;
+    sheet.filmWidth = width;
+    sheet.filmHeight = height;
+    sheet.image =
+        QImage(sheetPixels(width, height, sheet.settings.resolution), QImage::Format_RGBA8888);
+    sheet.image.fill(Qt::transparent);
+    sheet.job = {QStringLiteral("Turtle"),           QStringLiteral("Top"),
+                 QStringLiteral("2026-03-01"),       QStringLiteral("A4 210 × 297 mm"),
+                 QStringLiteral("1:1, swell 1 × 1"), QStringLiteral("3fa9c2d1")};
+    return sheet;
+}
+
+void fillMillimetres(Sheet& sheet, const QRectF& box, QColor colour) {
+    QPainter painter(&sheet.image);
+    painter.scale(sheet.image.width() / sheet.filmWidth.value(),
+                  sheet.image.height() / sheet.filmHeight.value());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(box, colour);
+}
+
+// 17 mm squares over the whole film, two corners meeting in its middle.
+Sheet chessSheet() {
+    Sheet sheet = sheetOf(Millimetres(210), Millimetres(297));
+    sheet.image.fill(Qt::white);
+    for (int row = -9; row < 9; ++row) {
+        for (int column = -7; column < 7; ++column) {
+            if ((row + column) % 2 == 0) {
+                fillMillimetres(sheet, QRectF(105 + 17 * column, 148.5 + 17 * row, 17, 17),
+                                Qt::black);
+            }
+        }
+    }
+    return sheet;
+}
+
+// A patch in the middle of an otherwise unprinted film.
+Sheet patchSheet(Millimetres width = Millimetres(210), Millimetres height = Millimetres(297)) {
+    Sheet sheet = sheetOf(width, height);
+    fillMillimetres(sheet, QRectF(width.value() / 2 - 30, height.value() / 2 - 30, 60, 60),
+                    QColor(20, 90, 160));
+    return sheet;
+}
+
+QByteArray pdfOf(const Sheet& sheet) {
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    writeSheetPdf(sheet, buffer);
+    return buffer.data();
+}
+
+// Runs a tool on a PDF and gives its standard output.
+QByteArray tool(const QString& program, const QStringList& arguments) {
+    QProcess process;
+    process.start(program, arguments);
+    if (!process.waitForFinished(60000) || process.exitCode() != 0) {
+        qWarning() << program << arguments << process.errorString()
+                   << process.readAllStandardError();
+        return {};
+    }
+    return process.readAllStandardOutput();
+}
+
+// Away from what is printed along the page's edges: where the row passes from light to dark or
+// back, in pixels, to a fraction by the share of light in the pixels between.
+std::vector<double> edges(const QImage& grey, int row, int margin) {
+    std::vector<double> found;
+    const uchar* line = grey.constScanLine(row);
+    int start = margin; // the last pixel that is all light or all dark
+    double light = 0;   // in the pixels since
+    for (int x = margin; x < grey.width() - margin; ++x) {
+        if (line[x] > 5 && line[x] < 250) {
+            light += line[x] / 255.0;
+            continue;
+        }
+        if ((line[x] < 128) != (line[start] < 128)) {
+            found.push_back(start + 1 + (line[x] < 128 ? light : x - start - 1 - light));
+        }
+        start = x;
+        light = 0;
+    }
+    return found;
+}
+
+} // namespace
+
+class SheetTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    QString save(const QByteArray& bytes, const QString& name) {
+        QFile file(folder_.filePath(name));
+        if (!file.open(QIODevice::WriteOnly)) {
+            qFatal("cannot write %s", qPrintable(file.fileName()));
+        }
+        file.write(bytes);
+        return file.fileName();
+    }
+
+    QSizeF pdfPage(const QString& path) {
+        const QString info = QString::fromUtf8(tool("pdfinfo", {path}));
+        const auto match = QRegularExpression("Page size: *([0-9.]+) x ([0-9.]+) pts").match(info);
+        return {match.captured(1).toDouble() / 72 * 25.4, match.captured(2).toDouble() / 72 * 25.4};
+    }
+
+    // The page in grey, or the part of it in `box` (mm).
+    QImage rendered(const QString& path, int dpi, const QRectF& box = {}) {
+        const QString base = folder_.filePath("page");
+        const QRect pixels =
+            QTransform::fromScale(dpi / millimetresPerInch, dpi / millimetresPerInch)
+                .mapRect(box)
+                .toAlignedRect();
+        tool("pdftoppm",
+             {"-r", QString::number(dpi), "-gray", "-png", "-singlefile", "-x",
+              QString::number(pixels.x()), "-y", QString::number(pixels.y()), "-W",
+              QString::number(pixels.width()), "-H", QString::number(pixels.height()), path, base});
+        const QImage image(base + ".png");
+        if (image.isNull()) {
+            qFatal("%s cannot be rendered", qPrintable(path));
+        }
+        return image.convertToFormat(QImage::Format_Grayscale8);
+    }
+
+private slots:
+    void initTestCase() { QImageReader::setAllocationLimit(1024); } // MB, a page at 600 dpi
+    void a4HasExactlyTheseManyPixels();
+    void imagesPastTheLimitAreRefused();
+    void pngCarriesResolutionAndProfile();
+    void squaresMeasureSeventeenMillimetres();
+    void imageInPdfIsBitExact();
+    void rulerMeasuresAHundredMillimetres();
+    void marksStandInTheCorners();
+    void jobLineCanBeRead();
+    void partsCanBeSwitchedOff();
+    void partsKeepOffThePaint();
+    void partsStandOnPaintOnlyWhereItIsEverywhere();
+    void papers_data();
+    void papers();
+    void filmLiesInTheMiddleOfLargerPaper();
+    void tooSmallPaperIsRefused();
+    void unknownPaperIsRefused();
+    void sameSheetGivesTheSameBytes();
+    void viewersAreAskedNotToScale();
+    void unwritableDeviceIsAnError();
+};
+
+void SheetTest::a4HasExactlyTheseManyPixels() {
+    QCOMPARE(sheetPixels(Millimetres(210), Millimetres(297), DotsPerInch(300)), QSize(2480, 3508));
+    QCOMPARE(sheetPixels(Millimetres(297), Millimetres(420), DotsPerInch(600)), QSize(7016, 9921));
+}
+
+void SheetTest::imagesPastTheLimitAreRefused() {
+    QVERIFY_EXCEPTION_THROWN(sheetPixels(Millimetres(5000), Millimetres(297), DotsPerInch(1200)),
+                             Error);
+    QVERIFY_EXCEPTION_THROWN(sheetPixels(Millimetres(0), Millimetres(297), DotsPerInch(300)),
+                             Error);
+    QVERIFY_EXCEPTION_THROWN(sheetPixels(Millimetres(210), Millimetres(297), DotsPerInch(qQNaN())),
+                             Error);
+}
+
+void SheetTest::pngCarriesResolutionAndProfile() {
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    writeSheetPng(patchSheet(), buffer);
+    QVERIFY(buffer.data().contains("iCCP"));
+    const QImage image = QImage::fromData(buffer.data());
+    QCOMPARE(image.size(), QSize(2480, 3508));
+    QCOMPARE(image.dotsPerMeterX(), 11811);
+    QCOMPARE(image.dotsPerMeterY(), 11811);
+    QCOMPARE(image.colorSpace(), QColorSpace(QColorSpace::SRgb));
+    QCOMPARE(image.pixelColor(0, 0), QColor(Qt::white));
+    QCOMPARE(image.pixelColor(1240, 1754), QColor(20, 90, 160));
+}
+
+void SheetTest::squaresMeasureSeventeenMillimetres() {
+    const QString path = save(pdfOf(chessSheet()), "chess.pdf");
+    constexpr int dpi = 600;
+    const QImage page = rendered(path, dpi);
+    const QImage turned = page.transformed(QTransform().rotate(90));
+    for (const QImage* image : {&page, &turned}) {
+        // Through the middle of a row of squares.
+        const std::vector<double> found = edges(*image, image->height() / 2 + 200, 300);
+        QVERIFY2(found.size() >= 11, qPrintable(QString::number(found.size())));
+        const double millimetre = dpi / millimetresPerInch;
+        for (std::size_t i = 1; i < found.size(); ++i) {
+            const double square = (found[i] - found[i - 1]) / millimetre;
+            QVERIFY2(std::abs(square - 17) < 0.02, qPrintable(QString::number(square)));
+        }
+    }
+}
+
+void SheetTest::imageInPdfIsBitExact() {
+    const Sheet sheet = patchSheet();
+    const QString path = save(pdfOf(sheet), "patch.pdf");
+    tool("pdfimages", {"-png", path, folder_.filePath("image")});
+    QImage image(folder_.filePath("image-000.png"));
+    QVERIFY(!image.isNull());
+    image.setColorSpace(QColorSpace::SRgb); // PDF says it once, by the output intent
+    QCOMPARE(image.convertToFormat(QImage::Format_RGB888), flattened(sheet.image));
+    QVERIFY(!QFile::exists(folder_.filePath("image-001.png")));
+}
+
+void SheetTest::rulerMeasuresAHundredMillimetres() {
+    const Sheet sheet = patchSheet();
+    const SheetLayout layout = sheetLayout(sheet);
+    QVERIFY(layout.ruler);
+    const QString path = save(pdfOf(sheet), "ruler.pdf");
+    constexpr int dpi = 1200;
+    const QRectF box = layout.ruler->box();
+    const QImage strip = rendered(path, dpi, box);
+    const double millimetre = dpi / millimetresPerInch;
+    // Just above the base line every tick is a dark run; its middle is the millimetre.
+    const uchar* line = strip.constScanLine(strip.height() - int(0.6 * millimetre));
+    std::vector<double> ticks;
+    for (int x = 0; x < strip.width(); ++x) {
+        double weight = 0;
+        double sum = 0;
+        for (; x < strip.width() && line[x] < 250; ++x) {
+            weight += 255 - line[x];
+            sum += (255 - line[x]) * (x + 0.5);
+        }
+        if (weight > 0) {
+            ticks.push_back(sum / weight / millimetre);
+        }
+    }
+    QCOMPARE(ticks.size(), std::size_t(101));
+    QVERIFY2(std::abs(ticks.back() - ticks.front() - 100) < 0.01,
+             qPrintable(QString::number(ticks.back() - ticks.front())));
+    QVERIFY(std::abs(ticks[50] - ticks[0] - 50) < 0.01);
+    QVERIFY(tool("pdftotext", {path, "-"}).contains("100 mm"));
+}
+
+void SheetTest::marksStandInTheCorners() {
+    const SheetLayout layout = sheetLayout(patchSheet());
+    QCOMPARE(layout.marks.size(), std::size_t(4));
+    QCOMPARE(layout.marks[0].centre, QPointF(6, 6));
+    QCOMPARE(layout.marks[3].centre, QPointF(204, 291));
+    const QImage page = rendered(save(pdfOf(patchSheet()), "marks.pdf"), 600);
+    const double millimetre = 600 / millimetresPerInch;
+    for (const SheetMark& mark : layout.marks) {
+        const QPointF arm = (mark.centre - QPointF(0, 2.5)) * millimetre;
+        QVERIFY(qGray(page.pixel(arm.toPoint())) < 128 ||
+                qGray(page.pixel(int(arm.x()), int(arm.y()))) < 128);
+    }
+    // Nothing within 3 mm of the page's edge.
+    for (int x = 0; x < page.width(); ++x) {
+        QCOMPARE(qGray(page.pixel(x, int(2.9 * millimetre))), 255);
+        QCOMPARE(qGray(page.pixel(x, page.height() - int(2.9 * millimetre))), 255);
+    }
+}
+
+void SheetTest::jobLineCanBeRead() {
+    Sheet sheet = patchSheet();
+    sheet.job.project = QStringLiteral("Zürich Straße\nNo. 5");
+    const QString text =
+        QString::fromUtf8(tool("pdftotext", {"-layout", save(pdfOf(sheet), "job.pdf"), "-"}));
+    for (const QString& part : {QStringLiteral("Zürich Straße No. 5"), QStringLiteral("Top"),
+                                QStringLiteral("2026-03-01"), QStringLiteral("A4 210 × 297 mm"),
+                                QStringLiteral("1:1, swell 1 × 1"), QStringLiteral("3fa9c2d1")}) {
+        QVERIFY2(text.contains(part), qPrintable(part + " in " + text));
+    }
+}
+
+void SheetTest::partsCanBeSwitchedOff() {
+    Sheet sheet = patchSheet();
+    sheet.settings.marks = sheet.settings.ruler = sheet.settings.jobLine = false;
+    const QString path = save(pdfOf(sheet), "bare.pdf");
+    QVERIFY(tool("pdftotext", {path, "-"}).trimmed().isEmpty());
+    const QImage page = rendered(path, 100);
+    for (int y = 0; y < 300; ++y) {
+        for (int x = 0; x < page.width(); ++x) {
+            QVERIFY(qGray(page.pixel(x, y)) > 250);
+        }
+    }
+}
+
+void SheetTest::partsKeepOffThePaint() {
+    Sheet sheet = sheetOf(Millimetres(210), Millimetres(297));
+    fillMillimetres(sheet, QRectF(0, 0, 210, 20), Qt::red);   // the job line's first choice
+    fillMillimetres(sheet, QRectF(0, 280, 120, 17), Qt::red); // the middle of the ruler's
+    const SheetLayout layout = sheetLayout(sheet);
+    QVERIFY(layout.jobLine && layout.ruler);
+    QVERIFY(!layout.jobLine->overPaint);
+    QVERIFY(!layout.ruler->overPaint);
+    QVERIFY(!layout.jobLine->box().intersects(layout.ruler->box()));
+}
+
+void SheetTest::partsStandOnPaintOnlyWhereItIsEverywhere() {
+    const Sheet sheet = chessSheet();
+    const SheetLayout layout = sheetLayout(sheet);
+    QVERIFY(layout.jobLine && layout.ruler);
+    QVERIFY(layout.jobLine->overPaint && layout.ruler->overPaint);
+    const QByteArray text = tool("pdftotext", {save(pdfOf(sheet), "full.pdf"), "-"});
+    QVERIFY(text.contains("Turtle") && text.contains("100 mm"));
+}
+
+void SheetTest::papers_data() {
+    QTest::addColumn<QString>("paper");
+    QTest::addColumn<bool>("landscape");
+    QTest::addColumn<QSizeF>("film");
+    QTest::addColumn<QSizeF>("page");
+    QTest::newRow("film") << "film" << false << QSizeF(210, 297) << QSizeF(210, 297);
+    QTest::newRow("film, wide") << "film" << false << QSizeF(297, 210) << QSizeF(297, 210);
+    QTest::newRow("film of an odd size")
+        << "film" << false << QSizeF(133.3, 88.8) << QSizeF(133.3, 88.8);
+    QTest::newRow("A4") << "A4" << false << QSizeF(180, 250) << QSizeF(210, 297);
+    QTest::newRow("A4 landscape") << "A4" << true << QSizeF(250, 180) << QSizeF(297, 210);
+    QTest::newRow("A3") << "A3" << false << QSizeF(210, 297) << QSizeF(297, 420);
+    QTest::newRow("A3 landscape") << "A3" << true << QSizeF(297, 210) << QSizeF(420, 297);
+    QTest::newRow("Letter") << "Letter" << false << QSizeF(200, 270) << QSizeF(215.9, 279.4);
+    QTest::newRow("custom") << "custom" << false << QSizeF(210, 297) << QSizeF(330, 483);
+    QTest::newRow("small") << "film" << false << QSizeF(40, 40) << QSizeF(40, 40);
+}
+
+void SheetTest::papers() {
+    QFETCH(QString, paper);
+    QFETCH(bool, landscape);
+    QFETCH(QSizeF, film);
+    QFETCH(QSizeF, page);
+    Sheet sheet = sheetOf(Millimetres(film.width()), Millimetres(film.height()));
+    fillMillimetres(sheet, QRectF(film.width() / 2 - 10, film.height() / 2 - 10, 20, 20),
+                    Qt::darkGreen);
+    sheet.settings.paper = paper;
+    sheet.settings.landscape = landscape;
+    sheet.settings.customWidth = Millimetres(330);
+    sheet.settings.customHeight = Millimetres(483);
+    const QSizeF measured = pdfPage(save(pdfOf(sheet), "paper.pdf"));
+    QVERIFY2(std::abs(measured.width() - page.width()) < 0.01,
+             qPrintable(QString::number(measured.width())));
+    QVERIFY2(std::abs(measured.height() - page.height()) < 0.01,
+             qPrintable(QString::number(measured.height())));
+    QVERIFY(sheetLayout(sheet).jobLine);
+    QVERIFY(sheetLayout(sheet).jobLineText.contains("3fa9c2d1"));
+    QCOMPARE(bool(sheetLayout(sheet).ruler), std::max(page.width(), page.height()) > 60);
+}
+
+void SheetTest::filmLiesInTheMiddleOfLargerPaper() {
+    Sheet sheet = patchSheet();
+    sheet.settings.paper = QStringLiteral("A3");
+    const SheetLayout layout = sheetLayout(sheet);
+    QCOMPARE(layout.film, QRectF(43.5, 61.5, 210, 297));
+    for (const SheetMark& mark : layout.marks) {
+        QVERIFY(!mark.box().intersects(layout.film));
+    }
+    QVERIFY(!layout.ruler->box().intersects(layout.film));
+    QVERIFY(!layout.jobLine->box().intersects(layout.film));
+}
+
+void SheetTest::tooSmallPaperIsRefused() {
+    Sheet sheet = patchSheet();
+    sheet.settings.paper = QStringLiteral("A4");
+    sheet.settings.landscape = true;
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    try {
+        writeSheetPdf(sheet, buffer);
+        QFAIL("a film of 297 mm was put on 210 mm of paper");
+    } catch (const Error& error) {
+        QVERIFY2(error.sentence().contains("smaller than the film"), qPrintable(error.sentence()));
+        QVERIFY(error.sentence().contains("297"));
+    }
+    QVERIFY(buffer.data().isEmpty());
+}
+
+void SheetTest::unknownPaperIsRefused() {
+    Sheet sheet = patchSheet();
+    sheet.settings.paper = QStringLiteral("B7");
+    QVERIFY_EXCEPTION_THROWN(pageSize(sheet), Error);
+}
+
+void SheetTest::sameSheetGivesTheSameBytes() {
+    const QByteArray first = pdfOf(patchSheet());
+    QVERIFY(!first.contains("/CreationDate")); // the one thing that the clock would change
+    QCOMPARE(pdfOf(patchSheet()), first);
+    Sheet other = patchSheet();
+    other.job.immersion = QStringLiteral("Bottom");
+    QVERIFY(pdfOf(other) != first);
+}
+
+void SheetTest::viewersAreAskedNotToScale() {
+    const QString path = save(pdfOf(patchSheet()), "prefs.pdf");
+    const QByteArray json = tool("qpdf", {"--json", path});
+    QVERIFY(json.contains("\"/PrintScaling\": \"/None\""));
+    QVERIFY(json.contains("/OutputIntent"));
+    QVERIFY(!tool("qpdf", {"--check", path}).isEmpty());
+}
+
+void SheetTest::unwritableDeviceIsAnError() {
+    QBuffer readOnly;
+    readOnly.open(QIODevice::ReadOnly);
+    QVERIFY_EXCEPTION_THROWN(writeSheetPdf(patchSheet(), readOnly), Error);
+    QVERIFY_EXCEPTION_THROWN(writeSheetPng(patchSheet(), readOnly), Error);
+}
+
+QTEST_MAIN(SheetTest)
+#include "SheetTest.moc"
