@@ -1,6 +1,8 @@
 #include "geometry/TriangleMesh.h"
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 
 namespace dipwright {
 
@@ -78,24 +80,57 @@ std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh) {
     return normals;
 }
 
-bool isClosed(const TriangleMesh& mesh) {
-    // Every directed edge, and every reversed one: in a closed mesh the two lists are the same and
-    // hold nothing twice.
-    std::vector<std::uint64_t> edges, reversed;
-    edges.reserve(3 * mesh.triangles.size());
-    reversed.reserve(3 * mesh.triangles.size());
-    for (const auto& triangle : mesh.triangles) {
-        for (int corner = 0; corner < 3; ++corner) {
-            const std::uint64_t from = triangle[corner];
-            const std::uint64_t to = triangle[(corner + 1) % 3];
-            edges.push_back(from << 32 | to);
-            reversed.push_back(to << 32 | from);
+std::vector<std::uint32_t> oppositeEdges(const TriangleMesh& mesh) {
+    // Edges are gathered at the lower of their two positions, and sorted there by the higher one.
+    struct Edge {
+        std::uint32_t higher, number;
+        bool operator<(const Edge& other) const {
+            return std::tie(higher, number) < std::tie(other.higher, other.number);
+        }
+    };
+    const auto edgeCount = std::uint32_t(3 * mesh.triangles.size());
+    const auto ends = [&](std::uint32_t edge) {
+        const auto& triangle = mesh.triangles[edge / 3];
+        return std::minmax(triangle[edge % 3], triangle[(edge + 1) % 3]);
+    };
+    std::vector<std::uint32_t> first(mesh.positions.size() + 1, 0);
+    for (std::uint32_t edge = 0; edge < edgeCount; ++edge) {
+        ++first[ends(edge).first + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Edge> edges(edgeCount);
+    std::vector<std::uint32_t> filled(first.begin(), first.end() - 1);
+    for (std::uint32_t edge = 0; edge < edgeCount; ++edge) {
+        const auto [lower, higher] = ends(edge);
+        edges[filled[lower]++] = {higher, edge};
+    }
+
+    std::vector<std::uint32_t> opposite(edgeCount, noEdge);
+    for (std::size_t lower = 0; lower < mesh.positions.size(); ++lower) {
+        const auto begin = edges.begin() + first[lower], end = edges.begin() + first[lower + 1];
+        std::sort(begin, end);
+        for (auto same = begin; same != end;) {
+            const auto next = std::find_if(
+                same, end, [&](const Edge& edge) { return edge.higher != same->higher; });
+            if (next - same == 2) {
+                opposite[same[0].number] = same[1].number;
+                opposite[same[1].number] = same[0].number;
+            }
+            same = next;
         }
     }
-    std::sort(edges.begin(), edges.end());
-    std::sort(reversed.begin(), reversed.end());
-    return !edges.empty() && edges == reversed &&
-           std::adjacent_find(edges.begin(), edges.end()) == edges.end();
+    return opposite;
+}
+
+bool isClosed(const TriangleMesh& mesh) {
+    const auto opposite = oppositeEdges(mesh);
+    const auto startOf = [&](std::uint32_t edge) { return mesh.triangles[edge / 3][edge % 3]; };
+    for (std::uint32_t edge = 0; edge < opposite.size(); ++edge) {
+        if (opposite[edge] == noEdge || startOf(opposite[edge]) == startOf(edge)) {
+            return false;
+        }
+    }
+    return !opposite.empty();
 }
 
 TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& transform) {

@@ -26,6 +26,12 @@ double triangleArea(const TriangleMesh& mesh, std::size_t triangle); // mm²
 Eigen::Vector3f triangleNormal(const TriangleMesh& mesh, std::size_t triangle);
 // Area-weighted unit normals, one a position.
 std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh);
+
+// Edge e of triangle t leads from corner e to corner (e + 1) mod 3 and has the number 3·t + e.
+inline constexpr std::uint32_t noEdge = 0xffffffffu;
+// By edge number, the number of the same edge in the triangle on its other side; noEdge where there
+// is none or more than one.
+std::vector<std::uint32_t> oppositeEdges(const TriangleMesh& mesh);
 // Every edge belongs to exactly two triangles that run along it in opposite directions.
 bool isClosed(const TriangleMesh& mesh);
 TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& transform);

@@ -1,1 +1,293 @@
 #include "model/ImportModel.h"
+
+#include "base/Error.h"
+#include "model/MeshRepair.h"
+#include "model/ModelFolder.h"
+#include "model/SceneConversion.h"
+#include "model/Texture.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <assimp/Importer.hpp>
+#include <assimp/MemoryIOWrapper.h>
+#include <assimp/ProgressHandler.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("ImportModel", text);
+}
+
+// A file in memory, as assimp reads it.
+class FileStream : public Assimp::MemoryIOStream {
+public:
+    explicit FileStream(QByteArray bytes)
+        : MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes.constData()),
+                         std::size_t(bytes.size())),
+          bytes_(std::move(bytes)) {}
+
+private:
+    QByteArray bytes_; // shares its data with the one given
+};
+
+// Lets assimp read through Qt, so that paths of every language work on every system, finds the
+// files that the model names as ModelFolder does, and remembers those that are missing.
+class ModelFileSystem : public Assimp::IOSystem {
+public:
+    explicit ModelFileSystem(const QString& path, const ModelFolder& folder)
+        : path_(path), folder_(folder) {}
+
+    bool Exists(const char* name) const override { return !resolve(name).isEmpty(); }
+    char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char* name, const char* /*mode*/) override {
+        const QString path = resolve(name);
+        auto bytes = path.isEmpty() ? std::nullopt : readFile(path);
+        if (!bytes) {
+            missing_.push_back(QFileInfo(QString::fromUtf8(name)).fileName());
+            return nullptr;
+        }
+        return new FileStream(std::move(*bytes));
+    }
+    void Close(Assimp::IOStream* stream) override { delete stream; }
+
+    const QStringList& missing() const { return missing_; }
+
+private:
+    QString resolve(const char* name) const {
+        const QString file = QString::fromUtf8(name);
+        return file == path_ ? path_ : folder_.find(file);
+    }
+
+    QString path_;
+    const ModelFolder& folder_;
+    QStringList missing_;
+};
+
+class ReadingProgress : public Assimp::ProgressHandler {
+public:
+    explicit ReadingProgress(const Progress& progress) : progress_(progress) {}
+    bool Update(float share) override {
+        progress_(std::clamp(double(share), 0.0, 1.0), tr("Reading the model"));
+        return true;
+    }
+
+private:
+    const Progress& progress_;
+};
+
+// mm; larger than any dip tank by far.
+constexpr double maximumEdge = 1e5;
+
+void checkOptions(const ImportOptions& options) {
+    const double edge = options.longestEdge.value_or(Millimetres(1)).value();
+    if (!(edge > 0) || edge > maximumEdge) {
+        throw Error(tr("The model's size must be more than 0 and at most %1 mm").arg(maximumEdge),
+                    QString::number(edge));
+    }
+    if (!(options.unitMillimetres > 0) || !std::isfinite(options.unitMillimetres)) {
+        throw Error(tr("The model's unit must be a positive number of millimetres"),
+                    QString::number(options.unitMillimetres));
+    }
+}
+
+void checkFile(const QString& path) {
+    const QFileInfo file(path);
+    if (!file.exists()) {
+        throw Error(tr("The model file does not exist; check its name"), path);
+    }
+    if (file.isDir()) {
+        throw Error(tr("This is a folder; choose a model file in it"), path);
+    }
+    if (!file.isReadable()) {
+        throw Error(tr("The model file cannot be read; check its permissions"), path);
+    }
+    if (file.size() == 0) {
+        throw Error(tr("The model file is empty; save it anew"), path);
+    }
+}
+
+QImage replacementTexture(const QString& path) {
+    if (path.isEmpty()) {
+        return QImage();
+    }
+    const auto bytes = readFile(path);
+    if (!bytes) {
+        throw Error(tr("The texture file cannot be read; check its name and permissions"), path);
+    }
+    return readTexture(*bytes, path);
+}
+
+void checkPositions(const TriangleMesh& mesh, const QString& path) {
+    std::size_t bad = 0;
+    for (const auto& triangle : mesh.triangles) {
+        for (const auto corner : triangle) {
+            bad += !mesh.positions[corner].allFinite();
+        }
+    }
+    if (bad > 0) {
+        throw Error(tr("%1 corners of the model's triangles are not numbers (NaN or infinite); "
+                       "repair the model and save it anew")
+                        .arg(bad),
+                    path);
+    }
+}
+
+void repair(TexturedMesh& model, QStringList& repairs, const QString& path) {
+    weldPositions(model.mesh);
+    if (const std::size_t count = removeDegenerateTriangles(model); count > 0) {
+        repairs.push_back(tr("Removed %1 triangles without area").arg(count));
+    }
+    if (model.mesh.triangles.empty()) {
+        throw Error(tr("None of the model's triangles has an area; choose another model"), path);
+    }
+    if (const std::size_t count = orientTriangles(model); count > 0) {
+        repairs.push_back(
+            tr("Turned %1 triangles that faced the other way than their neighbours").arg(count));
+    }
+    if (isClosed(model.mesh) && volume(model.mesh) < 0) {
+        turnInsideOut(model);
+        repairs.push_back(tr("Turned the surface, which was inside out"));
+    }
+}
+
+void scale(TriangleMesh& mesh, const ImportOptions& options, const QString& path) {
+    const BoundingBox box = boundingBox(mesh);
+    const double edge = (box.max().cast<double>() - box.min().cast<double>()).maxCoeff();
+    if (edge == 0) {
+        throw Error(tr("The model has no extent; choose another model"), path);
+    }
+    const double factor =
+        options.longestEdge ? options.longestEdge->value() / edge : options.unitMillimetres;
+    if (edge * factor > maximumEdge) {
+        throw Error(tr("The model's longest edge would be %1 mm; give the size it is to have")
+                        .arg(edge * factor),
+                    path);
+    }
+    for (auto& position : mesh.positions) {
+        position = (position.cast<double>() * factor).cast<float>();
+    }
+    if (!boundingBox(mesh).sizes().allFinite()) {
+        throw Error(tr("The model lies too far from its origin; move it there and save it anew"),
+                    path);
+    }
+}
+
+void describe(const TexturedMesh& model, ImportReport& report) {
+    report.triangles = model.mesh.triangles.size();
+    report.closed = isClosed(model.mesh);
+    report.volume = volume(model.mesh);
+    report.box = boundingBox(model.mesh);
+    if (!report.closed) {
+        report.warnings.push_back(tr("The mesh is not closed: what is inside is judged by most of "
+                                     "the directions from which it is seen"));
+    }
+    if (const float edge = report.box.sizes().maxCoeff(); edge < 1) {
+        report.warnings.push_back(tr("The model's longest edge is only %1 mm; if its file is not "
+                                     "in millimetres, give the size it is to have")
+                                      .arg(double(edge)));
+    }
+}
+
+bool hasAnyTextureCoordinates(const TexturedMesh& model) {
+    for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t) {
+        if (model.hasTextureCoordinates(t)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void dropUselessTextures(TexturedMesh& model, QStringList& warnings) {
+    if (model.textures.empty() || hasAnyTextureCoordinates(model)) {
+        return;
+    }
+    warnings.push_back(tr("The model has no texture coordinates, so its texture cannot be placed "
+                          "and is not used; its materials' colours are"));
+    model.textures.clear();
+    for (Material& material : model.materials) {
+        material.texture = -1;
+    }
+}
+
+ImportedModel import(const QString& path, const ImportOptions& options, const Progress& progress) {
+    checkOptions(options);
+    checkFile(path);
+    const QImage texture = replacementTexture(options.texture);
+    const QString absolutePath = QFileInfo(path).absoluteFilePath();
+    const ModelFolder folder(absolutePath);
+    const Progress readingPart = progress.part(0, 0.6);
+    ReadingProgress reading(readingPart);
+
+    Assimp::Importer importer;
+    auto* files = new ModelFileSystem(absolutePath, folder);
+    importer.SetIOHandler(files); // takes it over
+    importer.SetProgressHandler(&reading);
+    const aiScene* scene =
+        importer.ReadFile(absolutePath.toUtf8().constData(), aiProcess_Triangulate);
+    importer.SetProgressHandler(nullptr);
+    progress.cancelSwitch.throwIfCancelled();
+    if (!scene) {
+        throw Error(tr("The model cannot be read: %1; save it anew, or as OBJ, PLY, STL, glTF or "
+                       "3MF")
+                        .arg(QString::fromUtf8(importer.GetErrorString()).simplified()),
+                    path);
+    }
+
+    ImportedModel result;
+    ImportReport& report = result.report;
+    for (const QString& name : files->missing()) {
+        report.warnings.push_back(
+            tr("The file %1, which the model names, was not found").arg(name));
+    }
+    const bool isGltf = path.endsWith(QStringLiteral(".gltf"), Qt::CaseInsensitive) ||
+                        path.endsWith(QStringLiteral(".glb"), Qt::CaseInsensitive);
+    result.model = convertScene({*scene, path, folder, texture, isGltf}, report.warnings,
+                                progress.part(0.6, 0.8));
+    importer.FreeScene();
+
+    progress(0.8, tr("Checking the model"));
+    checkPositions(result.model.mesh, path);
+    repair(result.model, report.repairs, path);
+    scale(result.model.mesh, options, path);
+    dropUselessTextures(result.model, report.warnings);
+    progress(0.9, tr("Finding the texture's charts"));
+    result.model.chart = findCharts(result.model);
+    describe(result.model, report);
+    progress(1, tr("Checking the model"));
+    return result;
+}
+
+} // namespace
+
+ImportedModel importModel(const QString& path, const ImportOptions& options,
+                          const Progress& progress) {
+    try {
+        return import(path, options, progress);
+    } catch (const std::bad_alloc&) {
+        throw Error(tr("The model needs more memory than there is; reduce it"), path);
+    }
+}
+
+QStringList modelFilePatterns() {
+    QStringList patterns;
+    for (const char* format : {"obj", "ply", "stl", "gltf", "glb", "3mf"}) {
+        patterns.push_back(QStringLiteral("*.%1").arg(QLatin1String(format)));
+    }
+    aiString others;
+    Assimp::Importer().GetExtensionList(others);
+    for (const QString& pattern : QString::fromUtf8(others.C_Str()).split(u';')) {
+        if (!patterns.contains(pattern)) {
+            patterns.push_back(pattern);
+        }
+    }
+    return patterns;
+}
+
+} // namespace dipwright

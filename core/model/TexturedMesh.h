@@ -15,14 +15,14 @@ struct Material {
     int texture = -1;                      // index into TexturedMesh::textures, −1: none
 };
 
-// Texture coordinates follow OBJ: u to the right, v upwards, (0, 0) the picture's lower left corner;
-// they repeat outside [0, 1]. A corner without coordinates holds NaN.
+// Texture coordinates follow OBJ: u to the right, v upwards, (0, 0) the picture's lower left
+// corner; they repeat outside [0, 1]. A corner without coordinates holds NaN.
 struct TexturedMesh {
-    TriangleMesh mesh; // welded by position, mm
+    TriangleMesh mesh;                                              // welded by position, mm
     std::vector<std::array<Eigen::Vector2f, 3>> textureCoordinates; // a triangle each
     std::vector<std::uint16_t> material;                            // a triangle each
-    // The texture chart of each triangle: triangles share a chart when a chain of shared edges, with
-    // the same texture coordinates on both sides of each and the same material, joins them.
+    // The texture chart of each triangle: triangles share a chart when a chain of shared edges,
+    // with the same texture coordinates on both sides of each and the same material, joins them.
     std::vector<std::uint32_t> chart;
     std::vector<Material> materials; // at least one
     std::vector<QImage> textures;    // Format_RGBA8888, sRGB

@@ -1,0 +1,195 @@
+// The project's own model file. All numbers little-endian, in this order:
+//   "DWMODEL" 0, u32 version, u64 positions, u64 triangles, u32 materials, u32 textures,
+//   positions (3 × f32), triangles (3 × u32), texture coordinates (3 × 2 × f32 a triangle),
+//   charts (u32), materials of the triangles (u16),
+//   materials: name (u32 length, UTF-8), colour (u64, 16 bits each of red, green, blue and alpha),
+//   texture (i32), textures: u32 length, PNG.
+#include "model/ImportModel.h"
+
+#include "base/Error.h"
+#include "model/Texture.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QDataStream>
+#include <QImageWriter>
+#include <QtEndian>
+
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+constexpr char signature[8] = {'D', 'W', 'M', 'O', 'D', 'E', 'L', '\0'};
+constexpr quint32 formatVersion = 1;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("ModelFile", text);
+}
+
+QByteArray asPng(const QImage& image) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QImageWriter writer(&buffer, "png");
+    writer.setCompression(30); // zlib's level 3: twice as fast as its own choice, 10 % larger
+    if (!writer.write(image)) {
+        throw Error(tr("A texture cannot be stored as PNG: %1").arg(writer.errorString()),
+                    QString());
+    }
+    return bytes;
+}
+
+void prepare(QDataStream& stream) {
+    stream.setVersion(QDataStream::Qt_6_4);
+    stream.setByteOrder(QDataStream::LittleEndian);
+}
+
+// Arrays of plain numbers, or of arrays of them, as one block.
+template <typename Number, typename Value>
+void writeNumbers(QDataStream& stream, const std::vector<Value>& values) {
+    static_assert(sizeof(Value) % sizeof(Number) == 0);
+    const auto bytes = qsizetype(values.size() * sizeof(Value));
+    QByteArray swapped(bytes, Qt::Uninitialized);
+    qToLittleEndian<Number>(values.data(), bytes / qsizetype(sizeof(Number)), swapped.data());
+    stream.writeRawData(swapped.constData(), int(bytes));
+}
+
+class ModelReader {
+public:
+    ModelReader(const QByteArray& bytes, const QString& where)
+        : bytes_(bytes), where_(where), stream_(bytes) {
+        prepare(stream_);
+    }
+
+    TexturedMesh read() {
+        readSignature();
+        const auto positions = readNumber<quint64>(), triangles = readNumber<quint64>();
+        const auto materials = readNumber<quint32>(), textures = readNumber<quint32>();
+        TexturedMesh model;
+        readNumbers<quint32>(model.mesh.positions, positions);
+        readNumbers<quint32>(model.mesh.triangles, triangles);
+        readNumbers<quint32>(model.textureCoordinates, triangles);
+        readNumbers<quint32>(model.chart, triangles);
+        readNumbers<quint16>(model.material, triangles);
+        for (quint32 material = 0; material < materials; ++material) {
+            model.materials.push_back(readMaterial());
+        }
+        for (quint32 texture = 0; texture < textures; ++texture) {
+            model.textures.push_back(readTexture(readBlock(), where_));
+        }
+        require(stream_.atEnd());
+        check(model);
+        return model;
+    }
+
+private:
+    void require(bool condition) const {
+        if (!condition || stream_.status() != QDataStream::Ok) {
+            throw Error(tr("The stored model is damaged; import the model again"), where_);
+        }
+    }
+
+    void readSignature() {
+        char found[sizeof(signature)] = {};
+        stream_.readRawData(found, sizeof(found));
+        require(std::equal(std::begin(found), std::end(found), std::begin(signature)));
+        if (const auto version = readNumber<quint32>(); version != formatVersion) {
+            throw Error(tr("The stored model has format version %1 and this program reads version "
+                           "%2; use a newer program")
+                            .arg(version)
+                            .arg(formatVersion),
+                        where_);
+        }
+    }
+
+    template <typename Number>
+    Number readNumber() {
+        Number number{};
+        stream_ >> number;
+        require(true);
+        return number;
+    }
+
+    // Nothing is allocated before the bytes are known to be there.
+    quint64 bytesLeft() const { return quint64(bytes_.size() - stream_.device()->pos()); }
+
+    template <typename Number, typename Value>
+    void readNumbers(std::vector<Value>& values, quint64 count) {
+        require(count <= bytesLeft() / sizeof(Value));
+        values.resize(count);
+        qFromLittleEndian<Number>(bytes_.constData() + stream_.device()->pos(),
+                                  qsizetype(count * sizeof(Value) / sizeof(Number)), values.data());
+        stream_.device()->seek(stream_.device()->pos() + qint64(count * sizeof(Value)));
+    }
+
+    QByteArray readBlock() {
+        const auto length = readNumber<quint32>();
+        require(length <= bytesLeft());
+        return stream_.device()->read(length);
+    }
+
+    Material readMaterial() {
+        Material material;
+        material.name = QString::fromUtf8(readBlock());
+        material.colour = QColor::fromRgba64(QRgba64::fromRgba64(readNumber<quint64>()));
+        material.texture = readNumber<qint32>();
+        return material;
+    }
+
+    void check(const TexturedMesh& model) const {
+        require(!model.mesh.triangles.empty() && !model.materials.empty());
+        const auto isPlace = [](const Eigen::Vector3f& position) { return position.allFinite(); };
+        require(std::all_of(model.mesh.positions.begin(), model.mesh.positions.end(), isPlace));
+        for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t) {
+            for (int corner = 0; corner < 3; ++corner) {
+                require(model.mesh.triangles[t][corner] < model.mesh.positions.size());
+                const Eigen::Vector2f& uv = model.textureCoordinates[t][corner];
+                require(!std::isinf(uv.x()) && !std::isinf(uv.y()));
+            }
+            require(model.chart[t] < model.mesh.triangles.size());
+            require(model.material[t] < model.materials.size());
+        }
+        for (const Material& material : model.materials) {
+            require(material.texture >= -1 && material.texture < qint64(model.textures.size()));
+        }
+    }
+
+    const QByteArray& bytes_;
+    QString where_;
+    QDataStream stream_;
+};
+
+} // namespace
+
+QByteArray writeModel(const TexturedMesh& model) {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    prepare(stream);
+    stream.writeRawData(signature, sizeof(signature));
+    stream << formatVersion << quint64(model.mesh.positions.size())
+           << quint64(model.mesh.triangles.size()) << quint32(model.materials.size())
+           << quint32(model.textures.size());
+    writeNumbers<quint32>(stream, model.mesh.positions);
+    writeNumbers<quint32>(stream, model.mesh.triangles);
+    writeNumbers<quint32>(stream, model.textureCoordinates);
+    writeNumbers<quint32>(stream, model.chart);
+    writeNumbers<quint16>(stream, model.material);
+    for (const Material& material : model.materials) {
+        const QByteArray name = material.name.toUtf8();
+        stream << quint32(name.size());
+        stream.writeRawData(name.constData(), int(name.size()));
+        stream << quint64(material.colour.rgba64()) << qint32(material.texture);
+    }
+    for (const QImage& texture : model.textures) {
+        stream << asPng(texture);
+    }
+    return bytes;
+}
+
+TexturedMesh readModel(const QByteArray& bytes, const QString& where) {
+    return ModelReader(bytes, where).read();
+}
+
+} // namespace dipwright

@@ -1,0 +1,283 @@
+#include "model/SceneConversion.h"
+
+#include "base/Error.h"
+#include "model/Texture.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <assimp/material.h>
+#include <assimp/scene.h>
+
+#include <cmath>
+#include <map>
+
+namespace dipwright {
+
+namespace {
+
+constexpr std::size_t maximumTriangles = 50'000'000;
+constexpr float maximumTextureCoordinate = 1e5F; // past this a float holds no place in a picture
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("ImportModel", text);
+}
+
+bool isUsable(const aiVector3D& coordinate) {
+    return std::abs(coordinate.x) <= maximumTextureCoordinate &&
+           std::abs(coordinate.y) <= maximumTextureCoordinate;
+}
+
+int colourByte(float value, bool linear) {
+    const float light = std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 0.0F;
+    const float toShow = !linear               ? light
+                         : light <= 0.0031308F ? 12.92F * light
+                                               : 1.055F * std::pow(light, 1 / 2.4F) - 0.055F;
+    return int(std::lround(255 * toShow));
+}
+
+// The scene's materials and pictures as they are asked for, so that only those in use are kept.
+class MaterialReader {
+public:
+    MaterialReader(const SceneConversion& conversion, TexturedMesh& model, QStringList& warnings)
+        : conversion_(conversion), model_(model), warnings_(warnings) {
+        if (!conversion.texture.isNull()) {
+            model.textures.push_back(conversion.texture);
+        }
+    }
+
+    struct Found {
+        std::uint16_t material; // index into the model's
+        unsigned channel;       // of texture coordinates in the scene's mesh
+    };
+
+    Found find(unsigned sceneMaterial) {
+        const auto known = found_.find(sceneMaterial);
+        if (known != found_.end()) {
+            return known->second;
+        }
+        if (model_.materials.size() > 0xffff) {
+            throw Error(tr("The model has more than 65,536 materials; join some of them"),
+                        conversion_.path);
+        }
+        const Found found{std::uint16_t(model_.materials.size()), read(sceneMaterial)};
+        return found_.emplace(sceneMaterial, found).first->second;
+    }
+
+private:
+    // Adds the material to the model; returns the channel of its texture's coordinates.
+    unsigned read(unsigned sceneMaterial) {
+        Material& material = model_.materials.emplace_back();
+        material.texture = conversion_.texture.isNull() ? -1 : 0;
+        if (sceneMaterial >= conversion_.scene.mNumMaterials) {
+            return 0;
+        }
+        const aiMaterial& source = *conversion_.scene.mMaterials[sceneMaterial];
+        material.name = QString::fromUtf8(source.GetName().C_Str());
+        aiColor4D colour;
+        if (source.Get(AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS ||
+            source.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS) {
+            const bool linear = conversion_.linearColours;
+            material.colour = QColor(colourByte(colour.r, linear), colourByte(colour.g, linear),
+                                     colourByte(colour.b, linear));
+        }
+        if (material.texture >= 0) {
+            return 0;
+        }
+        for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+            aiString name;
+            unsigned channel = 0;
+            if (source.GetTexture(type, 0, &name, nullptr, &channel) == aiReturn_SUCCESS) {
+                material.texture = textureIndex(name);
+                return channel;
+            }
+        }
+        return 0;
+    }
+
+    int textureIndex(const aiString& name) {
+        const std::string key = name.C_Str();
+        const auto known = textures_.find(key);
+        if (known != textures_.end()) {
+            return known->second;
+        }
+        int index = -1;
+        if (QImage image = readPicture(name); !image.isNull()) {
+            index = int(model_.textures.size());
+            model_.textures.push_back(std::move(image));
+        }
+        return textures_.emplace(key, index).first->second;
+    }
+
+    // Null, and a warning, where the model names a picture that is not there.
+    QImage readPicture(const aiString& name) {
+        const QString shownName = QString::fromUtf8(name.C_Str());
+        if (const aiTexture* embedded = conversion_.scene.GetEmbeddedTexture(name.C_Str())) {
+            return readEmbedded(*embedded, tr("texture %1 in %2").arg(shownName, conversion_.path));
+        }
+        const QString path = conversion_.folder.find(shownName);
+        const auto bytes = path.isEmpty() ? std::nullopt : readFile(path);
+        if (!bytes) {
+            warnings_.push_back(tr("The texture %1 was not found beside the model; its material's "
+                                   "colour is used instead")
+                                    .arg(shownName));
+            return QImage();
+        }
+        return readTexture(*bytes, path);
+    }
+
+    static QImage readEmbedded(const aiTexture& texture, const QString& where) {
+        if (texture.mHeight == 0) {
+            return readTexture(QByteArray::fromRawData(
+                                   reinterpret_cast<const char*>(texture.pcData), texture.mWidth),
+                               where);
+        }
+        checkTextureSize(QSize(int(texture.mWidth), int(texture.mHeight)), where);
+        QImage image(int(texture.mWidth), int(texture.mHeight), QImage::Format_ARGB32);
+        const aiTexel* texel = texture.pcData;
+        for (int y = 0; y < image.height(); ++y) {
+            auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+            for (int x = 0; x < image.width(); ++x, ++texel) {
+                line[x] = qRgba(texel->r, texel->g, texel->b, texel->a);
+            }
+        }
+        return asTexture(std::move(image));
+    }
+
+    const SceneConversion& conversion_;
+    TexturedMesh& model_;
+    QStringList& warnings_;
+    std::map<unsigned, Found> found_;
+    std::map<std::string, int> textures_;
+};
+
+class TriangleReader {
+public:
+    TriangleReader(const SceneConversion& conversion, TexturedMesh& model, QStringList& warnings,
+                   const Progress& progress)
+        : conversion_(conversion), model_(model), warnings_(warnings), progress_(progress),
+          materials_(conversion, model, warnings) {}
+
+    void readAll() {
+        if (!conversion_.scene.mRootNode) {
+            return;
+        }
+        count(*conversion_.scene.mRootNode);
+        model_.mesh.triangles.reserve(total_);
+        model_.textureCoordinates.reserve(total_);
+        model_.material.reserve(total_);
+        readNode(*conversion_.scene.mRootNode, aiMatrix4x4());
+        addWarnings();
+    }
+
+private:
+    // A small file can show one mesh many times.
+    void count(const aiNode& node) {
+        for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+            total_ += conversion_.scene.mMeshes[node.mMeshes[m]]->mNumFaces;
+        }
+        if (total_ > maximumTriangles) {
+            throw Error(tr("The model has more than %1 million triangles; reduce it")
+                            .arg(maximumTriangles / 1'000'000),
+                        conversion_.path);
+        }
+        for (unsigned child = 0; child < node.mNumChildren; ++child) {
+            count(*node.mChildren[child]);
+        }
+    }
+
+    void readNode(const aiNode& node, const aiMatrix4x4& parent) {
+        const aiMatrix4x4 transform = parent * node.mTransformation;
+        for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+            progress_(double(model_.mesh.triangles.size()) / double(total_ + 1),
+                      tr("Reading triangles"));
+            readMesh(*conversion_.scene.mMeshes[node.mMeshes[m]], transform);
+        }
+        for (unsigned child = 0; child < node.mNumChildren; ++child) {
+            readNode(*node.mChildren[child], transform);
+        }
+    }
+
+    void readMesh(const aiMesh& mesh, const aiMatrix4x4& transform) {
+        const auto firstPosition = std::uint32_t(model_.mesh.positions.size());
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+            const aiVector3D position = transform * mesh.mVertices[v];
+            model_.mesh.positions.emplace_back(position.x, position.y, position.z);
+        }
+        const auto [material, channel] = materials_.find(mesh.mMaterialIndex);
+        const bool isMirrored = transform.Determinant() < 0;
+        const bool hasCoordinates =
+            channel < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(channel);
+        hasColours_ |= mesh.HasVertexColors(0) && model_.materials[material].texture < 0;
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            const aiFace& face = mesh.mFaces[f];
+            if (face.mNumIndices != 3) { // points and lines
+                continue;
+            }
+            std::array<std::uint32_t, 3> corners{face.mIndices[0], face.mIndices[1],
+                                                 face.mIndices[2]};
+            if (isMirrored) {
+                std::swap(corners[1], corners[2]);
+            }
+            addTriangle(mesh, corners, firstPosition,
+                        hasCoordinates ? mesh.mTextureCoords[channel] : nullptr);
+            model_.material.push_back(material);
+        }
+    }
+
+    void addTriangle(const aiMesh& mesh, const std::array<std::uint32_t, 3>& corners,
+                     std::uint32_t firstPosition, const aiVector3D* coordinates) {
+        auto& triangle = model_.mesh.triangles.emplace_back();
+        auto& uv = model_.textureCoordinates.emplace_back();
+        uv.fill(Eigen::Vector2f::Constant(std::numeric_limits<float>::quiet_NaN()));
+        for (int corner = 0; corner < 3; ++corner) {
+            if (corners[corner] >= mesh.mNumVertices) {
+                throw Error(tr("The model is damaged: a triangle names a point that is not there; "
+                               "save it anew"),
+                            conversion_.path);
+            }
+            triangle[corner] = firstPosition + corners[corner];
+            if (coordinates && isUsable(coordinates[corners[corner]])) {
+                const aiVector3D& coordinate = coordinates[corners[corner]];
+                uv[corner] = Eigen::Vector2f(coordinate.x, coordinate.y);
+            } else if (coordinates) {
+                ++unusableCoordinates_;
+            }
+        }
+    }
+
+    void addWarnings() {
+        if (hasColours_) {
+            warnings_.push_back(tr("The colours of the model's points are not used; bake them into "
+                                   "a texture to print them"));
+        }
+        if (unusableCoordinates_ > 0) {
+            warnings_.push_back(tr("%1 texture coordinates are not usable numbers; their triangles "
+                                   "show the material's colour")
+                                    .arg(unusableCoordinates_));
+        }
+    }
+
+    const SceneConversion& conversion_;
+    TexturedMesh& model_;
+    QStringList& warnings_;
+    const Progress& progress_;
+    MaterialReader materials_;
+    std::size_t total_ = 0;
+    std::size_t unusableCoordinates_ = 0;
+    bool hasColours_ = false;
+};
+
+} // namespace
+
+TexturedMesh convertScene(const SceneConversion& conversion, QStringList& warnings,
+                          const Progress& progress) {
+    TexturedMesh model;
+    TriangleReader(conversion, model, warnings, progress).readAll();
+    if (model.mesh.triangles.empty()) {
+        throw Error(tr("The model has no triangles; save it with its surface"), conversion.path);
+    }
+    return model;
+}
+
+} // namespace dipwright
