@@ -1,0 +1,67 @@
+#include "pipeline/JobSheet.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Pipeline)
+};
+
+constexpr int hashLetters = 12; // one in 2⁴⁸: enough to tell sheets apart by eye
+
+QString plain(double number) {
+    return QString::number(number, 'g', 6);
+}
+
+QString filmText(const FilmSettings& film) {
+    return Text::tr("%1 %2 × %3 mm")
+        .arg(film.preset, plain(film.width.value()), plain(film.height.value()));
+}
+
+QString scaleText(const FilmSettings& film) {
+    if (film.swellX == 1 && film.swellY == 1) {
+        return QStringLiteral("1:1");
+    }
+    return Text::tr("1:1, swell %1 × %2 taken out").arg(plain(film.swellX), plain(film.swellY));
+}
+
+// Of the image and of every setting that it came from; where the project lies plays no part.
+QString jobHash(const Project& project, const Immersion& immersion, const QImage& filmImage) {
+    QJsonObject settings = toJson(project);
+    for (const char* key : {"model", "immersions", "name"}) {
+        settings.remove(QLatin1String(key));
+    }
+    settings.insert(QStringLiteral("rotation"),
+                    QJsonArray{immersion.rotation[0].value(), immersion.rotation[1].value(),
+                               immersion.rotation[2].value()});
+    settings.insert(QStringLiteral("offset"),
+                    QJsonArray{immersion.offset[0].value(), immersion.offset[1].value()});
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(QJsonDocument(settings).toJson(QJsonDocument::Compact));
+    for (int row = 0; row < filmImage.height(); ++row) {
+        const auto* line = reinterpret_cast<const char*>(filmImage.constScanLine(row));
+        hash.addData(QByteArrayView(line, qsizetype(filmImage.width()) * filmImage.depth() / 8));
+    }
+    return QString::fromLatin1(hash.result().toHex().left(hashLetters));
+}
+
+} // namespace
+
+Sheet jobSheet(const Project& project, const Immersion& immersion, const QImage& filmImage) {
+    Sheet sheet;
+    sheet.image = filmImage;
+    sheet.filmWidth = project.film.width;
+    sheet.filmHeight = project.film.height;
+    sheet.settings = project.sheet;
+    sheet.job = {
+        project.name,           immersion.name,          project.date,
+        filmText(project.film), scaleText(project.film), jobHash(project, immersion, filmImage)};
+    return sheet;
+}
+
+} // namespace dipwright

@@ -1,0 +1,121 @@
+#include "pipeline/Pipeline.h"
+
+#include <QJsonArray>
+
+namespace dipwright {
+namespace {
+
+QJsonObject toJson(const Distribution& distribution) {
+    return {{"min", distribution.minimum},
+            {"mean", distribution.mean},
+            {"p95", distribution.percentile95},
+            {"max", distribution.maximum}};
+}
+
+std::vector<std::uint8_t> pointsOfPaintedFilm(const DippedFilm& film, const FilmContact& contact) {
+    std::vector<std::uint8_t> painted(film.grid.pointCount(), 0);
+    const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
+    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
+        if (contact.painted[triangle]) {
+            for (const std::uint32_t point : triangles[triangle]) {
+                painted[point] = 1;
+            }
+        }
+    }
+    return painted;
+}
+
+// Of the constraints between points of the film that paints; the rest is thrown away.
+Distribution paintedStretch(const DippedFilm& film, const FilmContact& contact) {
+    const std::vector<float> stretches = constraintStretches(film);
+    const std::vector<std::uint8_t> painted = pointsOfPaintedFilm(film, contact);
+    const auto columns = std::size_t(film.grid.columns);
+    const auto rows = std::size_t(film.grid.rows);
+    std::vector<float> kept;
+    std::size_t constraint = 0;
+    const auto keep = [&](std::size_t from, std::size_t to) {
+        if (painted[from] && painted[to]) {
+            kept.push_back(stretches[constraint]);
+        }
+        ++constraint;
+    };
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column + 1 < columns; ++column) {
+            keep(row * columns + column, row * columns + column + 1);
+        }
+    }
+    for (std::size_t row = 0; row + 1 < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            keep(row * columns + column, (row + 1) * columns + column);
+        }
+    }
+    return distribution(std::move(kept));
+}
+
+Distribution paintedAreaStretch(const DippedFilm& film, const FilmContact& contact) {
+    const std::vector<PrincipalStretch> stretches = principalStretches(film);
+    std::vector<float> kept;
+    for (std::size_t triangle = 0; triangle < stretches.size(); ++triangle) {
+        if (contact.painted[triangle]) {
+            kept.push_back(stretches[triangle].area());
+        }
+    }
+    return distribution(std::move(kept));
+}
+
+QJsonObject filmJson(const DippedFilm& film) {
+    return {{"columns", film.grid.columns},
+            {"rows", film.grid.rows},
+            {"points", qint64(film.grid.pointCount())},
+            {"constraints", qint64(constraintCount(film.grid, film.isotropic))}};
+}
+
+QJsonObject immersionJson(const ImmersionResult& result) {
+    const DippedFilm& film = *result.film;
+    const FilmContact& contact = *result.contact;
+    const Registration& registration = result.registration;
+    qint64 adhered = 0;
+    for (std::size_t point = 0; point < film.states.size(); ++point) {
+        adhered += film.adhered(point) ? 1 : 0;
+    }
+    const double seconds = film.wallSeconds;
+    return {{"name", result.immersion.name},
+            {"film", filmJson(film)},
+            {"steps", qint64(film.steps)},
+            {"wall_seconds", seconds},
+            {"steps_per_second", seconds > 0 ? double(film.steps) / seconds : 0},
+            {"adhered", adhered},
+            {"coverage", result.coverage->share},
+            {"painted_area_mm2", result.coverage->paintedArea},
+            {"trapped_air_area_mm2", result.coverage->trappedAirArea},
+            {"stretch", toJson(paintedStretch(film, contact))},
+            {"area_stretch", toJson(paintedAreaStretch(film, contact))},
+            {"texture", QJsonObject{{"contact", qint64(contact.contactCount)},
+                                    {"filled", qint64(contact.filledCount)},
+                                    {"seam_triangles", qint64(result.texture->seamTriangles)}}},
+            {"registration_mm", QJsonObject{{"mean", registration.mean},
+                                            {"p95", registration.percentile95},
+                                            {"max", registration.maximum},
+                                            {"samples", qint64(registration.samples)}}},
+            {"ink", QJsonObject{{"shortfall_area", result.texture->shortfallArea}}},
+            {"job", result.sheet.job.hash}};
+}
+
+} // namespace
+
+QJsonObject report(const Project& project, const JobResult& result) {
+    QJsonArray immersions;
+    for (const ImmersionResult& immersion : result.immersions) {
+        immersions.append(immersionJson(immersion));
+    }
+    return {{"version", 1},
+            {"project", project.name},
+            {"solver", QJsonObject{{"id", result.solver.id},
+                                   {"device", result.device},
+                                   {"version", result.solver.version}}},
+            {"immersions", immersions},
+            {"coverage_total", result.coverageTotal},
+            {"notes", QJsonArray::fromStringList(result.notes)}};
+}
+
+} // namespace dipwright
