@@ -17,8 +17,8 @@ namespace dipwright {
 
 namespace {
 
-constexpr int paddingCells = 2;
-constexpr int exactCells = 3;
+constexpr int paddingCells = 3;
+constexpr int exactCells = 5;
 constexpr int coarsestStride = 8;
 
 QString tr(const char* text) {
@@ -73,31 +73,22 @@ public:
 private:
     void refineRow(int j, int k, int stride) {
         const double step = stride * field_.spacing;
-        const double unknown = std::numeric_limits<double>::infinity();
-        double reach = unknown; // the surface is no farther than this
         for (int i = 0; i < field_.size[0]; i += stride) {
-            if (stride < coarsestStride && isCoarse(i, j, k, stride)) {
-                reach = unknown;
-                continue;
+            if (stride == coarsestStride) {
+                at(i, j, k) = measure(i, j, k, std::numeric_limits<double>::infinity());
+            } else if ((i | j | k) % (2 * stride) != 0) {
+                const auto [lower, upper] = bounds(i, j, k, stride);
+                at(i, j, k) = lower > exactCells * step ? float(lower) : measure(i, j, k, upper);
             }
-            const double bound = stride < coarsestStride ? lowerBound(i, j, k, stride) : 0;
-            if (bound > exactCells * step) {
-                at(i, j, k) = float(bound);
-                reach = unknown;
-                continue;
-            }
-            const double distance = measure(i, j, k, reach);
-            at(i, j, k) = float(distance);
-            reach = distance + step;
         }
     }
 
-    static bool isCoarse(int i, int j, int k, int stride) {
-        return (i | j | k) % (2 * stride) == 0;
-    }
+    struct Bounds {
+        double lower, upper;
+    };
 
     // From the up to eight samples of the coarser level about (i, j, k), all equally far from it.
-    double lowerBound(int i, int j, int k, int stride) const {
+    Bounds bounds(int i, int j, int k, int stride) const {
         const std::array<int, 3> index{i, j, k};
         std::array<int, 3> low{}, high{};
         int odd = 0;
@@ -108,20 +99,27 @@ private:
             high[axis] =
                 index[axis] + beside < field_.size[axis] ? index[axis] + beside : low[axis];
         }
-        float farthest = 0;
+        float farthest = 0, nearest = std::numeric_limits<float>::infinity();
         for (const int z : {low[2], high[2]}) {
             for (const int y : {low[1], high[1]}) {
-                farthest = std::max({farthest, at(low[0], y, z), at(high[0], y, z)});
+                const float a = at(low[0], y, z), b = at(high[0], y, z);
+                farthest = std::max({farthest, a, b});
+                nearest = std::min({nearest, a, b});
             }
         }
-        // The last factor keeps float rounding from lifting the bound above the distance.
-        return (farthest - stride * field_.spacing * std::sqrt(odd)) * (1 - 1e-6);
+        const double step = stride * field_.spacing, away = step * std::sqrt(odd);
+        // Near the surface the coarser level is measured; a bound says nothing of the other side.
+        const bool isMeasured = nearest <= exactCells * 2 * step;
+        // The factors keep float rounding from making either bound too tight.
+        return {(farthest - away) * (1 - 1e-6), isMeasured
+                                                    ? (nearest + away) * (1 + 1e-3)
+                                                    : std::numeric_limits<double>::infinity()};
     }
 
-    double measure(int i, int j, int k, double reach) const {
+    float measure(int i, int j, int k, double within) const {
         const Eigen::Vector3d place = field_.origin + field_.spacing * Eigen::Vector3d(i, j, k);
         const Eigen::Vector3f position = place.cast<float>();
-        const ClosestPoint nearby = query_.closest(position, float(reach * 1.001));
+        const ClosestPoint nearby = query_.closest(position, float(within));
         return nearby.point.isValid() ? nearby.distance : query_.closest(position).distance;
     }
 

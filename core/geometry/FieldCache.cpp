@@ -40,7 +40,8 @@ QByteArray contentHash(const TriangleMesh& body, int resolution) {
     return hash.result();
 }
 
-// The samples are stored as this computer holds them: the cache never leaves it.
+// What stands before the samples: their grid, and a hash of everything. The samples are stored as
+// this computer holds them: the cache never leaves it.
 QByteArray header(const DistanceField& field) {
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);
@@ -48,8 +49,11 @@ QByteArray header(const DistanceField& field) {
     for (int axis = 0; axis < 3; ++axis) {
         stream << qint32(field.size[axis]) << field.origin[axis];
     }
-    stream << field.spacing
-           << QCryptographicHash::hash(bytesOf(field.distance), QCryptographicHash::Sha1);
+    stream << field.spacing;
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    hash.addData(bytes);
+    hash.addData(bytesOf(field.distance));
+    stream << hash.result();
     return bytes;
 }
 

@@ -1,0 +1,331 @@
+// The signed distance field against closed forms, and its cache.
+#include "geometry/DistanceField.h"
+#include "base/Error.h"
+#include "base/Units.h"
+#include "geometry/Shapes.h"
+
+#include <QtTest>
+
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace dipwright;
+
+namespace {
+
+using Distance = std::function<double(const Eigen::Vector3d&)>;
+
+double sphereDistance(const Eigen::Vector3d& place) {
+    return place.norm() - 35;
+}
+
+Distance boxDistance(const Eigen::Vector3d& size) {
+    return [size](const Eigen::Vector3d& place) {
+        const Eigen::Vector3d beyond = place.cwiseAbs() - size / 2;
+        return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0);
+    };
+}
+
+Eigen::Vector3d samplePlace(const DistanceField& field, int i, int j, int k) {
+    return field.origin + field.spacing * Eigen::Vector3d(i, j, k);
+}
+
+struct FieldErrors {
+    double nearSurface = 0; // within three cells
+    double tooLarge = 0;    // of |φ|, anywhere
+    int wrongSigns = 0;
+};
+
+// At all samples; `tolerance` is how far the mesh itself may be from the shape it stands for.
+FieldErrors compare(const DistanceField& field, const Distance& exact, double tolerance) {
+    FieldErrors errors;
+    std::size_t index = 0;
+    for (int k = 0; k < field.size[2]; ++k) {
+        for (int j = 0; j < field.size[1]; ++j) {
+            for (int i = 0; i < field.size[0]; ++i, ++index) {
+                const double expected = exact(samplePlace(field, i, j, k));
+                const double found = field.distance[index];
+                if (std::abs(expected) < 3 * field.spacing) {
+                    errors.nearSurface = std::max(errors.nearSurface, std::abs(found - expected));
+                }
+                errors.tooLarge = std::max(errors.tooLarge, std::abs(found) - std::abs(expected));
+                errors.wrongSigns += std::abs(expected) > tolerance && found * expected <= 0;
+            }
+        }
+    }
+    return errors;
+}
+
+TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
+    TriangleMesh both = a;
+    const auto first = std::uint32_t(a.positions.size());
+    both.positions.insert(both.positions.end(), b.positions.begin(), b.positions.end());
+    for (const auto& triangle : b.triangles) {
+        both.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+    }
+    return both;
+}
+
+std::vector<Eigen::Vector3d> randomDirections(int count) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> coordinate;
+    std::vector<Eigen::Vector3d> directions;
+    for (int i = 0; i < count; ++i) {
+        const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
+        directions.push_back(Eigen::Vector3d(x, y, z).normalized());
+    }
+    return directions;
+}
+
+} // namespace
+
+class DistanceFieldTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+
+    void gridIsACubeRoundTheBody();
+    void boxIsExact();
+    void boxWithFacesOnSamplesIsExact();
+    void sphereIsAsGoodAsItsMesh();
+    void trilinearSampleAndGradientOfASphere();
+    void outsideTheGridTheDistanceIsNeverTooLarge();
+    void overlappingPartsAreOneBody();
+    void hollowIsOutside();
+    void openBodyIsClosedByTheMajority();
+    void turnedTrianglesDoNotTurnTheSign();
+    void resultDoesNotDependOnThreads();
+    void cancelEndsTheWork();
+    void progressGrowsToOne();
+    void refusesWhatHasNoField();
+
+    void cacheGivesTheSameField();
+    void damagedCacheIsRebuilt();
+    void unwritableCacheIsAsGoodAsNone();
+
+private:
+    QTemporaryDir cache_;
+};
+
+void DistanceFieldTest::init() {
+    qputenv("DIPWRIGHT_CACHE", cache_.path().toUtf8());
+}
+
+void DistanceFieldTest::gridIsACubeRoundTheBody() {
+    const DistanceField field = buildDistanceField(boxMesh({10, 20, 30}), 64, Progress());
+    QCOMPARE(field.size, (std::array{64, 64, 64}));
+    QCOMPARE(field.distance.size(), std::size_t(64 * 64 * 64));
+    const Eigen::Vector3d last = samplePlace(field, 63, 63, 63);
+    const Eigen::Vector3d padding = Eigen::Vector3d::Constant(2 * field.spacing - 1e-9);
+    QVERIFY((field.origin.array() <= (Eigen::Vector3d(-5, -10, -15) - padding).array()).all());
+    QVERIFY((last.array() >= (Eigen::Vector3d(5, 10, 15) + padding).array()).all());
+    QVERIFY((field.origin + last).norm() < 1e-9);
+}
+
+void DistanceFieldTest::boxIsExact() {
+    const Eigen::Vector3d size(10, 20, 30);
+    const DistanceField field = buildDistanceField(boxMesh(size), 101, Progress());
+    const FieldErrors errors = compare(field, boxDistance(size), 1e-5);
+    QVERIFY2(errors.nearSurface < 1e-5, qPrintable(QString::number(errors.nearSurface)));
+    QVERIFY2(errors.tooLarge < 1e-5, qPrintable(QString::number(errors.tooLarge)));
+    QCOMPARE(errors.wrongSigns, 0);
+}
+
+void DistanceFieldTest::boxWithFacesOnSamplesIsExact() {
+    // 60 cells along 60 mm: rows of samples run within faces, along edges and through corners.
+    const Eigen::Vector3d size(60, 60, 60);
+    const DistanceField field = buildDistanceField(boxMesh(size), 67, Progress());
+    QCOMPARE(field.spacing, 1.0);
+    const FieldErrors errors = compare(field, boxDistance(size), 1e-5);
+    QVERIFY(errors.nearSurface < 1e-5);
+    QVERIFY(errors.tooLarge < 1e-5);
+    QCOMPARE(errors.wrongSigns, 0);
+}
+
+void DistanceFieldTest::sphereIsAsGoodAsItsMesh() {
+    const DistanceField field = buildDistanceField(sphereMesh(35, 158, 316), 128, Progress());
+    const double sagitta = 35 * (1 - std::cos(pi / 316) * std::cos(pi / 316)) + 1e-4;
+    const FieldErrors errors = compare(field, sphereDistance, sagitta);
+    QVERIFY2(errors.nearSurface < sagitta, qPrintable(QString::number(errors.nearSurface)));
+    QVERIFY2(errors.tooLarge < sagitta, qPrintable(QString::number(errors.tooLarge)));
+    QCOMPARE(errors.wrongSigns, 0);
+}
+
+void DistanceFieldTest::trilinearSampleAndGradientOfASphere() {
+    const DistanceField field = buildDistanceField(sphereMesh(35, 300, 600), 128, Progress());
+    // The interpolant of a curved distance is off by its second difference over a cell.
+    const double curvature = field.spacing * field.spacing / (4 * 35) + 0.005;
+    for (const auto& direction : randomDirections(2000)) {
+        for (const double away : {-1.0, -0.3, 0.0, 0.2, 0.9}) {
+            const Eigen::Vector3d place = direction * (35 + away);
+            QVERIFY(std::abs(field.sample(place) - away) < curvature);
+            const Eigen::Vector3d gradient = field.gradient(place);
+            QVERIFY(std::abs(gradient.norm() - 1) < 0.01);
+            QVERIFY(gradient.normalized().dot(direction) > std::cos(radians(Degrees(0.6))));
+        }
+    }
+}
+
+void DistanceFieldTest::outsideTheGridTheDistanceIsNeverTooLarge() {
+    const DistanceField field = buildDistanceField(sphereMesh(35, 60, 120), 64, Progress());
+    for (const auto& direction : randomDirections(2000)) {
+        for (const double away : {5.0, 20.0, 100.0, 1e4}) {
+            const double found = field.sample(direction * (35 + away));
+            QVERIFY(found > 0);
+            QVERIFY(found < away + 0.1);
+        }
+        QVERIFY(field.sample(direction * 1000.0) > 900);
+    }
+}
+
+void DistanceFieldTest::overlappingPartsAreOneBody() {
+    const TriangleMesh body = joined(boxMesh({40, 10, 10}), boxMesh({10, 10, 40}));
+    const DistanceField field = buildDistanceField(body, 64, Progress());
+    QVERIFY(field.sample({0, 0, 0}) < -2);
+    QVERIFY(field.sample({15, 0, 0}) < -2);
+    QVERIFY(field.sample({4, 0, 4}) < 0);
+    QVERIFY(field.sample({0, 0, 15}) < -2);
+    QVERIFY(field.sample({15, 0, 15}) > 2);
+}
+
+void DistanceFieldTest::hollowIsOutside() {
+    TriangleMesh hollow = sphereMesh(20, 40, 80);
+    for (auto& triangle : hollow.triangles) {
+        std::swap(triangle[1], triangle[2]);
+    }
+    const DistanceField field =
+        buildDistanceField(joined(sphereMesh(35, 60, 120), hollow), 64, Progress());
+    QVERIFY(field.sample({0, 0, 0}) > 10);
+    QVERIFY(field.sample({0, -27.5, 0}) < -5);
+    QVERIFY(field.sample({0, -37, 0}) > 1);
+}
+
+void DistanceFieldTest::openBodyIsClosedByTheMajority() {
+    // A sphere whose cap within 36° of the pole is missing.
+    TriangleMesh bowl = sphereMesh(35, 50, 100);
+    std::erase_if(bowl.triangles, [&](const auto& triangle) {
+        return bowl.positions[triangle[0]].y() > 35 * 0.81F;
+    });
+    QVERIFY(!isClosed(bowl));
+    const DistanceField field = buildDistanceField(bowl, 64, Progress());
+    for (const auto& direction : randomDirections(2000)) {
+        if (direction.y() < 0.7) {
+            QVERIFY(field.sample(direction * 33) < 0);
+            QVERIFY(field.sample(direction * 15) < 0);
+            QVERIFY(field.sample(direction * 37) > 0);
+        }
+    }
+    QVERIFY(field.sample({0, 34, 0}) > 0);
+}
+
+void DistanceFieldTest::turnedTrianglesDoNotTurnTheSign() {
+    TriangleMesh sphere = sphereMesh(35, 60, 120);
+    for (std::size_t t = 0; t < sphere.triangles.size(); t += 3) {
+        std::swap(sphere.triangles[t][1], sphere.triangles[t][2]);
+    }
+    const DistanceField field = buildDistanceField(sphere, 64, Progress());
+    QCOMPARE(compare(field, sphereDistance, 0.06).wrongSigns, 0);
+}
+
+void DistanceFieldTest::resultDoesNotDependOnThreads() {
+    const TriangleMesh body = ellipsoidMesh({35, 20, 50}, 60, 120);
+    const auto build = [&](std::size_t threads) {
+        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+        return buildDistanceField(body, 96, Progress()).distance;
+    };
+    const auto alone = build(1);
+    QVERIFY(alone == build(2));
+    QVERIFY(alone == build(7));
+}
+
+void DistanceFieldTest::cancelEndsTheWork() {
+    Progress progress;
+    progress.report = [&](double share, const QString&) {
+        if (share > 0.2) {
+            progress.cancelSwitch.cancel();
+        }
+    };
+    QVERIFY_EXCEPTION_THROWN(buildDistanceField(sphereMesh(35, 60, 120), 64, progress), Cancelled);
+}
+
+void DistanceFieldTest::progressGrowsToOne() {
+    Progress progress;
+    double last = 0;
+    bool grows = true;
+    progress.report = [&](double share, const QString& text) {
+        grows = grows && share >= last && !text.isEmpty();
+        last = share;
+    };
+    buildDistanceField(sphereMesh(35, 20, 40), 64, progress);
+    QVERIFY(grows);
+    QCOMPARE(last, 1.0);
+}
+
+void DistanceFieldTest::refusesWhatHasNoField() {
+    const TriangleMesh box = boxMesh({10, 10, 10});
+    QVERIFY_EXCEPTION_THROWN(buildDistanceField(box, 63, Progress()), Error);
+    QVERIFY_EXCEPTION_THROWN(buildDistanceField(box, 513, Progress()), Error);
+    QVERIFY_EXCEPTION_THROWN(buildDistanceField(TriangleMesh(), 64, Progress()), Error);
+    QVERIFY_EXCEPTION_THROWN(buildDistanceField(boxMesh({0, 0, 0}), 64, Progress()), Error);
+}
+
+void DistanceFieldTest::cacheGivesTheSameField() {
+    const TriangleMesh body = sphereMesh(35, 20, 40);
+    const DistanceField built = buildDistanceField(body, 64, Progress());
+    int builds = 0;
+    Progress progress;
+    progress.report = [&](double share, const QString&) { builds += share == 0; };
+    for (int round = 0; round < 3; ++round) {
+        const auto field = cachedDistanceField(body, 64, progress);
+        QCOMPARE(field->size, built.size);
+        QCOMPARE(field->spacing, built.spacing);
+        QVERIFY(field->origin == built.origin);
+        QVERIFY(field->distance == built.distance);
+    }
+    QCOMPARE(builds, 1);
+    // Another body or another resolution is another field.
+    QVERIFY(cachedDistanceField(sphereMesh(34, 20, 40), 64, progress)->distance != built.distance);
+    QCOMPARE(cachedDistanceField(body, 65, progress)->size[0], 65);
+    QCOMPARE(builds, 3);
+}
+
+void DistanceFieldTest::damagedCacheIsRebuilt() {
+    const TriangleMesh body = boxMesh({11, 12, 13});
+    const DistanceField built = buildDistanceField(body, 64, Progress());
+    cachedDistanceField(body, 64, Progress());
+    const QDir folder(cache_.path());
+    const QString path = folder.filePath(folder.entryList(QDir::Files, QDir::Time).first());
+    const auto damage = [&](const std::function<void(QByteArray&)>& change) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QByteArray bytes = file.readAll();
+        change(bytes);
+        file.resize(0);
+        file.seek(0);
+        file.write(bytes);
+        file.close();
+        const auto field = cachedDistanceField(body, 64, Progress());
+        QVERIFY(field->distance == built.distance && field->origin == built.origin);
+    };
+    damage([](QByteArray& bytes) { bytes.clear(); });
+    damage([](QByteArray& bytes) { bytes.truncate(bytes.size() / 2); });
+    damage([](QByteArray& bytes) { bytes.append("more"); });
+    for (const int place : {0, 3, 10, 20, 60, 90, 5000}) {
+        damage([place](QByteArray& bytes) { bytes[place] = char(bytes[place] ^ 0x41); });
+    }
+}
+
+void DistanceFieldTest::unwritableCacheIsAsGoodAsNone() {
+    QFile file(cache_.filePath(QStringLiteral("file")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    qputenv("DIPWRIGHT_CACHE", (file.fileName() + QStringLiteral("/folder")).toUtf8());
+    const auto field = cachedDistanceField(boxMesh({10, 10, 10}), 64, Progress());
+    QCOMPARE(field->size[0], 64);
+}
+
+QTEST_GUILESS_MAIN(DistanceFieldTest)
+#include "DistanceFieldTest.moc"

@@ -1,0 +1,212 @@
+// Closest points, rays and inside tests against bodies whose answers are known.
+#include "geometry/SurfaceQuery.h"
+#include "base/Units.h"
+#include "geometry/Shapes.h"
+
+#include <QtTest>
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <random>
+
+using namespace dipwright;
+
+namespace {
+
+std::vector<Eigen::Vector3f> randomPlaces(int count, float reach) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> coordinate(-reach, reach);
+    std::vector<Eigen::Vector3f> places;
+    for (int i = 0; i < count; ++i) {
+        const float x = coordinate(random), y = coordinate(random), z = coordinate(random);
+        places.emplace_back(x, y, z);
+    }
+    return places;
+}
+
+// Unsigned distance to the surface of a box about the origin.
+float boxDistance(const Eigen::Vector3f& place, const Eigen::Vector3f& size) {
+    const Eigen::Vector3f beyond = place.cwiseAbs() - size / 2;
+    return std::abs(beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0F));
+}
+
+bool isSame(const ClosestPoint& a, const ClosestPoint& b) {
+    return a.point.triangle == b.point.triangle && a.point.weights == b.point.weights &&
+           a.distance == b.distance;
+}
+
+} // namespace
+
+class SurfaceQueryTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void closestPointOfABoxIsExact();
+    void closestPointOfASphereIsRadial();
+    void nothingIsFoundBeyondTheAskedDistance();
+    void equallyNearTrianglesAnswerTheFirst();
+    void degenerateTrianglesDoNoHarm();
+    void rayHitsWhereItShould();
+    void rayStopsAtItsReach();
+    void insideIsInside();
+    void overlappingPartsAreOneBody();
+    void hollowIsOutside();
+    void smallHoleDoesNotTurnInsideOut();
+    void answersAreTheSameFromManyThreads();
+    void emptyMeshAnswersNothing();
+};
+
+void SurfaceQueryTest::closestPointOfABoxIsExact() {
+    const Eigen::Vector3f size(10, 20, 30);
+    const TriangleMesh box = boxMesh(size.cast<double>());
+    const SurfaceQuery query(box);
+    for (const auto& place : randomPlaces(5000, 25)) {
+        const ClosestPoint closest = query.closest(place);
+        QVERIFY(closest.point.isValid());
+        QVERIFY(std::abs(closest.distance - boxDistance(place, size)) < 1e-5F);
+        QVERIFY(std::abs(closest.point.weights.sum() - 1) < 1e-6F);
+        QVERIFY(closest.point.weights.minCoeff() >= 0);
+        const float reached = (position(box, closest.point) - place).norm();
+        QVERIFY(std::abs(reached - closest.distance) < 1e-5F);
+    }
+}
+
+void SurfaceQueryTest::closestPointOfASphereIsRadial() {
+    const TriangleMesh sphere = sphereMesh(35, 200, 400);
+    const SurfaceQuery query(sphere);
+    for (const auto& place : randomPlaces(2000, 60)) {
+        if (place.norm() < 5) {
+            continue; // from near the centre every direction is as good
+        }
+        const ClosestPoint closest = query.closest(place);
+        QVERIFY(std::abs(closest.distance - std::abs(place.norm() - 35)) < 0.01F);
+        QVERIFY((position(sphere, closest.point) - place.normalized() * 35).norm() < 0.7F);
+    }
+}
+
+void SurfaceQueryTest::nothingIsFoundBeyondTheAskedDistance() {
+    const SurfaceQuery query(boxMesh({10, 10, 10}));
+    QVERIFY(!query.closest({8, 0, 0}, 2.99F).point.isValid());
+    QVERIFY(std::isinf(query.closest({8, 0, 0}, 2.99F).distance));
+    QCOMPARE(query.closest({8, 0, 0}, 3.0F).distance, 3.0F);
+    QVERIFY(isSame(query.closest({8, 1, 2}, 4), query.closest({8, 1, 2})));
+}
+
+void SurfaceQueryTest::equallyNearTrianglesAnswerTheFirst() {
+    const TriangleMesh box = boxMesh({10, 10, 10});
+    const SurfaceQuery query(box);
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+        std::uint32_t first = 0;
+        while (std::count(box.triangles[first].begin(), box.triangles[first].end(), corner) == 0) {
+            ++first;
+        }
+        QCOMPARE(query.closest(2 * box.positions[corner]).point.triangle, first);
+    }
+}
+
+void SurfaceQueryTest::degenerateTrianglesDoNoHarm() {
+    TriangleMesh box = boxMesh({10, 10, 10});
+    box.triangles.insert(box.triangles.begin(), {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}});
+    const SurfaceQuery query(box);
+    for (const auto& place : randomPlaces(500, 15)) {
+        const ClosestPoint closest = query.closest(place);
+        QVERIFY(std::abs(closest.distance - boxDistance(place, {10, 10, 10})) < 1e-5F);
+        QVERIFY(closest.point.weights.allFinite());
+    }
+}
+
+void SurfaceQueryTest::rayHitsWhereItShould() {
+    const TriangleMesh box = boxMesh({10, 20, 30});
+    const SurfaceQuery query(box);
+    const RayHit hit = query.hit({3, 40, -7}, {0, -2, 0});
+    QVERIFY(hit.point.isValid());
+    QCOMPARE(hit.distance, 15.0F); // in lengths of the direction
+    QVERIFY(position(box, hit.point).isApprox(Eigen::Vector3f(3, 10, -7), 1e-5F));
+    QVERIFY(!query.hit({3, 40, -7}, {0, 1, 0}).point.isValid());
+    // Along an edge and through a corner nothing slips through.
+    QVERIFY(query.hit({0, 40, 0}, {0, -1, 0}).point.isValid());
+    QVERIFY(query.hit({50, 100, 150}, {-1, -2, -3}).point.isValid());
+}
+
+void SurfaceQueryTest::rayStopsAtItsReach() {
+    const SurfaceQuery query(boxMesh({10, 10, 10}));
+    QVERIFY(!query.hit({0, 8, 0}, {0, -1, 0}, 2.9F).point.isValid());
+    QVERIFY(query.hit({0, 8, 0}, {0, -1, 0}, 3.1F).point.isValid());
+}
+
+void SurfaceQueryTest::insideIsInside() {
+    const SurfaceQuery query(boxMesh({10, 10, 10}));
+    for (const auto& place : randomPlaces(3000, 8)) {
+        QCOMPARE(query.isInside(place), place.cwiseAbs().maxCoeff() < 5);
+    }
+    QVERIFY(query.isInside(Eigen::Vector3f::Zero()));
+}
+
+void SurfaceQueryTest::overlappingPartsAreOneBody() {
+    TriangleMesh pair = boxMesh({10, 10, 10});
+    for (auto triangle : boxMesh({6, 6, 20}).triangles) {
+        for (auto& corner : triangle) {
+            corner += 8;
+        }
+        pair.triangles.push_back(triangle);
+    }
+    for (const auto& position : boxMesh({6, 6, 20}).positions) {
+        pair.positions.push_back(position);
+    }
+    const SurfaceQuery query(pair);
+    QVERIFY(query.isInside({0, 0, 0}));
+    QVERIFY(query.isInside({0, 0, 8}));
+    QVERIFY(query.isInside({4, 0, 0}));
+    QVERIFY(!query.isInside({4, 0, 8}));
+}
+
+void SurfaceQueryTest::hollowIsOutside() {
+    TriangleMesh shell = boxMesh({20, 20, 20});
+    const TriangleMesh hollow = boxMesh({10, 10, 10});
+    for (const auto& triangle : hollow.triangles) {
+        shell.triangles.push_back({triangle[0] + 8, triangle[2] + 8, triangle[1] + 8});
+    }
+    shell.positions.insert(shell.positions.end(), hollow.positions.begin(), hollow.positions.end());
+    const SurfaceQuery query(shell);
+    QVERIFY(!query.isInside({0, 0, 0}));
+    QVERIFY(query.isInside({7, 0, 0}));
+    QVERIFY(!query.isInside({11, 0, 0}));
+}
+
+void SurfaceQueryTest::smallHoleDoesNotTurnInsideOut() {
+    TriangleMesh sphere = sphereMesh(35, 30, 60);
+    sphere.triangles.erase(sphere.triangles.begin(), sphere.triangles.begin() + 60);
+    const SurfaceQuery query(sphere);
+    for (const auto& place : randomPlaces(3000, 50)) {
+        if (place.norm() < 32) {
+            QVERIFY(query.isInside(place));
+        } else if (place.norm() > 36) {
+            QVERIFY(!query.isInside(place));
+        }
+    }
+}
+
+void SurfaceQueryTest::answersAreTheSameFromManyThreads() {
+    const TriangleMesh sphere = sphereMesh(35, 60, 120);
+    const auto places = randomPlaces(4000, 50);
+    std::vector<ClosestPoint> alone;
+    const SurfaceQuery query(sphere);
+    for (const auto& place : places) {
+        alone.push_back(query.closest(place));
+    }
+    std::vector<ClosestPoint> together(places.size());
+    tbb::parallel_for(std::size_t(0), places.size(),
+                      [&](std::size_t i) { together[i] = query.closest(places[i]); });
+    QVERIFY(std::equal(alone.begin(), alone.end(), together.begin(), isSame));
+}
+
+void SurfaceQueryTest::emptyMeshAnswersNothing() {
+    const SurfaceQuery query{TriangleMesh()};
+    QVERIFY(!query.closest({0, 0, 0}).point.isValid());
+    QVERIFY(!query.hit({0, 0, 0}, {0, 1, 0}).point.isValid());
+    QVERIFY(!query.isInside({0, 0, 0}));
+}
+
+QTEST_APPLESS_MAIN(SurfaceQueryTest)
+#include "SurfaceQueryTest.moc"
