@@ -19,7 +19,7 @@ struct Text {
 
 const QByteArray mimeType = QByteArrayLiteral("application/vnd.dipwright.project");
 const QString documentEntry = QStringLiteral("project.json");
-const QString meshEntry = QStringLiteral("assets/model.bin");
+const QString meshEntry = QStringLiteral("assets/model.dwmodel");
 
 QString textureEntry(std::size_t index) {
     return QStringLiteral("assets/texture-%1.png").arg(index + 1);

@@ -1,0 +1,140 @@
+#include "cli/Arguments.h"
+
+#include "project/ProjectStore.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright::cli {
+namespace {
+
+const QString setOption = QStringLiteral("set");
+const QString threadsOption = QStringLiteral("threads");
+constexpr int mostThreads = 1024;
+
+struct Setting {
+    QString path, value;
+    bool isFilmSize() const {
+        return path == QLatin1String("film.preset") || path == QLatin1String("film.size_mm");
+    }
+};
+
+Setting parsedSetting(const QString& text) {
+    const auto equals = text.indexOf(QLatin1Char('='));
+    if (equals <= 0) {
+        throw UsageError(
+            QStringLiteral("A setting is written PATH=VALUE, such as film.points=240x360"),
+            QStringLiteral("--set %1").arg(text));
+    }
+    return {text.left(equals).trimmed(), text.mid(equals + 1).trimmed()};
+}
+
+// Without the command's own name, which the parser counts as one.
+QStringList positionalArguments(const QCommandLineParser& parser) {
+    return parser.positionalArguments().mid(1);
+}
+
+[[noreturn]] void throwTooMany(const QString& argument) {
+    throw UsageError(QStringLiteral("There is one argument too many, see --help"), argument);
+}
+
+} // namespace
+
+QString positionalArgument(const QCommandLineParser& parser, const QString& name) {
+    const QStringList arguments = positionalArguments(parser);
+    if (arguments.isEmpty()) {
+        throw UsageError(QStringLiteral("%1 is missing, see --help").arg(name),
+                         QStringLiteral("command line"));
+    }
+    if (arguments.size() > 1) {
+        throwTooMany(arguments.at(1));
+    }
+    return arguments.first();
+}
+
+void requireNoPositionalArgument(const QCommandLineParser& parser) {
+    if (const QStringList arguments = positionalArguments(parser); !arguments.isEmpty()) {
+        throwTooMany(arguments.first());
+    }
+}
+
+double numberOption(const QCommandLineParser& parser, const QString& option, double minimum,
+                    double maximum) {
+    bool isNumber = false;
+    const double number = QLocale::c().toDouble(parser.value(option), &isNumber);
+    if (!isNumber || !(number >= minimum && number <= maximum)) {
+        throw UsageError(QStringLiteral("“%1” does not fit here, give a number from %2 to %3")
+                             .arg(parser.value(option))
+                             .arg(minimum)
+                             .arg(maximum),
+                         QStringLiteral("--") + option);
+    }
+    return number;
+}
+
+int wholeNumberOption(const QCommandLineParser& parser, const QString& option, int minimum,
+                      int maximum) {
+    const double number = numberOption(parser, option, minimum, maximum);
+    if (number != std::floor(number)) {
+        throw UsageError(QStringLiteral("“%1” is not a whole number").arg(parser.value(option)),
+                         QStringLiteral("--") + option);
+    }
+    return int(number);
+}
+
+void setByOption(Project& project, const QString& path, const QString& value,
+                 const QString& option) {
+    try {
+        setByPath(project, path, value);
+    } catch (const Error& error) {
+        throw UsageError(error.message(), option);
+    }
+}
+
+void declareSettings(QCommandLineParser& parser) {
+    parser.addOption({setOption,
+                      QStringLiteral("Sets a value by its path in the project file, such as "
+                                     "film.points=240x360 or immersions[0].rotation_deg=0;45;0. "
+                                     "May be repeated. The file itself is not changed."),
+                      QStringLiteral("PATH=VALUE")});
+}
+
+void applySettings(Project& project, const QCommandLineParser& parser) {
+    std::vector<Setting> settings;
+    for (const QString& text : parser.values(setOption)) {
+        settings.push_back(parsedSetting(text));
+    }
+    std::stable_partition(settings.begin(), settings.end(),
+                          [](const Setting& setting) { return setting.isFilmSize(); });
+    for (const Setting& setting : settings) {
+        setByOption(project, setting.path, setting.value,
+                    QStringLiteral("--set %1=%2").arg(setting.path, setting.value));
+    }
+}
+
+void declareProject(QCommandLineParser& parser) {
+    parser.addPositionalArgument(QStringLiteral("JOB.dipw"), QStringLiteral("The project."));
+    declareSettings(parser);
+}
+
+Project projectArgument(const QCommandLineParser& parser) {
+    Project project = loadProject(positionalArgument(parser, QStringLiteral("JOB.dipw")));
+    applySettings(project, parser);
+    return project;
+}
+
+void declareThreads(QCommandLineParser& parser) {
+    parser.addOption({threadsOption,
+                      QStringLiteral("Computes with at most N threads. The results are the same."),
+                      QStringLiteral("N")});
+}
+
+ThreadLimit::ThreadLimit(const QCommandLineParser& parser) {
+    if (parser.isSet(threadsOption)) {
+        const int threads = wholeNumberOption(parser, threadsOption, 1, mostThreads);
+        control_ = std::make_unique<tbb::global_control>(
+            tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+    }
+}
+
+} // namespace dipwright::cli

@@ -1,0 +1,44 @@
+// What several commands read from their command line.
+#pragma once
+
+#include "cli/Command.h"
+
+#include <tbb/global_control.h>
+
+namespace dipwright::cli {
+
+// The one positional argument that the command was declared with. Throws UsageError.
+QString positionalArgument(const QCommandLineParser& parser, const QString& name);
+void requireNoPositionalArgument(const QCommandLineParser& parser);
+
+// A number within limits; throws UsageError naming the option.
+double numberOption(const QCommandLineParser& parser, const QString& option, double minimum,
+                    double maximum);
+int wholeNumberOption(const QCommandLineParser& parser, const QString& option, int minimum,
+                      int maximum);
+
+// setByPath on behalf of an option: a refusal is a UsageError that names the option.
+void setByOption(Project& project, const QString& path, const QString& value,
+                 const QString& option);
+
+// --set PATH=VALUE, repeatable.
+void declareSettings(QCommandLineParser& parser);
+// A film's preset and size are set before all else, so that --set film.points holds wherever it
+// stands. Throws UsageError for an unknown path or a value out of range.
+void applySettings(Project& project, const QCommandLineParser& parser);
+
+// JOB.dipw and --set.
+void declareProject(QCommandLineParser& parser);
+Project projectArgument(const QCommandLineParser& parser);
+
+// --threads N: no more than N threads compute while the object lives.
+void declareThreads(QCommandLineParser& parser);
+class ThreadLimit {
+public:
+    explicit ThreadLimit(const QCommandLineParser& parser);
+
+private:
+    std::unique_ptr<tbb::global_control> control_;
+};
+
+} // namespace dipwright::cli

@@ -1,0 +1,41 @@
+// One command of dipwright-cli, and what all commands share.
+#pragma once
+
+#include "cli/Console.h"
+#include "project/Project.h"
+
+#include <QCommandLineParser>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+namespace dipwright::cli {
+
+// Thrown for a command line that makes no sense: exit code 2. Shown as Error is.
+class UsageError : public Error {
+public:
+    using Error::Error;
+};
+
+class Command {
+public:
+    virtual ~Command() = default;
+    virtual QString name() const = 0;
+    virtual QString summary() const = 0; // a sentence for --help
+    // Adds options and positional arguments; --help, --quiet and the command's name are there.
+    virtual void declare(QCommandLineParser& parser) const = 0;
+    // Does it. Throws Error, UsageError or Cancelled.
+    virtual void run(const QCommandLineParser& parser, Console& console) const = 0;
+};
+
+// All commands, in the order in which --help lists them.
+std::vector<std::unique_ptr<Command>> allCommands();
+
+std::unique_ptr<Command> newCommand();
+std::unique_ptr<Command> runCommand();
+std::unique_ptr<Command> infoCommand();
+std::unique_ptr<Command> validateCommand();
+std::unique_ptr<Command> solversCommand();
+std::unique_ptr<Command> benchCommand();
+
+} // namespace dipwright::cli

@@ -1,0 +1,43 @@
+// Where a command's words go: results to standard output, progress and errors to standard error.
+#pragma once
+
+#include "base/Error.h"
+#include "base/Progress.h"
+
+#include <QElapsedTimer>
+#include <QTextStream>
+
+namespace dipwright::cli {
+
+class Console {
+public:
+    Console();
+
+    // The progress of the whole command: a bar on a terminal, plain lines otherwise, nothing when
+    // quiet. Cancelled by an interrupt from the keyboard or a request to terminate.
+    Progress progress();
+    void setQuiet(bool quiet) { quiet_ = quiet; }
+
+    QTextStream& out() { return out_; }
+    // "error: <what> (<where>)", on one line.
+    void error(const Error& error);
+    // False where standard output could not take everything (a full disk, a closed pipe).
+    bool finish();
+
+private:
+    void report(double share, const QString& text);
+    void drawBar(double share, const QString& text);
+    void clearBar();
+
+    QTextStream out_;
+    QTextStream err_;
+    CancelSwitch cancelSwitch_;
+    bool quiet_ = false;
+    bool terminal_ = false;
+    bool barShown_ = false;
+    int linePercent_ = -1;
+    QString lineText_;
+    QElapsedTimer sinceDrawn_;
+};
+
+} // namespace dipwright::cli

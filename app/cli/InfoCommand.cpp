@@ -1,0 +1,107 @@
+#include "cli/Arguments.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <cmath>
+
+namespace dipwright::cli {
+namespace {
+
+const QString jsonOption = QStringLiteral("json");
+
+QString plain(double number) {
+    return QString::number(number, 'g', 6);
+}
+
+QJsonObject modelJson(const TexturedMesh& model) {
+    const Eigen::Vector3f size = boundingBox(model.mesh).sizes();
+    QJsonArray textures;
+    for (const QImage& texture : model.textures) {
+        textures.append(QJsonArray{texture.width(), texture.height()});
+    }
+    return {{"triangles", qint64(model.mesh.triangles.size())},
+            {"positions", qint64(model.mesh.positions.size())},
+            {"size_mm", QJsonArray{size.x(), size.y(), size.z()}},
+            {"area_mm2", surfaceArea(model.mesh)},
+            {"volume_mm3", volume(model.mesh)},
+            {"closed", isClosed(model.mesh)},
+            {"materials", qint64(model.materials.size())},
+            {"textures", textures}};
+}
+
+void printModel(const TexturedMesh& model, QTextStream& out) {
+    const Eigen::Vector3f size = boundingBox(model.mesh).sizes();
+    out << QStringLiteral("Model: %1 triangles, %2 × %3 × %4 mm, %5 cm³, %6\n")
+               .arg(model.mesh.triangles.size())
+               .arg(plain(size.x()), plain(size.y()), plain(size.z()),
+                    plain(volume(model.mesh) / 1000),
+                    isClosed(model.mesh) ? QStringLiteral("closed") : QStringLiteral("not closed"));
+    for (const QImage& texture : model.textures) {
+        out << QStringLiteral("Texture: %1 × %2 pixels\n")
+                   .arg(texture.width())
+                   .arg(texture.height());
+    }
+}
+
+void printFilm(const FilmSettings& film, QTextStream& out) {
+    const double relaxation = film.relaxationTime.value();
+    out << QStringLiteral("Film: %1, %2 × %3 mm, %4 × %5 points, swell %6 × %7, %8\n")
+               .arg(film.preset, plain(film.width.value()), plain(film.height.value()))
+               .arg(film.columns)
+               .arg(film.rows)
+               .arg(plain(film.swellX), plain(film.swellY),
+                    std::isinf(relaxation) ? QStringLiteral("elastic")
+                    : relaxation == 0      ? QStringLiteral("viscous")
+                                           : QStringLiteral("relaxing in %1 s").arg(relaxation));
+}
+
+void printImmersion(const Immersion& immersion, QTextStream& out) {
+    out << QStringLiteral("Immersion %1: turned by %2°, %3°, %4° about X, Y, Z, offset %5, %6 mm\n")
+               .arg(immersion.name, plain(immersion.rotation[0].value()),
+                    plain(immersion.rotation[1].value()), plain(immersion.rotation[2].value()),
+                    plain(immersion.offset[0].value()), plain(immersion.offset[1].value()));
+}
+
+void printProject(const Project& project, QTextStream& out) {
+    out << QStringLiteral("Project: %1, made on %2\n").arg(project.name, project.date);
+    printModel(*project.model, out);
+    printFilm(project.film, out);
+    out << QStringLiteral("Process: %1 mm/s, solver %2, field of %3³\n")
+               .arg(plain(project.process.dipSpeed.value()), project.process.solver)
+               .arg(project.fieldResolution);
+    for (const Immersion& immersion : project.immersions) {
+        printImmersion(immersion, out);
+    }
+    out << QStringLiteral("Sheet: %1 dpi on %2\n")
+               .arg(plain(project.sheet.resolution.value()), project.sheet.paper);
+}
+
+class InfoCommand : public Command {
+public:
+    QString name() const override { return QStringLiteral("info"); }
+    QString summary() const override { return QStringLiteral("Says what is in a project."); }
+    void declare(QCommandLineParser& parser) const override {
+        declareProject(parser);
+        parser.addOption(
+            {jsonOption, QStringLiteral("Prints JSON: the project file's document and, "
+                                        "as \"model_info\", the model's figures.")});
+    }
+    void run(const QCommandLineParser& parser, Console& console) const override {
+        const Project project = projectArgument(parser);
+        if (!parser.isSet(jsonOption)) {
+            printProject(project, console.out());
+            return;
+        }
+        QJsonObject json = toJson(project);
+        json.insert(QStringLiteral("model_info"), modelJson(*project.model));
+        console.out() << QJsonDocument(json).toJson();
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Command> infoCommand() {
+    return std::make_unique<InfoCommand>();
+}
+
+} // namespace dipwright::cli

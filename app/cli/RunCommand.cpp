@@ -1,0 +1,115 @@
+#include "cli/Arguments.h"
+
+#include "pipeline/Pipeline.h"
+
+#include <QImageReader>
+
+namespace dipwright::cli {
+namespace {
+
+const QString outOption = QStringLiteral("out");
+const QString solverOption = QStringLiteral("solver");
+const QString dpiOption = QStringLiteral("dpi");
+const QString filmImageOption = QStringLiteral("film-image");
+constexpr int mostPictureMegabytes = 4096;
+
+QImage readPicture(const QString& path) {
+    QImageReader::setAllocationLimit(mostPictureMegabytes);
+    QImageReader reader(path);
+    reader.setDecideFormatFromContent(true);
+    const QImage picture = reader.read();
+    if (picture.isNull()) {
+        throw Error(QStringLiteral("The picture cannot be read: %1").arg(reader.errorString()),
+                    path);
+    }
+    return picture;
+}
+
+QString number(double value, int decimals) {
+    return QString::number(value, 'f', decimals);
+}
+
+void printSummary(const JobResult& result, QTextStream& out) {
+    const QJsonObject summary = report(result.project, result);
+    out << QStringLiteral("Solver: %1 %2 on %3\n")
+               .arg(result.solver.name, result.solver.version, result.device);
+    for (const QString& note : result.notes) {
+        out << note << '\n';
+    }
+    for (const ImmersionResult& immersion : result.immersions) {
+        const DippedFilm& film = *immersion.film;
+        out << QStringLiteral("%1: %2 × %3 points, %4 steps in %5 s, %6 % of the body covered, "
+                              "registration %7 mm on average, %8 mm for 95 %\n")
+                   .arg(immersion.immersion.name)
+                   .arg(film.grid.columns)
+                   .arg(film.grid.rows)
+                   .arg(film.steps)
+                   .arg(number(film.wallSeconds, 2), number(100 * immersion.coverage->share, 1),
+                        number(immersion.registration.mean, 3),
+                        number(immersion.registration.percentile95, 3));
+    }
+    out << QStringLiteral("Covered altogether: %1 %\n").arg(number(100 * result.coverageTotal, 1));
+}
+
+class RunCommand : public Command {
+public:
+    QString name() const override { return QStringLiteral("run"); }
+    QString summary() const override {
+        return QStringLiteral("Simulates every immersion and writes the sheets to print.");
+    }
+
+    void declare(QCommandLineParser& parser) const override {
+        declareProject(parser);
+        parser.addOption(
+            {outOption, QStringLiteral("The folder for the results; earlier results are replaced."),
+             QStringLiteral("DIR")});
+        parser.addOption({solverOption,
+                          QStringLiteral("The solver plugin, in place of the project's choice."),
+                          QStringLiteral("ID")});
+        parser.addOption(
+            {dpiOption, QStringLiteral("The sheet's resolution."), QStringLiteral("N")});
+        parser.addOption(
+            {filmImageOption,
+             QStringLiteral("Puts this picture on the film, stretched to all of it, or "
+                            "the built-in chessboard; the proof shows where the dip "
+                            "carries it."),
+             QStringLiteral("chessboard|FILE")});
+        declareThreads(parser);
+    }
+
+    void run(const QCommandLineParser& parser, Console& console) const override {
+        const QString folder = parser.value(outOption);
+        if (folder.isEmpty()) {
+            throw UsageError(QStringLiteral("Name the folder for the results with --out DIR"),
+                             QStringLiteral("--out"));
+        }
+        const ThreadLimit threads(parser);
+        Project project = projectArgument(parser);
+        if (parser.isSet(dpiOption)) {
+            setByOption(project, QStringLiteral("sheet.dpi"), parser.value(dpiOption),
+                        QStringLiteral("--dpi"));
+        }
+        JobOptions options;
+        options.solver = parser.value(solverOption);
+        const QString picture = parser.value(filmImageOption);
+        options.chessboard = picture == QLatin1String("chessboard");
+        if (!picture.isEmpty() && !options.chessboard) {
+            options.filmImage = readPicture(picture);
+        }
+        checkResultFolder(folder); // better now than after the work
+        const SolverRegistry registry;
+        const Progress progress = console.progress();
+        const JobResult result = runJob(project, registry, options, nullptr, progress.part(0, 0.9));
+        writeResults(project, result, folder, progress.part(0.9, 1));
+        printSummary(result, console.out());
+        console.out() << QStringLiteral("Wrote %1\n").arg(folder);
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Command> runCommand() {
+    return std::make_unique<RunCommand>();
+}
+
+} // namespace dipwright::cli

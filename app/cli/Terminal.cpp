@@ -1,0 +1,43 @@
+#include "cli/Terminal.h"
+
+#include <csignal>
+#include <cstdio>
+
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace dipwright::cli {
+namespace {
+
+// A signal handler has no other way to reach what it is to change.
+CancelSwitch* signalSwitch = nullptr;
+
+extern "C" void onSignal(int number) {
+    std::signal(number, SIG_DFL);
+    signalSwitch->cancel();
+}
+
+} // namespace
+
+bool standardErrorIsTerminal() {
+#ifdef _WIN32
+    return _isatty(_fileno(stderr)) != 0;
+#else
+    return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+void cancelOnSignals(const CancelSwitch& cancelSwitch) {
+    static CancelSwitch shared = cancelSwitch;
+    signalSwitch = &shared;
+    std::signal(SIGINT, onSignal);
+    std::signal(SIGTERM, onSignal);
+#ifdef SIGXFSZ
+    std::signal(SIGXFSZ, SIG_IGN);
+#endif
+}
+
+} // namespace dipwright::cli

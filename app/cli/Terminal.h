@@ -1,0 +1,14 @@
+// What the system is asked: the only file here with calls that differ between platforms.
+#pragma once
+
+#include "base/Progress.h"
+
+namespace dipwright::cli {
+
+bool standardErrorIsTerminal();
+
+// An interrupt or a request to terminate cancels `cancelSwitch`, a second one ends the program. A
+// file grown past the user's limit becomes an error of the write instead of a signal.
+void cancelOnSignals(const CancelSwitch& cancelSwitch);
+
+} // namespace dipwright::cli

@@ -1,0 +1,129 @@
+// dipwright-cli: everything the workbench computes, without a display.
+#include "cli/Command.h"
+
+#include <QGuiApplication>
+#include <QLoggingCategory>
+
+namespace dipwright::cli {
+namespace {
+
+enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2 };
+
+// Of the plan, and not in this version: said plainly, where they are looked for.
+const QStringList missingCommands{QStringLiteral("print"), QStringLiteral("optimize")};
+
+void printHelp(const std::vector<std::unique_ptr<Command>>& commands, QTextStream& out) {
+    out << "Usage: dipwright-cli COMMAND …\n\n"
+           "Computational hydrographic printing: from a textured model to a sheet to print.\n\n"
+           "Commands:\n";
+    for (const auto& command : commands) {
+        out << QStringLiteral("  %1 %2\n").arg(command->name(), -10).arg(command->summary());
+    }
+    for (const QString& name : missingCommands) {
+        out << QStringLiteral("  %1 Not available in this version.\n").arg(name, -10);
+    }
+    out << "\nOptions:\n"
+           "  -h, --help     This help; after a command, the command's own.\n"
+           "  -v, --version  The version.\n\n"
+           "Exit codes: 0 done, 1 the job failed, 2 wrong usage.\n";
+}
+
+void runCommand(const Command& command, const QStringList& arguments, Console& console) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(command.summary());
+    parser.addPositionalArgument(command.name(), QStringLiteral("This command."));
+    parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("This help.")});
+    parser.addOption(
+        {{QStringLiteral("q"), QStringLiteral("quiet")}, QStringLiteral("Shows no progress.")});
+    command.declare(parser);
+    const bool understood = parser.parse(arguments);
+    if (parser.isSet(QStringLiteral("help"))) {
+        console.out() << parser.helpText();
+        return;
+    }
+    if (!understood) {
+        throw UsageError(QStringLiteral("%1 See --help").arg(parser.errorText()), command.name());
+    }
+    console.setQuiet(parser.isSet(QStringLiteral("quiet")));
+    command.run(parser, console);
+}
+
+void run(const QStringList& arguments, Console& console) {
+    const auto commands = allCommands();
+    const QString first = arguments.value(1);
+    if (first == QLatin1String("--help") || first == QLatin1String("-h")) {
+        printHelp(commands, console.out());
+        return;
+    }
+    if (first == QLatin1String("--version") || first == QLatin1String("-v")) {
+        console.out() << "dipwright-cli " << QCoreApplication::applicationVersion() << '\n';
+        return;
+    }
+    for (const auto& command : commands) {
+        if (first == command->name()) {
+            runCommand(*command, arguments, console);
+            return;
+        }
+    }
+    if (missingCommands.contains(first)) {
+        throw UsageError(QStringLiteral("This command is not available in this version"), first);
+    }
+    throw UsageError(first.isEmpty() ? QStringLiteral("A command is missing, see --help")
+                                     : QStringLiteral("There is no such command, see --help"),
+                     first.isEmpty() ? QStringLiteral("command line") : first);
+}
+
+int guardedRun(const QStringList& arguments, Console& console) {
+    try {
+        run(arguments, console);
+        if (!console.finish()) {
+            throw Error(QStringLiteral("The output cannot be written"),
+                        QStringLiteral("standard output"));
+        }
+        return Done;
+    } catch (const UsageError& error) {
+        console.error(error);
+        return WrongUsage;
+    } catch (const Error& error) {
+        console.error(error);
+    } catch (const Cancelled&) {
+        console.error(Error(QStringLiteral("Cancelled, nothing was written"), arguments.value(1)));
+    } catch (const std::bad_alloc&) {
+        console.error(Error(QStringLiteral("There is not enough memory, choose a smaller film, "
+                                           "field or resolution"),
+                            arguments.value(1)));
+    } catch (const std::exception& failure) {
+        console.error(Error(QStringLiteral("Something went wrong that should not: %1")
+                                .arg(QString::fromUtf8(failure.what())),
+                            arguments.value(1)));
+    }
+    return Failed;
+}
+
+} // namespace
+
+std::vector<std::unique_ptr<Command>> allCommands() {
+    std::vector<std::unique_ptr<Command>> commands;
+    commands.push_back(newCommand());
+    commands.push_back(cli::runCommand());
+    commands.push_back(infoCommand());
+    commands.push_back(validateCommand());
+    commands.push_back(solversCommand());
+    commands.push_back(benchCommand());
+    return commands;
+}
+
+} // namespace dipwright::cli
+
+int main(int argc, char* argv[]) {
+    // Type on the sheets needs Qt Gui; a display it does not need, whatever the user's session is.
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    // One error line is all that a script has to read: libraries' warnings are for developers.
+    QLoggingCategory::setFilterRules(
+        QStringLiteral("*.debug=false\n*.info=false\n*.warning=false"));
+    const QGuiApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("dipwright"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(DIPWRIGHT_VERSION));
+    dipwright::cli::Console console;
+    return dipwright::cli::guardedRun(QCoreApplication::arguments(), console);
+}

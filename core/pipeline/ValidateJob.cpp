@@ -1,0 +1,70 @@
+#include "pipeline/ValidateJob.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Pipeline)
+};
+
+constexpr double cellsAcrossBody = 10; // fewer say little about the body's shape
+
+// The body's outline on the water for this immersion, as a box in x and z.
+Eigen::AlignedBox2d footprint(const TexturedMesh& model, const Immersion& immersion) {
+    const Eigen::Isometry3d pose = poseTransform(model.mesh, immersion);
+    const Eigen::Vector2d offset(immersion.offset[0].value(), immersion.offset[1].value());
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector3f& position : model.mesh.positions) {
+        const Eigen::Vector3d posed = pose * position.cast<double>();
+        box.extend(Eigen::Vector2d(posed.x(), posed.z()) + offset);
+    }
+    return box;
+}
+
+void checkImmersion(const Project& project, const Immersion& immersion, QStringList& warnings) {
+    const solver::FilmGrid grid = filmGrid(project.film);
+    const Eigen::Vector2d half(grid.width / 2, grid.depth / 2);
+    const Eigen::AlignedBox2d film(-half, half);
+    const Eigen::AlignedBox2d body = footprint(*project.model, immersion);
+    if (!film.intersects(body)) {
+        throw Error(Text::tr("The body does not meet the film; move it over the film or choose a "
+                             "larger film"),
+                    immersion.name);
+    }
+    if (!film.contains(body)) {
+        warnings.append(Text::tr("%1: the body reaches past the film's edge").arg(immersion.name));
+    }
+    if (body.sizes().minCoeff() < cellsAcrossBody * grid.spacingX()) {
+        warnings.append(Text::tr("%1: the film's cells are coarse for this body, give the film "
+                                 "more points")
+                            .arg(immersion.name));
+    }
+}
+
+} // namespace
+
+QStringList validateJob(const Project& project, const SolverRegistry& registry) {
+    if (!project.model) {
+        throw Error(Text::tr("The project has no model, import one first"), project.name);
+    }
+    registry.module(project.process.solver);
+    sheetPixels(project.film.width, project.film.height, project.sheet.resolution);
+    pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}});
+    QStringList warnings;
+    if (!isClosed(project.model->mesh)) {
+        warnings.append(Text::tr("The model is not closed, what is inside is guessed"));
+    }
+    if (project.model->textures.empty()) {
+        warnings.append(Text::tr("The model has no texture, its plain colours are printed"));
+    }
+    for (const Immersion& immersion : project.immersions) {
+        checkImmersion(project, immersion, warnings);
+    }
+    return warnings;
+}
+
+} // namespace dipwright
