@@ -1,25 +1,9 @@
-// Which film is on the body for good, and how much of the body it paints.
+// How much of the body an immersion paints.
 #pragma once
 
-#include "dip/Dip.h"
-#include "geometry/SurfaceQuery.h"
+#include "dip/FilmContact.h"
 
 namespace dipwright {
-
-// Where each film point lies on the body: an invalid SurfacePoint where it is not on it.
-// "contact": found by the film's normal or the closest point; "filled": interpolated from
-// neighbours because the point itself missed.
-struct FilmContact {
-    std::vector<SurfacePoint> surface;   // a film point each
-    std::vector<std::uint8_t> filled;    // 1: from its neighbours
-    std::vector<std::uint8_t> painted;   // a film triangle each: 1 = this piece of film is on the body
-    std::vector<std::uint8_t> torn;      // a film triangle each: 1 = stretched past the tear limit
-    std::size_t contactCount = 0;
-    std::size_t filledCount = 0;
-};
-
-FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
-                       const ProcessSettings& process);
 
 struct Coverage {
     std::vector<std::uint8_t> covered; // a body triangle each: 1 where at least half is painted
@@ -27,6 +11,8 @@ struct Coverage {
     double share = 0;                  // of the body's surface, 0 … 1
     double trappedAirArea = 0;         // mm² that film cannot reach because air is caught there
 };
+
+// By samples of every body triangle, a few for each film cell's area. All cores, deterministic.
 Coverage coverage(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
                   const SurfaceQuery& query);
 

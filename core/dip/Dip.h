@@ -15,15 +15,15 @@ namespace dipwright {
 // The project file's "process".
 struct ProcessSettings {
     MillimetresPerSecond dipSpeed{5};
-    Seconds timeStep{1.0 / 60};  // paper-2020 only; the production film chooses its own step
-    int iterations = 5;          // paper-2020 only
+    Seconds timeStep{1.0 / 60}; // paper-2020 only; the production film chooses its own step
+    int iterations = 5;         // paper-2020 only
     solver::Relaxation relaxation = solver::Relaxation::Jacobi; // paper-2020 only
-    bool selfContact = false;    // paper-2020 only
-    double contactTravel = 0.25; // production only: cells the contact line travels in one step
+    bool selfContact = false;                                   // paper-2020 only
+    double contactTravel = 0.25;      // production only: cells the contact line travels in one step
     std::optional<Millimetres> depth; // how far the lowest point goes under; none: all of the body
-    Millimetres margin{2};       // farther than fully under
-    double tearStretch = 4;      // area stretch past which film counts as torn
-    Degrees overhang{20};        // film holds on faces that turn upwards by no more than this
+    Millimetres margin{2};            // farther than fully under
+    double tearStretch = 4;           // area stretch past which film counts as torn
+    Degrees overhang{20};             // film holds on faces that turn upwards by no more than this
     QString solver = QStringLiteral("auto");
     bool operator==(const ProcessSettings&) const = default;
 };
@@ -32,7 +32,7 @@ struct ProcessSettings {
 struct FilmFrame {
     std::span<const float> positions; // x, y, z a point; world frame, waterline y = 0
     std::span<const solver::PointState> states;
-    double descent = 0;               // mm; the body's lowest point is at startHeight − descent
+    double descent = 0; // mm; the body's lowest point is at startHeight − descent
     std::int64_t steps = 0;
 };
 using FilmObserver = std::function<void(const FilmFrame&)>;

@@ -25,9 +25,9 @@ Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immer
 
 // A body in the pose frame of one immersion, with what asks it questions.
 struct PosedBody {
-    TexturedMesh model;           // positions in the pose frame
+    TexturedMesh model;            // positions in the pose frame
     Eigen::Isometry3d modelToPose; // from the coordinates of the model and its distance field
-    double height = 0;            // mm from the lowest to the highest point
+    double height = 0;             // mm from the lowest to the highest point
 };
 PosedBody posedBody(const TexturedMesh& model, const Immersion& immersion);
 

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/TotalCoverage.h"
+#include "texture/Chessboard.h"
 
 #include <QCoreApplication>
 #include <algorithm>

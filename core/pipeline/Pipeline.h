@@ -5,6 +5,7 @@
 #include "project/Project.h"
 #include "results/Results.h"
 #include "solver/SolverRegistry.h"
+#include "texture/Registration.h"
 
 namespace dipwright {
 

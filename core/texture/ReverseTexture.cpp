@@ -1,1 +1,334 @@
 #include "texture/ReverseTexture.h"
+
+#include "texture/Bleed.h"
+#include "texture/ReverseMap.h"
+#include "texture/TextureSampler.h"
+
+#include <QCoreApplication>
+
+#include <Eigen/LU>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace dipwright {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("ReverseTexture", text);
+}
+
+// A film pixel that is to be painted, and its place in the film piece in hand.
+struct Pixel {
+    int column = 0;
+    int row = 0;
+    Eigen::Vector3f weights; // of the piece's corners
+};
+
+// Which film cell each pixel column (or row) of the image is in, and how far along it.
+struct CellPlaces {
+    std::vector<float> share;    // a pixel each: 0 … 1 along its cell
+    std::vector<int> firstPixel; // a cell each, and one more: the first pixel of the next
+
+    CellPlaces(int pixels, int cells) : firstPixel(std::size_t(cells) + 1, pixels) {
+        share.reserve(std::size_t(pixels));
+        for (int pixel = pixels - 1; pixel >= 0; --pixel) {
+            const double place = (pixel + 0.5) * cells / pixels;
+            const int cell = std::min(int(place), cells - 1);
+            std::fill(firstPixel.begin(), firstPixel.begin() + cell + 1, pixel);
+            share.push_back(float(place - cell));
+        }
+        std::reverse(share.begin(), share.end());
+        for (std::size_t cell = 0; cell + 1 < firstPixel.size(); ++cell) {
+            firstPixel[cell] = std::min(firstPixel[cell], firstPixel[cell + 1]);
+        }
+    }
+};
+
+// The mean area stretch of the painted film round each film point, so that the ink's density does
+// not jump from triangle to triangle.
+std::vector<float> pointAreaStretches(const DippedFilm& film, const ReverseMap& map) {
+    const std::vector<PrincipalStretch> stretches = principalStretches(film);
+    std::vector<float> sum(film.positions.size(), 0);
+    std::vector<int> count(film.positions.size(), 0);
+    for (std::uint32_t triangle = 0; triangle < stretches.size(); ++triangle) {
+        if (map.isPainted(triangle)) {
+            for (const std::uint32_t point : map.triangles()[triangle]) {
+                sum[point] += stretches[triangle].area();
+                ++count[point];
+            }
+        }
+    }
+    for (std::size_t point = 0; point < sum.size(); ++point) {
+        sum[point] = count[point] ? sum[point] / float(count[point]) : 1;
+    }
+    return sum;
+}
+
+bool repeats(const TexturedMesh& model, int texture) {
+    for (std::size_t triangle = 0; triangle < model.textureCoordinates.size(); ++triangle) {
+        if (model.materials[model.material[triangle]].texture != texture) {
+            continue;
+        }
+        for (const Eigen::Vector2f& corner : model.textureCoordinates[triangle]) {
+            if (corner.minCoeff() < 0 || corner.maxCoeff() > 1) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+// Reads colours off a body's materials and textures.
+class BodyColours {
+public:
+    explicit BodyColours(const TexturedMesh& model) : model_(model) {
+        for (std::size_t texture = 0; texture < model.textures.size(); ++texture) {
+            samplers_.emplace_back(model.textures[texture], repeats(model, int(texture)));
+        }
+        for (const Material& material : model.materials) {
+            plain_.push_back(linearColour(material.colour));
+        }
+    }
+    // Null where the body triangle has a plain colour.
+    const TextureSampler* sampler(std::uint32_t bodyTriangle) const {
+        const int texture = model_.materials[model_.material[bodyTriangle]].texture;
+        const bool textured = texture >= 0 && model_.hasTextureCoordinates(bodyTriangle);
+        return textured ? &samplers_[std::size_t(texture)] : nullptr;
+    }
+    const LinearColour& plain(std::uint32_t bodyTriangle) const {
+        return plain_[model_.material[bodyTriangle]];
+    }
+
+private:
+    const TexturedMesh& model_;
+    std::vector<TextureSampler> samplers_;
+    std::vector<LinearColour> plain_;
+};
+
+class FilmPainter {
+public:
+    FilmPainter(const DippedFilm& film, const PosedBody& body, const ReverseMap& map,
+                const ReverseTextureOptions& options, QImage& image)
+        : film_(film), model_(body.model), map_(map), colours_(body.model), ink_(options.ink),
+          areaStretch_(pointAreaStretches(film, map)),
+          columns_(image.width(), film.grid.columns - 1), rows_(image.height(), film.grid.rows - 1),
+          pixelSize_(float(film.grid.width / image.width()),
+                     float(film.grid.depth / image.height())),
+          bits_(image.bits()), stride_(image.bytesPerLine()) {}
+
+    // Paints one row of cells; returns the body area in mm² that ends up visibly too pale.
+    double paintCells(int row) const {
+        double shortfall = 0;
+        std::vector<Pixel> pixels;
+        for (int column = 0; column + 1 < film_.grid.columns; ++column) {
+            const auto cell =
+                std::uint32_t(row) * std::uint32_t(film_.grid.columns - 1) + std::uint32_t(column);
+            for (const std::uint32_t triangle : {2 * cell, 2 * cell + 1}) {
+                if (map_.isPainted(triangle)) {
+                    collect(column, row, triangle % 2 == 1, pixels);
+                    shortfall += paint(map_.whole(triangle), pixels);
+                }
+            }
+        }
+        return shortfall;
+    }
+
+private:
+    // The pixels whose centres are in one of a cell's two triangles; a centre on the cut between
+    // them, or between two cells, belongs to one side only.
+    void collect(int cellColumn, int cellRow, bool second, std::vector<Pixel>& pixels) const {
+        pixels.clear();
+        const bool falling = (cellColumn + cellRow) % 2 == 0; // the cut, from the upper left corner
+        const auto c = std::size_t(cellColumn);
+        const auto r = std::size_t(cellRow);
+        for (int row = rows_.firstPixel[r]; row < rows_.firstPixel[r + 1]; ++row) {
+            const float down = rows_.share[std::size_t(row)];
+            for (int column = columns_.firstPixel[c]; column < columns_.firstPixel[c + 1];
+                 ++column) {
+                const float right = columns_.share[std::size_t(column)];
+                const bool beyondCut = falling ? down < right : right + down >= 1;
+                if (beyondCut == second) {
+                    pixels.push_back({column, row, weights(falling, second, right, down)});
+                }
+            }
+        }
+    }
+    // By the corners' order in filmTriangles().
+    static Eigen::Vector3f weights(bool falling, bool second, float right, float down) {
+        if (falling) {
+            return second ? Eigen::Vector3f(1 - right, down, right - down)
+                          : Eigen::Vector3f(1 - down, down - right, right);
+        }
+        return second ? Eigen::Vector3f(1 - down, 1 - right, right + down - 1)
+                      : Eigen::Vector3f(1 - right - down, down, right);
+    }
+
+    double paint(const FilmPiece& piece, std::span<Pixel> pixels) const {
+        if (pixels.empty()) {
+            return 0;
+        }
+        if (pixels.size() == 1) {
+            return paintAlone(piece, pixels.front());
+        }
+        const std::array<SurfacePoint, 3> middles = map_.middles(piece);
+        if (const auto linear = map_.linear(piece, middles)) {
+            return paintLinear(piece, *linear, pixels);
+        }
+        const std::array<FilmPiece, 4> children = map_.halved(piece, middles);
+        double shortfall = 0;
+        for (std::size_t child = 0; child < children.size(); ++child) {
+            const auto rest = std::partition(pixels.begin(), pixels.end(), [&](const Pixel& pixel) {
+                return FilmPiece::child(pixel.weights) == child;
+            });
+            const std::span<Pixel> inside(pixels.begin(), rest);
+            for (Pixel& pixel : inside) {
+                pixel.weights = FilmPiece::childWeights(pixel.weights, child);
+            }
+            shortfall += paint(children[child], inside);
+            pixels = {rest, pixels.end()};
+        }
+        return shortfall;
+    }
+
+    double paintLinear(const FilmPiece& piece, const LinearPiece& linear,
+                       std::span<Pixel> pixels) const {
+        const TextureSampler* sampler = colours_.sampler(linear.bodyTriangle);
+        double shortfall = 0;
+        if (!sampler) {
+            const LinearColour plain = colours_.plain(linear.bodyTriangle);
+            for (const Pixel& pixel : pixels) {
+                shortfall += print(piece, pixel, plain);
+            }
+            return shortfall;
+        }
+        const TextureFootprint footprint = sampler->footprint(steps(piece, linear));
+        for (const Pixel& pixel : pixels) {
+            shortfall +=
+                print(piece, pixel, sampler->sample(linear.coordinate(pixel.weights), footprint));
+        }
+        return shortfall;
+    }
+    TextureSteps steps(const FilmPiece& piece, const LinearPiece& linear) const {
+        const Eigen::Vector2f a = pixelPlace(piece, 0);
+        Eigen::Matrix2f onFilm;
+        onFilm << pixelPlace(piece, 1) - a, pixelPlace(piece, 2) - a;
+        Eigen::Matrix2f onTexture;
+        onTexture << linear.coordinates[1] - linear.coordinates[0],
+            linear.coordinates[2] - linear.coordinates[0];
+        return onTexture * onFilm.inverse();
+    }
+    // Of a piece's corner, on the flat film, in pixels from its middle.
+    Eigen::Vector2f pixelPlace(const FilmPiece& piece, std::size_t corner) const {
+        const FilmTriangle& points = map_.triangles()[piece.triangle];
+        Eigen::Vector2f place = Eigen::Vector2f::Zero();
+        for (int k = 0; k < 3; ++k) {
+            place += piece.corners[corner][k] *
+                     restPosition(film_.grid, points[std::size_t(k)]).cwiseQuotient(pixelSize_);
+        }
+        return place;
+    }
+
+    // A pixel by itself, on a seam or where the texture bends: the mean of four places in it, each
+    // carried onto the body.
+    double paintAlone(const FilmPiece& piece, const Pixel& pixel) const {
+        LinearColour sum = LinearColour::Zero();
+        const Eigen::Vector3f centre = filmWeights(piece, pixel.weights);
+        const Eigen::Matrix<float, 3, 2> gradient = weightSteps(piece.triangle);
+        for (const float down : {-0.25f, 0.25f}) {
+            for (const float right : {-0.25f, 0.25f}) {
+                Eigen::Vector3f weights = centre + gradient * Eigen::Vector2f(right, down);
+                weights = weights.cwiseMax(0);
+                weights /= weights.sum();
+                sum += colourAt({piece.triangle, weights}, gradient) / 4;
+            }
+        }
+        return print(piece, pixel, sum);
+    }
+    LinearColour colourAt(const FilmPlace& place,
+                          const Eigen::Matrix<float, 3, 2>& gradient) const {
+        const SurfacePoint onBody = map_.surface(place);
+        const TextureSampler* sampler = colours_.sampler(onBody.triangle);
+        if (!sampler) {
+            return colours_.plain(onBody.triangle);
+        }
+        const TextureSteps steps =
+            map_.textureSteps(onBody.triangle, map_.contactPoints(place.triangle) * gradient / 2);
+        return sampler->sample(model_.textureCoordinate(onBody), sampler->footprint(steps));
+    }
+    static Eigen::Vector3f filmWeights(const FilmPiece& piece, const Eigen::Vector3f& weights) {
+        return weights[0] * piece.corners[0] + weights[1] * piece.corners[1] +
+               weights[2] * piece.corners[2];
+    }
+    // How the weights of a film triangle's corners change from pixel to pixel, rightwards and down.
+    Eigen::Matrix<float, 3, 2> weightSteps(std::uint32_t triangle) const {
+        const FilmPiece piece = map_.whole(triangle);
+        const Eigen::Vector2f a = pixelPlace(piece, 0);
+        Eigen::Matrix2f onFilm;
+        onFilm << pixelPlace(piece, 1) - a, pixelPlace(piece, 2) - a;
+        const Eigen::Matrix2f inverse = onFilm.inverse();
+        Eigen::Matrix<float, 3, 2> steps;
+        steps << -inverse.colwise().sum(), inverse;
+        return steps;
+    }
+
+    double print(const FilmPiece& piece, const Pixel& pixel, const LinearColour& wanted) const {
+        const FilmTriangle& corners = map_.triangles()[piece.triangle];
+        const Eigen::Vector3f weights = filmWeights(piece, pixel.weights);
+        const float stretch = weights[0] * areaStretch_[corners[0]] +
+                              weights[1] * areaStretch_[corners[1]] +
+                              weights[2] * areaStretch_[corners[2]];
+        const InkCompensation::Ink ink = ink_.print(wanted, stretch);
+        auto* bytes = bits_ + pixel.row * stride_ + 4 * pixel.column;
+        for (int channel = 0; channel < 3; ++channel) {
+            bytes[channel] = encodedByte(ink.colour[channel]);
+        }
+        bytes[3] = 255;
+        return ink.fallsShort ? double(pixelSize_.prod() * stretch) : 0;
+    }
+
+    const DippedFilm& film_;
+    const TexturedMesh& model_;
+    const ReverseMap& map_;
+    BodyColours colours_;
+    InkCompensation ink_;
+    std::vector<float> areaStretch_; // a film point each
+    CellPlaces columns_;
+    CellPlaces rows_;
+    Eigen::Vector2f pixelSize_; // mm
+    unsigned char* bits_;
+    std::ptrdiff_t stride_;
+};
+
+} // namespace
+
+ReverseTexture reverseTexture(const DippedFilm& film, const FilmContact& contact,
+                              const PosedBody& body, const SurfaceQuery& query,
+                              const ReverseTextureOptions& options, const Progress& progress) {
+    progress(0, tr("Reversing the texture"));
+    ReverseTexture result;
+    result.image = QImage(options.pixels, QImage::Format_RGBA8888);
+    result.image.fill(0);
+    const ReverseMap map(film, contact, body, query);
+    result.seamTriangles = map.seamCount();
+    progress(0.1, tr("Reversing the texture"));
+
+    const FilmPainter painter(film, body, map, options, result.image);
+    std::vector<double> shortfall(std::size_t(film.grid.rows - 1), 0);
+    tbb::parallel_for(0, film.grid.rows - 1, [&](int row) {
+        progress.cancelSwitch.throwIfCancelled();
+        shortfall[std::size_t(row)] = painter.paintCells(row);
+    });
+    result.shortfallArea = std::accumulate(shortfall.begin(), shortfall.end(), 0.0);
+
+    progress(0.9, tr("Continuing the colour past the edge"));
+    const double pixelSize = film.grid.width / options.pixels.width();
+    continueColour(result.image, options.bleed / pixelSize);
+    progress(1, tr("Reversing the texture"));
+    return result;
+}
+
+} // namespace dipwright

@@ -1,0 +1,151 @@
+#include "dip/FilmContact.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+// Shares of a film triangle's longest edge that its middle may lie off the surface. Outside the
+// body it spans a hollow that the film does not follow; inside, it goes round an edge of the body,
+// up to where it would go through the body.
+constexpr float spannedHollow = 0.15f;
+constexpr float cutEdge = 0.5f;
+// Cosines between the film's and the body's outward normals.
+constexpr float turnedAway = 0.1f;    // film against the face it lies on
+constexpr float foldedAcross = -0.9f; // two faces under one film triangle
+
+// The farthest an adhered point may be from the surface that it touches: half a film cell.
+float contactReach(const solver::FilmGrid& grid) {
+    return float(std::max(grid.spacingX(), grid.spacingZ()) / 2);
+}
+
+SurfacePoint surfacePoint(const Eigen::Vector3f& position, const Eigen::Vector3f& filmNormal,
+                          const SurfaceQuery& query, float reach) {
+    const ClosestPoint closest = query.closest(position, reach);
+    const RayHit below = query.hit(position, filmNormal, reach);
+    const RayHit above = query.hit(position, -filmNormal, reach);
+    const RayHit& along = below.distance <= above.distance ? below : above;
+    // Along a slanting normal a ray may pass by the surface that the film touches.
+    const bool astray = along.distance > 2 * closest.distance + 0.01f * reach;
+    return along.point.isValid() && !astray ? along.point : closest.point;
+}
+
+// The point midway between the neighbours, along the grid's rows and columns, of a point that
+// missed; invalid unless all four are on the body.
+SurfacePoint filledPoint(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
+                         const std::vector<SurfacePoint>& located, std::size_t point, float reach) {
+    const auto columns = std::size_t(film.grid.columns);
+    const std::size_t column = point % columns;
+    const std::size_t row = point / columns;
+    const bool inside =
+        column > 0 && column + 1 < columns && row > 0 && row + 1 < std::size_t(film.grid.rows);
+    if (!inside || film.states[point] == solver::PointState::Trapped) {
+        return {};
+    }
+    Eigen::Vector3f middle = Eigen::Vector3f::Zero();
+    for (const std::size_t neighbour : {point - 1, point + 1, point - columns, point + columns}) {
+        if (!located[neighbour].isValid()) {
+            return {};
+        }
+        middle += position(body.model.mesh, located[neighbour]) / 4;
+    }
+    return query.closest(middle, 2 * reach).point;
+}
+
+std::vector<SurfacePoint> locatePoints(const DippedFilm& film, const SurfaceQuery& query) {
+    const std::vector<Eigen::Vector3f> normals =
+        vertexNormals(TriangleMesh{film.positions, filmTriangles(film.grid)});
+    const float reach = contactReach(film.grid);
+    std::vector<SurfacePoint> points(film.positions.size());
+    tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t point) {
+        if (film.adhered(point)) {
+            points[point] = surfacePoint(film.positions[point], normals[point], query, reach);
+        }
+    });
+    return points;
+}
+
+class PaintTest {
+public:
+    PaintTest(const PosedBody& body, const SurfaceQuery& query,
+              const std::vector<SurfacePoint>& surface, const ProcessSettings& process)
+        : mesh_(body.model.mesh), query_(query), surface_(surface),
+          steepest_(float(std::sin(radians(process.overhang)))) {}
+
+    bool isPainted(const FilmTriangle& triangle) const {
+        return std::all_of(triangle.begin(), triangle.end(),
+                           [&](std::uint32_t point) { return surface_[point].isValid(); }) &&
+               !isFoldedAcross(triangle) && isOnSurface(triangle);
+    }
+
+private:
+    Eigen::Vector3f bodyNormal(std::uint32_t point) const {
+        return triangleNormal(mesh_, surface_[point].triangle);
+    }
+    bool isFoldedAcross(const FilmTriangle& triangle) const {
+        const std::array<Eigen::Vector3f, 3> normals = {
+            bodyNormal(triangle[0]), bodyNormal(triangle[1]), bodyNormal(triangle[2])};
+        return normals[0].dot(normals[1]) < foldedAcross ||
+               normals[1].dot(normals[2]) < foldedAcross ||
+               normals[2].dot(normals[0]) < foldedAcross;
+    }
+    bool isOnSurface(const FilmTriangle& triangle) const {
+        const Eigen::Vector3f a = position(mesh_, surface_[triangle[0]]);
+        const Eigen::Vector3f b = position(mesh_, surface_[triangle[1]]);
+        const Eigen::Vector3f c = position(mesh_, surface_[triangle[2]]);
+        const float longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        const Eigen::Vector3f middle = (a + b + c) / 3;
+        const ClosestPoint under = query_.closest(middle, cutEdge * longest);
+        if (!under.point.isValid()) {
+            return false;
+        }
+        // The film's ink side, up at first, lies against the body: its normal points into it.
+        const Eigen::Vector3f intoBody = (b - a).cross(c - a).normalized();
+        const Eigen::Vector3f outward = triangleNormal(mesh_, under.point.triangle);
+        const bool outside = (position(mesh_, under.point) - middle).dot(intoBody) > 0;
+        return !(outside && under.distance > spannedHollow * longest) &&
+               outward.dot(intoBody) < -turnedAway && outward.y() <= steepest_;
+    }
+
+    const TriangleMesh& mesh_;
+    const SurfaceQuery& query_;
+    const std::vector<SurfacePoint>& surface_;
+    float steepest_;
+};
+
+} // namespace
+
+FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
+                       const ProcessSettings& process) {
+    FilmContact contact;
+    const std::vector<SurfacePoint> located = locatePoints(film, query);
+    contact.surface = located;
+    contact.filled.assign(located.size(), 0);
+    for (std::size_t point = 0; point < located.size(); ++point) {
+        if (located[point].isValid()) {
+            ++contact.contactCount;
+            continue;
+        }
+        contact.surface[point] =
+            filledPoint(film, body, query, located, point, contactReach(film.grid));
+        contact.filled[point] = contact.surface[point].isValid();
+        contact.filledCount += contact.filled[point];
+    }
+
+    const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
+    const std::vector<PrincipalStretch> stretches = principalStretches(film);
+    const PaintTest test(body, query, contact.surface, process);
+    contact.painted.resize(triangles.size());
+    contact.torn.resize(triangles.size());
+    tbb::parallel_for(std::size_t(0), triangles.size(), [&](std::size_t triangle) {
+        contact.torn[triangle] = stretches[triangle].area() > float(process.tearStretch);
+        contact.painted[triangle] = !contact.torn[triangle] && test.isPainted(triangles[triangle]);
+    });
+    return contact;
+}
+
+} // namespace dipwright

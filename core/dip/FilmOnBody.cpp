@@ -1,0 +1,126 @@
+#include "dip/FilmOnBody.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace dipwright {
+
+namespace {
+
+// Cosine between the film's normal, which points into the body, and the body's outward one: past
+// it, the film lies on another side of the body.
+constexpr float otherSide = -0.05f;
+
+// Edge k of a film triangle runs from corner k to the next. One byte a triangle; bit k is set where
+// no painted film goes on behind edge k.
+std::vector<std::uint8_t> borderEdges(const std::vector<FilmTriangle>& triangles) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, int>> open;
+    std::vector<std::uint8_t> borders(triangles.size(), 0b111);
+    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
+        for (int edge = 0; edge < 3; ++edge) {
+            const std::uint32_t from = triangles[triangle][std::size_t(edge)];
+            const std::uint32_t to = triangles[triangle][std::size_t((edge + 1) % 3)];
+            const auto other = open.find({to, from});
+            if (other == open.end()) {
+                open[{from, to}] = {triangle, edge};
+                continue;
+            }
+            borders[triangle] &= std::uint8_t(~(1 << edge));
+            borders[other->second.first] &= std::uint8_t(~(1 << other->second.second));
+            open.erase(other);
+        }
+    }
+    return borders;
+}
+
+} // namespace
+
+struct FilmOnBody::Data {
+    const DippedFilm& film;
+    const TriangleMesh& body;
+    std::vector<std::uint32_t> filmTriangle; // of each painted triangle
+    TriangleMesh painted;
+    std::vector<std::uint8_t> borders;
+    SurfaceQuery query;
+    float reach;
+
+    Data(const DippedFilm& dipped, const PosedBody& posed, std::vector<std::uint32_t> indices,
+         TriangleMesh mesh)
+        : film(dipped), body(posed.model.mesh), filmTriangle(std::move(indices)),
+          painted(std::move(mesh)), borders(borderEdges(painted.triangles)), query(painted),
+          reach(float(std::max(dipped.grid.spacingX(), dipped.grid.spacingZ()))) {}
+
+    bool fits(const SurfacePoint& onFilm, const Eigen::Vector3f& outward) const {
+        return onFilm.isValid() &&
+               triangleNormal(painted, onFilm.triangle).dot(outward) < otherSide;
+    }
+    // Whether the film's nearest place is its border, seen from beyond it.
+    bool isBeyondBorder(const SurfacePoint& onFilm, const Eigen::Vector3f& offset,
+                        const Eigen::Vector3f& outward) const {
+        for (int edge = 0; edge < 3; ++edge) {
+            const bool onEdge = onFilm.weights[(edge + 2) % 3] <= 1e-5f;
+            if (onEdge && (borders[onFilm.triangle] >> edge & 1)) {
+                const float sideways = (offset - offset.dot(outward) * outward).norm();
+                return sideways > 0.02f * reach;
+            }
+        }
+        return false;
+    }
+    // The film on the side of the body where `place` is.
+    ClosestPoint filmOver(const Eigen::Vector3f& place, const Eigen::Vector3f& outward) const {
+        const ClosestPoint nearest = query.closest(place, reach);
+        if (fits(nearest.point, outward)) {
+            return nearest;
+        }
+        const RayHit above = query.hit(place, outward, reach);
+        const RayHit below = query.hit(place, -outward, reach);
+        if (fits(above.point, outward) &&
+            (above.distance <= below.distance || !fits(below.point, outward))) {
+            return {above.point, above.distance};
+        }
+        return fits(below.point, outward) ? ClosestPoint{below.point, below.distance}
+                                          : ClosestPoint{};
+    }
+};
+
+FilmOnBody::FilmOnBody(const DippedFilm& film, const FilmContact& contact, const PosedBody& body) {
+    const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
+    std::vector<std::uint32_t> indices;
+    TriangleMesh painted{film.positions, {}};
+    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
+        if (contact.painted[triangle]) {
+            indices.push_back(std::uint32_t(triangle));
+            painted.triangles.push_back(triangles[triangle]);
+        }
+    }
+    data_ = std::make_unique<Data>(film, body, std::move(indices), std::move(painted));
+}
+
+FilmOnBody::~FilmOnBody() = default;
+FilmOnBody::FilmOnBody(FilmOnBody&&) noexcept = default;
+FilmOnBody& FilmOnBody::operator=(FilmOnBody&&) noexcept = default;
+
+bool FilmOnBody::locate(const SurfacePoint& point, Eigen::Vector2f& rest,
+                        std::uint32_t& triangle) const {
+    const Eigen::Vector3f place = position(data_->body, point);
+    const Eigen::Vector3f outward = triangleNormal(data_->body, point.triangle);
+    const ClosestPoint found = data_->filmOver(place, outward);
+    if (!found.point.isValid()) {
+        return false;
+    }
+    const Eigen::Vector3f offset = place - position(data_->painted, found.point);
+    if (data_->isBeyondBorder(found.point, offset, outward)) {
+        return false;
+    }
+    triangle = data_->filmTriangle[found.point.triangle];
+    const FilmTriangle& corners = data_->painted.triangles[found.point.triangle];
+    rest.setZero();
+    for (int corner = 0; corner < 3; ++corner) {
+        rest += found.point.weights[corner] *
+                restPosition(data_->film.grid, corners[std::size_t(corner)]);
+    }
+    return true;
+}
+
+} // namespace dipwright

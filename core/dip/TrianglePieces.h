@@ -1,0 +1,24 @@
+// Even samples of a triangle's area.
+#pragma once
+
+#include "geometry/TriangleMesh.h"
+
+namespace dipwright {
+
+// Cuts a triangle into pieces² like triangles and calls visit(SurfacePoint) with each one's middle.
+template <typename Visit>
+void forEachPiece(std::uint32_t triangle, int pieces, const Visit& visit) {
+    for (int row = 0; row < pieces; ++row) {
+        for (int place = 0; place < 2 * row + 1; ++place) {
+            // In a row, pieces that point to the first corner and pieces upside down take turns.
+            const bool upright = place % 2 == 0;
+            const float depth = float(row) + (upright ? 2.0f : 1.0f) / 3;
+            const float across = float(place / 2) + (upright ? 1.0f : 2.0f) / 3;
+            const auto count = float(pieces);
+            visit(SurfacePoint{triangle,
+                               {1 - depth / count, (depth - across) / count, across / count}});
+        }
+    }
+}
+
+} // namespace dipwright

@@ -1,0 +1,115 @@
+#include "texture/Bleed.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace dipwright {
+
+namespace {
+
+constexpr std::int16_t none = std::numeric_limits<std::int16_t>::max();
+
+// For every pixel how many rows down (or up, below 0) the nearest printed pixel of its column is,
+// or `none` beyond `radius`.
+class ColumnDistances {
+public:
+    ColumnDistances(const QImage& image, int radius)
+        : width_(image.width()), down_(std::size_t(image.width()) * std::size_t(image.height())) {
+        tbb::parallel_for(tbb::blocked_range<int>(0, width_, 256), [&](const auto& columns) {
+            sweep(image, columns.begin(), columns.end(), radius);
+        });
+    }
+    const std::int16_t* row(int row) const {
+        return &down_[std::size_t(row) * std::size_t(width_)];
+    }
+
+private:
+    std::int16_t& at(int row, int column) {
+        return down_[std::size_t(row) * std::size_t(width_) + std::size_t(column)];
+    }
+    void sweep(const QImage& image, int begin, int end, int radius) {
+        std::vector<int> since(static_cast<std::size_t>(end - begin), radius + 1);
+        for (int row = 0; row < image.height(); ++row) {
+            const auto* pixels = image.constScanLine(row);
+            for (int column = begin; column < end; ++column) {
+                int& rows = since[std::size_t(column - begin)];
+                rows = pixels[4 * column + 3] ? 0 : std::min(rows + 1, radius + 1);
+                at(row, column) = std::int16_t(rows <= radius ? -rows : none);
+            }
+        }
+        std::fill(since.begin(), since.end(), radius + 1);
+        for (int row = image.height() - 1; row >= 0; --row) {
+            for (int column = begin; column < end; ++column) {
+                int& rows = since[std::size_t(column - begin)];
+                std::int16_t& nearest = at(row, column);
+                rows = nearest == 0 ? 0 : std::min(rows + 1, radius + 1);
+                if (rows <= radius && (nearest == none || rows < -nearest)) {
+                    nearest = std::int16_t(rows);
+                }
+            }
+        }
+    }
+
+    int width_;
+    std::vector<std::int16_t> down_;
+};
+
+void continueRow(std::uint32_t* pixels, std::ptrdiff_t stride, int width, const std::int16_t* down,
+                 double radius) {
+    const int reach = int(radius);
+    const double limit = radius * radius;
+    // The column of the last candidate seen from the left; beyond `reach` from it nothing is near.
+    int lastCandidate = -2 * reach - 2;
+    int scanned = 0;
+    for (int column = 0; column < width; ++column) {
+        for (; scanned < width && scanned <= column + reach; ++scanned) {
+            if (down[scanned] != none) {
+                lastCandidate = scanned;
+            }
+        }
+        if (down[column] == 0 || lastCandidate < column - reach) {
+            continue;
+        }
+        double nearest = limit;
+        std::ptrdiff_t source = 0;
+        for (int other = std::max(0, column - reach); other <= std::min(width - 1, column + reach);
+             ++other) {
+            if (down[other] == none) {
+                continue;
+            }
+            const double across = other - column;
+            const double along = down[other];
+            const double squared = across * across + along * along;
+            if (squared <= nearest && (source == 0 || squared < nearest)) {
+                nearest = squared;
+                source = down[other] * stride + (other - column);
+            }
+        }
+        if (source != 0) {
+            pixels[column] = pixels[column + source];
+        }
+    }
+}
+
+} // namespace
+
+void continueColour(QImage& image, double radius) {
+    const double within = std::min(radius, 10000.0);
+    if (within < 1) {
+        return;
+    }
+    const ColumnDistances distances(image, int(within));
+    auto* pixels = reinterpret_cast<std::uint32_t*>(image.bits());
+    const auto stride = image.bytesPerLine() / std::ptrdiff_t(sizeof(std::uint32_t));
+    tbb::parallel_for(0, image.height(), [&, width = image.width()](int row) {
+        continueRow(pixels + row * stride, stride, width, distances.row(row), within);
+    });
+}
+
+} // namespace dipwright

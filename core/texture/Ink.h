@@ -1,0 +1,35 @@
+// How much ink to print so that the right colour shows on the stretched film (film-physics §5).
+#pragma once
+
+#include "texture/LinearLight.h"
+
+namespace dipwright {
+
+struct InkSettings {
+    bool compensate = true; // print D·J so that D shows after the film has stretched by J
+    // The highest optical density, a channel, up to which compensation goes. Colour that is denser
+    // than this by itself is printed as it is.
+    double limit = 2.0;
+    bool operator==(const InkSettings&) const = default;
+};
+
+// Ink over a white body: density D = −log10 of a channel's linear light.
+class InkCompensation {
+public:
+    explicit InkCompensation(const InkSettings& settings);
+
+    struct Ink {
+        LinearColour colour;     // to print
+        bool fallsShort = false; // the body will be visibly paler than asked for
+    };
+    // What to print so that `wanted` shows where the film's area has grown by `areaStretch`.
+    Ink print(const LinearColour& wanted, float areaStretch) const;
+    // What `printed` looks like on film that has grown by `areaStretch`.
+    LinearColour shown(const LinearColour& printed, float areaStretch) const;
+
+private:
+    bool compensate_;
+    float darkest_; // the linear light of the density limit
+};
+
+} // namespace dipwright

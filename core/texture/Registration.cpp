@@ -1,0 +1,127 @@
+#include "texture/Registration.h"
+
+#include "texture/ReverseMap.h"
+
+#include <Eigen/LU>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+constexpr double wantedSamples = 20000;
+constexpr double mostSamples = 400000; // of the whole body, where little of it is painted
+constexpr int borderCells = 2;
+
+// For each cell of the film, by row and column: whether it and all cells within `borderCells` are
+// painted.
+std::vector<std::uint8_t> cellsWellInside(const solver::FilmGrid& grid,
+                                          const FilmContact& contact) {
+    const int columns = grid.columns - 1;
+    const int rows = grid.rows - 1;
+    const auto painted = [&](int column, int row) {
+        if (column < 0 || row < 0 || column >= columns || row >= rows) {
+            return false;
+        }
+        const std::size_t cell = std::size_t(row) * std::size_t(columns) + std::size_t(column);
+        return contact.painted[2 * cell] && contact.painted[2 * cell + 1];
+    };
+    std::vector<std::uint8_t> inside;
+    inside.reserve(std::size_t(columns) * std::size_t(rows));
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            bool all = true;
+            for (int down = -borderCells; down <= borderCells; ++down) {
+                for (int right = -borderCells; right <= borderCells; ++right) {
+                    all = all && painted(column + right, row + down);
+                }
+            }
+            inside.push_back(all ? 1 : 0);
+        }
+    }
+    return inside;
+}
+
+// Points at equal steps of area over the body, spread within each triangle by a low-discrepancy
+// sequence (the additive recurrence of the plastic number).
+std::vector<SurfacePoint> evenSamples(const TriangleMesh& mesh, double step) {
+    std::vector<SurfacePoint> samples;
+    double area = step / 2;
+    double u = 0.5;
+    double v = 0.5;
+    for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        area += triangleArea(mesh, triangle);
+        for (; area >= step; area -= step) {
+            u = std::fmod(u + 0.7548776662466927, 1.0);
+            v = std::fmod(v + 0.5698402909980532, 1.0);
+            const double root = std::sqrt(u);
+            samples.push_back(
+                {triangle, Eigen::Vector3d(1 - root, root * (1 - v), root * v).cast<float>()});
+        }
+    }
+    return samples;
+}
+
+double paintedArea(const DippedFilm& film, const FilmContact& contact) {
+    const std::vector<PrincipalStretch> stretches = principalStretches(film);
+    const double restArea = film.grid.spacingX() * film.grid.spacingZ() / 2;
+    double area = 0;
+    for (std::size_t triangle = 0; triangle < stretches.size(); ++triangle) {
+        area += contact.painted[triangle] ? double(stretches[triangle].area()) * restArea : 0;
+    }
+    return area;
+}
+
+FilmPlace filmPlace(const solver::FilmGrid& grid, const FilmTriangle& corners,
+                    std::uint32_t triangle, const Eigen::Vector2f& rest) {
+    const Eigen::Vector2f a = restPosition(grid, corners[0]);
+    Eigen::Matrix2f edges;
+    edges << restPosition(grid, corners[1]) - a, restPosition(grid, corners[2]) - a;
+    const Eigen::Vector2f along = edges.inverse() * (rest - a);
+    return {triangle, {1 - along.sum(), along[0], along[1]}};
+}
+
+// How far from `wanted` on the body, in mm, that belongs what the film shows there.
+float errorAt(const TexturedMesh& model, const ReverseMap& map, const SurfacePoint& wanted,
+              const FilmPlace& place) {
+    const SurfacePoint carried = map.surface(place);
+    const TexturePlace shown = map.texture(place);
+    const bool sameChart = model.chart[shown.bodyTriangle] == model.chart[carried.triangle];
+    const auto belongs =
+        map.showing(shown.coordinate, sameChart ? carried.triangle : shown.bodyTriangle);
+    return (belongs.value_or(position(model.mesh, carried)) - position(model.mesh, wanted)).norm();
+}
+
+} // namespace
+
+Registration registrationError(const DippedFilm& film, const FilmContact& contact,
+                               const PosedBody& body, const SurfaceQuery& query,
+                               const FilmOnBody& filmOnBody) {
+    const double whole = surfaceArea(body.model.mesh);
+    const double painted = paintedArea(film, contact);
+    if (!(painted > 0)) {
+        return {};
+    }
+    const std::vector<SurfacePoint> samples =
+        evenSamples(body.model.mesh, std::max(painted / wantedSamples, whole / mostSamples));
+    const std::vector<std::uint8_t> inside = cellsWellInside(film.grid, contact);
+    const ReverseMap map(film, contact, body, query);
+    constexpr float leftOut = -1;
+    std::vector<float> errors(samples.size(), leftOut);
+    tbb::parallel_for(std::size_t(0), samples.size(), [&](std::size_t sample) {
+        Eigen::Vector2f rest;
+        std::uint32_t triangle = 0;
+        if (filmOnBody.locate(samples[sample], rest, triangle) && inside[triangle / 2]) {
+            const FilmPlace place = filmPlace(film.grid, map.triangles()[triangle], triangle, rest);
+            errors[sample] = errorAt(body.model, map, samples[sample], place);
+        }
+    });
+    std::erase(errors, leftOut);
+    const Distribution spread = distribution(errors);
+    return {spread.mean, spread.percentile95, spread.maximum, errors.size()};
+}
+
+} // namespace dipwright

@@ -1,0 +1,198 @@
+#include "texture/TextureSampler.h"
+
+#include <Eigen/SVD>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int mostTaps = 8;
+constexpr float fullLight = 65535;
+
+QImage onWhite(const QImage& image) {
+    if (!image.hasAlphaChannel()) {
+        return image;
+    }
+    QImage opaque = image;
+    const std::array<float, 256>& linear = linearTable();
+    for (int row = 0; row < opaque.height(); ++row) {
+        auto* texel = opaque.scanLine(row);
+        for (int column = 0; column < opaque.width(); ++column, texel += 4) {
+            if (texel[3] == 255) {
+                continue;
+            }
+            const float opacity = float(texel[3]) / 255;
+            for (int channel = 0; channel < 3; ++channel) {
+                texel[channel] = encodedByte(opacity * linear[texel[channel]] + 1 - opacity);
+            }
+            texel[3] = 255;
+        }
+    }
+    return opaque;
+}
+
+// One pixel of a row or column half as long as the one before: what it covers of that one.
+struct Cover {
+    int first = 0;
+    std::array<float, 3> weights{};
+};
+std::vector<Cover> halvingCovers(int length) {
+    const int half = (length + 1) / 2;
+    const double ratio = double(length) / half;
+    std::vector<Cover> covers(static_cast<std::size_t>(half));
+    for (int pixel = 0; pixel < half; ++pixel) {
+        const double begin = pixel * ratio;
+        const double end = begin + ratio;
+        Cover& cover = covers[std::size_t(pixel)];
+        cover.first = int(begin);
+        for (int part = 0; part < 3; ++part) {
+            const double from = std::max(begin, double(cover.first + part));
+            const double to = std::min({end, double(cover.first + part + 1), double(length)});
+            cover.weights[std::size_t(part)] = float(std::max(0.0, to - from) / ratio);
+        }
+    }
+    return covers;
+}
+
+} // namespace
+
+TextureSampler::TextureSampler(const QImage& image, bool repeats)
+    : image_(onWhite(image)), repeats_(repeats) {
+    levels_.push_back({image.width(), image.height(), {}});
+    while (levels_.back().width > 1 || levels_.back().height > 1) {
+        levels_.push_back(halved(levels_.back()));
+    }
+}
+
+LinearColour TextureSampler::texel(const Level& level, std::size_t index) const {
+    if (level.texels.empty()) {
+        const auto width = std::size_t(level.width);
+        const auto* encoded = image_.constScanLine(int(index / width)) + 4 * (index % width);
+        const std::array<float, 256>& linear = linearTable();
+        return {linear[encoded[0]], linear[encoded[1]], linear[encoded[2]]};
+    }
+    const std::array<std::uint16_t, 4>& light = level.texels[index];
+    return LinearColour(light[0], light[1], light[2]) / fullLight;
+}
+
+TextureSampler::Level TextureSampler::halved(const Level& level) const {
+    const std::vector<Cover> columns = halvingCovers(level.width);
+    const std::vector<Cover> rows = halvingCovers(level.height);
+    Level half{int(columns.size()), int(rows.size()), {}};
+    half.texels.resize(columns.size() * rows.size());
+    tbb::parallel_for(std::size_t(0), rows.size(), [&](std::size_t row) {
+        for (std::size_t column = 0; column < columns.size(); ++column) {
+            LinearColour sum = LinearColour::Zero();
+            for (int down = 0; down < 3; ++down) {
+                for (int right = 0; right < 3; ++right) {
+                    const float weight = rows[row].weights[std::size_t(down)] *
+                                         columns[column].weights[std::size_t(right)];
+                    if (weight > 0) {
+                        const int y = rows[row].first + down;
+                        const int x = columns[column].first + right;
+                        sum += weight * texel(level, std::size_t(y) * std::size_t(level.width) +
+                                                         std::size_t(x));
+                    }
+                }
+            }
+            std::array<std::uint16_t, 4>& texel = half.texels[row * columns.size() + column];
+            for (int channel = 0; channel < 3; ++channel) {
+                texel[std::size_t(channel)] =
+                    std::uint16_t(std::lround(std::min(sum[channel], 1.0f) * fullLight));
+            }
+        }
+    });
+    return half;
+}
+
+Eigen::Vector2f TextureSampler::size() const {
+    return {float(image_.width()), float(image_.height())};
+}
+
+TextureFootprint TextureSampler::footprint(const TextureSteps& steps) const {
+    const Eigen::Matrix2f texels = size().asDiagonal() * steps;
+    if (!texels.allFinite()) {
+        return {};
+    }
+    const Eigen::JacobiSVD<Eigen::Matrix2f> axes(texels, Eigen::ComputeFullU);
+    const float longer = axes.singularValues()[0];
+    const float shorter = std::max(axes.singularValues()[1], 1.0f);
+    TextureFootprint footprint;
+    if (longer <= 1) {
+        return footprint;
+    }
+    footprint.taps = int(std::clamp(std::ceil(longer / shorter), 1.0f, float(mostTaps)));
+    const float spot = std::max(longer / float(footprint.taps), shorter);
+    footprint.level = std::clamp(std::log2(spot), 0.0f, float(levels_.size() - 1));
+    const Eigen::Vector2f axis = axes.matrixU().col(0) * (longer / float(footprint.taps));
+    footprint.step = axis.cwiseQuotient(size());
+    return footprint;
+}
+
+TextureSampler::Corners TextureSampler::corners(const Level& level,
+                                                const Eigen::Vector2f& coordinate) const {
+    float u = coordinate.x();
+    float v = 1 - coordinate.y();
+    if (repeats_) {
+        u -= std::floor(u);
+        v -= std::floor(v);
+    } else {
+        u = std::clamp(u, 0.0f, 1.0f);
+        v = std::clamp(v, 0.0f, 1.0f);
+    }
+    const float x = u * float(level.width) - 0.5f;
+    const float y = v * float(level.height) - 0.5f;
+    const float left = std::floor(x);
+    const float top = std::floor(y);
+    const auto place = [&](int index, int length) {
+        if (repeats_) {
+            return std::size_t(index < 0         ? index + length
+                               : index >= length ? index - length
+                                                 : index);
+        }
+        return std::size_t(std::clamp(index, 0, length - 1));
+    };
+    const std::size_t x0 = place(int(left), level.width);
+    const std::size_t x1 = place(int(left) + 1, level.width);
+    const std::size_t y0 = place(int(top), level.height) * std::size_t(level.width);
+    const std::size_t y1 = place(int(top) + 1, level.height) * std::size_t(level.width);
+    const float right = x - left;
+    const float down = y - top;
+    return {{y0 + x0, y0 + x1, y1 + x0, y1 + x1},
+            {(1 - right) * (1 - down), right * (1 - down), (1 - right) * down, right * down}};
+}
+
+LinearColour TextureSampler::bilinear(const Level& level, const Eigen::Vector2f& coordinate) const {
+    const Corners around = corners(level, coordinate);
+    LinearColour sum = LinearColour::Zero();
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        sum += around.weight[corner] * texel(level, around.texel[corner]);
+    }
+    return sum;
+}
+
+LinearColour TextureSampler::trilinear(const Eigen::Vector2f& coordinate, float level) const {
+    const auto finer = std::size_t(level);
+    const float between = level - float(finer);
+    const LinearColour colour = bilinear(levels_[finer], coordinate);
+    if (between == 0) {
+        return colour;
+    }
+    return (1 - between) * colour + between * bilinear(levels_[finer + 1], coordinate);
+}
+
+LinearColour TextureSampler::sample(const Eigen::Vector2f& coordinate,
+                                    const TextureFootprint& footprint) const {
+    LinearColour sum = LinearColour::Zero();
+    for (int tap = 0; tap < footprint.taps; ++tap) {
+        const float offset = float(tap) - float(footprint.taps - 1) / 2;
+        sum += trilinear(coordinate + offset * footprint.step, footprint.level);
+    }
+    return sum / float(footprint.taps);
+}
+
+} // namespace dipwright
