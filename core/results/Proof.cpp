@@ -1,1 +1,280 @@
 #include "results/Results.h"
+
+#include "dip/FilmOnBody.h"
+#include "results/ProofScene.h"
+#include "texture/Ink.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tbb/parallel_for.h>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Results)
+};
+
+const LinearColour bareBody(0.62f, 0.62f, 0.60f);
+const LinearColour table(0.93f, 0.935f, 0.94f);
+constexpr int samplesAcross = 3;                                  // of a pixel, both ways
+constexpr float elevation = 22 * std::numbers::pi_v<float> / 180; // of the camera over the horizon
+
+// A film image that can be asked for the light at a place on the film.
+class FilmPicture {
+public:
+    FilmPicture(const QImage& image, const solver::FilmGrid& grid)
+        : image_(image.convertToFormat(QImage::Format_RGBA8888)), width_(float(grid.width)),
+          depth_(float(grid.depth)) {}
+
+    struct Paint {
+        LinearColour colour = LinearColour::Zero(); // times the cover
+        float cover = 0;                            // 0: unprinted … 1
+    };
+
+    Paint at(const Eigen::Vector2f& rest) const {
+        const float x = (rest.x() / width_ + 0.5f) * float(image_.width()) - 0.5f;
+        const float y = (rest.y() / depth_ + 0.5f) * float(image_.height()) - 0.5f;
+        const int i = int(std::floor(x));
+        const int j = int(std::floor(y));
+        const float u = x - float(i);
+        const float v = y - float(j);
+        Paint sum;
+        add(sum, i, j, (1 - u) * (1 - v));
+        add(sum, i + 1, j, u * (1 - v));
+        add(sum, i, j + 1, (1 - u) * v);
+        add(sum, i + 1, j + 1, u * v);
+        return sum;
+    }
+
+private:
+    void add(Paint& sum, int column, int row, float weight) const {
+        const int i = std::clamp(column, 0, image_.width() - 1);
+        const int j = std::clamp(row, 0, image_.height() - 1);
+        const uchar* pixel = image_.constScanLine(j) + qsizetype(i) * 4;
+        const std::array<float, 256>& light = linearTable();
+        const float cover = weight * float(pixel[3]) / 255;
+        sum.colour += cover * LinearColour(light[pixel[0]], light[pixel[1]], light[pixel[2]]);
+        sum.cover += cover;
+    }
+
+    QImage image_;
+    float width_, depth_;
+};
+
+// One immersion's paint on the body.
+class PaintedFilm {
+public:
+    PaintedFilm(const WornFilm& worn, bool compensatedInk)
+        : onBody_(*worn.film, *worn.contact, *worn.body), picture_(worn.image, worn.film->grid),
+          stretches_(principalStretches(*worn.film)), ink_({compensatedInk, InkSettings().limit}),
+          compensatedInk_(compensatedInk) {}
+
+    // Lays this film's colour over `under`.
+    LinearColour over(const LinearColour& under, const SurfacePoint& point) const {
+        Eigen::Vector2f rest;
+        std::uint32_t triangle = 0;
+        if (!onBody_.locate(point, rest, triangle)) {
+            return under;
+        }
+        const FilmPicture::Paint paint = picture_.at(rest);
+        if (paint.cover <= 0) {
+            return under;
+        }
+        LinearColour colour = paint.colour / paint.cover;
+        if (compensatedInk_) {
+            colour = ink_.shown(colour, stretches_[triangle].area());
+        }
+        return (1 - paint.cover) * under + paint.cover * colour;
+    }
+
+private:
+    FilmOnBody onBody_;
+    FilmPicture picture_;
+    std::vector<PrincipalStretch> stretches_;
+    InkCompensation ink_;
+    bool compensatedInk_;
+};
+
+struct Ray {
+    Eigen::Vector3f origin, direction;
+};
+
+// Looks at a body's middle from a side, a little from above.
+class Camera {
+public:
+    // `turn`: radians from the front (0) to the right (a quarter turn) and on.
+    Camera(const BoundingBox& box, float turn)
+        : middle_(box.center()), back_(std::sin(turn) * std::cos(elevation), std::sin(elevation),
+                                       std::cos(turn) * std::cos(elevation)),
+          right_(std::cos(turn), 0, -std::sin(turn)), up_(back_.cross(right_)),
+          distance_(3.2f * box.diagonal().norm()) {}
+
+    // Half the height of the view, at unit distance, that shows all of `mesh` in a `tile`.
+    float span(const TriangleMesh& mesh, QSize tile) const {
+        const float aspect = float(tile.width()) / float(tile.height());
+        float span = 0;
+        for (const Eigen::Vector3f& position : mesh.positions) {
+            const Eigen::Vector3f offset = position - middle_;
+            const float depth = distance_ - offset.dot(back_);
+            span = std::max({span, std::abs(offset.dot(right_)) / depth / aspect,
+                             std::abs(offset.dot(up_)) / depth});
+        }
+        return span;
+    }
+
+    // x, y: −1 … 1 from left to right and bottom to top of a view of that span and aspect.
+    Ray ray(float x, float y, float span, float aspect) const {
+        return {middle_ + distance_ * back_,
+                (-back_ + span * (x * aspect * right_ + y * up_)).normalized()};
+    }
+
+    const Eigen::Vector3f& right() const { return right_; }
+    const Eigen::Vector3f& up() const { return up_; }
+
+private:
+    Eigen::Vector3f middle_, back_, right_, up_;
+    float distance_;
+};
+
+// The light that the table, the body and its paint send along a ray.
+class Scene {
+public:
+    Scene(const TexturedMesh& model, const std::vector<WornFilm>& films, bool compensatedInk)
+        : mesh_(model.mesh), query_(mesh_), normals_(cornerNormals(mesh_)), sky_(mesh_, query_),
+          middle_(boundingBox(mesh_).center()), size_(boundingBox(mesh_).diagonal().norm()) {
+        for (const WornFilm& worn : films) {
+            films_.push_back(std::make_unique<PaintedFilm>(worn, compensatedInk));
+        }
+    }
+
+    LinearColour light(const Ray& ray, const Camera& camera) const {
+        const RayHit hit = query_.hit(ray.origin, ray.direction);
+        return hit.point.isValid() ? bodyLight(hit.point, ray, camera) : tableLight(ray);
+    }
+
+private:
+    LinearColour bodyLight(const SurfacePoint& point, const Ray& ray, const Camera& camera) const {
+        LinearColour colour = bareBody;
+        for (const auto& film : films_) {
+            colour = film->over(colour, point);
+        }
+        const auto& corners = normals_[point.triangle];
+        Eigen::Vector3f normal = (point.weights[0] * corners[0] + point.weights[1] * corners[1] +
+                                  point.weights[2] * corners[2])
+                                     .normalized();
+        if (normal.dot(ray.direction) > 0) {
+            normal = -normal;
+        }
+        // A softbox over the photographer's left shoulder and a bright room.
+        const Eigen::Vector3f lamp =
+            (0.5f * camera.up() - 0.45f * camera.right() - ray.direction).normalized();
+        const float facing = std::max(0.0f, 0.25f + 0.75f * normal.dot(lamp));
+        const float room = sky_.onBody(point) * (0.75f + 0.25f * normal.y());
+        const Eigen::Vector3f halfway = (lamp - ray.direction).normalized();
+        const float gloss = 0.05f * std::pow(std::max(0.0f, normal.dot(halfway)), 60.0f);
+        return colour * (0.5f * facing + 0.56f * room) + gloss;
+    }
+
+    LinearColour tableLight(const Ray& ray) const {
+        const float height = sky_.tableHeight() - ray.origin.y();
+        const Eigen::Vector3f place = ray.origin + ray.direction * (height / ray.direction.y());
+        const float far = (place - middle_).norm() / size_;
+        const float vignette = 1 - 0.035f * std::clamp(far - 0.5f, 0.0f, 2.0f);
+        const float open = sky_.onTable(place.x(), place.z());
+        return table * vignette * (0.3f + 0.7f * open);
+    }
+
+    const TriangleMesh& mesh_;
+    SurfaceQuery query_;
+    std::vector<std::array<Eigen::Vector3f, 3>> normals_;
+    SkyLight sky_;
+    Eigen::Vector3f middle_;
+    float size_;
+    std::vector<std::unique_ptr<PaintedFilm>> films_;
+};
+
+LinearColour pixelLight(const Scene& scene, const Camera& camera, float span, QSize tile, int x,
+                        int y) {
+    const float aspect = float(tile.width()) / float(tile.height());
+    LinearColour sum = LinearColour::Zero();
+    for (int j = 0; j < samplesAcross; ++j) {
+        for (int i = 0; i < samplesAcross; ++i) {
+            const float right =
+                (float(x) + (float(i) + 0.5f) / samplesAcross) / float(tile.width());
+            const float down =
+                (float(y) + (float(j) + 0.5f) / samplesAcross) / float(tile.height());
+            const LinearColour light =
+                scene.light(camera.ray(2 * right - 1, 1 - 2 * down, span, aspect), camera);
+            sum += light.min(1.0f); // before the mean, so that edges of highlights stay smooth
+        }
+    }
+    return sum / float(samplesAcross * samplesAcross);
+}
+
+void traceView(QImage& picture, const QRect& tile, const Scene& scene, const Camera& camera,
+               float span, const Progress& progress) {
+    uchar* bits = picture.bits();
+    const qsizetype stride = picture.bytesPerLine();
+    tbb::parallel_for(0, tile.height(), [&](int y) {
+        if (progress.cancelSwitch.isCancelled()) {
+            return;
+        }
+        uchar* pixel = bits + (tile.y() + y) * stride + qsizetype(tile.x()) * 3;
+        for (int x = 0; x < tile.width(); ++x, pixel += 3) {
+            const LinearColour light = pixelLight(scene, camera, span, tile.size(), x, y);
+            for (int channel = 0; channel < 3; ++channel) {
+                pixel[channel] = encodedByte(light[channel]);
+            }
+        }
+    });
+    progress.cancelSwitch.throwIfCancelled();
+}
+
+void drawNames(QImage& picture, QSize tile, const QStringList& names) {
+    QPainter painter(&picture);
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setStyleHint(QFont::SansSerif);
+    font.setPixelSize(std::max(8, tile.height() / 36));
+    painter.setFont(font);
+    painter.setPen(QColor(95, 100, 106));
+    for (int view = 0; view < names.size(); ++view) {
+        const QRect box(QPoint(view % 2 * tile.width(), view / 2 * tile.height()), tile);
+        const int inset = tile.height() / 32;
+        painter.drawText(box.adjusted(inset, inset, -inset, -inset), Qt::AlignLeft | Qt::AlignTop,
+                         names[view]);
+    }
+    painter.setPen(QColor(208, 211, 214));
+    painter.drawLine(tile.width(), 0, tile.width(), picture.height());
+    painter.drawLine(0, tile.height(), picture.width(), tile.height());
+}
+
+} // namespace
+
+QImage proofPicture(const TexturedMesh& model, const std::vector<WornFilm>& films,
+                    const ProofOptions& options, const Progress& progress) {
+    progress(0, Text::tr("Preparing the proof"));
+    const Scene scene(model, films, options.compensatedInk);
+    const BoundingBox box = boundingBox(model.mesh);
+    std::vector<Camera> cameras;
+    float span = 0;
+    for (int view = 0; view < 4; ++view) {
+        cameras.emplace_back(box, float(view) * std::numbers::pi_v<float> / 2);
+        span = std::max(span, 1.16f * cameras.back().span(model.mesh, options.tile));
+    }
+    QImage picture(options.tile * 2, QImage::Format_RGB888);
+    for (int view = 0; view < 4; ++view) {
+        progress(0.1 + 0.22 * view, Text::tr("Tracing the proof"));
+        const QPoint corner(view % 2 * options.tile.width(), view / 2 * options.tile.height());
+        traceView(picture, QRect(corner, options.tile), scene, cameras[std::size_t(view)], span,
+                  progress);
+    }
+    drawNames(picture, options.tile,
+              {Text::tr("Front"), Text::tr("Right"), Text::tr("Back"), Text::tr("Left")});
+    return picture;
+}
+
+} // namespace dipwright

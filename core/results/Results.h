@@ -1,4 +1,7 @@
-// What a run leaves behind: VTK files, heatmaps, proof pictures, the report.
+// What a run leaves behind: VTK files, heatmaps, proof pictures.
+//
+// The pictures are lettered, which needs a QGuiApplication (the "offscreen" platform will do). All
+// functions are reentrant and give the same bytes for the same input.
 #pragma once
 
 #include "dip/Coverage.h"
@@ -8,20 +11,24 @@
 
 namespace dipwright {
 
-// VTK XML PolyData as interfaces.md says, in the pose frame. Throws Error when not writable.
+// VTK XML PolyData as interfaces.md says, in the pose frame: float arrays, compressed. The file is
+// there whole or not at all; throws Error when not writable.
 void writeFilmVtp(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
                   const QString& path);
 void writeBodyVtp(const PosedBody& body, const Coverage& coverage, const QString& path);
 
-// The mean stretch of each film point over the flat film, with a labelled scale; a perceptually
-// uniform colour map that is safe for colour-blind readers. About `longEdge` pixels tall.
+// The mean stretch of each film point over the flat film, ink side up, with a labelled scale, the
+// outline of the painted area and its distribution. `longEdge` pixels tall.
 QImage stretchMap(const DippedFilm& film, const FilmContact& contact, int longEdge);
 
-// A colour of a named map ("viridis", "cividis", "diverging" …) at 0 … 1.
-QColor mapColour(const QString& map, double value);
+// Colour maps of even lightness steps, made in OKLab: "lagoon" (dark blue over green to yellow),
+// "dusk" (blue over grey to yellow, the same to readers with any colour vision), both light at 1;
+// "balance" (blue over near-white to orange, the middle at 0.5); "grey".
 QStringList colourMaps();
+// The colour at `value`, clamped to 0 … 1. Throws Error on an unknown map.
+QColor mapColour(const QString& map, double value);
 
-// One immersion's film wearing a picture, for the proof.
+// One immersion's film wearing a picture, for the proof. Not owned; `body` in this film's own pose.
 struct WornFilm {
     const DippedFilm* film = nullptr;
     const FilmContact* contact = nullptr;
@@ -30,12 +37,13 @@ struct WornFilm {
 };
 
 struct ProofOptions {
-    QSize tile{800, 800};      // one view's pixels
+    QSize tile{800, 800};       // one view's pixels
     bool compensatedInk = true; // the images hold D·J: show D
 };
 
-// The body as it will come out, four views (front, right, back, left, from slightly above) side by
-// side two by two, in model orientation; traced with Embree, without OpenGL.
+// The body as it will come out, four views (front, right, back, left, from slightly above) two by
+// two, in model orientation: front looks along −Z. Later films lie over earlier ones, unpainted
+// body is light grey. Traced by Embree on all cores, without OpenGL; throws Cancelled.
 QImage proofPicture(const TexturedMesh& model, const std::vector<WornFilm>& films,
                     const ProofOptions& options, const Progress& progress);
 

@@ -1,1 +1,290 @@
 #include "results/Results.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Results)
+};
+
+const QColor background(252, 252, 252);
+const QColor ink(38, 42, 48);
+const QColor paleInk(105, 112, 120);
+
+// Stretch of the film points, and which of the film is on the body.
+class FilmStretch {
+public:
+    FilmStretch(const DippedFilm& film, const FilmContact& contact)
+        : grid_(film.grid), values_(pointStretches(film)), painted_(contact.painted) {}
+
+    // At a place given in cells, columns to the right and rows down.
+    double at(double column, double row) const {
+        const int i = std::clamp(int(column), 0, grid_.columns - 2);
+        const int j = std::clamp(int(row), 0, grid_.rows - 2);
+        const double x = column - i;
+        const double y = row - j;
+        const float* upper = values_.data() + std::size_t(j) * std::size_t(grid_.columns) + i;
+        const float* lower = upper + grid_.columns;
+        return (1 - y) * ((1 - x) * upper[0] + x * upper[1]) +
+               y * ((1 - x) * lower[0] + x * lower[1]);
+    }
+
+    bool isPainted(double column, double row) const {
+        const int i = std::clamp(int(column), 0, grid_.columns - 2);
+        const int j = std::clamp(int(row), 0, grid_.rows - 2);
+        const double x = column - i;
+        const double y = row - j;
+        // As filmTriangles() cuts the cells: the first triangle is the left one.
+        const bool first = (i + j) % 2 == 0 ? y >= x : x + y <= 1;
+        return painted_[2 * (std::size_t(j) * std::size_t(grid_.columns - 1) + std::size_t(i)) +
+                        (first ? 0 : 1)] != 0;
+    }
+
+    // Of the points that belong to painted film, or of all where nothing is painted.
+    std::vector<float> paintedValues() const {
+        std::vector<std::uint8_t> isOn(values_.size(), 0);
+        const std::vector<FilmTriangle> triangles = filmTriangles(grid_);
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            for (std::uint32_t point : triangles[i]) {
+                isOn[point] |= painted_[i];
+            }
+        }
+        std::vector<float> values;
+        for (std::size_t i = 0; i < values_.size(); ++i) {
+            if (isOn[i]) {
+                values.push_back(values_[i]);
+            }
+        }
+        return values.empty() ? values_ : values;
+    }
+
+private:
+    solver::FilmGrid grid_;
+    std::vector<float> values_;
+    std::vector<std::uint8_t> painted_;
+};
+
+// The values that the colours span, and which colours.
+struct Scale {
+    double low = 1;
+    double high = 1;
+    double step = 0.1;
+    QString map;
+
+    double share(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
+};
+
+double niceStep(double span) {
+    const double rough = span / 6;
+    const double decade = std::pow(10, std::floor(std::log10(rough)));
+    for (double factor : {1.0, 2.0, 5.0}) {
+        if (factor * decade >= rough) {
+            return factor * decade;
+        }
+    }
+    return 10 * decade;
+}
+
+// From 1, unstretched, upwards; where film is compressed as well, evenly to both sides of 1.
+Scale scaleOf(const Distribution& values) {
+    constexpr double least = 0.02; // noise is not blown up to a picture
+    Scale scale;
+    const double above = std::max(values.maximum - 1, least);
+    const double below = 1 - values.minimum;
+    if (below > 0.1 * above && below > least / 2) {
+        const double reach = std::max(above, below);
+        scale.step = niceStep(2 * reach);
+        const double end = std::ceil(reach / scale.step - 1e-6) * scale.step;
+        scale.low = 1 - end;
+        scale.high = 1 + end;
+        scale.map = QStringLiteral("balance");
+    } else {
+        scale.step = niceStep(above);
+        scale.high = 1 + std::ceil(above / scale.step - 1e-6) * scale.step;
+        scale.map = QStringLiteral("lagoon");
+    }
+    return scale;
+}
+
+std::array<QRgb, 256> colourTable(const QString& map) {
+    std::array<QRgb, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        table[i] = mapColour(map, double(i) / 255).rgb();
+    }
+    return table;
+}
+
+QRgb faded(QRgb colour) {
+    const auto part = [](int value, int white) { return (value + 3 * white) / 4; };
+    return qRgb(part(qRed(colour), background.red()), part(qGreen(colour), background.green()),
+                part(qBlue(colour), background.blue()));
+}
+
+// The film in colours; pale where it is not on the body, a dark line round what is.
+QImage filmPicture(const FilmStretch& stretch, const solver::FilmGrid& grid, const Scale& scale,
+                   QSize size) {
+    const std::array<QRgb, 256> colours = colourTable(scale.map);
+    const auto column = [&](int x) { return (x + 0.5) / size.width() * (grid.columns - 1); };
+    const auto row = [&](int y) { return (y + 0.5) / size.height() * (grid.rows - 1); };
+    const int reach = std::max(1, size.height() / 1000); // of the line, to each side
+    QImage picture(size, QImage::Format_RGB32);
+    for (int y = 0; y < size.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
+        for (int x = 0; x < size.width(); ++x) {
+            const bool painted = stretch.isPainted(column(x), row(y));
+            const bool border = painted && !(stretch.isPainted(column(x - reach), row(y)) &&
+                                             stretch.isPainted(column(x + reach), row(y)) &&
+                                             stretch.isPainted(column(x), row(y - reach)) &&
+                                             stretch.isPainted(column(x), row(y + reach)));
+            const double value = scale.share(stretch.at(column(x), row(y)));
+            const QRgb colour = colours[std::size_t(std::lround(255 * value))];
+            line[x] = border ? ink.rgb() : painted ? colour : faded(colour);
+        }
+    }
+    return picture;
+}
+
+// The picture's parts, all measured in hundredths of its height.
+class StretchPicture {
+public:
+    StretchPicture(const DippedFilm& film, const FilmContact& contact, int longEdge)
+        : grid_(film.grid), stretch_(film, contact),
+          values_(distribution(stretch_.paintedValues())), scale_(scaleOf(values_)),
+          unit_(longEdge / 100.0) {
+        const double height = 78;
+        const double width = std::clamp(height * grid_.width / grid_.depth, 20.0, 250.0);
+        plot_ = QRectF(9, 12, width, height);
+        if (grid_.width > grid_.depth) {
+            plot_.setHeight(width * grid_.depth / grid_.width);
+        }
+        picture_ =
+            QImage(QSizeF((plot_.right() + 22) * unit_, (plot_.bottom() + 10) * unit_).toSize(),
+                   QImage::Format_RGB32);
+    }
+
+    QImage draw() {
+        picture_.fill(background);
+        QPainter painter(&picture_);
+        painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+        painter.scale(unit_, unit_);
+        drawTitle(painter);
+        const QSize pixels = (plot_.size() * unit_).toSize();
+        painter.drawImage(plot_, filmPicture(stretch_, grid_, scale_, pixels));
+        drawFrame(painter);
+        drawScale(painter);
+        drawValues(painter);
+        return picture_;
+    }
+
+private:
+    void letter(QPainter& painter, const QRectF& box, int flags, const QString& text, double size,
+                const QColor& colour, bool bold = false) const {
+        painter.save();
+        painter.scale(1 / unit_, 1 / unit_);
+        QFont font(QStringLiteral("DejaVu Sans"));
+        font.setStyleHint(QFont::SansSerif);
+        font.setPixelSize(std::max(1, int(std::lround(size * unit_))));
+        font.setBold(bold);
+        painter.setFont(font);
+        painter.setPen(colour);
+        painter.drawText(QRectF(box.topLeft() * unit_, box.size() * unit_),
+                         flags | Qt::TextDontClip, text);
+        painter.restore();
+    }
+
+    void drawTitle(QPainter& painter) const {
+        const QRectF box(plot_.left(), 2.5, plot_.width(), 3);
+        letter(painter, box, Qt::AlignLeft, Text::tr("Stretch of the film"), 2.6, ink, true);
+        letter(painter, box.translated(0, 4), Qt::AlignLeft,
+               Text::tr("Mean of each point's constraints, final over rest length; ink side up"),
+               1.6, paleInk);
+    }
+
+    void drawFrame(QPainter& painter) const {
+        painter.setPen(QPen(ink, 0.15));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(plot_);
+        drawRule(painter, grid_.width, true);
+        drawRule(painter, grid_.depth, false);
+    }
+
+    // Millimetres along the film's lower or left edge, from its upper left corner.
+    void drawRule(QPainter& painter, double length, bool across) const {
+        const double step = niceStep(length);
+        for (double mm = 0; mm <= length * 1.0001; mm += step) {
+            const double share = mm / length;
+            const QPointF end = across
+                                    ? QPointF(plot_.left() + share * plot_.width(), plot_.bottom())
+                                    : QPointF(plot_.left(), plot_.top() + share * plot_.height());
+            const QPointF tick = across ? QPointF(0, 0.8) : QPointF(-0.8, 0);
+            painter.setPen(QPen(ink, 0.12));
+            painter.drawLine(end, end + tick);
+            const QRectF box = across ? QRectF(end.x() - 5, end.y() + 1.1, 10, 2)
+                                      : QRectF(end.x() - 11.2, end.y() - 1, 10, 2);
+            const int flags =
+                across ? Qt::AlignHCenter | Qt::AlignTop : Qt::AlignRight | Qt::AlignVCenter;
+            letter(painter, box, flags, QLocale().toString(mm), 1.5, paleInk);
+        }
+        if (across) {
+            letter(painter, QRectF(plot_.right() + 1, plot_.bottom() + 1.1, 6, 2),
+                   Qt::AlignLeft | Qt::AlignTop, Text::tr("mm"), 1.5, paleInk);
+        }
+    }
+
+    void drawScale(QPainter& painter) const {
+        const double height = std::min(plot_.height(), 60.0);
+        const QRectF bar(plot_.right() + 5, plot_.top(), 2.6, height);
+        QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
+        for (int i = 0; i <= 64; ++i) {
+            gradient.setColorAt(i / 64.0, mapColour(scale_.map, i / 64.0));
+        }
+        painter.setPen(QPen(ink, 0.12));
+        painter.setBrush(gradient);
+        painter.drawRect(bar);
+        const int decimals = std::max(1, int(std::ceil(-std::log10(scale_.step) - 1e-9)));
+        for (double value = scale_.low; value < scale_.high + scale_.step / 2;
+             value += scale_.step) {
+            const double y = bar.bottom() - scale_.share(value) * bar.height();
+            painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 0.7, y));
+            letter(painter, QRectF(bar.right() + 1.2, y - 1, 8, 2),
+                   Qt::AlignLeft | Qt::AlignVCenter, QLocale().toString(value, 'f', decimals), 1.5,
+                   ink);
+        }
+        letter(painter, QRectF(bar.left(), bar.bottom() + 1.6, 14, 2), Qt::AlignLeft,
+               Text::tr("stretch\nmm per mm"), 1.5, paleInk);
+    }
+
+    void drawValues(QPainter& painter) const {
+        const auto number = [](double value) { return QLocale().toString(value, 'f', 3); };
+        const QString text = Text::tr("On the body: min %1 · mean %2 · 95 % %3 · max %4")
+                                 .arg(number(values_.minimum), number(values_.mean),
+                                      number(values_.percentile95), number(values_.maximum));
+        const QRectF box(plot_.left(), plot_.bottom() + 4.6, plot_.width(), 2);
+        letter(painter, box, Qt::AlignLeft, text, 1.6, ink);
+        letter(painter, box.translated(0, 2.4), Qt::AlignLeft,
+               Text::tr("Outlined: film on the body · pale: film left over"), 1.5, paleInk);
+    }
+
+    solver::FilmGrid grid_;
+    FilmStretch stretch_;
+    Distribution values_;
+    Scale scale_;
+    double unit_; // pixels
+    QRectF plot_;
+    QImage picture_;
+};
+
+} // namespace
+
+QImage stretchMap(const DippedFilm& film, const FilmContact& contact, int longEdge) {
+    return StretchPicture(film, contact, longEdge).draw();
+}
+
+} // namespace dipwright

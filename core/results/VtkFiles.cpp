@@ -1,1 +1,162 @@
 #include "results/Results.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QSaveFile>
+#include <bit>
+#include <map>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLPolyDataWriter.h>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Results)
+};
+
+constexpr float none = std::numeric_limits<float>::quiet_NaN();
+
+// VTK writes into memory: QSaveFile takes any path, and replaces a file whole or not at all.
+void write(vtkPolyData* data, const QString& path) {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(data);
+    writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    writer->SetCompressorTypeToZLib();
+    writer->WriteToOutputStringOn();
+    const bool composed = writer->Write() == 1;
+    const std::string bytes = writer->GetOutputString();
+    QSaveFile file(path);
+    if (!composed || !file.open(QIODevice::WriteOnly) ||
+        file.write(bytes.data(), qint64(bytes.size())) != qint64(bytes.size()) || !file.commit()) {
+        throw Error(Text::tr("The VTK file cannot be written: %1").arg(file.errorString()), path);
+    }
+}
+
+vtkNew<vtkFloatArray> floatArray(const char* name, int components, std::size_t tuples) {
+    vtkNew<vtkFloatArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(vtkIdType(tuples));
+    return array;
+}
+
+vtkNew<vtkUnsignedCharArray> byteArray(const char* name, std::size_t tuples) {
+    vtkNew<vtkUnsignedCharArray> array;
+    array->SetName(name);
+    array->SetNumberOfTuples(vtkIdType(tuples));
+    return array;
+}
+
+vtkNew<vtkPoints> points(const std::vector<Eigen::Vector3f>& positions) {
+    vtkNew<vtkFloatArray> coordinates = floatArray("Points", 3, positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        coordinates->SetTypedTuple(vtkIdType(i), positions[i].data());
+    }
+    vtkNew<vtkPoints> result;
+    result->SetData(coordinates);
+    return result;
+}
+
+vtkNew<vtkCellArray> cells(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    vtkNew<vtkCellArray> result;
+    result->AllocateExact(vtkIdType(triangles.size()), vtkIdType(3 * triangles.size()));
+    for (const auto& corners : triangles) {
+        result->InsertNextCell(
+            {vtkIdType(corners[0]), vtkIdType(corners[1]), vtkIdType(corners[2])});
+    }
+    return result;
+}
+
+// A body whose points each have one texture coordinate: those on a seam are there once a chart.
+struct SplitBody {
+    std::vector<Eigen::Vector3f> positions;
+    std::vector<Eigen::Vector2f> textureCoordinates;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+SplitBody splitAtSeams(const TexturedMesh& model) {
+    using Key = std::array<std::uint32_t, 3>; // bits, as NaN is not equal to itself
+    std::map<Key, std::uint32_t> known;
+    SplitBody body;
+    for (std::size_t triangle = 0; triangle < model.mesh.triangles.size(); ++triangle) {
+        std::array<std::uint32_t, 3> corners{};
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t position = model.mesh.triangles[triangle][corner];
+            const Eigen::Vector2f uv = model.textureCoordinates.empty()
+                                           ? Eigen::Vector2f(none, none)
+                                           : model.textureCoordinates[triangle][corner];
+            const Key key{position, std::bit_cast<std::uint32_t>(uv.x()),
+                          std::bit_cast<std::uint32_t>(uv.y())};
+            const auto [entry, isNew] =
+                known.try_emplace(key, std::uint32_t(body.positions.size()));
+            if (isNew) {
+                body.positions.push_back(model.mesh.positions[position]);
+                body.textureCoordinates.push_back(uv);
+            }
+            corners[corner] = entry->second;
+        }
+        body.triangles.push_back(corners);
+    }
+    return body;
+}
+
+} // namespace
+
+void writeFilmVtp(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
+                  const QString& path) {
+    const std::size_t count = film.grid.pointCount();
+    const std::vector<float> stretches = pointStretches(film);
+    vtkNew<vtkFloatArray> rest = floatArray("rest", 3, count);
+    vtkNew<vtkUnsignedCharArray> adhered = byteArray("adhered", count);
+    vtkNew<vtkFloatArray> uv = floatArray("uv", 2, count);
+    vtkNew<vtkFloatArray> stretch = floatArray("stretch", 1, count);
+    for (std::size_t point = 0; point < count; ++point) {
+        const auto tuple = vtkIdType(point);
+        const Eigen::Vector2f flat = restPosition(film.grid, point);
+        rest->SetTuple3(tuple, flat.x(), 0, flat.y());
+        adhered->SetValue(tuple, film.adhered(point) ? 1 : 0);
+        const SurfacePoint& place = contact.surface[point];
+        const Eigen::Vector2f texture =
+            place.isValid() ? body.model.textureCoordinate(place) : Eigen::Vector2f(none, none);
+        uv->SetTypedTuple(tuple, texture.data());
+        stretch->SetValue(tuple, stretches[point]);
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points(film.positions));
+    data->SetPolys(cells(filmTriangles(film.grid)));
+    data->GetPointData()->AddArray(rest);
+    data->GetPointData()->AddArray(adhered);
+    data->GetPointData()->AddArray(uv);
+    data->GetPointData()->AddArray(stretch);
+    write(data, path);
+}
+
+void writeBodyVtp(const PosedBody& body, const Coverage& coverage, const QString& path) {
+    const SplitBody split = splitAtSeams(body.model);
+    vtkNew<vtkFloatArray> texture = floatArray("TCoords", 2, split.positions.size());
+    for (std::size_t i = 0; i < split.positions.size(); ++i) {
+        texture->SetTypedTuple(vtkIdType(i), split.textureCoordinates[i].data());
+    }
+    vtkNew<vtkUnsignedCharArray> covered = byteArray("covered", split.triangles.size());
+    for (std::size_t i = 0; i < split.triangles.size(); ++i) {
+        covered->SetValue(vtkIdType(i), coverage.covered[i]);
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points(split.positions));
+    data->SetPolys(cells(split.triangles));
+    data->GetPointData()->SetTCoords(texture);
+    data->GetCellData()->AddArray(covered);
+    write(data, path);
+}
+
+} // namespace dipwright

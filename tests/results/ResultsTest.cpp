@@ -1,0 +1,388 @@
+// The files and pictures of a run, on a film laid round a ball by its closed form: no solver
+// needed.
+#include "results/Results.h"
+
+#include "base/Error.h"
+#include "geometry/Shapes.h"
+#include "results/ProofScene.h"
+
+#include <QColorSpace>
+#include <QPainter>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cmath>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLPolyDataReader.h>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr double radius = 35;
+
+TexturedMesh ball() {
+    TexturedMesh model;
+    model.mesh = sphereMesh(radius, 60, 120);
+    const std::size_t count = model.mesh.triangles.size();
+    model.textureCoordinates.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Eigen::Vector3f& p = model.mesh.positions[model.mesh.triangles[i][corner]];
+            model.textureCoordinates[i][corner] = {p.x() / 70 + 0.5f, p.z() / 70 + 0.5f};
+        }
+    }
+    model.material.assign(count, 0);
+    model.materials.push_back({});
+    model.chart = findCharts(model);
+    return model;
+}
+
+// The lower half of the ball wears film that kept its area: R = 2ρ sin(θ/2) (film-physics §3).
+DippedFilm laidFilm(const solver::FilmGrid& grid) {
+    DippedFilm film;
+    film.grid = grid;
+    for (std::size_t point = 0; point < grid.pointCount(); ++point) {
+        const Eigen::Vector2f rest = restPosition(grid, point);
+        const double flat = rest.norm();
+        const double theta = 2 * std::asin(std::min(1.0, flat / (2 * radius)));
+        const Eigen::Vector2f outward =
+            flat > 0 ? Eigen::Vector2f(rest / flat) : Eigen::Vector2f(1, 0);
+        const bool on = theta <= pi / 2;
+        const double across =
+            on ? radius * std::sin(theta) : flat - (2 * std::sin(pi / 4) - 1) * radius;
+        const double height = on ? radius * (1 - std::cos(theta)) : radius;
+        film.positions.emplace_back(float(across) * outward.x(), float(height),
+                                    float(across) * outward.y());
+        film.states.push_back(on ? solver::PointState::Adhered : solver::PointState::Free);
+    }
+    return film;
+}
+
+struct Dip {
+    TexturedMesh model = ball();
+    PosedBody body = posedBody(model, Immersion{});
+    DippedFilm film = laidFilm({81, 113, 140, 196});
+    SurfaceQuery query{body.model.mesh};
+    FilmContact contact = locateFilm(film, body, query, ProcessSettings{});
+    Coverage covered = coverage(film, contact, body, query);
+};
+
+// Red to the left, green to the right, blue down the middle line.
+QImage stripes(const solver::FilmGrid& grid) {
+    QImage image(QSize(int(grid.width) * 4, int(grid.depth) * 4), QImage::Format_RGBA8888);
+    image.fill(QColor(200, 30, 30));
+    QPainter painter(&image);
+    painter.fillRect(image.width() / 2, 0, image.width() / 2, image.height(), QColor(30, 150, 40));
+    painter.fillRect(image.width() / 2 - 24, 0, 48, image.height(), QColor(20, 40, 200));
+    return image;
+}
+
+vtkNew<vtkPolyData> readBack(const QString& path) {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(qPrintable(path));
+    reader->Update();
+    vtkNew<vtkPolyData> data;
+    data->ShallowCopy(reader->GetOutput());
+    return data;
+}
+
+QByteArray contents(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+int countColours(const QImage& image) {
+    QSet<QRgb> colours;
+    for (int y = 0; y < image.height(); y += 2) {
+        for (int x = 0; x < image.width(); x += 2) {
+            colours.insert(image.pixel(x, y));
+        }
+    }
+    return int(colours.size());
+}
+
+// Keeps a picture for a person to look at when DIPWRIGHT_PICTURES names a folder.
+void keep(const QImage& image, const QString& name) {
+    const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES");
+    if (!folder.isEmpty()) {
+        image.save(folder + '/' + name);
+    }
+}
+
+} // namespace
+
+class ResultsTest : public QObject {
+    Q_OBJECT
+
+    Dip dip_;
+    QTemporaryDir folder_;
+
+    QImage proof(const QImage& image, QSize tile = QSize(200, 200), bool compensated = false) {
+        ProofOptions options;
+        options.tile = tile;
+        options.compensatedInk = compensated;
+        return proofPicture(dip_.model, {{&dip_.film, &dip_.contact, &dip_.body, image}}, options,
+                            {});
+    }
+
+private slots:
+    void filmFileHoldsTheFilm();
+    void bodyFileHoldsTheBody();
+    void filesAreTheSameEveryTime();
+    void unwritableFileIsAnError();
+    void colourMapsGrowEvenlyLighter_data();
+    void colourMapsGrowEvenlyLighter();
+    void balanceIsLightestInTheMiddle();
+    void unknownColourMapIsRefused();
+    void stretchMapShowsWhereFilmStretched();
+    void stretchMapFitsWideFilm();
+    void proofShowsTheImageOnTheBody();
+    void proofTakesInkBackToWhatShows();
+    void laterFilmsLieOverEarlierOnes();
+    void proofIsTheSameEveryTime();
+    void proofCanBeCancelled();
+    void creasesStaySharp();
+};
+
+void ResultsTest::filmFileHoldsTheFilm() {
+    const QString path = folder_.filePath("film.vtp");
+    writeFilmVtp(dip_.film, dip_.contact, dip_.body, path);
+    const auto data = readBack(path);
+    QCOMPARE(data->GetNumberOfPoints(), vtkIdType(81 * 113));
+    QCOMPARE(data->GetNumberOfPolys(), vtkIdType(2 * 80 * 112));
+    auto* rest = vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray("rest"));
+    auto* adhered = vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetArray("adhered"));
+    auto* uv = vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray("uv"));
+    auto* stretch = vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray("stretch"));
+    QVERIFY(rest && adhered && uv && stretch);
+    QCOMPARE(rest->GetNumberOfComponents(), 3);
+    QCOMPARE(uv->GetNumberOfComponents(), 2);
+    QCOMPARE(rest->GetComponent(0, 0), -70.0);
+    QCOMPARE(rest->GetComponent(0, 1), 0.0);
+    QCOMPARE(rest->GetComponent(0, 2), -98.0);
+    QVERIFY(std::isnan(uv->GetComponent(0, 0)));
+    const vtkIdType middle = 56 * 81 + 40;
+    QCOMPARE(int(adhered->GetValue(0)), 0);
+    QCOMPARE(int(adhered->GetValue(middle)), 1);
+    QVERIFY(std::abs(uv->GetComponent(middle, 0) - 0.5) < 1e-3);
+    QVERIFY(std::abs(stretch->GetValue(middle) - 1) < 0.01);
+    double lowest[3];
+    data->GetPoint(middle, lowest);
+    QVERIFY(std::abs(lowest[1]) < 1e-4); // the pose frame: the body's lowest point at y = 0
+}
+
+void ResultsTest::bodyFileHoldsTheBody() {
+    const QString path = folder_.filePath("body.vtp");
+    writeBodyVtp(dip_.body, dip_.covered, path);
+    const auto data = readBack(path);
+    QCOMPARE(data->GetNumberOfPolys(), vtkIdType(dip_.model.mesh.triangles.size()));
+    auto* texture = vtkFloatArray::SafeDownCast(data->GetPointData()->GetTCoords());
+    auto* covered = data->GetCellData()->GetArray("covered");
+    QVERIFY(texture && covered);
+    QCOMPARE(QString(texture->GetName()), QString("TCoords"));
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); i += 97) {
+        double point[3];
+        data->GetPoint(i, point);
+        QVERIFY(std::abs(texture->GetComponent(i, 0) - (point[0] / 70 + 0.5)) < 1e-4);
+    }
+    const double* range = covered->GetRange();
+    QCOMPARE(range[0], 0.0);
+    QCOMPARE(range[1], 1.0);
+    double bounds[6];
+    data->GetBounds(bounds);
+    QVERIFY(std::abs(bounds[2]) < 1e-4 && std::abs(bounds[3] - 70) < 1e-3);
+}
+
+void ResultsTest::filesAreTheSameEveryTime() {
+    writeFilmVtp(dip_.film, dip_.contact, dip_.body, folder_.filePath("a.vtp"));
+    writeFilmVtp(dip_.film, dip_.contact, dip_.body, folder_.filePath("b.vtp"));
+    QVERIFY(!contents(folder_.filePath("a.vtp")).isEmpty());
+    QCOMPARE(contents(folder_.filePath("a.vtp")), contents(folder_.filePath("b.vtp")));
+}
+
+void ResultsTest::unwritableFileIsAnError() {
+    const QString nowhere = folder_.filePath("no/such/folder/film.vtp");
+    QVERIFY_EXCEPTION_THROWN(writeFilmVtp(dip_.film, dip_.contact, dip_.body, nowhere), Error);
+    QVERIFY_EXCEPTION_THROWN(writeBodyVtp(dip_.body, dip_.covered, nowhere), Error);
+}
+
+namespace {
+// CIE L*, by the standard's own formulas: an independent judge of the maps made in OKLab.
+double lightness(const QColor& colour) {
+    const LinearColour light = linearColour(colour);
+    const double y = 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];
+    return y > 216.0 / 24389 ? 116 * std::cbrt(y) - 16 : y * 24389 / 27;
+}
+} // namespace
+
+void ResultsTest::colourMapsGrowEvenlyLighter_data() {
+    QTest::addColumn<QString>("map");
+    for (const char* map : {"lagoon", "dusk", "grey"}) {
+        QTest::newRow(map) << QString(map);
+    }
+}
+
+void ResultsTest::colourMapsGrowEvenlyLighter() {
+    QFETCH(QString, map);
+    const double whole = lightness(mapColour(map, 1)) - lightness(mapColour(map, 0));
+    QVERIFY2(whole > 60, qPrintable(QString::number(whole)));
+    for (int i = 0; i < 16; ++i) {
+        const double step =
+            lightness(mapColour(map, (i + 1) / 16.0)) - lightness(mapColour(map, i / 16.0));
+        QVERIFY2(step > 0.5 * whole / 16 && step < 1.6 * whole / 16,
+                 qPrintable(QString("step %1: %2 of %3").arg(i).arg(step).arg(whole)));
+    }
+}
+
+void ResultsTest::balanceIsLightestInTheMiddle() {
+    for (int i = 0; i < 10; ++i) {
+        const QColor low = mapColour("balance", i / 20.0);
+        const QColor high = mapColour("balance", 1 - i / 20.0);
+        QVERIFY(lightness(mapColour("balance", (i + 1) / 20.0)) > lightness(low));
+        QVERIFY(low.blue() > low.red() && high.red() > high.blue());
+        QVERIFY2(std::abs(lightness(low) - lightness(high)) < 8,
+                 qPrintable(QString::number(lightness(low) - lightness(high))));
+    }
+}
+
+void ResultsTest::unknownColourMapIsRefused() {
+    QVERIFY_EXCEPTION_THROWN(mapColour("rainbow", 0.5), Error);
+}
+
+void ResultsTest::stretchMapShowsWhereFilmStretched() {
+    const QImage map = stretchMap(dip_.film, dip_.contact, 1000);
+    keep(map, "stretch.png");
+    QVERIFY(std::abs(map.height() - 1000) <= 1);
+    QVERIFY(map.width() > 600 && map.width() < 1100);
+    QVERIFY(countColours(map) > 100);
+    QCOMPARE(map, stretchMap(dip_.film, dip_.contact, 1000));
+    // Stronger colour where the film stretched than in the middle, where it did not.
+    DippedFilm flat = dip_.film;
+    for (std::size_t i = 0; i < flat.positions.size(); ++i) {
+        const Eigen::Vector2f rest = restPosition(flat.grid, i);
+        flat.positions[i] = {rest.x(), 0, rest.y()};
+    }
+    QVERIFY(countColours(stretchMap(flat, dip_.contact, 1000)) < countColours(map));
+}
+
+void ResultsTest::stretchMapFitsWideFilm() {
+    const DippedFilm wide = laidFilm({113, 57, 196, 98});
+    const FilmContact contact = locateFilm(wide, dip_.body, dip_.query, ProcessSettings{});
+    const QImage map = stretchMap(wide, contact, 800);
+    keep(map, "stretch-wide.png");
+    QVERIFY(map.width() > map.height());
+}
+
+void ResultsTest::proofShowsTheImageOnTheBody() {
+    const bool large = qEnvironmentVariableIsSet("DIPWRIGHT_PICTURES");
+    const QSize tile = large ? QSize(800, 800) : QSize(200, 200);
+    const QImage image = proof(stripes(dip_.film.grid), tile);
+    keep(image, "proof.png");
+    QCOMPARE(image.size(), tile * 2);
+    // Below the ball's middle there is paint, above it the bare body. From the front the film's
+    // left is left, from the back it is right.
+    const auto pixel = [&](int view, double right, double down) {
+        return image.pixelColor(int(tile.width() * (view % 2 + right)),
+                                int(tile.height() * (view / 2 + down)));
+    };
+    const auto isRed = [](const QColor& c) {
+        return c.red() > c.green() + 40 && c.red() > c.blue() + 40;
+    };
+    const auto isGreen = [](const QColor& c) {
+        return c.green() > c.red() + 30 && c.green() > c.blue() + 30;
+    };
+    const auto isBlue = [](const QColor& c) {
+        return c.blue() > c.red() + 40 && c.blue() > c.green() + 40;
+    };
+    QVERIFY(isRed(pixel(0, 0.3, 0.72)));
+    QVERIFY(isGreen(pixel(0, 0.7, 0.72)));
+    QVERIFY(isBlue(pixel(0, 0.5, 0.8)));
+    QVERIFY(isGreen(pixel(1, 0.5, 0.8)));
+    QVERIFY(isGreen(pixel(2, 0.3, 0.72)));
+    QVERIFY(isRed(pixel(2, 0.7, 0.72)));
+    QVERIFY(isRed(pixel(3, 0.5, 0.8)));
+    const QColor bare = pixel(0, 0.5, 0.3);
+    QVERIFY(std::abs(bare.red() - bare.blue()) < 12 && bare.red() > 120);
+}
+
+void ResultsTest::proofTakesInkBackToWhatShows() {
+    // Film stretched to J = 4 shows a quarter of the printed density: much paler than printed.
+    DippedFilm stretched = dip_.film;
+    stretched.grid.width /= 2;
+    stretched.grid.depth /= 2;
+    QImage image(400, 560, QImage::Format_RGBA8888);
+    image.fill(QColor(90, 90, 90));
+    ProcessSettings process;
+    process.tearStretch = 10;
+    const FilmContact contact = locateFilm(stretched, dip_.body, dip_.query, process);
+    const WornFilm worn{&stretched, &contact, &dip_.body, image};
+    ProofOptions options;
+    options.tile = QSize(60, 60);
+    options.compensatedInk = false;
+    const QImage printed = proofPicture(dip_.model, {worn}, options, {});
+    options.compensatedInk = true;
+    const QImage shown = proofPicture(dip_.model, {worn}, options, {});
+    QVERIFY(shown.pixelColor(30, 45).red() > printed.pixelColor(30, 45).red() + 30);
+}
+
+void ResultsTest::laterFilmsLieOverEarlierOnes() {
+    QImage red(400, 560, QImage::Format_RGBA8888);
+    red.fill(Qt::red);
+    QImage holed = red; // green with a hole to the left
+    holed.fill(Qt::green);
+    QPainter painter(&holed);
+    painter.setCompositionMode(QPainter::CompositionMode_Source);
+    painter.fillRect(0, 0, 200, 560, Qt::transparent);
+    painter.end();
+    ProofOptions options;
+    options.tile = QSize(100, 100);
+    options.compensatedInk = false;
+    const QImage image = proofPicture(dip_.model,
+                                      {{&dip_.film, &dip_.contact, &dip_.body, red},
+                                       {&dip_.film, &dip_.contact, &dip_.body, holed}},
+                                      options, {});
+    const QColor left = image.pixelColor(30, 75);
+    const QColor right = image.pixelColor(70, 75);
+    QVERIFY(left.red() > left.green() + 40);
+    QVERIFY(right.green() > right.red() + 40);
+}
+
+void ResultsTest::proofIsTheSameEveryTime() {
+    const QImage image = stripes(dip_.film.grid);
+    QCOMPARE(proof(image), proof(image));
+}
+
+void ResultsTest::proofCanBeCancelled() {
+    Progress progress;
+    progress.report = [&](double share, const QString&) {
+        if (share > 0.3) {
+            progress.cancelSwitch.cancel();
+        }
+    };
+    ProofOptions options;
+    options.tile = QSize(60, 60);
+    const WornFilm worn{&dip_.film, &dip_.contact, &dip_.body, stripes(dip_.film.grid)};
+    QVERIFY_EXCEPTION_THROWN(proofPicture(dip_.model, {worn}, options, progress), Cancelled);
+}
+
+void ResultsTest::creasesStaySharp() {
+    const TriangleMesh box = boxMesh({10, 20, 30});
+    const auto normals = cornerNormals(box);
+    for (std::size_t i = 0; i < box.triangles.size(); ++i) {
+        for (const Eigen::Vector3f& normal : normals[i]) {
+            QVERIFY((normal - triangleNormal(box, i)).norm() < 1e-5f);
+        }
+    }
+    const auto smooth = cornerNormals(dip_.model.mesh);
+    const Eigen::Vector3f& corner = dip_.model.mesh.positions[dip_.model.mesh.triangles[500][1]];
+    QVERIFY((smooth[500][1] - corner.normalized()).norm() < 0.02f);
+}
+
+QTEST_MAIN(ResultsTest)
+#include "ResultsTest.moc"
