@@ -1,20 +1,14 @@
 // The film between a point that has adhered and the waterline lies on the body's surface
-// (film-physics §2.4). For the equilibrium in the water plane such a point stands where it would lie
-// if that piece of surface were unfolded about the contact line: at its distance along the surface,
-// inwards of the line.
+// (film-physics §2.4). For the equilibrium in the water plane, every triangle that crosses the
+// contact line sees its adhered corners where they would lie if that piece of surface were unfolded
+// about the line: at their distance along the surface, inwards of it. Each triangle unfolds by
+// itself; at a sharp tip one adhered point lies in a different place for each triangle round it.
 #pragma once
 
 #include "pbd/BodyFrame.h"
 #include "pbd/FieldSampling.h"
 
 namespace dipwright::pbd {
-
-template <typename Real>
-struct UnfoldedPoint {
-    Real x{}, z{};     // in the water plane
-    Real steepness{};  // horizontal share of the unit normal at the contact line: 0 flat, 1 vertical
-    bool found{};      // false: no contact line near, the point stands where it is
-};
 
 // φ and its gradient in the world at a world point.
 template <typename Real>
@@ -92,36 +86,73 @@ contactLineBetween(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
 
 } // namespace detail
 
-// `point`: the adhered point, body coordinates. `towards`: the middle of its free neighbours in the
-// water plane, used where the surface at the point is too flat to say where the waterline is.
-// `cell`: the film's spacing.
+// The contact line of one film triangle, taken as straight: a point on it, the unit vector across
+// it in the water plane, away from the body, and how steep the surface is there.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline UnfoldedPoint<Real>
-unfoldedPoint(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
-              Real cell, Vector3<Real> point, Vector3<Real> towards) {
-    const Vector3<Real> p = frame.toWorld(point);
-    const Vector3<Real> above{p.x, Real(0), p.z};
-    Vector3<Real> line;
-    if (!detail::contactLineBySlope(field, frame, contactDistance, cell, above, line) &&
-        !detail::contactLineBetween(field, frame, contactDistance, above, towards, line)) {
-        return {p.x, p.z, Real(1), false};
+struct ContactLine {
+    Vector3<Real> place;
+    Vector3<Real> outwards;
+    Real steepness{}; // horizontal share of the unit normal: 0 flat, 1 vertical
+    bool found{};
+};
+
+// `adhered` and `free`: the middles of the triangle's adhered corners (at their true places) and of
+// its free ones. `cell`: the film's spacing.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline ContactLine<Real>
+contactLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
+            Real cell, Vector3<Real> adhered, Vector3<Real> free) {
+    const Vector3<Real> above{adhered.x, Real(0), adhered.z};
+    ContactLine<Real> line;
+    if (!detail::contactLineBetween(field, frame, contactDistance, above, free, line.place) &&
+        !detail::contactLineBySlope(field, frame, contactDistance, cell, above, line.place)) {
+        return line;
     }
-    const Vector3<Real> gradient = sampleWorld(field, frame, line).gradient;
+    const Vector3<Real> gradient = sampleWorld(field, frame, line.place).gradient;
     const Real horizontal = std::sqrt(gradient.x * gradient.x + gradient.z * gradient.z);
     const Real size = length(gradient);
-    if (horizontal < Real(0.02) * size) {
-        return {p.x, p.z, Real(0), false};
+    line.found = horizontal > Real(0.02) * size;
+    if (line.found) {
+        line.outwards = {gradient.x / horizontal, Real(0), gradient.z / horizontal};
+        line.steepness = horizontal / size;
     }
+    return line;
+}
+
+template <typename Real>
+struct Unfolded {
+    Vector3<Real> position; // in the water plane
+    Real path{};            // mm along the surface to the contact line
+};
+
+// Where an adhered corner at world point `corner` lies when its piece of surface is unfolded about
+// `line`: it keeps its place along the line and stands inwards of it by its distance along the
+// surface.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Unfolded<Real>
+unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
+         Real cell, const ContactLine<Real>& line, Vector3<Real> corner) {
+    const Vector3<Real> above{corner.x, Real(0), corner.z};
+    // From above the corner across to the contact line: Newton's method along `outwards`.
+    Real across = dot(line.place - above, line.outwards);
+    for (int iteration = 0; iteration < 6; ++iteration) {
+        const FieldSample<Real> sample = sampleWorld(field, frame, above + line.outwards * across);
+        const Real slope = dot(sample.gradient, line.outwards);
+        if (slope < Real(0.02)) {
+            break;
+        }
+        const Real step = (contactDistance - sample.distance) / slope;
+        across += std::fmin(std::fmax(step, -cell), cell);
+    }
+    const Vector3<Real> foot = above + line.outwards * across;
     // The way along the surface: chord, and two chords over the projected middle; the difference of
     // the two tells the arc to fourth order (Richardson).
-    const Real chord = length(line - p);
+    const Real chord = length(foot - corner);
     const Vector3<Real> middle =
-        detail::projectedOnSurface(field, frame, contactDistance, (p + line) * Real(0.5));
-    const Real chords = length(middle - p) + length(line - middle);
-    Real path = chords + (chords - chord) / Real(3);
-    path = path < Real(2) * chord ? path : Real(2) * chord;
-    return {line.x - path * gradient.x / horizontal, line.z - path * gradient.z / horizontal,
-            horizontal / size, true};
+        detail::projectedOnSurface(field, frame, contactDistance, (corner + foot) * Real(0.5));
+    const Real chords = length(middle - corner) + length(foot - middle);
+    const Real path = std::fmin(chords + (chords - chord) / Real(3), Real(2) * chord);
+    return {foot - line.outwards * path, path};
 }
 
 } // namespace dipwright::pbd

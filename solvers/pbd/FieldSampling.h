@@ -92,4 +92,38 @@ DIPWRIGHT_HOST_DEVICE FieldSample<Real> sampleField(const FieldGrid<Real>& field
     return {mix(c0, c1, z.fraction) + outside * field.spacing, gradient * field.inverseSpacing};
 }
 
+// How far the body is from `position` (body coordinates) at the least, up to what interpolation
+// loses; for a body that lies within the field's grid.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE Real fieldClearance(const FieldGrid<Real>& field, Vector3<Real> position) {
+    const Vector3<Real> grid = (position - field.origin) * field.inverseSpacing;
+    const Vector3<Real> outside{detail::cellPlace(grid.x, field.nx).outside,
+                                detail::cellPlace(grid.y, field.ny).outside,
+                                detail::cellPlace(grid.z, field.nz).outside};
+    const Real beyond = length(outside) * field.spacing;
+    const Real inGrid = sampleField(field, position).distance - beyond;
+    return inGrid - beyond > beyond ? inGrid - beyond : beyond > Real(0) ? beyond : inGrid;
+}
+
+// `position` moved along ∇φ to where φ is `level` (Newton's method; a few steps, as φ is nearly
+// linear over a cell). Where the gradient vanishes the position stays.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE Vector3<Real> onLevel(const FieldGrid<Real>& field, Vector3<Real> position,
+                                            Real level) {
+    const int steps = 8;
+    const Real closeEnough = Real(1e-4) * field.spacing;
+    const Real flattest = Real(0.25); // |∇φ|² is 1 but near ridges, where a step could go anywhere
+    for (int step = 0; step < steps; ++step) {
+        const FieldSample<Real> sample = sampleField(field, position);
+        const Real missing = level - sample.distance;
+        if (std::abs(missing) <= closeEnough) {
+            break;
+        }
+        const Real steepness = dot(sample.gradient, sample.gradient);
+        position =
+            position + sample.gradient * (missing / (steepness > flattest ? steepness : flattest));
+    }
+    return position;
+}
+
 } // namespace dipwright::pbd

@@ -1,10 +1,11 @@
 // The elastic sheet of the production film: a constant-strain triangle in the water plane.
 //
-// Energy per rest area, with F the deformation gradient, F = R·U its polar decomposition and s = tr U:
+// Energy per rest area, with F the deformation gradient, F = R·U its polar decomposition and s = tr
+// U:
 //     W = μ |F − R|² + (λ/2)(s − 2)²,
-// the corotated (Biot strain) plane-stress law. Poisson ratio 1/3 makes λ = μ, and as only the ratio
-// matters in equilibrium both are 1. In two dimensions R comes without a decomposition:
-// s = √((a + d)² + (c − b)²), cos = (a + d)/s, sin = (c − b)/s for F = [a b; c d].
+// the corotated (Biot strain) plane-stress law. Poisson ratio 1/3 makes λ = μ, and as only the
+// ratio matters in equilibrium both are 1. In two dimensions R comes without a decomposition: s =
+// √((a + d)² + (c − b)²), cos = (a + d)/s, sin = (c − b)/s for F = [a b; c d].
 #pragma once
 
 #include "pbd/HostDevice.h"
@@ -44,8 +45,9 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stress(const Matrix2<Real>& F,
     const Real cosine = sum * inverse, sine = skew * inverse;
     // P = 2(F − R) + (s − 2)R = 2F + (s − 4)R
     const Real rotation = s - Real(4);
-    // dR = (RJ : dF)/s · RJ enters P with the factor (s − 4). Held at −1, where a pure rotation costs
-    // nothing, when the film is compressed on the whole: the Hessian stays positive semi-definite.
+    // dR = (RJ : dF)/s · RJ enters P with the factor (s − 4). Held at −1, where a pure rotation
+    // costs nothing, when the film is compressed on the whole: the Hessian stays positive
+    // semi-definite.
     const Real turn = rotation * inverse;
     state = {cosine, sine, turn > Real(-1) ? turn : Real(-1)};
     return {Real(2) * F.a + rotation * cosine, Real(2) * F.b - rotation * sine,
@@ -57,7 +59,7 @@ template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stressDerivative(const Matrix2<Real>& dF,
                                                             const StressState<Real>& state) {
     const Real cosine = state.cosine, sine = state.sine;
-    const Real stretch = cosine * (dF.a + dF.d) + sine * (dF.c - dF.b); // R : dF
+    const Real stretch = cosine * (dF.a + dF.d) + sine * (dF.c - dF.b);             // R : dF
     const Real turn = state.turn * (cosine * (dF.c - dF.b) - sine * (dF.a + dF.d)); // RJ : dF
     return {Real(2) * dF.a + stretch * cosine - turn * sine,
             Real(2) * dF.b - stretch * sine - turn * cosine,
@@ -65,12 +67,18 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stressDerivative(const Matrix2<Real>&
             Real(2) * dF.d + stretch * cosine - turn * sine};
 }
 
-// Stress decay: the inverse rest shape after the stretch U = RᵀF has relaxed to
-// I + (U − I)·keep (keep = exp(−Δt/τ); 0: viscous, 1: elastic). With edges E = F·D, D the rest shape,
-// the new rest shape is U'⁻¹·U·D.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
-relaxedInverseShape(const Matrix2<Real>& inverseShape, const Matrix2<Real>& F, Real keep) {
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> inverse(const Matrix2<Real>& m) {
+    const Real scale = Real(1) / (m.a * m.d - m.b * m.c);
+    return {m.d * scale, -m.b * scale, -m.c * scale, m.a * scale};
+}
+
+// Stress decay: the inverse rest shape after the stretch U = RᵀF has relaxed to
+// I + (U − I)·keep (keep = exp(−Δt/τ); 0: viscous, 1: elastic). With edges E = F·D, D the rest
+// shape, the new rest shape is U'⁻¹·U·D.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> relaxedInverseShape(const Matrix2<Real>& inverseShape,
+                                                               const Matrix2<Real>& F, Real keep) {
     const Real sum = F.a + F.d, skew = F.c - F.b;
     const Real s = std::sqrt(sum * sum + skew * skew) + Real(1e-12);
     const Real cosine = sum / s, sine = skew / s;
@@ -80,11 +88,9 @@ relaxedInverseShape(const Matrix2<Real>& inverseShape, const Matrix2<Real>& F, R
     if (!(determinant > Real(1e-6))) {
         return inverseShape; // turned inside out or flat: leave it to recover elastically
     }
-    const Matrix2<Real> inverseU{U.d / determinant, -U.b / determinant, -U.c / determinant,
-                                 U.a / determinant};
     const Matrix2<Real> kept{Real(1) + (U.a - Real(1)) * keep, U.b * keep, U.c * keep,
                              Real(1) + (U.d - Real(1)) * keep};
-    return inverseShape * (inverseU * kept);
+    return inverseShape * (inverse(U) * kept);
 }
 
 } // namespace dipwright::pbd

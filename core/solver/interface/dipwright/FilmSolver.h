@@ -85,7 +85,7 @@ struct Settings {
     bool selfContact = false;
     // Isotropic film on water: the travel of the contact line in one step, in cells, and the
     // residual at which a step counts as in equilibrium (mean force over mean elastic force).
-    double contactTravel = 0.25;
+    double contactTravel = 0.5;
     double residual = 1e-4;
     int threads = 0; // 0: all the host has
 };

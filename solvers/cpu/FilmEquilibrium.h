@@ -1,0 +1,51 @@
+// The film in the water plane at rest under its forces: Newton's method, each step by conjugate
+// gradients with a multigrid cycle as preconditioner, warm-started by the caller.
+#pragma once
+
+#include "cpu/PlaneFilm.h"
+#include "cpu/PlaneMultigrid.h"
+
+namespace dipwright::cpu {
+
+class FilmEquilibrium {
+public:
+    using Vector = PlaneVector;
+
+    explicit FilmEquilibrium(const solver::FilmGrid& grid);
+
+    // One entry a film point: 1 where it moves, 0 where it is held.
+    void setFree(const std::vector<float>& free);
+
+    // The triangles that cross the contact line (PlaneFilm::setCrossing, moveCrossing).
+    void setCrossing(std::vector<PlaneFilm::Crossing> triangles, const PlaneVector& displacement) {
+        film_.setCrossing(std::move(triangles), displacement);
+    }
+    void moveCrossing(std::vector<PlaneFilm::Crossing> triangles) {
+        film_.moveCrossing(std::move(triangles));
+    }
+
+    // Moves the free points of `displacement` until the forces left on them are `residual` times
+    // the elastic forces in the film (both as root of the sum of squares). Returns the ratio
+    // reached.
+    double solve(PlaneVector& displacement, double residual);
+
+    void relax(const PlaneVector& displacement, double keep) { film_.relax(displacement, keep); }
+
+    struct Work {
+        std::int64_t newtonSteps = 0, conjugateSteps = 0;
+    };
+    const Work& work() const { return work_; }
+
+private:
+    void conjugateGradients(double tolerance);
+    double dot(const PlaneVector& a, const PlaneVector& b) const;
+    void maskHeld(PlaneVector& v) const;
+
+    PlaneFilm film_;
+    PlaneMultigrid multigrid_;
+    std::vector<float> free_;
+    PlaneVector gradient_, step_, residual_, preconditioned_, direction_, product_;
+    Work work_;
+};
+
+} // namespace dipwright::cpu

@@ -1,0 +1,56 @@
+// A multigrid V-cycle for the flat film's linear elasticity, the preconditioner of the equilibrium.
+//
+// The operator is that of the undeformed isotropic film, averaged over both ways to cut a cell: one
+// constant 9-point stencil on every level. Grids of any size are coarsened to half as many points
+// (bilinear interpolation and its transpose); points that are held stay out on every level.
+// Smoothing is by Chebyshev polynomials, so that the cycle is symmetric and positive definite, as
+// conjugate gradients need, and the same for any number of threads.
+#pragma once
+
+#include "cpu/PlaneVector.h"
+
+#include <dipwright/FilmSolver.h>
+
+#include <array>
+#include <cstdint>
+
+namespace dipwright::cpu {
+
+class PlaneMultigrid {
+public:
+    explicit PlaneMultigrid(const solver::FilmGrid& grid);
+
+    // One entry a film point: 1 where it moves, 0 where it is held.
+    void setFree(const std::vector<float>& free);
+
+    // result ≈ K⁻¹·right by one V-cycle; zero at held points.
+    void apply(const PlaneVector& right, PlaneVector& result);
+
+private:
+    struct Axis { // interpolation along one axis: fine point i from coarse points first and first +
+                  // 1
+        std::vector<int> first;
+        std::vector<float> weight; // of first + 1
+    };
+    struct Level {
+        int columns = 0, rows = 0;
+        float xx = 0, xz = 0, zx = 0, zz = 0;       // stencil weights along X and Z of x and z
+        std::array<std::array<float, 8>, 8> cell{}; // stiffness of one cell, for the border
+        std::vector<float> free;
+        PlaneVector diagonal; // 1 / diagonal, 0 where held
+        PlaneVector right, result, residual, direction;
+        Axis toCoarseColumns, toCoarseRows;
+    };
+
+    static Level makeLevel(int columns, int rows, double width, double depth);
+    static Axis makeAxis(int fine, int coarse);
+    static void applyStiffness(const Level& level, const PlaneVector& v, PlaneVector& result);
+    static void smooth(Level& level, int degree, bool fromZero);
+    static void restrictResidual(const Level& fine, Level& coarse);
+    static void addCorrection(const Level& coarse, Level& fine);
+    void cycle(std::size_t index);
+
+    std::vector<Level> levels_; // finest first
+};
+
+} // namespace dipwright::cpu

@@ -1,0 +1,18 @@
+// Two numbers a film point, x and z, kept apart for vector arithmetic.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace dipwright::cpu {
+
+struct PlaneVector {
+    using Real = float;
+    std::vector<Real> x, z;
+
+    PlaneVector() = default;
+    explicit PlaneVector(std::size_t points) : x(points), z(points) {}
+    std::size_t size() const { return x.size(); }
+};
+
+} // namespace dipwright::cpu
