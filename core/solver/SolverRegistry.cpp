@@ -1,1 +1,293 @@
 #include "solver/SolverRegistry.h"
+
+#include "base/Error.h"
+#include "solver/LoadMarker.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLibrary>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <algorithm>
+#include <mutex>
+
+namespace dipwright {
+
+namespace {
+
+constexpr qint64 maximumMetadataBytes = 64 * 1024;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("SolverRegistry", text);
+}
+
+// Why a plugin cannot be used; caught where the list is made.
+class Refusal : public std::exception {
+public:
+    explicit Refusal(QString reason) : reason_(std::move(reason)) {}
+    const QString& reason() const { return reason_; }
+
+private:
+    QString reason_;
+};
+
+// A plugin and how far it has come.
+struct Plugin {
+    SolverInfo info;
+    const solver::SolverModule* module = nullptr;
+    bool isLoaded = false; // or refused for good
+};
+
+QString requiredText(const QJsonObject& metadata, const char* key) {
+    const QString text = metadata[QLatin1String(key)].toString().trimmed();
+    if (text.isEmpty() || text.size() > 200) {
+        throw Refusal(tr("Its description has no valid \"%1\"").arg(QLatin1String(key)));
+    }
+    return text;
+}
+
+QJsonObject readJson(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        throw Refusal(tr("Its description cannot be read: %1").arg(file.errorString()));
+    }
+    if (file.size() > maximumMetadataBytes) {
+        throw Refusal(tr("Its description is too large to be one"));
+    }
+    QJsonParseError error;
+    const QJsonDocument document = QJsonDocument::fromJson(file.readAll(), &error);
+    if (error.error != QJsonParseError::NoError) {
+        throw Refusal(tr("Its description is not valid JSON: %1").arg(error.errorString()));
+    }
+    return document.object();
+}
+
+void requireInterfaceVersion(const QJsonObject& metadata) {
+    const int version = metadata[QLatin1String("interface")].toInt(-1);
+    if (version != solver::interfaceVersion) {
+        throw Refusal(tr("It was built for solver interface %1, and this program has %2")
+                          .arg(version)
+                          .arg(solver::interfaceVersion));
+    }
+}
+
+// Fills in what the description says, as far as it is valid.
+void readMetadata(SolverInfo& info) {
+    const QJsonObject metadata = readJson(info.metadataPath);
+    if (metadata[QLatin1String("format")].toString() != QLatin1String("dipwright-solver")) {
+        throw Refusal(tr("Its description is not one of a solver"));
+    }
+    static const QRegularExpression validId(QStringLiteral("^[a-z0-9][a-z0-9-]{0,63}$"));
+    const QString id = requiredText(metadata, "id");
+    if (!validId.match(id).hasMatch() || id == QLatin1String("auto")) {
+        throw Refusal(tr("Its id may hold only small letters, digits and hyphens"));
+    }
+    info.id = id;
+    info.name = requiredText(metadata, "name");
+    info.version = requiredText(metadata, "version");
+    info.device = requiredText(metadata, "device");
+    info.vendor = requiredText(metadata, "vendor");
+    info.priority = metadata[QLatin1String("priority")].toInt();
+    requireInterfaceVersion(metadata);
+    const QString module = requiredText(metadata, "module");
+    if (QFileInfo(module).fileName() != module) {
+        throw Refusal(tr("Its module has to be a file beside its description"));
+    }
+    info.modulePath = QFileInfo(info.metadataPath).dir().filePath(module);
+    if (!QFileInfo(info.modulePath).isFile()) {
+        throw Refusal(tr("Its module %1 is missing").arg(module));
+    }
+}
+
+void refuseCrashed(const QString& modulePath) {
+    if (qEnvironmentVariableIsSet("DIPWRIGHT_RETRY_SOLVERS")) {
+        LoadMarker::forget(modulePath);
+    }
+    if (LoadMarker::crashedBefore(modulePath)) {
+        throw Refusal(tr("It brought the program down when it was last loaded; set "
+                         "DIPWRIGHT_RETRY_SOLVERS=1 to try it again"));
+    }
+}
+
+DipwrightSolverEntry* resolvedEntry(const QString& modulePath) {
+    QLibrary library(modulePath);
+    library.setLoadHints(QLibrary::ResolveAllSymbolsHint);
+    if (!library.load()) {
+        throw Refusal(tr("Its module cannot be loaded: %1").arg(library.errorString()));
+    }
+    const auto entry =
+        reinterpret_cast<DipwrightSolverEntry*>(library.resolve(DIPWRIGHT_SOLVER_ENTRY));
+    if (!entry) {
+        throw Refusal(
+            tr("Its module has no entry point %1").arg(QLatin1String(DIPWRIGHT_SOLVER_ENTRY)));
+    }
+    return entry; // the library stays loaded until the program ends
+}
+
+// Runs the module's own code and turns whatever it throws into a refusal.
+template <typename Call>
+auto guarded(const Call& call) {
+    try {
+        return call();
+    } catch (const std::exception& error) {
+        throw Refusal(tr("Its module failed at start: %1").arg(QString::fromUtf8(error.what())));
+    } catch (...) {
+        throw Refusal(tr("Its module failed at start with an unknown exception"));
+    }
+}
+
+const solver::SolverModule* loadModule(SolverInfo& info) {
+    const LoadMarker marker(info.modulePath);
+    DipwrightSolverEntry* const entry = resolvedEntry(info.modulePath);
+    const solver::SolverModule* module =
+        guarded([entry] { return entry(solver::interfaceVersion); });
+    if (!module) {
+        throw Refusal(tr("Its module does not fit this program's solver interface"));
+    }
+    if (const char* reason = guarded([module] { return module->unavailableReason(); })) {
+        throw Refusal(QString::fromUtf8(reason));
+    }
+    if (const char* device = guarded([module] { return module->device(); })) {
+        info.device = QString::fromUtf8(device);
+    }
+    return module;
+}
+
+void load(Plugin& plugin) {
+    if (plugin.isLoaded) {
+        return;
+    }
+    plugin.isLoaded = true;
+    try {
+        refuseCrashed(plugin.info.modulePath);
+        plugin.module = loadModule(plugin.info);
+        plugin.info.available = true;
+    } catch (const Refusal& refusal) {
+        plugin.info.reason = refusal.reason();
+    }
+}
+
+Plugin foundPlugin(const QFileInfo& metadataFile) {
+    Plugin plugin;
+    plugin.info.id = plugin.info.name = metadataFile.completeBaseName();
+    plugin.info.metadataPath = metadataFile.absoluteFilePath();
+    try {
+        readMetadata(plugin.info);
+    } catch (const Refusal& refusal) {
+        plugin.info.reason = refusal.reason();
+        plugin.isLoaded = true;
+    }
+    return plugin;
+}
+
+std::vector<Plugin> foundPlugins(const QStringList& folders) {
+    std::vector<Plugin> plugins;
+    for (const QString& folder : folders) {
+        const QFileInfoList files = QDir(folder).entryInfoList(
+            {QStringLiteral("*.json")}, QDir::Files | QDir::Readable, QDir::Name);
+        for (const QFileInfo& file : files) {
+            Plugin plugin = foundPlugin(file);
+            const bool isKnown =
+                std::any_of(plugins.begin(), plugins.end(),
+                            [&](const Plugin& known) { return known.info.id == plugin.info.id; });
+            if (!isKnown) {
+                plugins.push_back(std::move(plugin));
+            }
+        }
+    }
+    std::sort(plugins.begin(), plugins.end(),
+              [](const Plugin& a, const Plugin& b) { return a.info.id < b.info.id; });
+    return plugins;
+}
+
+} // namespace
+
+struct SolverRegistry::Data {
+    std::mutex mutex; // modules are loaded when first asked for, by whichever thread asks
+    std::vector<Plugin> plugins;
+
+    Plugin& plugin(const QString& id);
+    Plugin& best();
+    Plugin& named(const QString& id);
+};
+
+// The loaded plugin of `id`; throws Error when it cannot be used.
+Plugin& SolverRegistry::Data::plugin(const QString& id) {
+    return id == QLatin1String("auto") ? best() : named(id);
+}
+
+Plugin& SolverRegistry::Data::best() {
+    Plugin* best = nullptr;
+    QStringList reasons;
+    for (Plugin& plugin : plugins) {
+        load(plugin);
+        if (!plugin.module) {
+            reasons << QStringLiteral("%1: %2").arg(plugin.info.id, plugin.info.reason);
+        } else if (!best || plugin.info.priority > best->info.priority) {
+            best = &plugin;
+        }
+    }
+    if (!best) {
+        const QString all = reasons.isEmpty() ? tr("no plugin was found") : reasons.join(u"; ");
+        throw Error(tr("No solver can run here; install one or set DIPWRIGHT_PLUGIN_PATH"), all);
+    }
+    return *best;
+}
+
+Plugin& SolverRegistry::Data::named(const QString& id) {
+    const auto found = std::find_if(plugins.begin(), plugins.end(),
+                                    [&](const Plugin& plugin) { return plugin.info.id == id; });
+    if (found == plugins.end()) {
+        QStringList ids{QStringLiteral("auto")};
+        for (const Plugin& plugin : plugins) {
+            ids << plugin.info.id;
+        }
+        throw Error(tr("There is no such solver; choose one of %1").arg(ids.join(u", ")), id);
+    }
+    load(*found);
+    if (!found->module) {
+        throw Error(tr("This solver cannot be used: %1").arg(found->info.reason), id);
+    }
+    return *found;
+}
+
+QStringList SolverRegistry::standardFolders() {
+    QStringList folders = qEnvironmentVariable("DIPWRIGHT_PLUGIN_PATH")
+                              .split(QDir::listSeparator(), Qt::SkipEmptyParts);
+    folders << QCoreApplication::applicationDirPath() + QStringLiteral("/plugins");
+    folders << QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                   QStringLiteral("/plugins");
+    return folders;
+}
+
+SolverRegistry::SolverRegistry(const QStringList& folders) : data_(std::make_unique<Data>()) {
+    data_->plugins = foundPlugins(folders);
+}
+
+SolverRegistry::~SolverRegistry() = default;
+
+std::vector<SolverInfo> SolverRegistry::solvers() const {
+    const std::lock_guard lock(data_->mutex);
+    std::vector<SolverInfo> infos;
+    for (Plugin& plugin : data_->plugins) {
+        load(plugin);
+        infos.push_back(plugin.info);
+    }
+    return infos;
+}
+
+const solver::SolverModule& SolverRegistry::module(const QString& id) const {
+    const std::lock_guard lock(data_->mutex);
+    return *data_->plugin(id).module;
+}
+
+SolverInfo SolverRegistry::info(const QString& id) const {
+    const std::lock_guard lock(data_->mutex);
+    return data_->plugin(id).info;
+}
+
+} // namespace dipwright

@@ -1,0 +1,123 @@
+// The module pbd-cpu: a thin shell round the films of solvers/cpu.
+
+#include "CpuName.h"
+#include "cpu/PaperFilm.h"
+#include "cpu/QuasiStaticFilm.h"
+
+#include <dipwright/FilmSolver.h>
+
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+
+namespace dipwright {
+
+namespace {
+
+std::unique_ptr<solver::FilmSolver> makeFilm(const solver::Settings& settings) {
+    if (settings.lattice == solver::Lattice::Isotropic &&
+        settings.support == solver::Support::Water) {
+        return cpu::makeQuasiStaticFilm();
+    }
+    return cpu::makePaperFilm();
+}
+
+// Becomes the film that the settings of a dip ask for.
+class CpuFilm : public solver::FilmSolver {
+public:
+    void begin(const solver::DipSetup& setup) override {
+        film_ = makeFilm(setup.settings);
+        film_->begin(setup);
+    }
+    solver::Progress advance(int maximumSteps) override { return begun().advance(maximumSteps); }
+    void read(std::span<float> positions, std::span<solver::PointState> states) const override {
+        begun().read(positions, states);
+    }
+
+private:
+    solver::FilmSolver& begun() const {
+        if (!film_) {
+            throw std::runtime_error("the dip has not begun");
+        }
+        return *film_;
+    }
+    std::unique_ptr<solver::FilmSolver> film_;
+};
+
+// Asks the host from one thread at a time, and remembers a yes.
+class Cancellation {
+public:
+    Cancellation(solver::CancelFunction cancelled, void* context)
+        : cancelled_(cancelled), context_(context) {}
+
+    bool isCancelled() const { return isCancelled_; }
+    bool operator()() {
+        const std::lock_guard lock(mutex_);
+        isCancelled_ = isCancelled_ || (cancelled_ && cancelled_(context_));
+        return isCancelled_;
+    }
+
+private:
+    std::mutex mutex_;
+    solver::CancelFunction cancelled_;
+    void* context_;
+    bool isCancelled_ = false;
+};
+
+void simulate(solver::BatchItem& item, Cancellation& cancelled) {
+    constexpr int stepsBetweenQuestions = 4;
+    CpuFilm film;
+    film.begin(item.setup);
+    solver::Progress progress;
+    while (!progress.finished) {
+        if (cancelled()) {
+            return;
+        }
+        progress = film.advance(stepsBetweenQuestions);
+    }
+    const std::size_t points = item.setup.film.pointCount();
+    item.positions.resize(3 * points);
+    item.states.resize(points);
+    item.steps = progress.steps;
+    film.read(item.positions, item.states);
+}
+
+class PbdCpu : public solver::SolverModule {
+public:
+    PbdCpu()
+        : device_(std::to_string(tbb::info::default_concurrency()) + " × " + cpuName() + ", " +
+                  cpu::paperFilmInstructionSet()) {}
+
+    const char* unavailableReason() const override { return nullptr; }
+    const char* device() const override { return device_.c_str(); }
+    std::unique_ptr<solver::FilmSolver> create() const override {
+        return std::make_unique<CpuFilm>();
+    }
+    bool runBatch(std::span<solver::BatchItem> items, solver::CancelFunction cancelled,
+                  void* context) const override {
+        Cancellation cancellation(cancelled, context);
+        tbb::parallel_for(std::size_t(0), items.size(),
+                          [&](std::size_t index) { simulate(items[index], cancellation); });
+        return !cancellation.isCancelled();
+    }
+
+private:
+    std::string device_;
+};
+
+} // namespace
+
+} // namespace dipwright
+
+extern "C" DIPWRIGHT_EXPORT const dipwright::solver::SolverModule*
+dipwrightSolverModule(int hostInterfaceVersion) {
+    if (hostInterfaceVersion != dipwright::solver::interfaceVersion) {
+        return nullptr;
+    }
+    static const dipwright::PbdCpu module;
+    return &module;
+}
