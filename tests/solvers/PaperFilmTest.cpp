@@ -1,0 +1,279 @@
+// The paper's film on the CPU (film-physics §1).
+
+#include "cpu/PaperFilm.h"
+#include "TestFilm.h"
+#include "pbd/BodyFrame.h"
+
+#include <QTest>
+#include <bit>
+#include <limits>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+Ending dipped(const solver::DipSetup& setup, cpu::Arithmetic arithmetic = cpu::Arithmetic::Vector) {
+    return dip(*cpu::makePaperFilm(arithmetic), setup);
+}
+
+bool haveSameBits(const Ending& a, const Ending& b) {
+    return a.states == b.states &&
+           std::equal(a.positions.begin(), a.positions.end(), b.positions.begin(),
+                      b.positions.end(), [](float x, float y) {
+                          return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
+                      });
+}
+
+// The largest final over rest length of all horizontal and vertical constraints.
+double largestStretch(const Ending& end, const solver::FilmGrid& grid) {
+    double largest = 0;
+    for (int row = 0; row < grid.rows; ++row) {
+        for (int column = 0; column < grid.columns; ++column) {
+            const auto point = std::size_t(row * grid.columns + column);
+            if (column + 1 < grid.columns) {
+                largest = std::max(largest, length(end.position(point + 1) - end.position(point)) /
+                                                grid.spacingX());
+            }
+            if (row + 1 < grid.rows) {
+                const auto below = point + std::size_t(grid.columns);
+                largest = std::max(largest, length(end.position(below) - end.position(point)) /
+                                                grid.spacingZ());
+            }
+        }
+    }
+    return largest;
+}
+
+std::size_t adheredCount(const Ending& end) {
+    return std::size_t(
+        std::count(end.states.begin(), end.states.end(), solver::PointState::Adhered));
+}
+
+} // namespace
+
+class PaperFilmTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void nothingMovesBeforeContact();
+    void adheredPointsLieOnTheSurface();
+    void adheredPointsMoveExactlyWithTheBody();
+    void pinnedPointsStay();
+    void waterHoldsFreePointsInThePlane();
+    void sameBitsForAnyNumberOfThreadsAndInEveryRun_data();
+    void sameBitsForAnyNumberOfThreadsAndInEveryRun();
+    void scalarAndVectorAgree_data();
+    void scalarAndVectorAgree();
+    void gaussSeidelConvergesBetter();
+    void selfContactKeepsPointsApart();
+    void refusesWhatMakesNoDip();
+};
+
+void PaperFilmTest::nothingMovesBeforeContact() {
+    const SampledBody body = sphere(35, 64);
+    const auto setup = paperDip(body, -35, 40, 57, 4, 5);
+    const Ending end = dipped(setup);
+    QVERIFY(end.progress.finished);
+    QCOMPARE(adheredCount(end), std::size_t(0));
+    for (int row = 0; row < setup.film.rows; ++row) {
+        for (int column = 0; column < setup.film.columns; ++column) {
+            const auto place = end.position(std::size_t(row * setup.film.columns + column));
+            QCOMPARE(float(place.x), float(-105 + column * setup.film.spacingX()));
+            QCOMPARE(float(place.y), 0.0f);
+            QCOMPARE(float(place.z), float(-148.5 + row * setup.film.spacingZ()));
+        }
+    }
+}
+
+void PaperFilmTest::adheredPointsLieOnTheSurface() {
+    const SampledBody body = sphere(35, 96);
+    auto setup = paperDip(body, -35, 61, 87, 30);
+    setup.motion.rotation = {0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6};
+    for (const double contactDistance : {0.0, 0.3}) {
+        setup.settings.contactDistance = contactDistance;
+        const Ending end = dipped(setup);
+        QVERIFY(adheredCount(end) > 300);
+        const pbd::Vector3<double> centre{0, setup.motion.start[1] - end.progress.descent, 0};
+        for (std::size_t point = 0; point < end.states.size(); ++point) {
+            if (end.isAdhered(point)) {
+                const double off = length(end.position(point) - centre) - 35 - contactDistance;
+                QVERIFY2(std::abs(off) < 0.1 * body.view.spacing, qPrintable(QString::number(off)));
+            }
+        }
+    }
+}
+
+void PaperFilmTest::adheredPointsMoveExactlyWithTheBody() {
+    const SampledBody body = sphere(35, 64);
+    const auto setup = paperDip(body, -35, 40, 57, 40);
+    const auto film = cpu::makePaperFilm();
+    film->begin(setup);
+    const solver::Progress early = film->advance(120);
+    const Ending before = ending(*film, setup.film);
+    const solver::Progress late = film->advance(240);
+    const Ending after = ending(*film, setup.film);
+    QVERIFY(adheredCount(before) > 20);
+    for (std::size_t point = 0; point < before.states.size(); ++point) {
+        if (before.isAdhered(point)) {
+            QVERIFY(after.isAdhered(point));
+            QCOMPARE(after.positions[3 * point], before.positions[3 * point]);
+            QCOMPARE(after.positions[3 * point + 2], before.positions[3 * point + 2]);
+            const double sunk =
+                double(before.positions[3 * point + 1]) - double(after.positions[3 * point + 1]);
+            QVERIFY(std::abs(sunk - (late.descent - early.descent)) < 5e-6);
+        }
+    }
+}
+
+void PaperFilmTest::pinnedPointsStay() {
+    const SampledBody body = sphere(35, 64);
+    auto setup = paperDip(body, -35, 40, 57, 30);
+    setup.pinned.assign(setup.film.pointCount(), 0);
+    for (std::size_t column = 0; column < 40; ++column) {
+        setup.pinned[column] = 1; // the first row, at z = −148.5
+    }
+    const Ending end = dipped(setup);
+    for (std::size_t column = 0; column < 40; ++column) {
+        QCOMPARE(float(end.position(column).x), float(-105 + double(column) * 210 / 39));
+        QCOMPARE(float(end.position(column).z), -148.5f);
+    }
+    QVERIFY(end.position(56 * 40 + 20).z < 148.4); // the free side is drawn in
+}
+
+void PaperFilmTest::waterHoldsFreePointsInThePlane() {
+    const SampledBody body = sphere(35, 64);
+    auto setup = paperDip(body, -35, 40, 57, 30);
+    setup.settings.support = solver::Support::Water;
+    const Ending end = dipped(setup);
+    for (std::size_t point = 0; point < end.states.size(); ++point) {
+        QVERIFY(end.isAdhered(point) || end.position(point).y == 0);
+    }
+}
+
+void PaperFilmTest::sameBitsForAnyNumberOfThreadsAndInEveryRun_data() {
+    QTest::addColumn<solver::Relaxation>("relaxation");
+    QTest::addColumn<solver::Lattice>("lattice");
+    QTest::addColumn<int>("iterations");
+    QTest::addColumn<bool>("selfContact");
+    using solver::Lattice, solver::Relaxation;
+    QTest::newRow("Jacobi") << Relaxation::Jacobi << Lattice::Structural << 5 << false;
+    QTest::newRow("many sweeps") << Relaxation::Jacobi << Lattice::Structural << 19 << false;
+    QTest::newRow("diagonals") << Relaxation::Jacobi << Lattice::Isotropic << 5 << false;
+    QTest::newRow("Gauss-Seidel") << Relaxation::GaussSeidel << Lattice::Structural << 5 << false;
+    QTest::newRow("Gauss-Seidel, diagonals")
+        << Relaxation::GaussSeidel << Lattice::Isotropic << 9 << false;
+    QTest::newRow("self-contact") << Relaxation::Jacobi << Lattice::Structural << 5 << true;
+}
+
+void PaperFilmTest::sameBitsForAnyNumberOfThreadsAndInEveryRun() {
+    QFETCH(solver::Relaxation, relaxation);
+    QFETCH(solver::Lattice, lattice);
+    QFETCH(int, iterations);
+    QFETCH(bool, selfContact);
+    const SampledBody body = sphere(35, 64);
+    auto setup = paperDip(body, -35, 119, 171, 25);
+    setup.settings.relaxation = relaxation;
+    setup.settings.lattice = lattice;
+    setup.settings.iterations = iterations;
+    setup.settings.selfContact = selfContact;
+    setup.settings.threads = 1;
+    const Ending one = dipped(setup);
+    QVERIFY(adheredCount(one) > 500);
+    for (const int threads : {2, 2, 5}) {
+        setup.settings.threads = threads;
+        QVERIFY(haveSameBits(one, dipped(setup)));
+    }
+}
+
+void PaperFilmTest::scalarAndVectorAgree_data() {
+    sameBitsForAnyNumberOfThreadsAndInEveryRun_data();
+}
+
+void PaperFilmTest::scalarAndVectorAgree() {
+    QFETCH(solver::Relaxation, relaxation);
+    QFETCH(solver::Lattice, lattice);
+    QFETCH(int, iterations);
+    QFETCH(bool, selfContact);
+    const SampledBody body = sphere(35, 64);
+    auto setup = paperDip(body, -35, 61, 86, 25);
+    setup.settings.relaxation = relaxation;
+    setup.settings.lattice = lattice;
+    setup.settings.iterations = iterations;
+    setup.settings.selfContact = selfContact;
+    QVERIFY(haveSameBits(dipped(setup, cpu::Arithmetic::Scalar), dipped(setup)));
+}
+
+void PaperFilmTest::gaussSeidelConvergesBetter() {
+    const SampledBody body = sphere(35, 96);
+    auto setup = paperDip(body, -35, 120, 170, 35);
+    const double jacobi = largestStretch(dipped(setup), setup.film);
+    setup.settings.relaxation = solver::Relaxation::GaussSeidel;
+    const double gaussSeidel = largestStretch(dipped(setup), setup.film);
+    qInfo("largest stretch: Jacobi %.3f, Gauss-Seidel %.3f", jacobi, gaussSeidel);
+    QVERIFY(gaussSeidel > 1);
+    QVERIFY(gaussSeidel - 1 < 0.7 * (jacobi - 1));
+}
+
+void PaperFilmTest::selfContactKeepsPointsApart() {
+    // The film closes behind a small sphere that goes deep.
+    const SampledBody body = sphere(20, 48);
+    auto setup = paperDip(body, -20, 42, 59, 90);
+    const double kept = std::min(setup.film.spacingX(), setup.film.spacingZ()) / 2;
+    const auto nearest = [&](const Ending& end) {
+        double smallest = std::numeric_limits<double>::infinity();
+        for (std::size_t a = 0; a < end.states.size(); ++a) {
+            for (std::size_t b = a + 1; b < end.states.size(); ++b) {
+                const auto columns = std::size_t(setup.film.columns);
+                const auto apart = [](std::size_t m, std::size_t n) {
+                    return m > n ? m - n : n - m;
+                };
+                const bool neighbours =
+                    apart(a % columns, b % columns) <= 1 && apart(a / columns, b / columns) <= 1;
+                if (!neighbours && !(end.isAdhered(a) && end.isAdhered(b))) {
+                    smallest = std::min(smallest, length(end.position(a) - end.position(b)));
+                }
+            }
+        }
+        return smallest;
+    };
+    const double without = nearest(dipped(setup));
+    setup.settings.selfContact = true;
+    const double with = nearest(dipped(setup));
+    qInfo("nearest points: %.3f mm without, %.3f mm with self-contact, kept apart by %.3f mm",
+          without, with, kept);
+    QVERIFY(without < 0.5 * kept);
+    QVERIFY(with > 0.7 * kept);
+}
+
+void PaperFilmTest::refusesWhatMakesNoDip() {
+    const SampledBody body = sphere(35, 16);
+    const auto refused = [&](auto change) {
+        auto setup = paperDip(body, -35, 10, 14, 1);
+        change(setup);
+        try {
+            cpu::makePaperFilm()->begin(setup);
+        } catch (const std::invalid_argument&) {
+            return true;
+        }
+        return false;
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    QVERIFY(!refused([](auto&) {}));
+    QVERIFY(refused([](auto& setup) { setup.film.columns = 1; }));
+    QVERIFY(refused([](auto& setup) { setup.film.rows = 100000; }));
+    QVERIFY(refused([&](auto& setup) { setup.film.width = nan; }));
+    QVERIFY(refused([](auto& setup) { setup.field.distance = nullptr; }));
+    QVERIFY(refused([](auto& setup) { setup.motion.speed = 0; }));
+    QVERIFY(refused([&](auto& setup) { setup.motion.travel = nan; }));
+    QVERIFY(refused([](auto& setup) { setup.settings.timeStep = -1; }));
+    QVERIFY(refused([](auto& setup) { setup.settings.iterations = 0; }));
+    QVERIFY(refused([](auto& setup) { setup.pinned.resize(3); }));
+    QVERIFY(refused([](auto& setup) {
+        setup.settings.lattice = solver::Lattice::Isotropic;
+        setup.settings.support = solver::Support::Water;
+    }));
+}
+
+QTEST_GUILESS_MAIN(PaperFilmTest)
+#include "PaperFilmTest.moc"
