@@ -2,6 +2,7 @@
 
 #include "cli/Terminal.h"
 
+#include <QIODevice>
 #include <algorithm>
 
 namespace dipwright::cli {

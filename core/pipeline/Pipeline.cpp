@@ -1,8 +1,10 @@
 #include "pipeline/Pipeline.h"
 
 #include "base/Error.h"
+#include "dip/FilmOnBody.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/TotalCoverage.h"
+#include "texture/Chessboard.h"
 #include "texture/Chessboard.h"
 
 #include <QCoreApplication>

@@ -6,6 +6,7 @@
 #include "results/Results.h"
 #include "solver/SolverRegistry.h"
 #include "texture/Registration.h"
+#include "texture/Registration.h"
 
 namespace dipwright {
 
