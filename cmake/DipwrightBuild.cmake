@@ -13,6 +13,8 @@ set(CMAKE_AUTOMOC_MOC_OPTIONS -D_GLIBCXX_CONCEPTS)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 set(DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin/plugins)
+# Where the samples are made (resources/samples): NAME.dipw, models/NAME.obj.
+set(DIPWRIGHT_SAMPLE_FOLDER ${CMAKE_BINARY_DIR}/share/samples)
 if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release)
 endif()
@@ -55,6 +57,7 @@ function(dipwright_test name)
     target_compile_definitions(${name} PRIVATE
         DIPWRIGHT_BINARY_FOLDER="${CMAKE_BINARY_DIR}/bin"
         DIPWRIGHT_RESOURCE_FOLDER="${PROJECT_SOURCE_DIR}/resources"
+        DIPWRIGHT_SAMPLE_FOLDER="${DIPWRIGHT_SAMPLE_FOLDER}"
         DIPWRIGHT_SHARED_MODELS="${PROJECT_SOURCE_DIR}/../shared/data/models")
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES TIMEOUT 600

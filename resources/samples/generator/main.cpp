@@ -1,0 +1,80 @@
+// Writes the sample models and projects: dipwright-samples FOLDER
+// The models go to FOLDER/models, the projects, which embed them, to FOLDER.
+#include "ObjFile.h"
+#include "Samples.h"
+#include "base/Error.h"
+#include "model/ImportModel.h"
+#include "project/ProjectStore.h"
+
+#include <QDir>
+#include <QGuiApplication>
+#include <cstdio>
+
+namespace {
+
+using namespace dipwright;
+
+struct Sample {
+    QString name;
+    TexturedMesh (*model)();
+    std::vector<Immersion> immersions;
+};
+
+Immersion immersion(const QString& name, double x, double y, double z) {
+    return {name, {Degrees(x), Degrees(y), Degrees(z)}, {}};
+}
+
+std::vector<Sample> allSamples() {
+    return {
+        {QStringLiteral("sphere"),
+         samples::sphere,
+         {immersion(QStringLiteral("Front"), 90, 180, 0)}},
+        {QStringLiteral("tetrahedron"),
+         samples::tetrahedron,
+         {immersion(QStringLiteral("Point first"), 180, 0, 0)}},
+        {QStringLiteral("turtle"),
+         samples::turtle,
+         {immersion(QStringLiteral("Belly"), 0, 0, 0),
+          immersion(QStringLiteral("Shell"), 0, 0, 180)}},
+    };
+}
+
+void write(const Sample& sample, const QDir& folder) {
+    const QString models = folder.filePath(QStringLiteral("models"));
+    if (!QDir().mkpath(models)) {
+        throw Error(QStringLiteral("The folder cannot be made"), models);
+    }
+    samples::writeObj(sample.model(), models, sample.name);
+
+    // The project takes the model by the way of any other: from its file.
+    const QString source = QStringLiteral("models/%1.obj").arg(sample.name);
+    Project project;
+    project.name = sample.name.left(1).toUpper() + sample.name.mid(1);
+    project.date = QStringLiteral("2026-01-01"); // the same file whenever it is made
+    applyPreset(project, QStringLiteral("production"));
+    project.immersions = sample.immersions;
+    project.model =
+        std::make_shared<const TexturedMesh>(importModel(folder.filePath(source), {}, {}).model);
+    project.modelSource.source = source;
+    saveProject(project, folder.filePath(sample.name + QStringLiteral(".dipw")));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    qputenv("QT_QPA_PLATFORM", "offscreen"); // fonts, but no window
+    const QGuiApplication application(argc, argv);
+    if (argc != 2) {
+        std::fputs("usage: dipwright-samples FOLDER\n", stderr);
+        return 2;
+    }
+    try {
+        for (const Sample& sample : allSamples()) {
+            write(sample, QDir(QString::fromLocal8Bit(argv[1])));
+        }
+    } catch (const Error& error) {
+        std::fprintf(stderr, "error: %s\n", qPrintable(error.sentence()));
+        return 1;
+    }
+    return 0;
+}
