@@ -2,8 +2,10 @@
 
 #include "dip/FilmOnBody.h"
 #include "results/ProofScene.h"
+#include "texture/AreaStretch.h"
 #include "texture/Ink.h"
 
+#include <Eigen/LU>
 #include <QCoreApplication>
 #include <QPainter>
 #include <algorithm>
@@ -70,8 +72,9 @@ class PaintedFilm {
 public:
     PaintedFilm(const WornFilm& worn, bool compensatedInk)
         : onBody_(*worn.film, *worn.contact, *worn.body), picture_(worn.image, worn.film->grid),
-          stretches_(principalStretches(*worn.film)), ink_({compensatedInk, InkSettings().limit}),
-          compensatedInk_(compensatedInk) {}
+          grid_(worn.film->grid), triangles_(filmTriangles(grid_)),
+          stretches_(pointAreaStretches(*worn.film, *worn.contact)),
+          ink_({compensatedInk, InkSettings().limit}), compensatedInk_(compensatedInk) {}
 
     // Lays this film's colour over `under`.
     LinearColour over(const LinearColour& under, const SurfacePoint& point) const {
@@ -86,15 +89,27 @@ public:
         }
         LinearColour colour = paint.colour / paint.cover;
         if (compensatedInk_) {
-            colour = ink_.shown(colour, stretches_[triangle].area());
+            colour = ink_.shown(colour, areaStretch(rest, triangle));
         }
         return (1 - paint.cover) * under + paint.cover * colour;
     }
 
 private:
+    float areaStretch(const Eigen::Vector2f& rest, std::uint32_t triangle) const {
+        const auto& [a, b, c] = triangles_[triangle];
+        const Eigen::Vector2f origin = restPosition(grid_, a);
+        Eigen::Matrix2f edges;
+        edges << restPosition(grid_, b) - origin, restPosition(grid_, c) - origin;
+        const Eigen::Vector2f share = edges.inverse() * (rest - origin);
+        return stretches_[a] + share.x() * (stretches_[b] - stretches_[a]) +
+               share.y() * (stretches_[c] - stretches_[a]);
+    }
+
     FilmOnBody onBody_;
     FilmPicture picture_;
-    std::vector<PrincipalStretch> stretches_;
+    solver::FilmGrid grid_;
+    std::vector<FilmTriangle> triangles_;
+    std::vector<float> stretches_; // a film point each
     InkCompensation ink_;
     bool compensatedInk_;
 };
@@ -263,7 +278,7 @@ QImage proofPicture(const TexturedMesh& model, const std::vector<WornFilm>& film
     float span = 0;
     for (int view = 0; view < 4; ++view) {
         cameras.emplace_back(box, float(view) * std::numbers::pi_v<float> / 2);
-        span = std::max(span, 1.16f * cameras.back().span(model.mesh, options.tile));
+        span = std::max(span, 1.22f * cameras.back().span(model.mesh, options.tile));
     }
     QImage picture(options.tile * 2, QImage::Format_RGB888);
     for (int view = 0; view < 4; ++view) {

@@ -1,5 +1,6 @@
 #include "texture/ReverseTexture.h"
 
+#include "texture/AreaStretch.h"
 #include "texture/Bleed.h"
 #include "texture/ReverseMap.h"
 #include "texture/TextureSampler.h"
@@ -48,26 +49,6 @@ struct CellPlaces {
     }
 };
 
-// The mean area stretch of the painted film round each film point, so that the ink's density does
-// not jump from triangle to triangle.
-std::vector<float> pointAreaStretches(const DippedFilm& film, const ReverseMap& map) {
-    const std::vector<PrincipalStretch> stretches = principalStretches(film);
-    std::vector<float> sum(film.positions.size(), 0);
-    std::vector<int> count(film.positions.size(), 0);
-    for (std::uint32_t triangle = 0; triangle < stretches.size(); ++triangle) {
-        if (map.isPainted(triangle)) {
-            for (const std::uint32_t point : map.triangles()[triangle]) {
-                sum[point] += stretches[triangle].area();
-                ++count[point];
-            }
-        }
-    }
-    for (std::size_t point = 0; point < sum.size(); ++point) {
-        sum[point] = count[point] ? sum[point] / float(count[point]) : 1;
-    }
-    return sum;
-}
-
 bool repeats(const TexturedMesh& model, int texture) {
     for (std::size_t triangle = 0; triangle < model.textureCoordinates.size(); ++triangle) {
         if (model.materials[model.material[triangle]].texture != texture) {
@@ -82,22 +63,32 @@ bool repeats(const TexturedMesh& model, int texture) {
     return false;
 }
 
+// A texture of the body with what keeps its charts apart.
+struct BodyTexture {
+    TextureSampler sampler;
+    std::unique_ptr<ChartMap> charts; // null: nothing to keep apart
+
+    BodyTexture(const TexturedMesh& model, int texture)
+        : sampler(model.textures[std::size_t(texture)], repeats(model, texture)),
+          charts(ChartMap::of(model, texture)) {}
+};
+
 // Reads colours off a body's materials and textures.
 class BodyColours {
 public:
     explicit BodyColours(const TexturedMesh& model) : model_(model) {
         for (std::size_t texture = 0; texture < model.textures.size(); ++texture) {
-            samplers_.emplace_back(model.textures[texture], repeats(model, int(texture)));
+            textures_.emplace_back(model, int(texture));
         }
         for (const Material& material : model.materials) {
             plain_.push_back(linearColour(material.colour));
         }
     }
     // Null where the body triangle has a plain colour.
-    const TextureSampler* sampler(std::uint32_t bodyTriangle) const {
+    const BodyTexture* texture(std::uint32_t bodyTriangle) const {
         const int texture = model_.materials[model_.material[bodyTriangle]].texture;
         const bool textured = texture >= 0 && model_.hasTextureCoordinates(bodyTriangle);
-        return textured ? &samplers_[std::size_t(texture)] : nullptr;
+        return textured ? &textures_[std::size_t(texture)] : nullptr;
     }
     const LinearColour& plain(std::uint32_t bodyTriangle) const {
         return plain_[model_.material[bodyTriangle]];
@@ -105,16 +96,16 @@ public:
 
 private:
     const TexturedMesh& model_;
-    std::vector<TextureSampler> samplers_;
+    std::vector<BodyTexture> textures_;
     std::vector<LinearColour> plain_;
 };
 
 class FilmPainter {
 public:
-    FilmPainter(const DippedFilm& film, const PosedBody& body, const ReverseMap& map,
-                const ReverseTextureOptions& options, QImage& image)
+    FilmPainter(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
+                const ReverseMap& map, const ReverseTextureOptions& options, QImage& image)
         : film_(film), model_(body.model), map_(map), colours_(body.model), ink_(options.ink),
-          areaStretch_(pointAreaStretches(film, map)),
+          areaStretch_(pointAreaStretches(film, contact)),
           columns_(image.width(), film.grid.columns - 1), rows_(image.height(), film.grid.rows - 1),
           pixelSize_(float(film.grid.width / image.width()),
                      float(film.grid.depth / image.height())),
@@ -196,19 +187,33 @@ private:
 
     double paintLinear(const FilmPiece& piece, const LinearPiece& linear,
                        std::span<Pixel> pixels) const {
-        const TextureSampler* sampler = colours_.sampler(linear.bodyTriangle);
-        double shortfall = 0;
-        if (!sampler) {
-            const LinearColour plain = colours_.plain(linear.bodyTriangle);
-            for (const Pixel& pixel : pixels) {
-                shortfall += print(piece, pixel, plain);
-            }
-            return shortfall;
+        const BodyTexture* texture = colours_.texture(linear.bodyTriangle);
+        if (!texture) {
+            return printAll(piece, pixels,
+                            [&, plain = colours_.plain(linear.bodyTriangle)](
+                                const Eigen::Vector3f&) { return plain; });
         }
-        const TextureFootprint footprint = sampler->footprint(steps(piece, linear));
+        const TextureSteps step = steps(piece, linear);
+        const std::uint32_t chart = model_.chart[linear.bodyTriangle];
+        if (texture->charts &&
+            !texture->sampler.isWithin(linear.coordinates, step, *texture->charts, chart)) {
+            return printAll(piece, pixels, [&](const Eigen::Vector3f& weights) {
+                return texture->sampler.sampleWithin(linear.coordinate(weights), step,
+                                                     *texture->charts, chart);
+            });
+        }
+        const TextureFootprint footprint = texture->sampler.footprint(step);
+        return printAll(piece, pixels, [&](const Eigen::Vector3f& weights) {
+            return texture->sampler.sample(linear.coordinate(weights), footprint);
+        });
+    }
+    // Prints every pixel in the colour that `wanted` says for its weights in the piece.
+    template <typename Colour>
+    double printAll(const FilmPiece& piece, std::span<const Pixel> pixels,
+                    const Colour& wanted) const {
+        double shortfall = 0;
         for (const Pixel& pixel : pixels) {
-            shortfall +=
-                print(piece, pixel, sampler->sample(linear.coordinate(pixel.weights), footprint));
+            shortfall += print(piece, pixel, wanted(pixel.weights));
         }
         return shortfall;
     }
@@ -251,13 +256,18 @@ private:
     LinearColour colourAt(const FilmPlace& place,
                           const Eigen::Matrix<float, 3, 2>& gradient) const {
         const SurfacePoint onBody = map_.surface(place);
-        const TextureSampler* sampler = colours_.sampler(onBody.triangle);
-        if (!sampler) {
+        const BodyTexture* texture = colours_.texture(onBody.triangle);
+        if (!texture) {
             return colours_.plain(onBody.triangle);
         }
-        const TextureSteps steps =
+        const Eigen::Vector2f coordinate = model_.textureCoordinate(onBody);
+        const TextureSteps step =
             map_.textureSteps(onBody.triangle, map_.contactPoints(place.triangle) * gradient / 2);
-        return sampler->sample(model_.textureCoordinate(onBody), sampler->footprint(steps));
+        if (texture->charts) {
+            return texture->sampler.sampleWithin(coordinate, step, *texture->charts,
+                                                 model_.chart[onBody.triangle]);
+        }
+        return texture->sampler.sample(coordinate, texture->sampler.footprint(step));
     }
     static Eigen::Vector3f filmWeights(const FilmPiece& piece, const Eigen::Vector3f& weights) {
         return weights[0] * piece.corners[0] + weights[1] * piece.corners[1] +
@@ -316,7 +326,7 @@ ReverseTexture reverseTexture(const DippedFilm& film, const FilmContact& contact
     result.seamTriangles = map.seamCount();
     progress(0.1, tr("Reversing the texture"));
 
-    const FilmPainter painter(film, body, map, options, result.image);
+    const FilmPainter painter(film, contact, body, map, options, result.image);
     std::vector<double> shortfall(std::size_t(film.grid.rows - 1), 0);
     tbb::parallel_for(0, film.grid.rows - 1, [&](int row) {
         progress.cancelSwitch.throwIfCancelled();
