@@ -195,4 +195,46 @@ LinearColour TextureSampler::sample(const Eigen::Vector2f& coordinate,
     return sum / float(footprint.taps);
 }
 
+LinearColour TextureSampler::sampleWithin(const Eigen::Vector2f& coordinate,
+                                          const TextureSteps& steps, const ChartMap& charts,
+                                          std::uint32_t chart) const {
+    const float texels = longestStep(steps);
+    const int places = int(std::clamp(std::ceil(texels), 1.0f, float(mostTaps)));
+    LinearColour sum = LinearColour::Zero();
+    float weights = 0;
+    for (int row = 0; row < places; ++row) {
+        for (int column = 0; column < places; ++column) {
+            const Eigen::Vector2f inPixel((float(column) + 0.5f) / float(places) - 0.5f,
+                                          (float(row) + 0.5f) / float(places) - 0.5f);
+            const Corners around = corners(levels_[0], coordinate + steps * inPixel);
+            for (std::size_t corner = 0; corner < 4; ++corner) {
+                if (charts.belongs(around.texel[corner], chart)) {
+                    sum += around.weight[corner] * texel(levels_[0], around.texel[corner]);
+                    weights += around.weight[corner];
+                }
+            }
+        }
+    }
+    // A chart without a texel of its own here is thinner than a texel.
+    return weights > 0 ? LinearColour(sum / weights) : bilinear(levels_[0], coordinate);
+}
+
+bool TextureSampler::isWithin(const std::array<Eigen::Vector2f, 3>& corners,
+                              const TextureSteps& steps, const ChartMap& charts,
+                              std::uint32_t chart) const {
+    // Half the pixel, and the texels of the smaller level round its end.
+    const float margin = 2 + 2.5f * longestStep(steps);
+    Eigen::AlignedBox2f box;
+    for (const Eigen::Vector2f& corner : corners) {
+        box.extend(Eigen::Vector2f(corner.x(), 1 - corner.y()).cwiseProduct(size()));
+    }
+    box.extend(Eigen::Vector2f(box.min().array() - margin));
+    box.extend(Eigen::Vector2f(box.max().array() + margin));
+    return charts.isWithin(box, chart);
+}
+
+float TextureSampler::longestStep(const TextureSteps& steps) const {
+    return (size().asDiagonal() * steps).colwise().norm().maxCoeff();
+}
+
 } // namespace dipwright

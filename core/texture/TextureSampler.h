@@ -1,6 +1,7 @@
 // Filtered look-ups in a body's texture, in linear light.
 #pragma once
 
+#include "texture/ChartMap.h"
 #include "texture/LinearLight.h"
 
 #include <QImage>
@@ -33,7 +34,13 @@ public:
     // two levels (trilinear). Magnified pixels get the bilinear texel.
     TextureFootprint footprint(const TextureSteps& steps) const;
     LinearColour sample(const Eigen::Vector2f& coordinate, const TextureFootprint& footprint) const;
-    Eigen::Vector2f size() const; // texels
+    // For pixels near the border of their chart: the mean over the pixel of the texels of the first
+    // level that belong to `chart`.
+    LinearColour sampleWithin(const Eigen::Vector2f& coordinate, const TextureSteps& steps,
+                              const ChartMap& charts, std::uint32_t chart) const;
+    // Whether all that sample() may read for places in the triangle `corners` belongs to `chart`.
+    bool isWithin(const std::array<Eigen::Vector2f, 3>& corners, const TextureSteps& steps,
+                  const ChartMap& charts, std::uint32_t chart) const;
 
 private:
     struct Level {
@@ -45,6 +52,8 @@ private:
         std::array<std::size_t, 4> texel;
         std::array<float, 4> weight;
     };
+    Eigen::Vector2f size() const;                       // texels
+    float longestStep(const TextureSteps& steps) const; // texels
     Level halved(const Level& level) const;
     LinearColour texel(const Level& level, std::size_t index) const;
     Corners corners(const Level& level, const Eigen::Vector2f& coordinate) const;

@@ -1,0 +1,43 @@
+// Which chart each texel of a texture belongs to, so that no filter reaches across a chart's
+// border.
+#pragma once
+
+#include "model/TexturedMesh.h"
+
+#include <memory>
+
+namespace dipwright {
+
+class ChartMap {
+public:
+    // Null where there is nothing to keep apart: one chart covers the whole texture, or coordinates
+    // repeat outside [0, 1], as of tiles, which are made to fit on each other.
+    static std::unique_ptr<ChartMap> of(const TexturedMesh& model, int texture);
+
+    // Whether the texel with its middle in `chart` may be seen there; texels are numbered row by
+    // row from the picture's upper left corner.
+    bool belongs(std::size_t texel, std::uint32_t chart) const {
+        return owner_[texel] == chart || owner_[texel] == several;
+    }
+    // Whether all texels in a box, in texels from the upper left corner, belong to `chart`; may
+    // also say no when a texel close by does not.
+    bool isWithin(const Eigen::AlignedBox2f& box, std::uint32_t chart) const;
+
+private:
+    static constexpr std::uint32_t nobody = 0xffffffffu;
+    static constexpr std::uint32_t several = 0xfffffffeu; // charts that lie on each other
+    static constexpr int blockSize = 8;
+
+    ChartMap(const TexturedMesh& model, int texture);
+    void fillRows(const TexturedMesh& model, const std::vector<std::uint32_t>& triangles, int begin,
+                  int end);
+    void findBlocks();
+
+    int width_ = 0;
+    int height_ = 0;
+    int blockColumns_ = 0;
+    std::vector<std::uint32_t> owner_; // a texel each
+    std::vector<std::uint32_t> block_; // a block of texels each: its only owner, or nobody
+};
+
+} // namespace dipwright
