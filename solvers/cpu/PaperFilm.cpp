@@ -90,7 +90,7 @@ void PaperFilm::begin(const solver::DipSetup& setup) {
     model_ = PaperModel(setup, kernels_);
     const int threads =
         setup.settings.threads > 0 ? setup.settings.threads : tbb::info::default_concurrency();
-    arena_ = std::make_unique<tbb::task_arena>(threads);
+    arena_ = std::make_unique<tbb::task_arena>(std::min(threads, tbb::info::default_concurrency()));
     layFlat(setup.pinned);
     cutIntoBands(threads);
     selfContact_ = setup.settings.selfContact ? std::make_unique<SelfContact>(setup.film) : nullptr;

@@ -13,7 +13,8 @@
 
 namespace dipwright::cpu {
 
-inline constexpr int chunkColumns = 16; // columns that sleep and wake together; 64 bytes
+inline constexpr int chunkColumns = 16;          // columns that sleep and wake together; 64 bytes
+inline constexpr float shortestSquared = 1e-20f; // mm²: points in one place pull nowhere
 
 // Displacements of one row's points (mm) and their inverse masses: 1 free, 0 held.
 struct WorkingRow {

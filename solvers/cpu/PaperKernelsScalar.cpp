@@ -9,8 +9,6 @@ namespace dipwright::cpu {
 
 namespace {
 
-constexpr float shortestSquared = 1e-20f; // mm²: two points in one place pull nowhere
-
 struct Pull {
     float x = 0, y = 0, z = 0;
 };
