@@ -145,6 +145,7 @@ solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
     setup.settings.relaxation = process.relaxation;
     setup.settings.selfContact = process.selfContact;
     setup.settings.contactTravel = process.contactTravel;
+    setup.settings.overhang = radians(process.overhang);
     setup.pinned = pinnedPoints(film);
     return setup;
 }

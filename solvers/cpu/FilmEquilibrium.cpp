@@ -51,7 +51,7 @@ void FilmEquilibrium::setFree(const std::vector<float>& free) {
 
 double FilmEquilibrium::dot(const PlaneVector& a, const PlaneVector& b) const {
     const std::size_t width = std::size_t(film_.columns());
-    return sumOverRows(film_.rows(), [&](int row) {
+    return sumOverRows(film_.rows(), film_.columns(), [&](int row) {
         const std::size_t first = std::size_t(row) * width;
         return rowDot(a.x.data() + first, b.x.data() + first, width) +
                rowDot(a.z.data() + first, b.z.data() + first, width);

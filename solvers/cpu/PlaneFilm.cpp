@@ -189,7 +189,7 @@ void addForces(std::size_t cells, float sign, const float* edge, const float* le
 template <typename CellRow>
 void gatherForces(int columns, int rows, PlaneVector& result, const CellRow& cellRow) {
     const std::size_t width = std::size_t(columns), cells = width - 1;
-    forRowBands(rows, [&](int begin, int end) {
+    forRowBands(rows, columns, [&](int begin, int end) {
         EdgeForces forces(cells);
         std::fill(result.x.begin() + begin * columns, result.x.begin() + end * columns, 0.f);
         std::fill(result.z.begin() + begin * columns, result.z.begin() + end * columns, 0.f);
@@ -419,7 +419,7 @@ void PlaneFilm::relax(const PlaneVector& displacement, double keep) {
 void PlaneFilm::relaxAll(const PlaneVector& displacement, float keep) {
     const std::size_t width = std::size_t(columns_), cells = width - 1;
     std::fill(crept_.begin(), crept_.end(), std::uint8_t(1));
-    forRowBands(rows_ - 1, [&](int begin, int end) {
+    forRowBands(rows_ - 1, columns_, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
             const RowOfPoints points = rowOfPoints(displacement, width, j);
             for (std::size_t i = 0; i < cells; ++i) {

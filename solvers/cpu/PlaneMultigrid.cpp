@@ -130,29 +130,48 @@ PlaneMultigrid::PlaneMultigrid(const solver::FilmGrid& grid) {
 void PlaneMultigrid::setFree(const std::vector<float>& free) {
     levels_.front().free = free;
     for (std::size_t index = 0; index < levels_.size(); ++index) {
-        Level& level = levels_[index];
-        if (index > 0) { // a coarse point is held where the fine point nearest to it is
-            const Level& fine = levels_[index - 1];
-            for (int j = 0; j < level.rows; ++j) {
-                const int fineRow =
-                    int(std::lround(double(j) * (fine.rows - 1) / (level.rows - 1)));
-                for (int i = 0; i < level.columns; ++i) {
-                    const int fineColumn =
-                        int(std::lround(double(i) * (fine.columns - 1) / (level.columns - 1)));
-                    level.free[std::size_t(j * level.columns + i)] =
-                        fine.free[std::size_t(fineRow * fine.columns + fineColumn)];
-                }
+        if (index > 0) {
+            holdCoarse(levels_[index - 1], levels_[index]);
+        }
+        setDiagonal(levels_[index]);
+    }
+}
+
+// A coarse point is held where the fine point nearest to it is. A held patch too small to be seen
+// by any coarse point still holds the coarse points nearest to it: without one the level could not
+// tell where the film is.
+void PlaneMultigrid::holdCoarse(const Level& fine, Level& coarse) {
+    const auto nearest = [](int i, int from, int to) {
+        return int(std::lround(double(i) * (to - 1) / (from - 1)));
+    };
+    bool anyHeld = false;
+    for (int j = 0; j < coarse.rows; ++j) {
+        const int fineRow = nearest(j, coarse.rows, fine.rows);
+        for (int i = 0; i < coarse.columns; ++i) {
+            const int fineColumn = nearest(i, coarse.columns, fine.columns);
+            const float free = fine.free[std::size_t(fineRow * fine.columns + fineColumn)];
+            coarse.free[std::size_t(j * coarse.columns + i)] = free;
+            anyHeld = anyHeld || free == 0;
+        }
+    }
+    for (int j = 0; j < fine.rows && !anyHeld; ++j) {
+        for (int i = 0; i < fine.columns; ++i) {
+            if (fine.free[std::size_t(j * fine.columns + i)] == 0) {
+                coarse.free[std::size_t(nearest(j, fine.rows, coarse.rows) * coarse.columns +
+                                        nearest(i, fine.columns, coarse.columns))] = 0;
             }
         }
-        for (int j = 0; j < level.rows; ++j) {
-            const float cellsZ = (j == 0 || j == level.rows - 1) ? 1.f : 2.f;
-            for (int i = 0; i < level.columns; ++i) {
-                const float cellsX = (i == 0 || i == level.columns - 1) ? 1.f : 2.f;
-                const std::size_t p = std::size_t(j * level.columns + i);
-                const float cells = cellsX * cellsZ;
-                level.diagonal.x[p] = level.free[p] / (cells * level.cell[0][0]);
-                level.diagonal.z[p] = level.free[p] / (cells * level.cell[1][1]);
-            }
+    }
+}
+
+void PlaneMultigrid::setDiagonal(Level& level) {
+    for (int j = 0; j < level.rows; ++j) {
+        const float cellsZ = (j == 0 || j == level.rows - 1) ? 1.f : 2.f;
+        for (int i = 0; i < level.columns; ++i) {
+            const float cells = cellsZ * ((i == 0 || i == level.columns - 1) ? 1.f : 2.f);
+            const std::size_t p = std::size_t(j * level.columns + i);
+            level.diagonal.x[p] = level.free[p] / (cells * level.cell[0][0]);
+            level.diagonal.z[p] = level.free[p] / (cells * level.cell[1][1]);
         }
     }
 }
@@ -177,7 +196,7 @@ void PlaneMultigrid::applyStiffness(const Level& level, const PlaneVector& v, Pl
         result.x[at(i, j)] = level.free[at(i, j)] * x;
         result.z[at(i, j)] = level.free[at(i, j)] * z;
     };
-    forRowBands(rows, [&](int begin, int end) {
+    forRowBands(rows, columns, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
             if (j == 0 || j == rows - 1) {
                 for (int i = 0; i < columns; ++i) {
@@ -214,7 +233,7 @@ void PlaneMultigrid::smooth(Level& level, int degree, bool fromZero) {
             gain = 2 * next / radius;
             rho = next;
         }
-        forRowBands(level.rows, [&](int begin, int end) {
+        forRowBands(level.rows, level.columns, [&](int begin, int end) {
             const std::size_t first = std::size_t(begin) * width;
             const std::size_t count = std::size_t(end - begin) * width;
             for (const bool isX : {true, false}) {
@@ -244,7 +263,7 @@ void PlaneMultigrid::restrictResidual(const Level& fine, Level& coarse) {
     const Axis& rows = fine.toCoarseRows;
     const std::size_t fineWidth = std::size_t(fine.columns);
     const std::size_t coarseWidth = std::size_t(coarse.columns);
-    forRowBands(coarse.rows, [&](int begin, int end) {
+    forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
         std::vector<float> sum(fineWidth);
         for (int j = begin; j < end; ++j) {
             // the fine rows that lean on coarse row j lie within two of its own place
@@ -287,7 +306,7 @@ void PlaneMultigrid::addCorrection(const Level& coarse, Level& fine) {
     const Axis& rows = fine.toCoarseRows;
     const std::size_t fineWidth = std::size_t(fine.columns);
     const std::size_t coarseWidth = std::size_t(coarse.columns);
-    forRowBands(fine.rows, [&](int begin, int end) {
+    forRowBands(fine.rows, fine.columns, [&](int begin, int end) {
         std::vector<float> line(coarseWidth);
         for (int j = begin; j < end; ++j) {
             const std::size_t first = std::size_t(rows.first[std::size_t(j)]);
@@ -320,7 +339,7 @@ void PlaneMultigrid::cycle(std::size_t index) {
     smooth(level, smoothingDegree, true);
     applyStiffness(level, level.result, level.residual);
     const std::size_t width = std::size_t(level.columns);
-    forRowBands(level.rows, [&](int begin, int end) {
+    forRowBands(level.rows, level.columns, [&](int begin, int end) {
         const std::size_t first = std::size_t(begin) * width;
         const std::size_t count = std::size_t(end - begin) * width;
         subtractRow(count, level.right.x.data() + first, level.residual.x.data() + first,

@@ -44,6 +44,8 @@ private:
 
     static Level makeLevel(int columns, int rows, double width, double depth);
     static Axis makeAxis(int fine, int coarse);
+    static void holdCoarse(const Level& fine, Level& coarse);
+    static void setDiagonal(Level& level);
     static void applyStiffness(const Level& level, const PlaneVector& v, PlaneVector& result);
     static void smooth(Level& level, int degree, bool fromZero);
     static void restrictResidual(const Level& fine, Level& coarse);

@@ -11,11 +11,16 @@
 
 namespace dipwright::cpu {
 
-inline constexpr int rowsPerBand = 24;
+inline constexpr int pointsPerBand = 8192;
 
-// Calls work(begin, end) for bands of rows.
+// Calls work(begin, end) for bands of rows of a grid.
 template <typename Work>
-void forRowBands(int rows, const Work& work) {
+void forRowBands(int rows, int columns, const Work& work) {
+    const int rowsPerBand = std::max(pointsPerBand / columns, 8);
+    if (rows <= rowsPerBand) { // coarse grids: not worth a task
+        work(0, rows);
+        return;
+    }
     const int bands = (rows + rowsPerBand - 1) / rowsPerBand;
     tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1),
                       [&](const tbb::blocked_range<int>& range) {
@@ -28,9 +33,9 @@ void forRowBands(int rows, const Work& work) {
 
 // The sum of sumOfRow(row) over all rows, always added in the same order.
 template <typename SumOfRow>
-double sumOverRows(int rows, const SumOfRow& sumOfRow) {
+double sumOverRows(int rows, int columns, const SumOfRow& sumOfRow) {
     std::vector<double> sums(std::size_t(rows), 0.0);
-    forRowBands(rows, [&](int begin, int end) {
+    forRowBands(rows, columns, [&](int begin, int end) {
         for (int row = begin; row < end; ++row) {
             sums[std::size_t(row)] = sumOfRow(row);
         }

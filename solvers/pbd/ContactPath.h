@@ -93,6 +93,7 @@ struct ContactLine {
     Vector3<Real> place;
     Vector3<Real> outwards;
     Real steepness{}; // horizontal share of the unit normal: 0 flat, 1 vertical
+    Real upwards{};   // vertical share of the unit normal: above 0 past the equator
     bool found{};
 };
 
@@ -115,6 +116,7 @@ contactLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real con
     if (line.found) {
         line.outwards = {gradient.x / horizontal, Real(0), gradient.z / horizontal};
         line.steepness = horizontal / size;
+        line.upwards = gradient.y / size;
     }
     return line;
 }

@@ -35,6 +35,7 @@ struct CrossingTriangle {
     // free.
     Real horizontalShare = 1, verticalShare = 1, diagonalShare = 1;
     bool sharedFree{}, horizontalFree{}, verticalFree{};
+    bool released{}; // pulls at nothing: the film has come off here
     // Across the contact line in the water plane (unit, away from the body), and the floating
     // fraction of the triangle across it. Zero normal: no contact line was found.
     Real normalX{}, normalZ{}, floating = 1;
@@ -109,7 +110,7 @@ crossingForces(const CrossingTriangle<Real>& triangle, const Matrix2<Real>& P,
                vZ = signV * inverseShape.a * determinant;
     const Real orientation = hX * vZ - hZ * vX > Real(0) ? Real(1) : Real(-1);
     // thickness of the crept film: its weight over its rest area
-    const Real half = Real(0.5) * orientation * area / (Real(0.5) * std::fabs(determinant));
+    const Real half = triangle.released ? Real(0) : orientation * area / std::fabs(determinant);
     const Real shareH = half * triangle.horizontalShare, shareV = half * triangle.verticalShare;
     const Real shareD = half * triangle.diagonalShare;
     // outward normals times lengths, weighted: of s→h, h→v, v→s

@@ -34,7 +34,8 @@ public:
           settings_(setup.settings), equilibrium_(setup.film), displacement_(grid_.pointCount()),
           before_(grid_.pointCount()), states_(grid_.pointCount(), solver::PointState::Free),
           attached_(grid_.pointCount()), free_(grid_.pointCount(), 1.f),
-          clearance_(grid_.pointCount(), Real(0)) {
+          clearance_(grid_.pointCount(), Real(0)),
+          released_(2 * std::size_t(grid_.columns - 1) * std::size_t(grid_.rows - 1), 0) {
         for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
             free_[point] = setup.pinned[point] ? 0.f : 1.f;
         }
@@ -50,7 +51,7 @@ public:
 
     // World position of a point.
     Vector3<Real> position(std::size_t point) const {
-        return states_[point] == solver::PointState::Adhered
+        return states_[point] != solver::PointState::Free
                    ? bodyFrame<Real>(motion_, descent_).toWorld(attached_[point])
                    : planePosition(displacement_, point);
     }
@@ -158,7 +159,7 @@ private:
         std::vector<CrossingTriangle<Real>> crossing;
         steepness_ = Real(1);
         const auto isAdhered = [&](std::size_t point) {
-            return states_[point] == solver::PointState::Adhered;
+            return states_[point] != solver::PointState::Free;
         };
         for (int row = 0; row + 1 < grid_.rows; ++row) {
             for (int column = 0; column + 1 < grid_.columns; ++column) {
@@ -184,8 +185,10 @@ private:
         const std::size_t points[3] = {c.left, c.right, c.third};
         Vector3<Real> adhered, free;
         int adheredCount = 0;
+        bool released = false;
         for (const std::size_t point : points) {
-            if (states_[point] == solver::PointState::Adhered) {
+            released = released || states_[point] == solver::PointState::Trapped;
+            if (states_[point] != solver::PointState::Free) {
                 adhered = adhered + frame.toWorld(attached_[point]);
                 ++adheredCount;
             } else {
@@ -195,11 +198,18 @@ private:
         if (adheredCount == 0 || adheredCount == 3) {
             return;
         }
+        const std::uint32_t cellIndex =
+            std::uint32_t(row) * std::uint32_t(grid_.columns - 1) + std::uint32_t(column);
         const Real contactDistance = Real(settings_.contactDistance);
         const ContactLine<Real> line = contactLine(field_, frame, contactDistance, cell(),
                                                    adhered * (Real(1) / Real(adheredCount)),
                                                    free * (Real(1) / Real(3 - adheredCount)));
-        steepness_ = std::min(steepness_, line.steepness);
+        std::uint8_t& hasReleased = released_[2 * std::size_t(cellIndex) + (second ? 1 : 0)];
+        released = released || hasReleased || line.upwards > Real(std::sin(settings_.overhang));
+        hasReleased = released;
+        if (!released) {
+            steepness_ = std::min(steepness_, line.steepness);
+        }
         Vector3<Real> offset[3];
         Real distance[3]; // from the contact line: along the surface, or across the water
         for (int k = 0; k < 3; ++k) {
@@ -208,7 +218,7 @@ private:
             if (!line.found) {
                 continue;
             }
-            if (states_[points[k]] == solver::PointState::Adhered) {
+            if (states_[points[k]] != solver::PointState::Free) {
                 const Unfolded<Real> place = unfolded(field_, frame, contactDistance, cell(), line,
                                                       frame.toWorld(attached_[points[k]]));
                 offset[k] = place.position - plane;
@@ -218,9 +228,7 @@ private:
             }
         }
         const int shared = c.thirdOnRight ? 1 : 0, end = 1 - shared;
-        const auto isFree = [&](int k) {
-            return states_[points[k]] != solver::PointState::Adhered;
-        };
+        const auto isFree = [&](int k) { return states_[points[k]] == solver::PointState::Free; };
         const auto share = [&](int k, int l) {
             if (isFree(k) == isFree(l)) {
                 return isFree(k) ? Real(1) : Real(0);
@@ -233,10 +241,10 @@ private:
         const Vector3<Real> vertical =
             c.thirdAbove ? offset[2] - offset[shared] : offset[shared] - offset[2];
         CrossingTriangle<Real> triangle;
-        triangle.cell =
-            std::uint32_t(row) * std::uint32_t(grid_.columns - 1) + std::uint32_t(column);
+        triangle.cell = cellIndex;
         triangle.second = second;
         triangle.thirdOnRight = c.thirdOnRight;
+        triangle.released = released;
         triangle.hx = horizontal.x;
         triangle.hz = horizontal.z;
         triangle.vx = vertical.x;
@@ -301,7 +309,12 @@ private:
             (distance > Real(settings_.contactDistance) ? early : late) = middle;
         }
         attached_[point] = attachment(late);
-        states_[point] = solver::PointState::Adhered;
+        const Vector3<Real> gradient =
+            bodyFrame<Real>(motion_, 0)
+                .directionToWorld(sampleField(field_, attached_[point]).gradient);
+        states_[point] = gradient.y > Real(std::sin(settings_.overhang)) * length(gradient)
+                             ? solver::PointState::Trapped
+                             : solver::PointState::Adhered;
         free_[point] = 0.f;
     }
 
@@ -315,7 +328,8 @@ private:
     std::vector<Vector3<Real>> attached_; // where an adhered point sits, body coordinates
     std::vector<float> free_;             // 1: the equilibrium moves it
     std::vector<Real> clearance_;         // how far from contact a free point is at least
-    Real steepness_ = Real(1);            // the least of all contact-line places
+    std::vector<std::uint8_t> released_; // two triangles a cell: 1 once the film has come off there
+    Real steepness_ = Real(1);           // the least of all contact-line places
     double descent_ = 0, increment_ = 0;
     std::int64_t steps_ = 0;
     bool anyAdhered_ = false;

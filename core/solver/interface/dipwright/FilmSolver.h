@@ -87,6 +87,9 @@ struct Settings {
     // residual at which a step counts as in equilibrium (mean force over mean elastic force).
     double contactTravel = 0.5;
     double residual = 1e-4;
+    // Film holds on faces that turn upwards by no more than this, radians from the vertical. Past it
+    // the film is caught (PointState::Trapped) but neither painted nor pulled along.
+    double overhang = 0.35;
     int threads = 0; // 0: all the host has
 };
 
@@ -110,7 +113,7 @@ struct Progress {
 enum class PointState : std::uint8_t {
     Free = 0,
     Adhered = 1, // it has met the surface and moves with the body
-    Trapped = 2, // caught over a surface that it cannot reach; carried along, not painted
+    Trapped = 2, // caught by a face that it cannot hold to; carried along, not painted
 };
 
 class FilmSolver {
