@@ -37,8 +37,7 @@ PaperBand::PaperBand(const PaperModel& model, SharedFilm& shared, int first, int
     ring_.resize(std::size_t(ringRows_) * (arraysPerWorkingRow * stride + chunkColumns));
     noRow_.resize(arraysPerWorkingRow * stride);
     fromAbove_.resize(3 * stride * std::size_t(sweeps));
-    clearance_.assign(std::size_t(lastLoaded_ - firstLoaded_) * std::size_t(model.chunks),
-                      -infinity);
+    approaches_.resize(std::size_t(lastLoaded_ - firstLoaded_) * std::size_t(model.chunks));
     motion_.resize(std::size_t(model.chunks));
     isNeeded_.resize(std::size_t(model.chunks));
     if (splitsColumns()) {
@@ -200,10 +199,10 @@ void PaperBand::load(int row) {
     const std::uint8_t* isPresent = shared_.activity.isPresent(row);
     const auto bodyStep = float(model_.stepLength());
     const auto margin = float(model_.clearanceMargin);
-    float* clear = clearance(row);
+    Approach* approach = approaches(row);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-        clear[chunk] -= pass_.predicts ? bodyStep : 0.0f;
-        const bool isNear = pass_.predicts && clear[chunk] <= margin;
+        approach[chunk].travelled += pass_.predicts ? bodyStep : 0.0f;
+        const bool isNear = pass_.predicts && approach[chunk].isNear(margin);
         isNeeded_[chunk] = isPresent[chunk] || isNear || splitsColumns();
     }
 
@@ -220,8 +219,8 @@ void PaperBand::load(int row) {
 
     for (std::size_t chunk = 0; pass_.predicts && chunk < chunks; ++chunk) {
         // The points have moved so far since the last step, and may do so again until its end.
-        clear[chunk] -= motion_[chunk];
-        if (clear[chunk] - motion_[chunk] <= margin) {
+        approach[chunk].travelled += motion_[chunk];
+        if (approach[chunk].isNear(margin + motion_[chunk])) {
             findContacts(row, int(chunk));
         }
     }
@@ -258,24 +257,32 @@ void PaperBand::store(int row) {
     }
 }
 
-// Tests the predicted points of one chunk against the body, and notes how far it is from the rest.
+// Tests those predicted points of one chunk against the body that it may have reached.
 void PaperBand::findContacts(int row, int chunk) {
     WorkingRow points = splitsColumns() ? workingRow(unsplit_.data(), model_.stride) : working(row);
-    double nearest = infinity;
-    for (int i = chunk * chunkColumns; i < (chunk + 1) * chunkColumns; ++i) {
+    Approach& approach = approaches(row)[chunk];
+    const float motion = motion_[std::size_t(chunk)];
+    const float reached = approach.travelled + motion + float(model_.clearanceMargin);
+    approach.nearest = infinity;
+    for (int lane = 0; lane < chunkColumns; ++lane) {
+        const int i = chunk * chunkColumns + lane;
         if (points.weight[i] == 0) {
             continue;
         }
-        const pbd::Vector3<double> world{model_.restX(i) + double(points.x[i]), points.y[i],
-                                         model_.restZ(row) + double(points.z[i])};
-        const pbd::Vector3<double> place = pass_.frame.toBody(world);
-        if (pbd::sampleField(model_.field, place).distance <= model_.settings.contactDistance) {
-            adhere(row, i, place);
-        } else {
-            nearest = std::min(nearest, pbd::fieldClearance(model_.field, place));
+        float& untouchedUntil = approach.points[std::size_t(lane)];
+        if (untouchedUntil <= reached) {
+            const pbd::Vector3<double> world{model_.restX(i) + double(points.x[i]), points.y[i],
+                                             model_.restZ(row) + double(points.z[i])};
+            const pbd::Vector3<double> place = pass_.frame.toBody(world);
+            const auto sample = pbd::sampleField(model_.field, place);
+            if (sample.distance <= model_.settings.contactDistance) {
+                adhere(row, i, place);
+                continue;
+            }
+            untouchedUntil = approach.travelled + float(pbd::clearance(sample)) - motion;
         }
+        approach.nearest = std::min(approach.nearest, untouchedUntil);
     }
-    clearance(row)[chunk] = float(nearest) - motion_[std::size_t(chunk)];
 }
 
 // From now on the point is held to the body where ∇φ leads it out to the contact distance.
@@ -312,8 +319,8 @@ WorkingRow PaperBand::working(int row) {
     return workingRow(ring_.data() + (row % ringRows_) * size, model_.stride);
 }
 
-float* PaperBand::clearance(int row) {
-    return clearance_.data() + std::ptrdiff_t(row - firstLoaded_) * model_.chunks;
+PaperBand::Approach* PaperBand::approaches(int row) {
+    return approaches_.data() + std::ptrdiff_t(row - firstLoaded_) * model_.chunks;
 }
 
 } // namespace dipwright::cpu

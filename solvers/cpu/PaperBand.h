@@ -35,6 +35,17 @@ public:
     void run(const PaperPass& pass);
 
 private:
+    // How the points of a chunk and the body come near each other. A distance field tells how far
+    // they can travel before they may touch, and until then nothing need be sampled.
+    struct Approach {
+        float travelled = 0; // mm by body and film together, at most
+        float nearest = 0;   // the smallest of `points`
+        std::array<float, chunkColumns>
+            points{}; // the travel at which each is as near as its φ tells
+
+        bool isNear(float margin) const { return nearest <= travelled + margin; }
+    };
+
     void runJacobi();
     void jacobi(int row, int sweep);
     void jacobi(int row, int sweep, const std::uint8_t* isBusy);
@@ -57,7 +68,7 @@ private:
         return model_.settings.relaxation == solver::Relaxation::GaussSeidel;
     }
     WorkingRow working(int row);
-    float* clearance(int row);
+    Approach* approaches(int row);
 
     const PaperModel& model_;
     SharedFilm& shared_;
@@ -71,8 +82,8 @@ private:
     AlignedVector<float> noRow_;     // points of weight 0
     AlignedVector<float> fromAbove_; // three arrays a sweep
     AlignedVector<float> evenHasRight_, oddHasRight_, allExist_; // per pair of columns
-    std::vector<float> clearance_; // per loaded row and chunk: the body is at least as far, mm
-    std::vector<float> motion_;    // per chunk of the row being loaded
+    std::vector<Approach> approaches_;                           // per loaded row and chunk
+    std::vector<float> motion_; // per chunk of the row being loaded
     std::vector<std::uint8_t> isNeeded_;
 };
 

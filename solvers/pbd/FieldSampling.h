@@ -32,6 +32,7 @@ template <typename Real>
 struct FieldSample {
     Real distance{};        // φ, mm, negative inside
     Vector3<Real> gradient; // ∇φ of the trilinear interpolant, not normalised
+    Real outside{};         // mm from the grid, 0 within it
 };
 
 namespace detail {
@@ -88,21 +89,16 @@ DIPWRIGHT_HOST_DEVICE FieldSample<Real> sampleField(const FieldGrid<Real>& field
     const Real alongX1 = mix(c101 - c001, c111 - c011, y.fraction);
     const Vector3<Real> gradient{mix(alongX0, alongX1, z.fraction),
                                  mix(c10 - c00, c11 - c01, z.fraction), c1 - c0};
-    const Real outside = length(Vector3<Real>{x.outside, y.outside, z.outside});
-    return {mix(c0, c1, z.fraction) + outside * field.spacing, gradient * field.inverseSpacing};
+    const Real outside = length(Vector3<Real>{x.outside, y.outside, z.outside}) * field.spacing;
+    return {mix(c0, c1, z.fraction) + outside, gradient * field.inverseSpacing, outside};
 }
 
-// How far the body is from `position` (body coordinates) at the least, up to what interpolation
-// loses; for a body that lies within the field's grid.
+// How far the body is from the sampled place at the least, up to what interpolation loses; for a
+// body that lies within the field's grid.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE Real fieldClearance(const FieldGrid<Real>& field, Vector3<Real> position) {
-    const Vector3<Real> grid = (position - field.origin) * field.inverseSpacing;
-    const Vector3<Real> outside{detail::cellPlace(grid.x, field.nx).outside,
-                                detail::cellPlace(grid.y, field.ny).outside,
-                                detail::cellPlace(grid.z, field.nz).outside};
-    const Real beyond = length(outside) * field.spacing;
-    const Real inGrid = sampleField(field, position).distance - beyond;
-    return inGrid - beyond > beyond ? inGrid - beyond : beyond > Real(0) ? beyond : inGrid;
+DIPWRIGHT_HOST_DEVICE Real clearance(const FieldSample<Real>& sample) {
+    const Real nearGrid = sample.distance - sample.outside - sample.outside;
+    return nearGrid > sample.outside || sample.outside == Real(0) ? nearGrid : sample.outside;
 }
 
 // `position` moved along ∇φ to where φ is `level` (Newton's method; a few steps, as φ is nearly
