@@ -43,14 +43,14 @@ float smoothMinimum(float a, float b, float radius) {
     return std::min(a, b) - blend * blend * radius / 4;
 }
 
-const Part shell{{0, -3}, 0, 33.5F, 26, 21.5F, 11};
+const Part shell{{0, -3}, 0, 33.5F, 23, 21.5F, 11};
 const std::array<Part, 8> limbs{{
     {{0, 30}, 0, 13, 7, 7.5F, 7},        // neck
     {{0, 44}, 0, 12.5F, 9.5F, 10, 8},    // head
     {{0, -37}, 0, 15, 4, 4, 4},          // tail
-    {{21, 20}, 1.3F, 15, 8, 6, 5.5F},    // fore flipper: arm
-    {{32, 16.5F}, 2.1F, 14, 6, 5, 4.5F}, // and hand
-    {{20, -33}, 2.25F, 15, 6, 5, 4.5F},  // hind flipper
+    {{18, 20}, 1.3F, 14, 8, 6, 5.5F},    // fore flipper: arm
+    {{27, 16}, 2.1F, 12.5F, 6, 5, 4.5F}, // and hand
+    {{17, -33}, 2.25F, 14, 6, 5, 4.5F},  // hind flipper
     {{0, -24}, 1.5708F, 15, 8, 6, 6},    // hips
     {{0, 20}, 1.5708F, 16, 8, 7, 6},     // shoulders
 }};
@@ -82,7 +82,7 @@ float smoothStep(float from, float to, float value) {
 
 // How far a place is raised at the end: the head looks up, the flippers hang down.
 float lift(const Vector3f& place) {
-    return 3.5F * smoothStep(26, 52, place.z()) - 5 * smoothStep(20, 38, std::abs(place.x())) -
+    return 3.5F * smoothStep(26, 52, place.z()) - 4.5F * smoothStep(17, 36, std::abs(place.x())) -
            2.5F * smoothStep(-30, -50, place.z()) * smoothStep(4, 16, std::abs(place.x()));
 }
 
