@@ -168,6 +168,8 @@ DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
     } catch (const std::exception& failure) {
         throw Error(tr("The solver failed: %1").arg(QString::fromUtf8(failure.what())),
                     immersion.name);
+    } catch (...) {
+        throw Error(tr("The solver failed with an unknown exception"), immersion.name);
     }
     requireFinite(dipped, immersion.name);
     if (std::find(dipped.states.begin(), dipped.states.end(), solver::PointState::Adhered) ==

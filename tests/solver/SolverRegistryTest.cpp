@@ -1,0 +1,170 @@
+// What the registry makes of the files that it finds, without any code of a plugin.
+
+#include "solver/SolverRegistry.h"
+#include "PluginFolder.h"
+#include "base/Error.h"
+#include "solver/LoadMarker.h"
+
+#include <QDir>
+#include <QStandardPaths>
+#include <QTest>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+SolverInfo onlySolver(const PluginFolder& folder) {
+    const auto solvers = SolverRegistry({folder.path()}).solvers();
+    return solvers.size() == 1 ? solvers.front() : SolverInfo{};
+}
+
+} // namespace
+
+class SolverRegistryTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void emptyOrMissingFoldersHoldNoSolvers();
+    void badDescriptionsAreListedWithTheirReason_data();
+    void badDescriptionsAreListedWithTheirReason();
+    void missingModuleIsNamed();
+    void fileThatIsNoModuleIsRefused();
+    void firstFolderWins();
+    void unknownSolverIsRefusedWithTheChoice();
+    void searchPathComesFirst();
+    void moduleBeingLoadedNowHasNotCrashed();
+};
+
+void SolverRegistryTest::initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+}
+
+void SolverRegistryTest::emptyOrMissingFoldersHoldNoSolvers() {
+    const PluginFolder empty;
+    const SolverRegistry registry({empty.path(), empty.filePath(QStringLiteral("missing"))});
+    QVERIFY(registry.solvers().empty());
+    QVERIFY_THROWS_EXCEPTION(Error, registry.module(QStringLiteral("auto")));
+}
+
+void SolverRegistryTest::badDescriptionsAreListedWithTheirReason_data() {
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QJsonValue>("value");
+    QTest::addColumn<QString>("reasonPart");
+    const auto row = [](const char* name, const char* key, const QJsonValue& value,
+                        const char* reasonPart) {
+        QTest::newRow(name) << QString::fromLatin1(key) << value << QString::fromLatin1(reasonPart);
+    };
+    row("another format", "format", "something", "not one of a solver");
+    row("newer interface", "interface", 99, "interface 99");
+    row("no interface", "interface", QJsonValue::Null, "interface");
+    row("interface as text", "interface", "1", "interface");
+    row("no id", "id", QJsonValue::Null, "\"id\"");
+    row("id with spaces", "id", "my solver", "id may hold");
+    row("id that means any", "id", "auto", "id may hold");
+    row("no name", "name", " ", "\"name\"");
+    row("no version", "version", 3, "\"version\"");
+    row("no device", "device", QJsonValue::Null, "\"device\"");
+    row("no vendor", "vendor", QJsonValue::Null, "\"vendor\"");
+    row("no module", "module", QJsonValue::Null, "\"module\"");
+    row("module elsewhere", "module", "../solver.so", "beside its description");
+}
+
+void SolverRegistryTest::badDescriptionsAreListedWithTheirReason() {
+    QFETCH(QString, key);
+    QFETCH(QJsonValue, value);
+    QFETCH(QString, reasonPart);
+    const PluginFolder folder;
+    QJsonObject description = PluginFolder::description(QStringLiteral("good"));
+    folder.write(PluginFolder::moduleName(QStringLiteral("good")), "not reached");
+    description[key] = value;
+    folder.describe(description, QStringLiteral("plugin.json"));
+    const SolverInfo info = onlySolver(folder);
+    QVERIFY(!info.id.isEmpty());
+    QVERIFY(!info.available);
+    QVERIFY2(info.reason.contains(reasonPart), qPrintable(info.reason));
+}
+
+void SolverRegistryTest::missingModuleIsNamed() {
+    const PluginFolder folder;
+    folder.describe(PluginFolder::description(QStringLiteral("good")));
+    const SolverInfo info = onlySolver(folder);
+    QCOMPARE(info.id, QStringLiteral("good"));
+    QCOMPARE(info.name, QStringLiteral("The solver good"));
+    QVERIFY(!info.available);
+    QVERIFY(info.reason.contains(PluginFolder::moduleName(QStringLiteral("good"))));
+}
+
+void SolverRegistryTest::fileThatIsNoModuleIsRefused() {
+    const PluginFolder folder;
+    const QString name = PluginFolder::moduleName(QStringLiteral("good"));
+    folder.describe(PluginFolder::description(QStringLiteral("good")));
+    for (const QByteArray& content : {QByteArray(), QByteArray("This is a letter.\n"),
+                                      QByteArray("\x7f"
+                                                 "ELF\x02\x01\x01",
+                                                 7)}) {
+        folder.write(name, content);
+        const SolverInfo info = onlySolver(folder);
+        QVERIFY(!info.available);
+        QVERIFY2(info.reason.contains(QLatin1String("cannot be loaded")), qPrintable(info.reason));
+    }
+    for (const QByteArray& content : {QByteArray(), QByteArray("{\"format\":\"dipwright-sol"),
+                                      QByteArray("[1, 2]"), QByteArray(100000, ' ')}) {
+        folder.write(QStringLiteral("good.json"), content);
+        QVERIFY(!onlySolver(folder).available);
+        QVERIFY(!onlySolver(folder).reason.isEmpty());
+    }
+}
+
+void SolverRegistryTest::firstFolderWins() {
+    const PluginFolder first, second;
+    QJsonObject description = PluginFolder::description(QStringLiteral("same"));
+    second.describe(description);
+    description[QStringLiteral("name")] = QStringLiteral("The first");
+    first.describe(description);
+    second.describe(PluginFolder::description(QStringLiteral("another")));
+    const auto solvers = SolverRegistry({first.path(), second.path()}).solvers();
+    QCOMPARE(solvers.size(), std::size_t(2));
+    QCOMPARE(solvers[0].id, QStringLiteral("another"));
+    QCOMPARE(solvers[1].name, QStringLiteral("The first"));
+}
+
+void SolverRegistryTest::unknownSolverIsRefusedWithTheChoice() {
+    const PluginFolder folder;
+    folder.describe(PluginFolder::description(QStringLiteral("good")));
+    const SolverRegistry registry({folder.path()});
+    try {
+        registry.module(QStringLiteral("better"));
+        QFAIL("found a solver that is not there");
+    } catch (const Error& error) {
+        QCOMPARE(error.where(), QStringLiteral("better"));
+        QVERIFY(error.message().contains(QLatin1String("auto, good")));
+    }
+}
+
+void SolverRegistryTest::searchPathComesFirst() {
+    const QByteArray before = qgetenv("DIPWRIGHT_PLUGIN_PATH");
+    const QString path = QStringLiteral("/one") + QDir::listSeparator() + QStringLiteral("/two");
+    qputenv("DIPWRIGHT_PLUGIN_PATH", path.toUtf8());
+    const QStringList folders = SolverRegistry::standardFolders();
+    qputenv("DIPWRIGHT_PLUGIN_PATH", before);
+    QCOMPARE(folders.size(), 4);
+    QCOMPARE(folders[0], QStringLiteral("/one"));
+    QCOMPARE(folders[1], QStringLiteral("/two"));
+    QCOMPARE(folders[2], QCoreApplication::applicationDirPath() + QStringLiteral("/plugins"));
+}
+
+void SolverRegistryTest::moduleBeingLoadedNowHasNotCrashed() {
+    const PluginFolder folder;
+    folder.write(QStringLiteral("module"), "x");
+    const QString module = folder.filePath(QStringLiteral("module"));
+    {
+        const LoadMarker marker(module);
+        QVERIFY(!LoadMarker::crashedBefore(module));
+    }
+    QVERIFY(!LoadMarker::crashedBefore(module));
+}
+
+QTEST_GUILESS_MAIN(SolverRegistryTest)
+#include "SolverRegistryTest.moc"
