@@ -1,0 +1,43 @@
+// Closed forms of the dip (film-physics §3): a body of revolution dips into a water-supported film
+// that is held at a distant ring. The elastic film has no tension at rest and the linear in-plane
+// equilibrium u = A·R + B/R; the viscous film keeps its volume as it flows.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace dipwright {
+
+// A body of revolution about Y that stands on its pole at (0, 0): its radius by the arc length from
+// the pole, and the arc length of a surface point from its distance from the axis and height over
+// the pole. mm.
+struct Profile {
+    std::function<double(double arc)> radius;
+    std::function<double(double radius, double height)> arc;
+    double fullArc = 0;   // as far as the comparison goes
+    double fullDepth = 0; // how deep the pole is then
+};
+Profile sphereProfile(double radius, double polarAngle);
+// Half-axes across (`across`) and along Y, to the polar parameter `parameter` (radians, π/2:
+// equator).
+Profile spheroidProfile(double across, double along, double parameter);
+Profile coneProfile(double halfAngle, double contactRadius);
+
+enum class FilmLaw { Elastic, Viscous };
+
+// The film radius R of the point that ends at arc length s, integrated (Runge–Kutta 4) from the
+// pole:
+//   elastic   dR/ds = 1/λr,  λr = 1 + A − B/R²,  with A·R + B/R = a − R and B = −A·Ro²
+//   viscous   dR/ds = a/(J·R),  J = (Ro² − a²)/(Ro² − R²)
+// Ro: the radius of the ring that holds the film. As Ro grows these become the forms of §3.
+class ClosedForm {
+public:
+    ClosedForm(const Profile& profile, FilmLaw law, double ringRadius);
+    double filmRadius(double arc) const; // linear between samples 0.001 mm apart or less
+
+private:
+    double step_;
+    std::vector<double> radii_;
+};
+
+} // namespace dipwright

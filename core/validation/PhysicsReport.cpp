@@ -1,0 +1,174 @@
+#include "validation/PhysicsValidation.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("PhysicsValidation", text);
+}
+
+QString error(const PhysicsResult& result, double value) {
+    return result.inMillimetres ? QStringLiteral("%1 mm").arg(value, 0, 'f', 3)
+                                : QStringLiteral("%1 %").arg(value * 100, 0, 'f', 3);
+}
+
+// Seven colours that stay apart for colour-blind readers (after Okabe and Ito).
+QColor seriesColour(std::size_t index) {
+    static const std::array<QRgb, 7> colours{0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7,
+                                             0xff56b4e9, 0xffe69f00, 0xff333333};
+    return QColor::fromRgb(colours[index % colours.size()]);
+}
+
+// The plot of one film law: the finest resolution of every body.
+void drawLaw(QPainter& painter, const QRectF& frame, const std::vector<PhysicsResult>& results,
+             const QString& film, int cells) {
+    double longest = 1;
+    for (const PhysicsResult& result : results) {
+        for (const PhysicsResult::Sample& sample : result.samples) {
+            longest = std::max({longest, sample.arc, sample.exact});
+        }
+    }
+    longest = std::ceil(longest / 10) * 10;
+    const QRectF plot = frame.adjusted(52, 34, -16, -44);
+    const auto at = [&](double arc, double radius) {
+        return QPointF(plot.left() + plot.width() * arc / longest,
+                       plot.bottom() - plot.height() * radius / longest);
+    };
+    const QFontMetricsF metrics(painter.font());
+    for (double tick = 0; tick <= longest; tick += 10) {
+        painter.setPen(QPen(QColor(225, 225, 225), 1));
+        painter.drawLine(at(tick, 0), at(tick, longest));
+        painter.drawLine(at(0, tick), at(longest, tick));
+        painter.setPen(QColor(70, 70, 70));
+        const QString label = QString::number(tick);
+        painter.drawText(at(tick, 0) + QPointF(-metrics.horizontalAdvance(label) / 2, 18), label);
+        painter.drawText(at(0, tick) +
+                             QPointF(-metrics.horizontalAdvance(label) - 8, metrics.ascent() / 2),
+                         label);
+    }
+    painter.setPen(Qt::black);
+    painter.drawText(QRectF(frame.left(), frame.top() + 4, frame.width(), 24), Qt::AlignCenter,
+                     tr("%1 film, %2 cells in the contact radius").arg(film).arg(cells));
+    painter.drawText(QRectF(plot.left(), plot.bottom() + 22, plot.width(), 20), Qt::AlignCenter,
+                     tr("arc length from the pole (mm)"));
+    painter.save();
+    painter.translate(frame.left() + 12, plot.center().y());
+    painter.rotate(-90);
+    painter.drawText(QRectF(-plot.height() / 2, -10, plot.height(), 20), Qt::AlignCenter,
+                     tr("film radius (mm)"));
+    painter.restore();
+
+    std::size_t series = 0;
+    for (const PhysicsResult& result : results) {
+        if (result.film != film || result.cells != cells || result.samples.empty()) {
+            continue;
+        }
+        std::vector<PhysicsResult::Sample> samples = result.samples;
+        std::sort(samples.begin(), samples.end(),
+                  [](const auto& a, const auto& b) { return a.arc < b.arc; });
+        QPainterPath curve(at(samples.front().arc, samples.front().exact));
+        for (const PhysicsResult::Sample& sample : samples) {
+            curve.lineTo(at(sample.arc, sample.exact));
+        }
+        painter.setPen(QPen(seriesColour(series), 1.6));
+        painter.drawPath(curve);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(seriesColour(series));
+        const std::size_t every = std::max<std::size_t>(samples.size() / 24, 1);
+        for (std::size_t i = 0; i < samples.size(); i += every) {
+            painter.drawEllipse(at(samples[i].arc, samples[i].simulated), 3, 3);
+        }
+        painter.setBrush(Qt::NoBrush);
+        const QPointF key(plot.left() + 14, plot.top() + 16 + 20 * double(series));
+        painter.setPen(QPen(seriesColour(series), 2));
+        painter.drawLine(key, key + QPointF(22, 0));
+        painter.setPen(Qt::black);
+        painter.drawText(key + QPointF(30, metrics.ascent() / 2 - 1),
+                         QStringLiteral("%1: %2").arg(result.body, error(result, result.rms)));
+        ++series;
+    }
+}
+
+} // namespace
+
+QString physicsTable(const std::vector<PhysicsResult>& results) {
+    QStringList lines;
+    const auto row = [&](const QStringList& cells) {
+        static const std::array<int, 9> widths{24, 9, 6, 11, 11, 11, 11, 8, 7};
+        QString line;
+        for (int i = 0; i < cells.size(); ++i) {
+            const int width = widths[std::size_t(i)];
+            line += i < 2 ? cells[i].leftJustified(width) : cells[i].rightJustified(width);
+        }
+        while (line.endsWith(QLatin1Char(' '))) {
+            line.chop(1);
+        }
+        lines << line;
+    };
+    row({tr("body"), tr("film"), tr("cells"), tr("rms"), tr("mean"), tr("max"), tr("axis−diag"),
+         tr("steps"), tr("")});
+    for (const PhysicsResult& result : results) {
+        row({result.body, result.film, result.cells ? QString::number(result.cells) : QString(),
+             error(result, result.rms), error(result, result.mean), error(result, result.maximum),
+             result.inMillimetres ? QString() : error(result, result.anisotropy),
+             QString::number(result.steps), result.passed() ? tr("ok") : tr("FAILED")});
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+QJsonObject physicsJson(const std::vector<PhysicsResult>& results) {
+    QJsonArray rows;
+    bool passed = true;
+    for (const PhysicsResult& result : results) {
+        passed = passed && result.passed();
+        QJsonObject row{{"body", result.body},
+                        {"film", result.film},
+                        {"unit", result.inMillimetres ? "mm" : "1"},
+                        {"rms", result.rms},
+                        {"mean", result.mean},
+                        {"max", result.maximum},
+                        {"allowed", result.allowed},
+                        {"steps", qint64(result.steps)},
+                        {"seconds", result.seconds},
+                        {"passed", result.passed()}};
+        if (!result.inMillimetres) {
+            row["cells"] = result.cells;
+            row["axis_minus_diagonal"] = result.anisotropy;
+        }
+        rows.append(row);
+    }
+    return {{"version", 1}, {"passed", passed}, {"cases", rows}};
+}
+
+QImage physicsPlot(const std::vector<PhysicsResult>& results, QSize size) {
+    QImage image(size, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPixelSize(13);
+    painter.setFont(font);
+    int cells = 0;
+    QStringList films;
+    for (const PhysicsResult& result : results) {
+        cells = std::max(cells, result.cells);
+        if (!result.samples.empty() && !films.contains(result.film)) {
+            films << result.film;
+        }
+    }
+    const double width = films.isEmpty() ? 0 : double(size.width()) / double(films.size());
+    for (int i = 0; i < films.size(); ++i) {
+        drawLaw(painter, QRectF(i * width, 0, width, size.height()), results, films[i], cells);
+    }
+    return image;
+}
+
+} // namespace dipwright

@@ -1,0 +1,374 @@
+#include "validation/PhysicsValidation.h"
+
+#include "base/Error.h"
+#include "base/Units.h"
+#include "geometry/DistanceField.h"
+#include "geometry/Shapes.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace dipwright {
+
+namespace {
+
+constexpr double contactRadius = 35; // mm, of every body where the comparison ends
+constexpr double ringRadius = 90;    // mm, where the film is held
+constexpr double gap = 0.5;          // mm between body and water before the dip
+constexpr int fieldResolution = 256;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("PhysicsValidation", text);
+}
+
+struct Body {
+    TriangleMesh mesh;
+    DistanceField field;
+    double lowest = 0;
+};
+
+Body makeBody(TriangleMesh mesh, int resolution, const Progress& progress) {
+    Body body;
+    body.field = buildDistanceField(mesh, resolution, progress);
+    body.lowest = double(boundingBox(mesh).min().y());
+    body.mesh = std::move(mesh);
+    return body;
+}
+
+// A film of square cells, and what the solver made of it.
+struct DipRun {
+    solver::DipSetup setup;
+    std::vector<float> positions; // world
+    std::vector<solver::PointState> states;
+    solver::Progress progress;
+    double seconds = 0;
+
+    bool adhered(std::size_t point) const { return states[point] == solver::PointState::Adhered; }
+    Eigen::Vector2d rest(std::size_t point) const {
+        const solver::FilmGrid& film = setup.film;
+        const std::size_t columns = std::size_t(film.columns);
+        return {-film.width / 2 + double(point % columns) * film.spacingX(),
+                -film.depth / 2 + double(point / columns) * film.spacingZ()};
+    }
+    // With the pole of the body at the origin.
+    Eigen::Vector3d onBody(std::size_t point) const {
+        return {double(positions[3 * point]),
+                double(positions[3 * point + 1]) - gap + progress.descent,
+                double(positions[3 * point + 2])};
+    }
+};
+
+solver::DipSetup setupFor(const Body& body, double width, double depth, double spacing,
+                          double travel, FilmLaw law, const PhysicsOptions& options) {
+    solver::DipSetup setup;
+    // An odd number of points: one under the pole.
+    setup.film.columns = 2 * int(std::ceil(width / 2 / spacing)) + 1;
+    setup.film.rows = 2 * int(std::ceil(depth / 2 / spacing)) + 1;
+    setup.film.width = spacing * (setup.film.columns - 1);
+    setup.film.depth = spacing * (setup.film.rows - 1);
+    setup.field.distance = body.field.distance.data();
+    setup.field.size = body.field.size;
+    setup.field.origin = {body.field.origin.x(), body.field.origin.y(), body.field.origin.z()};
+    setup.field.spacing = body.field.spacing;
+    setup.motion.start = {0, gap - body.lowest, 0};
+    setup.motion.travel = gap + travel;
+    setup.settings.relaxationTime =
+        law == FilmLaw::Viscous ? 0 : std::numeric_limits<double>::infinity();
+    setup.settings.threads = options.threads;
+    if (options.contactTravel > 0) {
+        setup.settings.contactTravel = options.contactTravel;
+    }
+    return setup;
+}
+
+void pinRing(solver::DipSetup& setup) {
+    const solver::FilmGrid& film = setup.film;
+    setup.pinned.assign(film.pointCount(), 0);
+    for (int j = 0; j < film.rows; ++j) {
+        for (int i = 0; i < film.columns; ++i) {
+            const double x = -film.width / 2 + i * film.spacingX();
+            const double z = -film.depth / 2 + j * film.spacingZ();
+            setup.pinned[std::size_t(j) * std::size_t(film.columns) + std::size_t(i)] =
+                x * x + z * z >= ringRadius * ringRadius;
+        }
+    }
+}
+
+DipRun simulate(const solver::SolverModule& module, solver::DipSetup setup,
+                const Progress& progress) {
+    DipRun run;
+    run.setup = std::move(setup);
+    QElapsedTimer timer;
+    timer.start();
+    try {
+        const std::unique_ptr<solver::FilmSolver> film = module.create();
+        film->begin(run.setup);
+        while (!run.progress.finished) {
+            run.progress = film->advance(4);
+            progress(run.progress.descent / run.setup.motion.travel, tr("Dipping"));
+        }
+        run.positions.resize(3 * run.setup.film.pointCount());
+        run.states.resize(run.setup.film.pointCount());
+        film->read(run.positions, run.states);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw Error(tr("The solver failed: %1").arg(QString::fromUtf8(error.what())),
+                    tr("physics validation"));
+    }
+    run.seconds = double(timer.nsecsElapsed()) * 1e-9;
+    return run;
+}
+
+// Collects errors into the figures of a result.
+class ErrorSum {
+public:
+    void add(double error) {
+        ++count_;
+        sum_ += error;
+        squares_ += error * error;
+        maximum_ = std::max(maximum_, std::abs(error));
+    }
+    // Errors near the grid's axes and near its diagonals, for the difference of the two.
+    void addDirection(const Eigen::Vector2d& place, double error) {
+        const double angle = std::atan2(std::abs(place.y()), std::abs(place.x())) * 180 / pi;
+        if (angle < 5 || angle > 85) {
+            axis_ += error;
+            ++axisCount_;
+        } else if (angle > 40 && angle < 50) {
+            diagonal_ += error;
+            ++diagonalCount_;
+        }
+    }
+    void writeTo(PhysicsResult& result) const {
+        if (count_ == 0) {
+            throw Error(tr("The film never touched the body; the solver cannot be used"),
+                        result.body);
+        }
+        result.rms = std::sqrt(squares_ / count_);
+        result.mean = sum_ / count_;
+        result.maximum = maximum_;
+        if (axisCount_ > 0 && diagonalCount_ > 0) {
+            result.anisotropy = axis_ / axisCount_ - diagonal_ / diagonalCount_;
+        }
+    }
+
+private:
+    double sum_ = 0, squares_ = 0, maximum_ = 0, axis_ = 0, diagonal_ = 0;
+    int count_ = 0, axisCount_ = 0, diagonalCount_ = 0;
+};
+
+struct Revolution {
+    QString name;
+    Profile profile;
+    TriangleMesh mesh;
+    double firstCell; // comparison from so many cells off the pole
+    bool isCone;
+};
+
+std::vector<Revolution> bodiesOfRevolution() {
+    constexpr int rings = 360, segments = 720;
+    std::vector<Revolution> bodies;
+    const double angle = radians(Degrees(80)), rho = contactRadius / std::sin(angle);
+    bodies.push_back({tr("Sphere to 80°"), sphereProfile(rho, angle),
+                      sphereMesh(rho, rings, segments), 3, false});
+    for (const double along : {0.6, 1.4}) {
+        bodies.push_back({along < 1 ? tr("Flat spheroid 1 : 0.6") : tr("Long spheroid 1 : 1.4"),
+                          spheroidProfile(rho, along * rho, angle),
+                          ellipsoidMesh({rho, along * rho, rho}, rings, segments), 3, false});
+    }
+    for (const int degrees : {30, 45, 60, 75}) {
+        const double half = radians(Degrees(degrees));
+        bodies.push_back({tr("Cone of %1°").arg(degrees), coneProfile(half, contactRadius),
+                          coneMesh(half, contactRadius * 1.05 / std::tan(half), segments), 10,
+                          true});
+    }
+    return bodies;
+}
+
+// What film-physics asks of the production film.
+double allowedError(bool isCone, int cells) {
+    const double at30 = isCone ? 0.01 : 0.005;
+    return cells < 30 ? 2 * at30 : cells < 60 ? at30 : at30 / 2;
+}
+
+PhysicsResult compare(const solver::SolverModule& module, const Revolution& revolution,
+                      const Body& body, FilmLaw law, int cells, const PhysicsOptions& options,
+                      const Progress& progress) {
+    PhysicsResult result;
+    result.body = revolution.name;
+    result.film = law == FilmLaw::Viscous ? tr("viscous") : tr("elastic");
+    result.cells = cells;
+    result.allowed = allowedError(revolution.isCone, cells);
+    const double spacing = contactRadius / cells, width = 2 * (ringRadius + 2 * spacing);
+    solver::DipSetup setup =
+        setupFor(body, width, width, spacing, revolution.profile.fullDepth, law, options);
+    pinRing(setup);
+    const DipRun run = simulate(module, std::move(setup), progress);
+    result.steps = run.progress.steps;
+    result.seconds = run.seconds;
+
+    const ClosedForm exact(revolution.profile, law, ringRadius);
+    ErrorSum errors;
+    for (std::size_t point = 0; point < run.states.size(); ++point) {
+        const double R = run.rest(point).norm();
+        if (!run.adhered(point) || R < revolution.firstCell * spacing) {
+            continue;
+        }
+        const Eigen::Vector3d place = run.onBody(point);
+        const double arc = revolution.profile.arc(std::hypot(place.x(), place.z()), place.y());
+        const double expected = exact.filmRadius(arc), error = R / expected - 1;
+        errors.add(error);
+        errors.addDirection(run.rest(point), error);
+        if (std::abs(run.rest(point).y()) < spacing / 4) {
+            result.samples.push_back({arc, R, expected});
+        }
+    }
+    errors.writeTo(result);
+    return result;
+}
+
+// A flat face parallel to the water: the identity on the face.
+PhysicsResult compareFlatFace(const solver::SolverModule& module, const PhysicsOptions& options,
+                              const Progress& progress) {
+    PhysicsResult result;
+    result.body = tr("Flat face, 60 × 40 mm");
+    result.film = tr("elastic");
+    result.inMillimetres = true;
+    result.allowed = 0.02;
+    const Body body = makeBody(boxMesh({60, 20, 40}), fieldResolution, progress.part(0, 0.2));
+    const double spacing = 1;
+    const DipRun run =
+        simulate(module, setupFor(body, 160, 120, spacing, 15, FilmLaw::Elastic, options),
+                 progress.part(0.2, 1));
+    result.steps = run.progress.steps;
+    result.seconds = run.seconds;
+    ErrorSum errors;
+    for (std::size_t point = 0; point < run.states.size(); ++point) {
+        const Eigen::Vector2d rest = run.rest(point);
+        if (std::abs(rest.x()) < 29 && std::abs(rest.y()) < 19) {
+            const Eigen::Vector3d place = run.onBody(point);
+            errors.add((place - Eigen::Vector3d(rest.x(), 0, rest.y())).norm());
+        }
+    }
+    errors.writeTo(result);
+    return result;
+}
+
+// A long cylinder along Z and a film with free edges: the film rolls on without stretch.
+PhysicsResult compareCylinder(const solver::SolverModule& module, const PhysicsOptions& options,
+                              const Progress& progress) {
+    PhysicsResult result;
+    result.body = tr("Lying cylinder to 80°");
+    result.film = tr("elastic");
+    result.inMillimetres = true;
+    result.allowed = 0.1;
+    const double radius = 30, angle = radians(Degrees(80));
+    const Body body =
+        makeBody(cylinderMesh(radius, 140, 720), fieldResolution, progress.part(0, 0.2));
+    const DipRun run = simulate(
+        module,
+        setupFor(body, 150, 100, 1, radius * (1 - std::cos(angle)), FilmLaw::Elastic, options),
+        progress.part(0.2, 1));
+    result.steps = run.progress.steps;
+    result.seconds = run.seconds;
+    ErrorSum errors;
+    for (std::size_t point = 0; point < run.states.size(); ++point) {
+        if (run.adhered(point)) {
+            const Eigen::Vector3d place = run.onBody(point);
+            const double arc = radius * std::atan2(place.x(), radius - place.y());
+            errors.add(std::hypot(arc - run.rest(point).x(), place.z() - run.rest(point).y()));
+        }
+    }
+    errors.writeTo(result);
+    return result;
+}
+
+// The same ellipsoid straight and turned by 45° about Y: the film turned back must lie the same.
+PhysicsResult compareTurned(const solver::SolverModule& module, const PhysicsOptions& options,
+                            const Progress& progress) {
+    PhysicsResult result;
+    result.body = tr("Ellipsoid turned by 45°");
+    result.film = tr("elastic");
+    result.inMillimetres = true;
+    result.allowed = 0.15;
+    const Body body =
+        makeBody(ellipsoidMesh({40, 25, 24}, 240, 480), fieldResolution, progress.part(0, 0.1));
+    const double spacing = 1.5, width = 2 * (ringRadius + 2 * spacing);
+    solver::DipSetup setup = setupFor(body, width, width, spacing, 20, FilmLaw::Elastic, options);
+    pinRing(setup);
+    const DipRun straight = simulate(module, setup, progress.part(0.1, 0.55));
+    const double cosine = std::sqrt(0.5), sine = std::sqrt(0.5);
+    setup.motion.rotation = {cosine, 0, sine, 0, 1, 0, -sine, 0, cosine};
+    const DipRun turned = simulate(module, std::move(setup), progress.part(0.55, 1));
+    result.steps = turned.progress.steps;
+    result.seconds = straight.seconds + turned.seconds;
+
+    const solver::FilmGrid& film = straight.setup.film;
+    const std::size_t columns = std::size_t(film.columns);
+    ErrorSum errors;
+    for (std::size_t point = 0; point < turned.states.size(); ++point) {
+        if (!turned.adhered(point)) {
+            continue;
+        }
+        const auto back = [&](double x, double z) {
+            return Eigen::Vector2d(cosine * x - sine * z, sine * x + cosine * z);
+        };
+        const Eigen::Vector2d rest = back(turned.rest(point).x(), turned.rest(point).y());
+        const double column = (rest.x() + film.width / 2) / film.spacingX();
+        const double row = (rest.y() + film.depth / 2) / film.spacingZ();
+        const std::size_t corner = std::size_t(row) * columns + std::size_t(column);
+        if (!straight.adhered(corner) || !straight.adhered(corner + 1) ||
+            !straight.adhered(corner + columns) || !straight.adhered(corner + columns + 1)) {
+            continue;
+        }
+        const double s = column - std::floor(column), t = row - std::floor(row);
+        const Eigen::Vector3d expected =
+            (1 - t) * ((1 - s) * straight.onBody(corner) + s * straight.onBody(corner + 1)) +
+            t * ((1 - s) * straight.onBody(corner + columns) +
+                 s * straight.onBody(corner + columns + 1));
+        const Eigen::Vector3d place = turned.onBody(point);
+        const Eigen::Vector2d placeBack = back(place.x(), place.z());
+        errors.add((Eigen::Vector3d(placeBack.x(), place.y(), placeBack.y()) - expected).norm());
+    }
+    errors.writeTo(result);
+    return result;
+}
+
+} // namespace
+
+std::vector<PhysicsResult> validatePhysics(const solver::SolverModule& module,
+                                           const PhysicsOptions& options,
+                                           const Progress& progress) {
+    std::vector<PhysicsResult> results;
+    const std::vector<Revolution> bodies = bodiesOfRevolution();
+    // Work grows with the cube of the resolution.
+    double total = 0, done = 0;
+    for (const int cells : options.resolutions) {
+        total += std::pow(double(cells), 3);
+    }
+    total *= 2 * double(bodies.size()) * 1.1;
+    for (const Revolution& revolution : bodies) {
+        const Body body =
+            makeBody(revolution.mesh, fieldResolution, Progress{nullptr, progress.cancelSwitch});
+        for (const FilmLaw law : {FilmLaw::Elastic, FilmLaw::Viscous}) {
+            for (const int cells : options.resolutions) {
+                const double work = std::pow(double(cells), 3);
+                const Progress part = progress.part(done / total, (done + work) / total);
+                part(0, tr("%1, %2 cells").arg(revolution.name).arg(cells));
+                results.push_back(compare(module, revolution, body, law, cells, options, part));
+                done += work;
+            }
+        }
+    }
+    progress(0.92, tr("Flat face"));
+    results.push_back(compareFlatFace(module, options, progress.part(0.92, 0.94)));
+    results.push_back(compareCylinder(module, options, progress.part(0.94, 0.97)));
+    results.push_back(compareTurned(module, options, progress.part(0.97, 1)));
+    return results;
+}
+
+} // namespace dipwright
