@@ -3,8 +3,11 @@
 #include "base/Error.h"
 #include "model/MeshRepair.h"
 #include "model/ModelFolder.h"
+#include "model/ModelSource.h"
+#include "model/PlyReader.h"
 #include "model/SceneConversion.h"
 #include "model/Texture.h"
+#include "model/ThreeMfReader.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -50,7 +53,7 @@ public:
         const QString path = resolve(name);
         auto bytes = path.isEmpty() ? std::nullopt : readFile(path);
         if (!bytes) {
-            missing_.push_back(QFileInfo(QString::fromUtf8(name)).fileName());
+            remember(QFileInfo(QString::fromUtf8(name)).fileName());
             return nullptr;
         }
         return new FileStream(std::move(*bytes));
@@ -60,6 +63,15 @@ public:
     const QStringList& missing() const { return missing_; }
 
 private:
+    void remember(const QString& missing) {
+        // Having failed with the name in the model, readers also try the model's own name.
+        const bool isSecondTry = !missing_.isEmpty() && QFileInfo(missing).completeBaseName() ==
+                                                            QFileInfo(path_).completeBaseName();
+        if (!missing_.contains(missing) && !isSecondTry) {
+            missing_.push_back(missing);
+        }
+    }
+
     QString resolve(const char* name) const {
         const QString file = QString::fromUtf8(name);
         return file == path_ ? path_ : folder_.find(file);
@@ -84,6 +96,7 @@ private:
 
 // mm; larger than any dip tank by far.
 constexpr double maximumEdge = 1e5;
+constexpr float maximumTextureCoordinate = 1e5F; // past it a float holds no place in a picture
 
 void checkOptions(const ImportOptions& options) {
     const double edge = options.longestEdge.value_or(Millimetres(1)).value();
@@ -216,17 +229,16 @@ void dropUselessTextures(TexturedMesh& model, QStringList& warnings) {
     }
 }
 
-ImportedModel import(const QString& path, const ImportOptions& options, const Progress& progress) {
-    checkOptions(options);
-    checkFile(path);
-    const QImage texture = replacementTexture(options.texture);
-    const QString absolutePath = QFileInfo(path).absoluteFilePath();
-    const ModelFolder folder(absolutePath);
-    const Progress readingPart = progress.part(0, 0.6);
+TexturedMesh readByAssimp(const ModelSource& source, QStringList& warnings,
+                          const Progress& progress) {
+    const QString absolutePath = QFileInfo(source.path).absoluteFilePath();
+    const Progress readingPart = progress.part(0, 0.8);
     ReadingProgress reading(readingPart);
-
     Assimp::Importer importer;
-    auto* files = new ModelFileSystem(absolutePath, folder);
+    for (const char* format : {"ply", "3mf"}) { // which it would try on files of other names too
+        importer.UnregisterLoader(importer.GetImporter(format));
+    }
+    auto* files = new ModelFileSystem(absolutePath, source.folder);
     importer.SetIOHandler(files); // takes it over
     importer.SetProgressHandler(&reading);
     const aiScene* scene =
@@ -234,32 +246,85 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
     importer.SetProgressHandler(nullptr);
     progress.cancelSwitch.throwIfCancelled();
     if (!scene) {
-        throw Error(tr("The model cannot be read: %1; save it anew, or as OBJ, PLY, STL, glTF or "
-                       "3MF")
-                        .arg(QString::fromUtf8(importer.GetErrorString()).simplified()),
-                    path);
+        source.throwDamaged(QString::fromUtf8(importer.GetErrorString()).simplified());
     }
-
-    ImportedModel result;
-    ImportReport& report = result.report;
     for (const QString& name : files->missing()) {
-        report.warnings.push_back(
-            tr("The file %1, which the model names, was not found").arg(name));
+        warnings.push_back(tr("The file %1, which the model names, was not found").arg(name));
     }
-    const bool isGltf = path.endsWith(QStringLiteral(".gltf"), Qt::CaseInsensitive) ||
-                        path.endsWith(QStringLiteral(".glb"), Qt::CaseInsensitive);
-    result.model = convertScene({*scene, path, folder, texture, isGltf}, report.warnings,
-                                progress.part(0.6, 0.8));
-    importer.FreeScene();
+    const QString suffix = QFileInfo(source.path).suffix().toLower();
+    const bool isGltf = suffix == QStringLiteral("gltf") || suffix == QStringLiteral("glb");
+    return convertScene(*scene, source, isGltf, warnings, progress.part(0.8, 1));
+}
 
-    progress(0.8, tr("Checking the model"));
-    checkPositions(result.model.mesh, path);
-    repair(result.model, report.repairs, path);
-    scale(result.model.mesh, options, path);
-    dropUselessTextures(result.model, report.warnings);
+// The format of a file is known by how it begins where that says enough, else by its name.
+TexturedMesh readTriangles(const ModelSource& source, QStringList& warnings,
+                           const Progress& progress) {
+    QFile file(source.path);
+    const QByteArray begin = file.open(QIODevice::ReadOnly) ? file.read(4) : QByteArray();
+    const QString suffix = QFileInfo(source.path).suffix().toLower();
+    const bool isPly = suffix == QStringLiteral("ply") || begin == "ply\n" || begin == "ply\r";
+    if (!isPly && suffix != QStringLiteral("3mf")) {
+        return readByAssimp(source, warnings, progress);
+    }
+    progress(0, tr("Reading the model"));
+    const auto bytes = readFile(source.path);
+    if (!bytes) {
+        source.throwDamaged(file.errorString());
+    }
+    return isPly ? readPly(*bytes, source, warnings, progress.cancelSwitch)
+                 : readThreeMf(*bytes, source, warnings, progress.cancelSwitch);
+}
+
+void dropUnusableCoordinates(TexturedMesh& model, QStringList& warnings) {
+    std::size_t dropped = 0;
+    for (auto& corners : model.textureCoordinates) {
+        for (auto& uv : corners) {
+            const bool isUnusable = uv.cwiseAbs().maxCoeff() > maximumTextureCoordinate;
+            dropped += isUnusable;
+            if (isUnusable) {
+                corners = noCoordinates();
+            }
+        }
+    }
+    if (dropped > 0) {
+        warnings.push_back(tr("%1 texture coordinates are too large to be used; their triangles "
+                              "show the material's colour")
+                               .arg(dropped));
+    }
+}
+
+void replaceTextures(TexturedMesh& model, const QImage& texture) {
+    model.textures = {texture};
+    for (Material& material : model.materials) {
+        material.texture = 0;
+    }
+}
+
+ImportedModel import(const QString& path, const ImportOptions& options, const Progress& progress) {
+    checkOptions(options);
+    checkFile(path);
+    const QImage texture = replacementTexture(options.texture);
+    const ModelSource source{path, ModelFolder(path), texture.isNull()};
+    ImportedModel result;
+    TexturedMesh& model = result.model;
+    ImportReport& report = result.report;
+
+    model = readTriangles(source, report.warnings, progress.part(0, 0.7));
+    if (model.mesh.triangles.empty()) {
+        throw Error(tr("The model has no triangles; save it with its surface"), path);
+    }
+    if (!texture.isNull()) {
+        replaceTextures(model, texture);
+    }
+    progress(0.7, tr("Checking the model"));
+    checkPositions(model.mesh, path);
+    dropUnusableCoordinates(model, report.warnings);
+    repair(model, report.repairs, path);
+    scale(model.mesh, options, path);
+    dropUselessTextures(model, report.warnings);
     progress(0.9, tr("Finding the texture's charts"));
-    result.model.chart = findCharts(result.model);
-    describe(result.model, report);
+    model.chart = findCharts(model);
+    describe(model, report);
     progress(1, tr("Checking the model"));
     return result;
 }

@@ -1,10 +1,8 @@
 #include "model/SceneConversion.h"
 
-#include "base/Error.h"
 #include "model/Texture.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 
 #include <assimp/material.h>
 #include <assimp/scene.h>
@@ -16,16 +14,8 @@ namespace dipwright {
 
 namespace {
 
-constexpr std::size_t maximumTriangles = 50'000'000;
-constexpr float maximumTextureCoordinate = 1e5F; // past this a float holds no place in a picture
-
 QString tr(const char* text) {
     return QCoreApplication::translate("ImportModel", text);
-}
-
-bool isUsable(const aiVector3D& coordinate) {
-    return std::abs(coordinate.x) <= maximumTextureCoordinate &&
-           std::abs(coordinate.y) <= maximumTextureCoordinate;
 }
 
 int colourByte(float value, bool linear) {
@@ -39,12 +29,10 @@ int colourByte(float value, bool linear) {
 // The scene's materials and pictures as they are asked for, so that only those in use are kept.
 class MaterialReader {
 public:
-    MaterialReader(const SceneConversion& conversion, TexturedMesh& model, QStringList& warnings)
-        : conversion_(conversion), model_(model), warnings_(warnings) {
-        if (!conversion.texture.isNull()) {
-            model.textures.push_back(conversion.texture);
-        }
-    }
+    MaterialReader(const aiScene& scene, const ModelSource& source, bool linearColours,
+                   TexturedMesh& model, QStringList& warnings)
+        : scene_(scene), source_(source), linearColours_(linearColours), model_(model),
+          warnings_(warnings) {}
 
     struct Found {
         std::uint16_t material; // index into the model's
@@ -57,8 +45,7 @@ public:
             return known->second;
         }
         if (model_.materials.size() > 0xffff) {
-            throw Error(tr("The model has more than 65,536 materials; join some of them"),
-                        conversion_.path);
+            source_.throwDamaged(tr("it has more than 65,536 materials"));
         }
         const Found found{std::uint16_t(model_.materials.size()), read(sceneMaterial)};
         return found_.emplace(sceneMaterial, found).first->second;
@@ -68,27 +55,23 @@ private:
     // Adds the material to the model; returns the channel of its texture's coordinates.
     unsigned read(unsigned sceneMaterial) {
         Material& material = model_.materials.emplace_back();
-        material.texture = conversion_.texture.isNull() ? -1 : 0;
-        if (sceneMaterial >= conversion_.scene.mNumMaterials) {
+        if (sceneMaterial >= scene_.mNumMaterials) {
             return 0;
         }
-        const aiMaterial& source = *conversion_.scene.mMaterials[sceneMaterial];
+        const aiMaterial& source = *scene_.mMaterials[sceneMaterial];
         material.name = QString::fromUtf8(source.GetName().C_Str());
         aiColor4D colour;
         if (source.Get(AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS ||
             source.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS) {
-            const bool linear = conversion_.linearColours;
-            material.colour = QColor(colourByte(colour.r, linear), colourByte(colour.g, linear),
-                                     colourByte(colour.b, linear));
-        }
-        if (material.texture >= 0) {
-            return 0;
+            material.colour =
+                QColor(colourByte(colour.r, linearColours_), colourByte(colour.g, linearColours_),
+                       colourByte(colour.b, linearColours_));
         }
         for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
             aiString name;
             unsigned channel = 0;
             if (source.GetTexture(type, 0, &name, nullptr, &channel) == aiReturn_SUCCESS) {
-                material.texture = textureIndex(name);
+                material.texture = source_.withTextures ? textureIndex(name) : -1;
                 return channel;
             }
         }
@@ -109,21 +92,12 @@ private:
         return textures_.emplace(key, index).first->second;
     }
 
-    // Null, and a warning, where the model names a picture that is not there.
     QImage readPicture(const aiString& name) {
         const QString shownName = QString::fromUtf8(name.C_Str());
-        if (const aiTexture* embedded = conversion_.scene.GetEmbeddedTexture(name.C_Str())) {
-            return readEmbedded(*embedded, tr("texture %1 in %2").arg(shownName, conversion_.path));
+        if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.C_Str())) {
+            return readEmbedded(*embedded, tr("texture %1 in %2").arg(shownName, source_.path));
         }
-        const QString path = conversion_.folder.find(shownName);
-        const auto bytes = path.isEmpty() ? std::nullopt : readFile(path);
-        if (!bytes) {
-            warnings_.push_back(tr("The texture %1 was not found beside the model; its material's "
-                                   "colour is used instead")
-                                    .arg(shownName));
-            return QImage();
-        }
-        return readTexture(*bytes, path);
+        return source_.readPicture(shownName, warnings_);
     }
 
     static QImage readEmbedded(const aiTexture& texture, const QString& where) {
@@ -144,7 +118,9 @@ private:
         return asTexture(std::move(image));
     }
 
-    const SceneConversion& conversion_;
+    const aiScene& scene_;
+    const ModelSource& source_;
+    bool linearColours_;
     TexturedMesh& model_;
     QStringList& warnings_;
     std::map<unsigned, Found> found_;
@@ -153,34 +129,33 @@ private:
 
 class TriangleReader {
 public:
-    TriangleReader(const SceneConversion& conversion, TexturedMesh& model, QStringList& warnings,
-                   const Progress& progress)
-        : conversion_(conversion), model_(model), warnings_(warnings), progress_(progress),
-          materials_(conversion, model, warnings) {}
+    TriangleReader(const aiScene& scene, const ModelSource& source, bool linearColours,
+                   TexturedMesh& model, QStringList& warnings, const Progress& progress)
+        : scene_(scene), source_(source), model_(model), warnings_(warnings), progress_(progress),
+          materials_(scene, source, linearColours, model, warnings) {}
 
     void readAll() {
-        if (!conversion_.scene.mRootNode) {
+        if (!scene_.mRootNode) {
             return;
         }
-        count(*conversion_.scene.mRootNode);
+        count(*scene_.mRootNode);
         model_.mesh.triangles.reserve(total_);
         model_.textureCoordinates.reserve(total_);
         model_.material.reserve(total_);
-        readNode(*conversion_.scene.mRootNode, aiMatrix4x4());
-        addWarnings();
+        readNode(*scene_.mRootNode, aiMatrix4x4());
+        if (hasColours_) {
+            warnings_.push_back(tr("The colours of the model's points are not used; bake them into "
+                                   "a texture to print them"));
+        }
     }
 
 private:
     // A small file can show one mesh many times.
     void count(const aiNode& node) {
         for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-            total_ += conversion_.scene.mMeshes[node.mMeshes[m]]->mNumFaces;
+            total_ += scene_.mMeshes[node.mMeshes[m]]->mNumFaces;
         }
-        if (total_ > maximumTriangles) {
-            throw Error(tr("The model has more than %1 million triangles; reduce it")
-                            .arg(maximumTriangles / 1'000'000),
-                        conversion_.path);
-        }
+        source_.checkTriangleCount(total_);
         for (unsigned child = 0; child < node.mNumChildren; ++child) {
             count(*node.mChildren[child]);
         }
@@ -191,7 +166,7 @@ private:
         for (unsigned m = 0; m < node.mNumMeshes; ++m) {
             progress_(double(model_.mesh.triangles.size()) / double(total_ + 1),
                       tr("Reading triangles"));
-            readMesh(*conversion_.scene.mMeshes[node.mMeshes[m]], transform);
+            readMesh(*scene_.mMeshes[node.mMeshes[m]], transform);
         }
         for (unsigned child = 0; child < node.mNumChildren; ++child) {
             readNode(*node.mChildren[child], transform);
@@ -228,55 +203,35 @@ private:
     void addTriangle(const aiMesh& mesh, const std::array<std::uint32_t, 3>& corners,
                      std::uint32_t firstPosition, const aiVector3D* coordinates) {
         auto& triangle = model_.mesh.triangles.emplace_back();
-        auto& uv = model_.textureCoordinates.emplace_back();
-        uv.fill(Eigen::Vector2f::Constant(std::numeric_limits<float>::quiet_NaN()));
+        auto& uv = model_.textureCoordinates.emplace_back(noCoordinates());
         for (int corner = 0; corner < 3; ++corner) {
             if (corners[corner] >= mesh.mNumVertices) {
-                throw Error(tr("The model is damaged: a triangle names a point that is not there; "
-                               "save it anew"),
-                            conversion_.path);
+                source_.throwDamaged(tr("a triangle names a point that is not there"));
             }
             triangle[corner] = firstPosition + corners[corner];
-            if (coordinates && isUsable(coordinates[corners[corner]])) {
+            if (coordinates) {
                 const aiVector3D& coordinate = coordinates[corners[corner]];
                 uv[corner] = Eigen::Vector2f(coordinate.x, coordinate.y);
-            } else if (coordinates) {
-                ++unusableCoordinates_;
             }
         }
     }
 
-    void addWarnings() {
-        if (hasColours_) {
-            warnings_.push_back(tr("The colours of the model's points are not used; bake them into "
-                                   "a texture to print them"));
-        }
-        if (unusableCoordinates_ > 0) {
-            warnings_.push_back(tr("%1 texture coordinates are not usable numbers; their triangles "
-                                   "show the material's colour")
-                                    .arg(unusableCoordinates_));
-        }
-    }
-
-    const SceneConversion& conversion_;
+    const aiScene& scene_;
+    const ModelSource& source_;
     TexturedMesh& model_;
     QStringList& warnings_;
     const Progress& progress_;
     MaterialReader materials_;
     std::size_t total_ = 0;
-    std::size_t unusableCoordinates_ = 0;
     bool hasColours_ = false;
 };
 
 } // namespace
 
-TexturedMesh convertScene(const SceneConversion& conversion, QStringList& warnings,
-                          const Progress& progress) {
+TexturedMesh convertScene(const aiScene& scene, const ModelSource& source, bool linearColours,
+                          QStringList& warnings, const Progress& progress) {
     TexturedMesh model;
-    TriangleReader(conversion, model, warnings, progress).readAll();
-    if (model.mesh.triangles.empty()) {
-        throw Error(tr("The model has no triangles; save it with its surface"), conversion.path);
-    }
+    TriangleReader(scene, source, linearColours, model, warnings, progress).readAll();
     return model;
 }
 

@@ -45,7 +45,7 @@ QImage asTexture(QImage image) {
         image.convertToColorSpace(QColorSpace::SRgb);
     }
     image.convertTo(QImage::Format_RGBA8888);
-    image.setColorSpace(QColorSpace::SRgb);
+    image.setColorSpace(QColorSpace());
     return image;
 }
 

@@ -1,0 +1,417 @@
+#include "model/ThreeMfReader.h"
+
+#include "model/Texture.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QXmlStreamReader>
+
+#include <quazip.h>
+#include <quazipfile.h>
+
+#include <map>
+#include <optional>
+
+namespace dipwright {
+
+namespace {
+
+constexpr qint64 maximumEntryBytes = qint64(2) << 30;
+constexpr int maximumDepth = 32;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("ImportModel", text);
+}
+
+// The files in the package, by their names in it.
+class Package {
+public:
+    Package(const QByteArray& bytes, const ModelSource& source) : source_(source) {
+        buffer_.setData(bytes);
+        zip_.setIoDevice(&buffer_);
+        if (!zip_.open(QuaZip::mdUnzip)) {
+            source.throwDamaged(tr("it is not a 3MF package"));
+        }
+    }
+
+    // Nothing where there is no such file; throws where it is damaged.
+    std::optional<QByteArray> find(const QString& name) {
+        const QString path = name.startsWith(u'/') ? name.sliced(1) : name;
+        QuaZipFileInfo64 info;
+        if (!zip_.setCurrentFile(path, QuaZip::csInsensitive) || !zip_.getCurrentFileInfo(&info)) {
+            return std::nullopt;
+        }
+        if (info.isEncrypted() || info.uncompressedSize > quint64(maximumEntryBytes)) {
+            source_.throwDamaged(tr("%1 in it is encrypted or too large").arg(path));
+        }
+        QuaZipFile file(&zip_);
+        QByteArray bytes;
+        if (file.open(QIODevice::ReadOnly)) {
+            bytes = file.readAll();
+            file.close(); // tells whether the checksum is right
+        }
+        if (file.getZipError() != UNZ_OK || quint64(bytes.size()) != info.uncompressedSize) {
+            source_.throwDamaged(tr("%1 in it is damaged").arg(path));
+        }
+        return bytes;
+    }
+
+private:
+    const ModelSource& source_;
+    QBuffer buffer_;
+    QuaZip zip_;
+};
+
+// A list of properties that triangles choose from: materials, colours or texture coordinates.
+struct PropertyGroup {
+    std::vector<Material> materials;          // base materials and colours
+    std::vector<Eigen::Vector2f> coordinates; // texture coordinates
+    QString picture;                          // the file they belong to
+};
+
+struct ObjectTriangle {
+    std::array<std::uint32_t, 3> corners{};
+    int group = -1; // no property
+    std::array<int, 3> properties{};
+};
+
+struct Placement {
+    QString part;
+    int object = -1;
+    Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+};
+
+struct Object {
+    bool isSupport = false;
+    std::vector<Eigen::Vector3f> positions;
+    std::vector<ObjectTriangle> triangles;
+    std::vector<Placement> components;
+};
+
+// One file of the package that holds a model.
+struct Part {
+    double unit = 1; // mm
+    std::map<int, QString> pictures;
+    std::map<int, PropertyGroup> groups;
+    std::map<int, Object> objects;
+    std::vector<Placement> build;
+};
+
+double unitNamed(QStringView name) {
+    return name == u"micron"       ? 0.001
+           : name == u"centimeter" ? 10
+           : name == u"inch"       ? 25.4
+           : name == u"foot"       ? 304.8
+           : name == u"meter"      ? 1000
+                                   : 1;
+}
+
+// "#RRGGBB" or "#RRGGBBAA".
+QColor colourNamed(QStringView name) {
+    const QColor colour(name.first(std::min<qsizetype>(name.size(), 7)));
+    return colour.isValid() ? colour : Material().colour;
+}
+
+class PartReader {
+public:
+    PartReader(const QByteArray& bytes, const QString& name, const ModelSource& source,
+               const CancelSwitch& cancelSwitch)
+        : name_(name), source_(source), cancelSwitch_(cancelSwitch), xml_(bytes) {}
+
+    Part read() {
+        while (!xml_.atEnd()) {
+            if (xml_.readNext() == QXmlStreamReader::StartElement) {
+                readElement();
+            }
+        }
+        if (xml_.hasError()) {
+            source_.throwDamaged(tr("%1 in it: %2").arg(name_, xml_.errorString()));
+        }
+        return std::move(part_);
+    }
+
+private:
+    // Elements are known by their names alone: no two of those used here share one.
+    void readElement() {
+        const QStringView name = xml_.name();
+        if (name == u"vertex") {
+            object().positions.emplace_back(float(real("x")), float(real("y")), float(real("z")));
+        } else if (name == u"triangle") {
+            readTriangle();
+        } else if (name == u"tex2coord") {
+            group().coordinates.emplace_back(float(real("u")), float(real("v")));
+        } else if (name == u"base") {
+            group().materials.push_back({text("name"), colourNamed(text("displaycolor")), -1});
+        } else if (name == u"color") {
+            group().materials.push_back({text("color"), colourNamed(text("color")), -1});
+        } else if (name == u"basematerials" || name == u"colorgroup") {
+            openGroup_ = &part_.groups[integer("id")];
+        } else if (name == u"texture2d") {
+            part_.pictures[integer("id")] = text("path");
+        } else if (name == u"texture2dgroup") {
+            openGroup_ = &part_.groups[integer("id")];
+            openGroup_->picture = part_.pictures[integer("texid")];
+        } else if (name == u"object") {
+            readObject();
+        } else if (name == u"component") {
+            object().components.push_back(placement());
+        } else if (name == u"item") {
+            part_.build.push_back(placement());
+        } else if (name == u"model") {
+            part_.unit = unitNamed(text("unit"));
+        }
+    }
+
+    void readObject() {
+        cancelSwitch_.throwIfCancelled();
+        openObject_ = &part_.objects[integer("id")];
+        openObject_->isSupport = text("type").endsWith(QStringLiteral("support"));
+        objectGroup_ = integer("pid", -1);
+        objectProperty_ = integer("pindex", 0);
+    }
+
+    void readTriangle() {
+        ObjectTriangle triangle;
+        const char* corners[] = {"v1", "v2", "v3"};
+        const char* properties[] = {"p1", "p2", "p3"};
+        const int first = integer("p1", -1);
+        triangle.group = first < 0 ? objectGroup_ : integer("pid", objectGroup_);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int corner = integer(corners[i]);
+            if (corner < 0 || std::size_t(corner) >= object().positions.size()) {
+                source_.throwDamaged(tr("a triangle names a point that is not there"));
+            }
+            triangle.corners[i] = std::uint32_t(corner);
+            triangle.properties[i] = first < 0 ? objectProperty_ : integer(properties[i], first);
+        }
+        object().triangles.push_back(triangle);
+    }
+
+    Placement placement() {
+        Placement result;
+        result.object = integer("objectid");
+        result.part = text("path").isEmpty() ? name_ : text("path");
+        const QStringList numbers = text("transform").split(u' ', Qt::SkipEmptyParts);
+        if (numbers.size() == 12) { // four rows that a row vector is multiplied by
+            for (int i = 0; i < 12; ++i) {
+                result.transform.matrix()(i % 3, i / 3) = numbers[i].toDouble();
+            }
+        }
+        return result;
+    }
+
+    Object& object() {
+        if (!openObject_) {
+            source_.throwDamaged(tr("its elements are out of order"));
+        }
+        return *openObject_;
+    }
+
+    PropertyGroup& group() {
+        if (!openGroup_) {
+            source_.throwDamaged(tr("its elements are out of order"));
+        }
+        return *openGroup_;
+    }
+
+    // An attribute whatever its namespace: the production extension's path has one of its own.
+    QString text(const char* name) const {
+        for (const QXmlStreamAttribute& attribute : xml_.attributes()) {
+            if (attribute.name() == QLatin1String(name)) {
+                return attribute.value().toString();
+            }
+        }
+        return QString();
+    }
+
+    double real(const char* name) const {
+        bool isNumber = false;
+        const double value = text(name).toDouble(&isNumber);
+        if (!isNumber) {
+            source_.throwDamaged(tr("there is no number where one should be"));
+        }
+        return value;
+    }
+
+    int integer(const char* name, std::optional<int> otherwise = std::nullopt) const {
+        bool isNumber = false;
+        const int value = text(name).toInt(&isNumber);
+        if (!isNumber && !otherwise) {
+            source_.throwDamaged(tr("there is no number where one should be"));
+        }
+        return isNumber ? value : *otherwise;
+    }
+
+    QString name_;
+    const ModelSource& source_;
+    const CancelSwitch& cancelSwitch_;
+    QXmlStreamReader xml_;
+    Part part_;
+    Object* openObject_ = nullptr;
+    PropertyGroup* openGroup_ = nullptr;
+    int objectGroup_ = -1, objectProperty_ = 0;
+};
+
+class ThreeMfReader {
+public:
+    ThreeMfReader(const QByteArray& bytes, const ModelSource& source, QStringList& warnings,
+                  const CancelSwitch& cancelSwitch)
+        : source_(source), warnings_(warnings), cancelSwitch_(cancelSwitch),
+          package_(bytes, source) {}
+
+    TexturedMesh read() {
+        const Part& root = part(rootPart());
+        Eigen::Affine3d toMillimetres = Eigen::Affine3d::Identity();
+        toMillimetres.scale(root.unit);
+        for (const Placement& item : root.build) {
+            place(item, toMillimetres, 0);
+        }
+        return std::move(model_);
+    }
+
+private:
+    QString rootPart() {
+        const auto relations = package_.find(QStringLiteral("_rels/.rels"));
+        QXmlStreamReader xml(relations.value_or(QByteArray()));
+        while (!xml.atEnd()) {
+            if (xml.readNext() == QXmlStreamReader::StartElement &&
+                xml.attributes().value(QLatin1String("Type")).endsWith(u"/3dmodel")) {
+                return xml.attributes().value(QLatin1String("Target")).toString();
+            }
+        }
+        return QStringLiteral("3D/3dmodel.model");
+    }
+
+    const Part& part(const QString& name) {
+        const auto known = parts_.find(name);
+        if (known != parts_.end()) {
+            return known->second;
+        }
+        const auto bytes = package_.find(name);
+        if (!bytes) {
+            source_.throwDamaged(tr("%1 is not in it").arg(name));
+        }
+        return parts_.emplace(name, PartReader(*bytes, name, source_, cancelSwitch_).read())
+            .first->second;
+    }
+
+    void place(const Placement& placement, const Eigen::Affine3d& outer, int depth) {
+        const Part& inPart = part(placement.part);
+        const auto object = inPart.objects.find(placement.object);
+        if (object == inPart.objects.end() || depth > maximumDepth) {
+            source_.throwDamaged(tr("an object names one that is not there, or itself"));
+        }
+        if (object->second.isSupport) {
+            return;
+        }
+        const Eigen::Affine3d transform = outer * placement.transform;
+        addMesh(object->second, inPart, placement.part, transform);
+        for (const Placement& component : object->second.components) {
+            cancelSwitch_.throwIfCancelled();
+            countPlacement();
+            place(component, transform, depth + 1);
+        }
+    }
+
+    // Components of components multiply; without this a small file keeps the program busy for ever.
+    void countPlacement() { source_.checkTriangleCount(++placements_); }
+
+    void addMesh(const Object& object, const Part& inPart, const QString& partName,
+                 const Eigen::Affine3d& transform) {
+        source_.checkTriangleCount(model_.mesh.triangles.size() + object.triangles.size());
+        const auto first = std::uint32_t(model_.mesh.positions.size());
+        for (const auto& position : object.positions) {
+            model_.mesh.positions.push_back((transform * position.cast<double>()).cast<float>());
+        }
+        const bool isMirrored = transform.linear().determinant() < 0;
+        for (const ObjectTriangle& triangle : object.triangles) {
+            auto corners = triangle.corners;
+            auto uv = noCoordinates();
+            const auto group = inPart.groups.find(triangle.group);
+            if (group != inPart.groups.end()) {
+                fillCoordinates(group->second, triangle, uv);
+            }
+            for (auto& corner : corners) {
+                corner += first;
+            }
+            if (isMirrored) {
+                std::swap(corners[1], corners[2]);
+                std::swap(uv[1], uv[2]);
+            }
+            model_.mesh.triangles.push_back(corners);
+            model_.textureCoordinates.push_back(uv);
+            model_.material.push_back(material(inPart, partName, triangle));
+        }
+    }
+
+    static void fillCoordinates(const PropertyGroup& group, const ObjectTriangle& triangle,
+                                std::array<Eigen::Vector2f, 3>& uv) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto index = std::size_t(triangle.properties[i]);
+            if (index < group.coordinates.size()) {
+                uv[i] = group.coordinates[index];
+            }
+        }
+    }
+
+    // The model's material for a triangle; all of one picture share one.
+    std::uint16_t material(const Part& inPart, const QString& partName,
+                           const ObjectTriangle& triangle) {
+        const auto found = inPart.groups.find(triangle.group);
+        const PropertyGroup* group = found == inPart.groups.end() ? nullptr : &found->second;
+        const bool isPlain = group && std::size_t(triangle.properties[0]) < group->materials.size();
+        const auto key = std::tuple(partName, group ? triangle.group : -1,
+                                    isPlain ? triangle.properties[0] : -1);
+        const auto known = materials_.find(key);
+        if (known != materials_.end()) {
+            return known->second;
+        }
+        if (model_.materials.size() > 0xffff) {
+            source_.throwDamaged(tr("it has more than 65,536 materials"));
+        }
+        Material material =
+            isPlain ? group->materials[std::size_t(triangle.properties[0])] : Material();
+        if (group && !group->picture.isEmpty() && source_.withTextures) {
+            material.texture = texture(group->picture);
+        }
+        model_.materials.push_back(material);
+        return materials_.emplace(key, std::uint16_t(model_.materials.size() - 1)).first->second;
+    }
+
+    int texture(const QString& name) {
+        const auto known = textures_.find(name);
+        if (known != textures_.end()) {
+            return known->second;
+        }
+        int index = -1;
+        if (const auto bytes = package_.find(name)) {
+            index = int(model_.textures.size());
+            model_.textures.push_back(
+                readTexture(*bytes, tr("texture %1 in %2").arg(name, source_.path)));
+        } else {
+            warnings_.push_back(tr("The texture %1 is not in the model's package; its material's "
+                                   "colour is used instead")
+                                    .arg(name));
+        }
+        return textures_.emplace(name, index).first->second;
+    }
+
+    const ModelSource& source_;
+    QStringList& warnings_;
+    const CancelSwitch& cancelSwitch_;
+    Package package_;
+    std::map<QString, Part> parts_;
+    TexturedMesh model_;
+    std::map<std::tuple<QString, int, int>, std::uint16_t> materials_;
+    std::map<QString, int> textures_;
+    std::size_t placements_ = 0;
+};
+
+} // namespace
+
+TexturedMesh readThreeMf(const QByteArray& bytes, const ModelSource& source, QStringList& warnings,
+                         const CancelSwitch& cancelSwitch) {
+    return ThreeMfReader(bytes, source, warnings, cancelSwitch).read();
+}
+
+} // namespace dipwright

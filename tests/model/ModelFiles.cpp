@@ -1,0 +1,214 @@
+#include "ModelFiles.h"
+
+#include <QBuffer>
+#include <QDataStream>
+#include <QFile>
+#include <QPainter>
+
+#include <quazip.h>
+#include <quazipfile.h>
+
+#include <stdexcept>
+
+namespace dipwright::testing {
+
+namespace {
+
+QByteArray squareBuffer() {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream.setByteOrder(QDataStream::LittleEndian);
+    stream.setFloatingPointPrecision(QDataStream::SinglePrecision);
+    for (const float coordinate : {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) {
+        stream << coordinate;
+    }
+    for (const float coordinate : {0, 1, 1, 1, 1, 0, 0, 0}) { // glTF's v points down
+        stream << coordinate;
+    }
+    for (const quint16 corner : {0, 1, 2, 0, 2, 3}) {
+        stream << corner;
+    }
+    return bytes;
+}
+
+QByteArray gltfJson(const QByteArray& buffers, const QByteArray& image, qsizetype imageBytes) {
+    QByteArray views = R"({"buffer":0,"byteOffset":0,"byteLength":48},
+        {"buffer":0,"byteOffset":48,"byteLength":32},{"buffer":0,"byteOffset":80,"byteLength":12})";
+    if (imageBytes > 0) {
+        views +=
+            R"(,{"buffer":0,"byteOffset":92,"byteLength":)" + QByteArray::number(imageBytes) + "}";
+    }
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+        "nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},
+        "indices":2,"material":0}]}],
+        "materials":[{"name":"paint","pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],
+        "baseColorTexture":{"index":0}}}],
+        "textures":[{"source":0}],"images":[)" +
+           image + R"(],"accessors":[
+        {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+        {"bufferView":1,"componentType":5126,"count":4,"type":"VEC2"},
+        {"bufferView":2,"componentType":5123,"count":6,"type":"SCALAR"}],
+        "bufferViews":[)" +
+           views + R"(],"buffers":[)" + buffers + "]}";
+}
+
+void addEntry(QuaZip& zip, const QString& name, const QByteArray& bytes) {
+    QuaZipFile entry(&zip);
+    if (!entry.open(QIODevice::WriteOnly, QuaZipNewInfo(name)) ||
+        entry.write(bytes) != bytes.size()) {
+        throw std::runtime_error("cannot write a zip entry");
+    }
+}
+
+} // namespace
+
+void writeFile(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
+        throw std::runtime_error("cannot write a test file");
+    }
+}
+
+QImage quarters(int side) {
+    QImage image(side, side, QImage::Format_RGBA8888);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    const int half = side / 2;
+    painter.fillRect(0, 0, half, half, Qt::red);
+    painter.fillRect(half, 0, half, half, Qt::green);
+    painter.fillRect(0, half, half, half, Qt::blue);
+    painter.fillRect(half, half, half, half, Qt::white);
+    return image;
+}
+
+QByteArray png(const QImage& image) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return bytes;
+}
+
+QByteArray cubeObj(const QByteArray& head) {
+    return "# a cube\n" + head + R"(
+v -5 -5 -5
+v 5 -5 -5
+v -5 5 -5
+v 5 5 -5
+v -5 -5 5
+v 5 -5 5
+v -5 5 5
+v 5 5 5
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+f 5/1 6/2 8/3 7/4
+f 6/1 2/2 4/3 8/4
+f 2/1 1/2 3/3 4/4
+f 1/1 5/2 7/3 3/4
+f 7/1 8/2 4/3 3/4
+f 1/1 2/2 6/3 5/4
+)";
+}
+
+QByteArray squareGltf(const QByteArray& pngBytes) {
+    const QByteArray buffer = squareBuffer();
+    return gltfJson(R"({"byteLength":)" + QByteArray::number(buffer.size()) +
+                        R"(,"uri":"data:application/octet-stream;base64,)" + buffer.toBase64() +
+                        R"("})",
+                    R"({"uri":"data:image/png;base64,)" + pngBytes.toBase64() + R"("})", 0);
+}
+
+QByteArray squareGlb(const QByteArray& pngBytes) {
+    QByteArray binary = squareBuffer() + pngBytes;
+    binary.append((4 - binary.size() % 4) % 4, '\0');
+    QByteArray json = gltfJson(R"({"byteLength":)" + QByteArray::number(binary.size()) + "}",
+                               R"({"bufferView":3,"mimeType":"image/png"})", pngBytes.size());
+    json.append((4 - json.size() % 4) % 4, ' ');
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream.setByteOrder(QDataStream::LittleEndian);
+    stream.writeRawData("glTF", 4);
+    stream << quint32(2) << quint32(12 + 8 + json.size() + 8 + binary.size());
+    stream << quint32(json.size());
+    stream.writeRawData("JSON", 4);
+    stream.writeRawData(json.constData(), int(json.size()));
+    stream << quint32(binary.size());
+    stream.writeRawData("BIN\0", 4);
+    stream.writeRawData(binary.constData(), int(binary.size()));
+    return bytes;
+}
+
+void writeSquare3mf(const QString& path, const QByteArray& pngBytes) {
+    QuaZip zip(path);
+    if (!zip.open(QuaZip::mdCreate)) {
+        throw std::runtime_error("cannot write a zip");
+    }
+    addEntry(zip, QStringLiteral("[Content_Types].xml"),
+             R"(<?xml version="1.0" encoding="UTF-8"?>
+<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
+<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
+<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
+<Default Extension="png" ContentType="image/png"/>
+</Types>)");
+    addEntry(zip, QStringLiteral("_rels/.rels"),
+             R"(<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+<Relationship Target="/3D/3dmodel.model" Id="rel0"
+ Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+</Relationships>)");
+    addEntry(zip, QStringLiteral("3D/_rels/3dmodel.model.rels"),
+             R"(<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+<Relationship Target="/3D/Textures/picture.png" Id="rel1"
+ Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dtexture"/>
+</Relationships>)");
+    addEntry(zip, QStringLiteral("3D/Textures/picture.png"), pngBytes);
+    addEntry(zip, QStringLiteral("3D/3dmodel.model"),
+             R"(<?xml version="1.0" encoding="UTF-8"?>
+<model unit="millimeter" xml:lang="en-US"
+ xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+ xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02">
+<resources>
+<m:texture2d id="1" path="/3D/Textures/picture.png" contenttype="image/png"/>
+<m:texture2dgroup id="2" texid="1">
+<m:tex2coord u="0" v="0"/><m:tex2coord u="1" v="0"/>
+<m:tex2coord u="1" v="1"/><m:tex2coord u="0" v="1"/>
+</m:texture2dgroup>
+<object id="3" type="model"><mesh>
+<vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/>
+<vertex x="1" y="1" z="0"/><vertex x="0" y="1" z="0"/></vertices>
+<triangles><triangle v1="0" v2="1" v3="2" pid="2" p1="0" p2="1" p3="2"/>
+<triangle v1="0" v2="2" v3="3" pid="2" p1="0" p2="2" p3="3"/></triangles>
+</mesh></object>
+</resources>
+<build><item objectid="3"/></build>
+</model>)");
+    zip.close();
+    if (zip.getZipError() != 0) {
+        throw std::runtime_error("cannot close a zip");
+    }
+}
+
+QByteArray squarePly(const QByteArray& pictureFile) {
+    return "ply\nformat ascii 1.0\ncomment TextureFile " + pictureFile + R"(
+element vertex 4
+property float x
+property float y
+property float z
+property float s
+property float t
+element face 2
+property list uchar int vertex_indices
+end_header
+0 0 0 0 0
+1 0 0 1 0
+1 1 0 1 1
+0 1 0 0 1
+3 0 1 2
+3 0 2 3
+)";
+}
+
+} // namespace dipwright::testing
