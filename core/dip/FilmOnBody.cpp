@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace dipwright {
 
@@ -12,27 +11,8 @@ namespace {
 // it, the film lies on another side of the body.
 constexpr float otherSide = -0.05f;
 
-// Edge k of a film triangle runs from corner k to the next. One byte a triangle; bit k is set where
-// no painted film goes on behind edge k.
-std::vector<std::uint8_t> borderEdges(const std::vector<FilmTriangle>& triangles) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, int>> open;
-    std::vector<std::uint8_t> borders(triangles.size(), 0b111);
-    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
-        for (int edge = 0; edge < 3; ++edge) {
-            const std::uint32_t from = triangles[triangle][std::size_t(edge)];
-            const std::uint32_t to = triangles[triangle][std::size_t((edge + 1) % 3)];
-            const auto other = open.find({to, from});
-            if (other == open.end()) {
-                open[{from, to}] = {triangle, edge};
-                continue;
-            }
-            borders[triangle] &= std::uint8_t(~(1 << edge));
-            borders[other->second.first] &= std::uint8_t(~(1 << other->second.second));
-            open.erase(other);
-        }
-    }
-    return borders;
-}
+// Weights up to this count as none: the place is on an edge or in a corner.
+constexpr float noWeight = 1e-5f;
 
 } // namespace
 
@@ -41,31 +21,46 @@ struct FilmOnBody::Data {
     const TriangleMesh& body;
     std::vector<std::uint32_t> filmTriangle; // of each painted triangle
     TriangleMesh painted;
-    std::vector<std::uint8_t> borders;
+    std::vector<std::uint32_t> opposite;     // by painted edge: noEdge at the border
+    std::vector<std::uint8_t> isBorderPoint; // a film point each
     SurfaceQuery query;
     float reach;
 
     Data(const DippedFilm& dipped, const PosedBody& posed, std::vector<std::uint32_t> indices,
          TriangleMesh mesh)
         : film(dipped), body(posed.model.mesh), filmTriangle(std::move(indices)),
-          painted(std::move(mesh)), borders(borderEdges(painted.triangles)), query(painted),
-          reach(float(std::max(dipped.grid.spacingX(), dipped.grid.spacingZ()))) {}
+          painted(std::move(mesh)), opposite(oppositeEdges(painted)),
+          isBorderPoint(painted.positions.size(), 0), query(painted),
+          reach(float(std::max(dipped.grid.spacingX(), dipped.grid.spacingZ()))) {
+        for (std::size_t edge = 0; edge < opposite.size(); ++edge) {
+            if (opposite[edge] == noEdge) {
+                isBorderPoint[painted.triangles[edge / 3][edge % 3]] = 1;
+                isBorderPoint[painted.triangles[edge / 3][(edge + 1) % 3]] = 1;
+            }
+        }
+    }
 
     bool fits(const SurfacePoint& onFilm, const Eigen::Vector3f& outward) const {
         return onFilm.isValid() &&
                triangleNormal(painted, onFilm.triangle).dot(outward) < otherSide;
     }
-    // Whether the film's nearest place is its border, seen from beyond it.
-    bool isBeyondBorder(const SurfacePoint& onFilm, const Eigen::Vector3f& offset,
-                        const Eigen::Vector3f& outward) const {
-        for (int edge = 0; edge < 3; ++edge) {
-            const bool onEdge = onFilm.weights[(edge + 2) % 3] <= 1e-5f;
-            if (onEdge && (borders[onFilm.triangle] >> edge & 1)) {
-                const float sideways = (offset - offset.dot(outward) * outward).norm();
-                return sideways > 0.02f * reach;
+    bool isOnBorder(const SurfacePoint& onFilm) const {
+        for (std::uint32_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t next = (corner + 1) % 3;
+            const bool onEdge = onFilm.weights[(corner + 2) % 3] <= noWeight;
+            const bool inCorner = onEdge && onFilm.weights[next] <= noWeight;
+            if ((onEdge && opposite[3 * onFilm.triangle + corner] == noEdge) ||
+                (inCorner && isBorderPoint[painted.triangles[onFilm.triangle][corner]])) {
+                return true;
             }
         }
         return false;
+    }
+    // Whether the film's nearest place is its border, seen from beyond it.
+    bool isBeyondBorder(const SurfacePoint& onFilm, const Eigen::Vector3f& offset,
+                        const Eigen::Vector3f& outward) const {
+        const float sideways = (offset - offset.dot(outward) * outward).norm();
+        return sideways > 0.02f * reach && isOnBorder(onFilm);
     }
     // The film on the side of the body where `place` is.
     ClosestPoint filmOver(const Eigen::Vector3f& place, const Eigen::Vector3f& outward) const {

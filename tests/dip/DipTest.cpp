@@ -1,0 +1,267 @@
+// The run loop, with solvers made for the purpose.
+#include "dip/Dip.h"
+#include "DippedByHand.h"
+#include "base/Error.h"
+#include "geometry/Shapes.h"
+
+#include <QtTest>
+
+#include <limits>
+#include <set>
+
+using namespace dipwright;
+
+namespace {
+
+// What the solver under the run loop is to do, and what it has seen.
+struct Script {
+    int steps = 50;
+    bool touches = true;
+    bool unstable = false;
+    int throwsAtStep = -1;
+    int begun = 0;
+    int advanced = 0;
+    solver::DipSetup setup;
+};
+
+// Its film lies flat on the water; the middle point sticks to the body's lowest point.
+class ScriptedSolver : public solver::FilmSolver {
+public:
+    explicit ScriptedSolver(Script& script) : script_(script) {}
+
+    void begin(const solver::DipSetup& setup) override {
+        ++script_.begun;
+        script_.setup = setup;
+    }
+    solver::Progress advance(int maximumSteps) override {
+        for (int step = 0; step < maximumSteps && done_ < script_.steps; ++step) {
+            if (done_ == script_.throwsAtStep) {
+                throw std::runtime_error("the film is upset");
+            }
+            ++done_;
+            ++script_.advanced;
+        }
+        return {done_, script_.setup.motion.travel * done_ / script_.steps, done_ == script_.steps};
+    }
+    void read(std::span<float> positions, std::span<solver::PointState> states) const override {
+        const solver::FilmGrid& grid = script_.setup.film;
+        for (std::size_t point = 0; point < grid.pointCount(); ++point) {
+            const Eigen::Vector2f rest = restPosition(grid, point);
+            positions[3 * point] = rest.x();
+            positions[3 * point + 1] =
+                script_.unstable ? std::numeric_limits<float>::quiet_NaN() : 0;
+            positions[3 * point + 2] = rest.y();
+            states[point] = solver::PointState::Free;
+        }
+        if (script_.touches) {
+            states[grid.pointCount() / 2] = solver::PointState::Adhered;
+        }
+    }
+
+private:
+    Script& script_;
+    int done_ = 0;
+};
+
+class ScriptedModule : public solver::SolverModule {
+public:
+    explicit ScriptedModule(Script& script) : script_(script) {}
+
+    const char* unavailableReason() const override { return nullptr; }
+    const char* device() const override { return "paper and pencil"; }
+    std::unique_ptr<solver::FilmSolver> create() const override {
+        return std::make_unique<ScriptedSolver>(script_);
+    }
+    bool runBatch(std::span<solver::BatchItem>, solver::CancelFunction, void*) const override {
+        return false;
+    }
+
+private:
+    Script& script_;
+};
+
+struct Dip {
+    PosedBody body = test::posed(test::plainModel(boxMesh({30, 40, 50}), Qt::red));
+    DistanceField field;
+    Immersion immersion;
+    FilmSettings film;
+    ProcessSettings process;
+    Progress progress;
+
+    DippedFilm run(Script& script, const FilmObserver& observer = {}) const {
+        return simulateDip(body, field, immersion, film, process, ScriptedModule(script), progress,
+                           observer);
+    }
+};
+
+template <typename Work>
+QString refusal(const Work& work) {
+    try {
+        work();
+    } catch (const Error& error) {
+        return error.sentence();
+    }
+    return {};
+}
+
+} // namespace
+
+class DipTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void setupPutsTheBodyJustAboveTheWater();
+    void setupGoesUnderByTheMarginOrToTheDepth();
+    void setupCarriesTheFilm();
+    void resultIsInThePoseFrame();
+    void progressGrowsToTheEnd();
+    void observerSeesTheLastFrame();
+    void cancellingStopsWithinOneStep();
+    void failingSolverIsAnError();
+    void unstableFilmIsAnError();
+    void bodyThatNeverTouchesIsAnError();
+    void bodyBesideTheFilmIsRefusedUnsimulated();
+};
+
+void DipTest::setupPutsTheBodyJustAboveTheWater() {
+    Dip dip;
+    dip.immersion.rotation = {Degrees(20), Degrees(30), Degrees(-40)};
+    dip.immersion.offset = {Millimetres(12), Millimetres(-7)};
+    dip.body = posedBody(test::plainModel(boxMesh({30, 40, 50}), Qt::red), dip.immersion);
+    const auto motion = dipSetup(dip.body, dip.field, dip.immersion, dip.film, dip.process).motion;
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation(motion.rotation.data());
+    const Eigen::Vector3d start(motion.start.data());
+    double lowest = 1000;
+    const TriangleMesh box = boxMesh({30, 40, 50});
+    for (std::size_t corner = 0; corner < box.positions.size(); ++corner) {
+        const Eigen::Vector3d world = rotation * box.positions[corner].cast<double>() + start;
+        const Eigen::Vector3d pose = dip.body.model.mesh.positions[corner].cast<double>();
+        QVERIFY((world - pose - Eigen::Vector3d(12, startHeight, -7)).norm() < 1e-4);
+        lowest = std::min(lowest, world.y());
+    }
+    QVERIFY(std::abs(lowest - startHeight) < 1e-4);
+}
+
+void DipTest::setupGoesUnderByTheMarginOrToTheDepth() {
+    Dip dip;
+    dip.process.margin = Millimetres(3);
+    const auto travel = [&] {
+        return dipSetup(dip.body, dip.field, dip.immersion, dip.film, dip.process).motion.travel;
+    };
+    QVERIFY(std::abs(travel() - (startHeight + 40 + 3)) < 1e-4);
+    dip.process.depth = Millimetres(12);
+    QVERIFY(std::abs(travel() - (startHeight + 12)) < 1e-4);
+}
+
+void DipTest::setupCarriesTheFilm() {
+    Dip dip;
+    dip.film.swellX = 1.25;
+    dip.film.edges.topPinned = true;
+    dip.film.relaxationTime = Seconds(0);
+    dip.film.contactDistance = Millimetres(0.25);
+    const auto setup = dipSetup(dip.body, dip.field, dip.immersion, dip.film, dip.process);
+    QCOMPARE(setup.film.width, 262.5);
+    QCOMPARE(setup.pinned.size(), setup.film.pointCount());
+    QCOMPARE(int(setup.pinned.front()), 1);
+    QCOMPARE(int(setup.pinned.back()), 0);
+    QCOMPARE(setup.settings.relaxationTime, 0.0);
+    QCOMPARE(setup.settings.contactDistance, 0.25);
+}
+
+void DipTest::resultIsInThePoseFrame() {
+    Dip dip;
+    dip.immersion.offset = {Millimetres(12), Millimetres(-7)};
+    Script script;
+    const DippedFilm film = dip.run(script);
+    QCOMPARE(film.steps, std::int64_t(50));
+    QCOMPARE(film.positions.size(), film.grid.pointCount());
+    // The film stayed on the water; the body's lowest point has gone 42 mm below it.
+    const Eigen::Vector2f rest = restPosition(film.grid, 5);
+    QVERIFY((film.positions[5] - Eigen::Vector3f(rest.x() - 12, 42, rest.y() + 7)).norm() < 1e-3f);
+    QVERIFY(film.adhered(film.grid.pointCount() / 2));
+    QVERIFY(!film.adhered(0));
+}
+
+void DipTest::progressGrowsToTheEnd() {
+    Dip dip;
+    std::vector<double> shares;
+    dip.progress.report = [&](double share, const QString& text) {
+        QVERIFY(!text.isEmpty());
+        shares.push_back(share);
+    };
+    Script script;
+    dip.run(script);
+    QVERIFY(std::is_sorted(shares.begin(), shares.end()));
+    QCOMPARE(shares.front(), 0.0);
+    QCOMPARE(shares.back(), 1.0);
+}
+
+void DipTest::observerSeesTheLastFrame() {
+    Dip dip;
+    Script script;
+    double descent = -1;
+    std::int64_t steps = -1;
+    std::set<const float*> buffers;
+    dip.run(script, [&](const FilmFrame& frame) {
+        QCOMPARE(frame.positions.size(), 3 * script.setup.film.pointCount());
+        descent = frame.descent;
+        steps = frame.steps;
+        buffers.insert(frame.positions.data());
+    });
+    QCOMPARE(descent, script.setup.motion.travel);
+    QCOMPARE(steps, std::int64_t(50));
+    QCOMPARE(buffers.size(), std::size_t(1));
+}
+
+void DipTest::cancellingStopsWithinOneStep() {
+    Dip dip;
+    Script script;
+    int stepsWhenCancelled = -1;
+    dip.progress.report = [&](double, const QString&) {
+        if (script.advanced == 20) {
+            stepsWhenCancelled = script.advanced;
+            dip.progress.cancelSwitch.cancel();
+        }
+    };
+    QVERIFY_EXCEPTION_THROWN(dip.run(script), Cancelled);
+    QCOMPARE(stepsWhenCancelled, 20);
+    QVERIFY(script.advanced <= 21);
+}
+
+void DipTest::failingSolverIsAnError() {
+    Dip dip;
+    dip.immersion.name = "Top";
+    Script script;
+    script.throwsAtStep = 10;
+    const QString sentence = refusal([&] { dip.run(script); });
+    QVERIFY2(sentence.contains("the film is upset"), qPrintable(sentence));
+    QVERIFY2(sentence.contains("(Top)"), qPrintable(sentence));
+}
+
+void DipTest::unstableFilmIsAnError() {
+    Dip dip;
+    Script script;
+    script.unstable = true;
+    const QString sentence = refusal([&] { dip.run(script); });
+    QVERIFY2(sentence.contains("time step"), qPrintable(sentence));
+}
+
+void DipTest::bodyThatNeverTouchesIsAnError() {
+    Dip dip;
+    Script script;
+    script.touches = false;
+    const QString sentence = refusal([&] { dip.run(script); });
+    QVERIFY2(sentence.contains("does not meet the film"), qPrintable(sentence));
+}
+
+void DipTest::bodyBesideTheFilmIsRefusedUnsimulated() {
+    Dip dip;
+    dip.immersion.offset = {Millimetres(121), Millimetres(0)};
+    Script script;
+    const QString sentence = refusal([&] { dip.run(script); });
+    QVERIFY2(sentence.contains("does not meet the film"), qPrintable(sentence));
+    QCOMPARE(script.begun, 0);
+}
+
+QTEST_APPLESS_MAIN(DipTest)
+#include "DipTest.moc"

@@ -1,0 +1,36 @@
+// Bodies with textures and films laid on them by closed forms, for tests without a solver.
+#pragma once
+
+#include "dip/Pose.h"
+#include "film/DippedFilm.h"
+
+#include <functional>
+
+namespace dipwright::test {
+
+solver::FilmGrid a4Grid(int columns = 120, int rows = 170);
+
+// A body of one plain colour, in the pose frame of an immersion as modelled.
+PosedBody posed(const TexturedMesh& model);
+TexturedMesh plainModel(const TriangleMesh& mesh, const QColor& colour);
+
+// A box whose outer bottom wears `picture`, upright for who looks at it from below with −Z up; its
+// other faces have the material's colour.
+TexturedMesh boxWithPicture(const Eigen::Vector3d& size, const QImage& picture);
+// A sphere that wears `picture` as a map of the world does, south pole down; the map's left and
+// right edges meet on the meridian of +Z.
+TexturedMesh globe(double radius, int rings, int segments, const QImage& picture);
+// A sphere whose two halves (x < 0 and x > 0) wear two charts seen along X, in the left and the
+// right half of `picture`, a fifth of whose width lies between them and one tenth outside.
+TexturedMesh halvedBall(double radius, int rings, int segments, const QImage& picture);
+
+// Film that lies flat under a box of this size and is on it where it is under it.
+DippedFilm flatUnderBox(const solver::FilmGrid& grid, const Eigen::Vector3d& size);
+// Film with a law of its own: `polarAngle` of the place on the sphere where film that rested at a
+// distance from the middle lies; beyond `end` (radians) the film is free.
+DippedFilm onSphere(const solver::FilmGrid& grid, double radius, double end,
+                    const std::function<double(double)>& polarAngle);
+// Viscous film: R = 2ρ sin(θ/2) (film-physics §3).
+DippedFilm viscousOnSphere(const solver::FilmGrid& grid, double radius, double end);
+
+} // namespace dipwright::test

@@ -1,0 +1,282 @@
+// Which film is on the body, and how much of the body it paints.
+#include "DippedByHand.h"
+#include "dip/Coverage.h"
+#include "dip/FilmOnBody.h"
+#include "geometry/Shapes.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <numeric>
+
+using namespace dipwright;
+
+namespace {
+
+struct Located {
+    PosedBody body;
+    SurfaceQuery query;
+    DippedFilm film;
+    FilmContact contact;
+
+    Located(const TriangleMesh& mesh, const DippedFilm& dipped,
+            const ProcessSettings& process = ProcessSettings{})
+        : body(test::posed(test::plainModel(mesh, Qt::red))), query(body.model.mesh), film(dipped),
+          contact(locateFilm(film, body, query, process)) {}
+
+    std::size_t paintedCount() const {
+        return std::size_t(
+            std::accumulate(contact.painted.begin(), contact.painted.end(), std::size_t(0)));
+    }
+    Eigen::Vector3f place(std::size_t point) const {
+        return position(body.model.mesh, contact.surface[point]);
+    }
+    // Share of the painted film triangles for which `test` of the triangle's middle holds.
+    template <typename Test>
+    bool allPainted(const Test& holds) const {
+        const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
+        for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
+            const auto& [a, b, c] = triangles[triangle];
+            const Eigen::Vector3f middle =
+                (film.positions[a] + film.positions[b] + film.positions[c]) / 3;
+            if (contact.painted[triangle] && !holds(middle)) {
+                return false;
+            }
+        }
+        return true;
+    }
+};
+
+constexpr double ballRadius = 35;
+TriangleMesh ball() {
+    return sphereMesh(ballRadius, 120, 240);
+}
+
+std::size_t middlePoint(const solver::FilmGrid& grid) {
+    return std::size_t(grid.rows / 2) * std::size_t(grid.columns) + std::size_t(grid.columns / 2);
+}
+
+} // namespace
+
+class FilmContactTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void filmUnderABoxIsOnItsBottom();
+    void contactIsOnTheSurfaceNearTheFilm();
+    void filmOnTheUpperSideIsNotPainted();
+    void tornFilmIsMarkedAndNotPainted();
+    void loneMissIsFilledFromItsNeighbours();
+    void freeFilmAtTheWaterlineIsNotFilled();
+    void trappedFilmIsNotPainted();
+    void filmAcrossAHollowIsNotPainted();
+    void coverageOfABoxIsItsBottom();
+    void coverageOfABallIsItsCap();
+    void filmOnBodyGivesThePlaceBack();
+    void filmOnBodyEndsWhereThePaintEnds();
+    void filmOnBodyTellsTheSidesOfAThinPlateApart();
+    void sameResultTwice();
+};
+
+void FilmContactTest::filmUnderABoxIsOnItsBottom() {
+    const Located box(boxMesh({60, 30, 60}), test::flatUnderBox(test::a4Grid(), {60, 30, 60}));
+    QCOMPARE(box.contact.contactCount, std::size_t(34 * 34));
+    QCOMPARE(box.contact.filledCount, std::size_t(0));
+    QCOMPARE(box.paintedCount(), std::size_t(2 * 33 * 33));
+    for (std::size_t point = 0; point < box.film.positions.size(); ++point) {
+        QCOMPARE(box.contact.surface[point].isValid(), box.film.adhered(point));
+        if (box.film.adhered(point)) {
+            QVERIFY((box.place(point) - box.film.positions[point]).norm() < 1e-4f);
+        }
+    }
+}
+
+void FilmContactTest::contactIsOnTheSurfaceNearTheFilm() {
+    const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.8));
+    QVERIFY(globe.contact.contactCount > 3000);
+    for (std::size_t point = 0; point < globe.film.positions.size(); ++point) {
+        if (globe.contact.surface[point].isValid()) {
+            QVERIFY((globe.place(point) - globe.film.positions[point]).norm() < 0.02f);
+        }
+    }
+}
+
+void FilmContactTest::filmOnTheUpperSideIsNotPainted() {
+    const DippedFilm film = test::viscousOnSphere(test::a4Grid(), ballRadius, 2.6);
+    for (const double overhang : {-10.0, 0.0, 20.0, 45.0}) {
+        ProcessSettings process;
+        process.overhang = Degrees(overhang);
+        const Located globe(ball(), film, process);
+        // A face that turns up by the overhang is that far above the equator.
+        const double end = ballRadius * (1 + std::sin(radians(process.overhang)));
+        QVERIFY(
+            globe.allPainted([&](const Eigen::Vector3f& middle) { return middle.y() < end + 1; }));
+        QVERIFY(!globe.allPainted(
+            [&](const Eigen::Vector3f& middle) { return middle.y() < end - 2.5; }));
+    }
+}
+
+void FilmContactTest::tornFilmIsMarkedAndNotPainted() {
+    DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
+    // Drawn sideways on the bottom: the cells to its left grow to 2.5 times their area.
+    const std::size_t point = middlePoint(film.grid);
+    film.positions[point].x() += 1.5f * float(film.grid.spacingX());
+    ProcessSettings process;
+    process.tearStretch = 2;
+    const Located box(boxMesh({60, 30, 60}), film, process);
+    const auto torn = std::count(box.contact.torn.begin(), box.contact.torn.end(), 1);
+    QVERIFY(torn > 0);
+    for (std::size_t triangle = 0; triangle < box.contact.torn.size(); ++triangle) {
+        QVERIFY(!(box.contact.torn[triangle] && box.contact.painted[triangle]));
+    }
+    const Located whole(boxMesh({60, 30, 60}), film);
+    QCOMPARE(std::count(whole.contact.torn.begin(), whole.contact.torn.end(), 1), 0);
+}
+
+void FilmContactTest::loneMissIsFilledFromItsNeighbours() {
+    DippedFilm film = test::viscousOnSphere(test::a4Grid(), ballRadius, 1.5);
+    const std::size_t point = middlePoint(film.grid) + 5;
+    const Eigen::Vector3f place = film.positions[point];
+    film.states[point] = solver::PointState::Free;
+    film.positions[point].y() -= 3;
+    const Located globe(ball(), film);
+    QCOMPARE(globe.contact.filledCount, std::size_t(1));
+    QCOMPARE(int(globe.contact.filled[point]), 1);
+    QVERIFY((globe.place(point) - place).norm() < 0.1f);
+}
+
+void FilmContactTest::freeFilmAtTheWaterlineIsNotFilled() {
+    const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.0));
+    QCOMPARE(globe.contact.filledCount, std::size_t(0));
+    for (std::size_t point = 0; point < globe.film.positions.size(); ++point) {
+        QCOMPARE(globe.contact.surface[point].isValid(), globe.film.adhered(point));
+    }
+}
+
+void FilmContactTest::trappedFilmIsNotPainted() {
+    DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
+    const std::size_t point = middlePoint(film.grid);
+    film.states[point] = solver::PointState::Trapped;
+    const Located box(boxMesh({60, 30, 60}), film);
+    QVERIFY(!box.contact.surface[point].isValid());
+    // Six or eight triangles meet in a point, four where no cut does.
+    const std::size_t missing = 2 * 33 * 33 - box.paintedCount();
+    QVERIFY(missing == 4 || missing == 8);
+}
+
+void FilmContactTest::filmAcrossAHollowIsNotPainted() {
+    // A roof turned upside down: two slopes that meet in a furrow along Z, seen from below.
+    TriangleMesh gable;
+    gable.positions = {{-30, 0, -30}, {0, 30, -30}, {30, 0, -30},
+                       {-30, 0, 30},  {0, 30, 30},  {30, 0, 30}};
+    gable.triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
+    DippedFilm film;
+    film.grid = {31, 31, 60, 60};
+    for (std::size_t point = 0; point < film.grid.pointCount(); ++point) {
+        const Eigen::Vector2f rest = restPosition(film.grid, point) + Eigen::Vector2f(1, 0);
+        film.positions.emplace_back(rest.x(), 30 - std::abs(rest.x()), rest.y());
+        film.states.push_back(solver::PointState::Adhered);
+    }
+    const Located roof(gable, film);
+    // The cells of 2 mm astride the furrow span it; their neighbours lie on the slopes.
+    QVERIFY(roof.allPainted([](const Eigen::Vector3f& middle) {
+        return std::abs(std::abs(middle.x()) + middle.y() - 30) < 0.3f;
+    }));
+    QVERIFY(roof.paintedCount() > 2 * 27 * 28);
+}
+
+void FilmContactTest::coverageOfABoxIsItsBottom() {
+    // As large as 34 film points, so that the film's cells end where the bottom does.
+    const solver::FilmGrid grid = test::a4Grid();
+    const Eigen::Vector3d size(33 * grid.spacingX(), 30, 33 * grid.spacingZ());
+    const Located box(boxMesh(size), test::flatUnderBox(grid, size + Eigen::Vector3d(0.1, 0, 0.1)));
+    const Coverage cover = coverage(box.film, box.contact, box.body, box.query);
+    const double bottom = size.x() * size.z();
+    QVERIFY(std::abs(cover.paintedArea - bottom) < 0.01 * bottom);
+    QVERIFY(std::abs(cover.share - bottom / surfaceArea(box.body.model.mesh)) < 0.005);
+    QCOMPARE(cover.trappedAirArea, 0.0);
+    for (std::size_t triangle = 0; triangle < cover.covered.size(); ++triangle) {
+        const bool down = triangleNormal(box.body.model.mesh, triangle).y() < -0.5f;
+        QCOMPARE(bool(cover.covered[triangle]), down);
+    }
+}
+
+void FilmContactTest::coverageOfABallIsItsCap() {
+    const double end = 1.2;
+    const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, end));
+    const Coverage cover = coverage(globe.film, globe.contact, globe.body, globe.query);
+    // The film's last whole cells end up to a cell before the contact line.
+    QVERIFY(cover.share < (1 - std::cos(end)) / 2);
+    QVERIFY(cover.share > (1 - std::cos(end - 1.5 / ballRadius)) / 2);
+}
+
+void FilmContactTest::filmOnBodyGivesThePlaceBack() {
+    const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.5));
+    const FilmOnBody filmOnBody(globe.film, globe.contact, globe.body);
+    int found = 0;
+    for (std::uint32_t triangle = 0; triangle < globe.body.model.mesh.triangles.size();
+         ++triangle) {
+        const SurfacePoint middle{triangle, Eigen::Vector3f::Constant(1.0f / 3)};
+        const Eigen::Vector3f place = position(globe.body.model.mesh, middle);
+        const double angle =
+            std::atan2(std::hypot(place.x(), place.z()), ballRadius - double(place.y()));
+        Eigen::Vector2f rest;
+        std::uint32_t filmTriangle = 0;
+        const bool covered = filmOnBody.locate(middle, rest, filmTriangle);
+        QVERIFY(covered || angle > 1.5 - 3 / ballRadius);
+        QVERIFY(!covered || angle < 1.5 + 0.1 / ballRadius);
+        if (covered) {
+            const Eigen::Vector2f direction = Eigen::Vector2f(place.x(), place.z()).normalized();
+            const Eigen::Vector2f expected =
+                float(2 * ballRadius * std::sin(angle / 2)) * direction;
+            QVERIFY((rest - expected).norm() < 0.06f);
+            ++found;
+        }
+    }
+    QVERIFY(found > 10000);
+}
+
+void FilmContactTest::filmOnBodyEndsWhereThePaintEnds() {
+    const Located box(boxMesh({60, 30, 60}), test::flatUnderBox(test::a4Grid(), {30, 30, 30}));
+    const FilmOnBody filmOnBody(box.film, box.contact, box.body);
+    const auto covers = [&](float x, float z) {
+        Eigen::Vector2f rest;
+        std::uint32_t triangle = 0;
+        return filmOnBody.locate(box.query.closest({x, 0, z}).point, rest, triangle);
+    };
+    // Eighteen points of each row are on the bottom, 17 cells between them.
+    const auto end = float(8.5 * box.film.grid.spacingX());
+    QVERIFY(covers(end - 0.05f, 3));
+    QVERIFY(covers(-end + 0.05f, -3));
+    QVERIFY(!covers(end + 0.1f, 3));
+    QVERIFY(!covers(-end - 0.1f, -3));
+    QVERIFY(!covers(25, 25));
+}
+
+void FilmContactTest::filmOnBodyTellsTheSidesOfAThinPlateApart() {
+    // A plate of 0.2 mm with film below it only.
+    const Located plate(boxMesh({60, 0.2, 60}), test::flatUnderBox(test::a4Grid(), {60, 0.2, 60}));
+    const FilmOnBody filmOnBody(plate.film, plate.contact, plate.body);
+    Eigen::Vector2f rest;
+    std::uint32_t triangle = 0;
+    QVERIFY(filmOnBody.locate(plate.query.closest({5, 0, 5}).point, rest, triangle));
+    QVERIFY(!filmOnBody.locate(plate.query.closest({5, 0.2f, 5}).point, rest, triangle));
+}
+
+void FilmContactTest::sameResultTwice() {
+    const DippedFilm film = test::viscousOnSphere(test::a4Grid(), ballRadius, 1.9);
+    const Located one(ball(), film);
+    const Located other(ball(), film);
+    QVERIFY(one.contact.painted == other.contact.painted);
+    for (std::size_t point = 0; point < film.positions.size(); ++point) {
+        QCOMPARE(one.contact.surface[point].triangle, other.contact.surface[point].triangle);
+        QCOMPARE(one.contact.surface[point].weights, other.contact.surface[point].weights);
+    }
+    const Coverage oneCover = coverage(film, one.contact, one.body, one.query);
+    const Coverage otherCover = coverage(film, other.contact, other.body, other.query);
+    QCOMPARE(oneCover.paintedArea, otherCover.paintedArea);
+    QVERIFY(oneCover.covered == otherCover.covered);
+}
+
+QTEST_APPLESS_MAIN(FilmContactTest)
+#include "FilmContactTest.moc"

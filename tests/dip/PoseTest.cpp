@@ -1,0 +1,83 @@
+// How an immersion holds a body.
+#include "DippedByHand.h"
+#include "geometry/Shapes.h"
+
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+// A box away from the origin, so that turning about the origin would show.
+TexturedMesh farBox() {
+    TriangleMesh box = boxMesh({10, 20, 30});
+    for (Eigen::Vector3f& position : box.positions) {
+        position += Eigen::Vector3f(100, 200, 300);
+    }
+    return test::plainModel(box, Qt::red);
+}
+
+Immersion turned(double x, double y, double z) {
+    Immersion immersion;
+    immersion.rotation = {Degrees(x), Degrees(y), Degrees(z)};
+    return immersion;
+}
+
+bool isNear(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+    return (one - other).norm() < 1e-4;
+}
+
+} // namespace
+
+class PoseTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void bodyStandsOnTheWaterPlaneOverTheMiddle();
+    void quarterTurnsSwapTheEdges();
+    void turnsAreAppliedAboutXThenYThenZ();
+    void leaningBodyRestsOnItsLowestCorner();
+    void offsetDoesNotMoveThePose();
+};
+
+void PoseTest::bodyStandsOnTheWaterPlaneOverTheMiddle() {
+    const PosedBody body = posedBody(farBox(), Immersion{});
+    const BoundingBox box = boundingBox(body.model.mesh);
+    QVERIFY(isNear(box.min().cast<double>(), {-5, 0, -15}));
+    QVERIFY(isNear(box.max().cast<double>(), {5, 20, 15}));
+    QVERIFY(std::abs(body.height - 20) < 1e-4);
+    QVERIFY(isNear(body.modelToPose * Eigen::Vector3d(100, 190, 300), {0, 0, 0}));
+}
+
+void PoseTest::quarterTurnsSwapTheEdges() {
+    QVERIFY(std::abs(posedBody(farBox(), turned(90, 0, 0)).height - 30) < 1e-4);
+    QVERIFY(std::abs(posedBody(farBox(), turned(0, 90, 0)).height - 20) < 1e-4);
+    QVERIFY(std::abs(posedBody(farBox(), turned(0, 0, 90)).height - 10) < 1e-4);
+}
+
+void PoseTest::turnsAreAppliedAboutXThenYThenZ() {
+    const Eigen::Isometry3d pose = poseTransform(farBox().mesh, turned(90, 90, 0));
+    // About X, +Y goes to +Z; about Y then, +Z goes to +X.
+    QVERIFY(isNear(pose.linear() * Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitX()));
+    const Eigen::Isometry3d other = poseTransform(farBox().mesh, turned(0, 90, 90));
+    // About Y, +Z goes to +X; about Z then, +X goes to +Y.
+    QVERIFY(isNear(other.linear() * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()));
+}
+
+void PoseTest::leaningBodyRestsOnItsLowestCorner() {
+    const PosedBody body = posedBody(farBox(), turned(31, -57, 12));
+    const BoundingBox box = boundingBox(body.model.mesh);
+    QVERIFY(std::abs(box.min().y()) < 1e-4);
+    QVERIFY(std::abs(box.max().y() - body.height) < 1e-4);
+    QVERIFY(std::abs(box.center().x()) < 1e-4 && std::abs(box.center().z()) < 1e-4);
+}
+
+void PoseTest::offsetDoesNotMoveThePose() {
+    Immersion beside;
+    beside.offset = {Millimetres(40), Millimetres(-25)};
+    QVERIFY(
+        poseTransform(farBox().mesh, beside).isApprox(poseTransform(farBox().mesh, Immersion{})));
+}
+
+QTEST_APPLESS_MAIN(PoseTest)
+#include "PoseTest.moc"

@@ -1,0 +1,105 @@
+// The measure of how well sheet and body meet.
+#include "texture/Registration.h"
+#include "DippedByHand.h"
+#include "geometry/Shapes.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr double radius = 35;
+
+QImage anyPicture() {
+    QImage image(64, 32, QImage::Format_RGBA8888);
+    image.fill(Qt::red);
+    return image;
+}
+
+// Measures a film as if it had been printed for `planned`.
+Registration measured(const TexturedMesh& model, const DippedFilm& planned,
+                      const DippedFilm& dipped) {
+    const PosedBody body = test::posed(model);
+    const SurfaceQuery query(body.model.mesh);
+    const FilmContact contact = locateFilm(planned, body, query, ProcessSettings{});
+    return registrationError(planned, contact, body, query, FilmOnBody(dipped, contact, body));
+}
+
+} // namespace
+
+class RegistrationTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void flatFaceIsExact();
+    void sphereIsWithinTheTargets_data();
+    void sphereIsWithinTheTargets();
+    void bodyWithoutTextureIsMeasuredToo();
+    void filmThatSlippedShowsAsFarAsItSlipped();
+    void bareBodyHasNoSamples();
+};
+
+void RegistrationTest::flatFaceIsExact() {
+    const DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
+    const Registration error =
+        measured(test::boxWithPicture({60, 30, 60}, anyPicture()), film, film);
+    QVERIFY(error.maximum < 0.001);
+    QVERIFY(error.samples > 10000);
+}
+
+void RegistrationTest::sphereIsWithinTheTargets_data() {
+    QTest::addColumn<int>("rings");
+    QTest::addColumn<bool>("halved");
+    QTest::newRow("fine globe") << 160 << false;
+    QTest::newRow("coarse globe") << 24 << false;
+    QTest::newRow("two charts") << 60 << true;
+}
+
+void RegistrationTest::sphereIsWithinTheTargets() {
+    QFETCH(int, rings);
+    QFETCH(bool, halved);
+    const TexturedMesh model = halved ? test::halvedBall(radius, rings, 2 * rings, anyPicture())
+                                      : test::globe(radius, rings, 2 * rings, anyPicture());
+    const DippedFilm film = test::viscousOnSphere(test::a4Grid(), radius, 1.9);
+    const Registration error = measured(model, film, film);
+    QVERIFY2(error.mean <= 0.02, qPrintable(QString::number(error.mean)));
+    QVERIFY2(error.percentile95 <= 0.05, qPrintable(QString::number(error.percentile95)));
+    QVERIFY2(error.maximum <= 0.2, qPrintable(QString::number(error.maximum)));
+    QVERIFY(error.samples > 14000);
+}
+
+void RegistrationTest::bodyWithoutTextureIsMeasuredToo() {
+    const DippedFilm film = test::viscousOnSphere(test::a4Grid(), radius, 1.9);
+    const Registration error =
+        measured(test::plainModel(sphereMesh(radius, 60, 120), Qt::red), film, film);
+    QVERIFY(error.maximum < 0.1);
+    QVERIFY(error.samples > 14000);
+}
+
+void RegistrationTest::filmThatSlippedShowsAsFarAsItSlipped() {
+    const DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
+    DippedFilm slipped = film;
+    for (Eigen::Vector3f& position : slipped.positions) {
+        position.x() += 0.3f;
+        position.z() -= 0.4f;
+    }
+    const Registration error =
+        measured(test::boxWithPicture({60, 30, 60}, anyPicture()), film, slipped);
+    QVERIFY(std::abs(error.mean - 0.5) < 0.01);
+    QVERIFY(std::abs(error.maximum - 0.5) < 0.01);
+}
+
+void RegistrationTest::bareBodyHasNoSamples() {
+    DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
+    film.states.assign(film.states.size(), solver::PointState::Free);
+    const Registration error =
+        measured(test::boxWithPicture({60, 30, 60}, anyPicture()), film, film);
+    QCOMPARE(error.samples, std::size_t(0));
+    QCOMPARE(error.maximum, 0.0);
+}
+
+QTEST_APPLESS_MAIN(RegistrationTest)
+#include "RegistrationTest.moc"

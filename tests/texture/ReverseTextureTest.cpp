@@ -1,0 +1,348 @@
+// The image to print, on films laid by closed forms.
+#include "texture/ReverseTexture.h"
+#include "DippedByHand.h"
+#include "base/Units.h"
+#include "geometry/Shapes.h"
+#include "texture/LinearLight.h"
+
+#include <QPainter>
+#include <QtTest>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <functional>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr double radius = 35;
+const Eigen::Vector3d boxSize(60, 30, 60);
+const QSize a4Pixels(1240, 1754); // 150 dpi
+
+using Pattern = std::function<LinearColour(double u, double v)>;
+
+// A picture of a pattern, each texel the colour of its middle.
+QImage drawn(const Pattern& pattern, QSize size) {
+    QImage image(size, QImage::Format_RGBA8888);
+    for (int row = 0; row < size.height(); ++row) {
+        auto* texel = image.scanLine(row);
+        for (int column = 0; column < size.width(); ++column, texel += 4) {
+            const LinearColour colour =
+                pattern((column + 0.5) / size.width(), 1 - (row + 0.5) / size.height());
+            for (int channel = 0; channel < 3; ++channel) {
+                texel[channel] = encodedByte(colour[channel]);
+            }
+            texel[3] = 255;
+        }
+    }
+    return image;
+}
+
+// Soft waves that close where the texture does.
+LinearColour waves(double u, double v) {
+    return Eigen::Array3d(0.5 + 0.4 * std::sin(6 * pi * u), 0.5 + 0.4 * std::cos(4 * pi * u),
+                          0.5 + 0.4 * std::sin(10 * pi * v))
+        .cast<float>();
+}
+
+ReverseTexture reversed(const TexturedMesh& model, const DippedFilm& film,
+                        const ReverseTextureOptions& options, const Progress& progress = {}) {
+    const PosedBody body = test::posed(model);
+    const SurfaceQuery query(body.model.mesh);
+    const FilmContact contact = locateFilm(film, body, query, ProcessSettings{});
+    return reverseTexture(film, contact, body, query, options, progress);
+}
+
+ReverseTextureOptions uncompensated(QSize pixels = a4Pixels) {
+    ReverseTextureOptions options;
+    options.pixels = pixels;
+    options.ink.compensate = false;
+    return options;
+}
+
+// The film's place under a pixel's middle, mm.
+Eigen::Vector2d place(const QImage& image, int column, int row) {
+    return {((column + 0.5) / image.width() - 0.5) * 210,
+            ((row + 0.5) / image.height() - 0.5) * 297};
+}
+
+template <typename Visit>
+void forEachPixel(const QImage& image, const Visit& visit) {
+    for (int row = 0; row < image.height(); ++row) {
+        const auto* pixel = image.constScanLine(row);
+        for (int column = 0; column < image.width(); ++column, pixel += 4) {
+            visit(place(image, column, row), pixel);
+        }
+    }
+}
+
+int difference(const unsigned char* pixel, const LinearColour& expected) {
+    int most = 0;
+    for (int channel = 0; channel < 3; ++channel) {
+        most = std::max(most, std::abs(pixel[channel] - encodedByte(expected[channel])));
+    }
+    return most;
+}
+
+// A letter F of three bars, in the upper left of its picture.
+QImage letterF() {
+    QImage image(600, 600, QImage::Format_RGBA8888);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.fillRect(90, 60, 60, 300, Qt::black);
+    painter.fillRect(150, 60, 120, 60, Qt::black);
+    painter.fillRect(150, 180, 80, 60, Qt::black);
+    return image;
+}
+
+} // namespace
+
+class ReverseTextureTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void flatFaceGivesThePictureBack();
+    void letterStandsMirroredInItsPlace();
+    void globeShowsItsMapEverywhere();
+    void noColourOfAnotherChartIsSmeared_data();
+    void noColourOfAnotherChartIsSmeared();
+    void finePatternIsAveragedInLinearLight();
+    void bodyWithoutTextureIsItsColour();
+    void textureWithoutCoordinatesIsTheColour();
+    void nothingIsPrintedBeyondTheBleed();
+    void inkFollowsTheStretch();
+    void colourThatCannotBeHadIsReported();
+    void sameBytesOnOneThreadAndOnMany();
+    void tinyImageStillWorks();
+    void cancellingThrows();
+};
+
+void ReverseTextureTest::flatFaceGivesThePictureBack() {
+    const QImage picture = drawn(waves, {512, 512});
+    const ReverseTexture texture =
+        reversed(test::boxWithPicture(boxSize, picture),
+                 test::flatUnderBox(test::a4Grid(), boxSize), uncompensated());
+    QCOMPARE(texture.seamTriangles, std::size_t(0));
+    QCOMPARE(texture.shortfallArea, 0.0);
+    int compared = 0;
+    forEachPixel(texture.image, [&](const Eigen::Vector2d& at, const unsigned char* pixel) {
+        if (at.cwiseAbs().maxCoeff() < 29) {
+            QCOMPARE(int(pixel[3]), 255);
+            // A shift of 0.05 mm would make up to 4 of 255 levels.
+            QVERIFY(difference(pixel, waves(0.5 - at.x() / 60, 0.5 - at.y() / 60)) <= 2);
+            ++compared;
+        }
+    });
+    QVERIFY(compared > 100000);
+}
+
+void ReverseTextureTest::letterStandsMirroredInItsPlace() {
+    const QImage letter = letterF();
+    const ReverseTexture texture =
+        reversed(test::boxWithPicture(boxSize, letter), test::flatUnderBox(test::a4Grid(), boxSize),
+                 uncompensated({2480, 3508}));
+    // Seen from below with −Z up, the picture's right is −X: on the sheet, ink side up, the letter
+    // is mirrored left to right about the body's middle and keeps its top.
+    std::size_t same = 0;
+    std::size_t all = 0;
+    std::size_t sameUnmirrored = 0;
+    forEachPixel(texture.image, [&](const Eigen::Vector2d& at, const unsigned char* pixel) {
+        if (at.cwiseAbs().maxCoeff() < 29) {
+            const int row = int((at.y() / 60 + 0.5) * 600);
+            const int column = int((0.5 - at.x() / 60) * 600);
+            const bool black = pixel[0] < 128;
+            same += black == (letter.pixelColor(column, row).red() < 128);
+            sameUnmirrored += black == (letter.pixelColor(599 - column, row).red() < 128);
+            ++all;
+        }
+    });
+    QVERIFY(double(same) > 0.998 * double(all));
+    QVERIFY(double(sameUnmirrored) < 0.9 * double(all));
+}
+
+void ReverseTextureTest::globeShowsItsMapEverywhere() {
+    const QImage picture = drawn(waves, {1024, 512});
+    const double end = 1.8;
+    const ReverseTexture texture =
+        reversed(test::globe(radius, 160, 320, picture),
+                 test::viscousOnSphere(test::a4Grid(), radius, end), uncompensated());
+    QVERIFY(texture.seamTriangles > 0);
+    int compared = 0;
+    int wrong = 0;
+    forEachPixel(texture.image, [&](const Eigen::Vector2d& at, const unsigned char* pixel) {
+        const double distance = at.norm();
+        const double angle = 2 * std::asin(std::min(1.0, distance / (2 * radius)));
+        if (angle < end - 3 / radius && distance > 1) {
+            const double turn = std::atan2(-at.x(), -at.y());
+            const LinearColour expected = waves(0.5 + turn / (2 * pi), angle / pi);
+            wrong += difference(pixel, expected) > 6 + 8 / distance || pixel[3] != 255;
+            ++compared;
+        }
+    });
+    QVERIFY(compared > 200000);
+    QCOMPARE(wrong, 0);
+}
+
+void ReverseTextureTest::noColourOfAnotherChartIsSmeared_data() {
+    QTest::addColumn<int>("texels");
+    QTest::newRow("texels smaller than pixels") << 4096;
+    QTest::newRow("texels as large as pixels") << 1024;
+    QTest::newRow("texels larger than pixels") << 128;
+}
+
+void ReverseTextureTest::noColourOfAnotherChartIsSmeared() {
+    QFETCH(int, texels);
+    // A red and a blue disc on green: what is on the ball is red for x < 0 and blue for x > 0.
+    const auto discs = [](double u, double v) {
+        const bool onDisc = std::hypot(u - (u < 0.5 ? 0.25 : 0.75), v - 0.5) <= 0.15;
+        return onDisc ? LinearColour(u < 0.5 ? 1 : 0, 0, u < 0.5 ? 0 : 1) : LinearColour(0, 1, 0);
+    };
+    const QImage picture = drawn(discs, {texels, texels});
+    const ReverseTexture texture =
+        reversed(test::halvedBall(radius, 60, 120, picture),
+                 test::viscousOnSphere(test::a4Grid(), radius, 1.8), uncompensated());
+    QVERIFY(texture.seamTriangles > 50);
+    int stray = 0;
+    int printed = 0;
+    const double pixel = 210.0 / texture.image.width();
+    forEachPixel(texture.image, [&](const Eigen::Vector2d& at, const unsigned char* bytes) {
+        if (bytes[3] == 0) {
+            return;
+        }
+        ++printed;
+        const bool red = bytes[0] > 200 && bytes[2] < 40;
+        const bool blue = bytes[2] > 200 && bytes[0] < 40;
+        const bool onSeam = std::abs(at.x()) < 1.5 * pixel;
+        stray += bytes[1] > 40 || !(onSeam || (at.x() < 0 ? red : blue));
+    });
+    QVERIFY(printed > 200000);
+    QCOMPARE(stray, 0);
+}
+
+void ReverseTextureTest::finePatternIsAveragedInLinearLight() {
+    // Checks of one texel, of which a pixel covers about 40.
+    QImage picture(2048, 2048, QImage::Format_RGBA8888);
+    for (int row = 0; row < picture.height(); ++row) {
+        for (int column = 0; column < picture.width(); ++column) {
+            picture.setPixel(column, row, (row + column) % 2 ? 0xffffffffu : 0xff000000u);
+        }
+    }
+    const ReverseTexture texture =
+        reversed(test::boxWithPicture(boxSize, picture),
+                 test::flatUnderBox(test::a4Grid(), boxSize), uncompensated());
+    forEachPixel(texture.image, [&](const Eigen::Vector2d& at, const unsigned char* pixel) {
+        if (at.cwiseAbs().maxCoeff() < 28) {
+            QVERIFY(difference(pixel, LinearColour::Constant(0.5f)) <= 3);
+        }
+    });
+}
+
+void ReverseTextureTest::bodyWithoutTextureIsItsColour() {
+    const QColor colour(180, 60, 20);
+    const ReverseTexture texture =
+        reversed(test::plainModel(sphereMesh(radius, 40, 80), colour),
+                 test::viscousOnSphere(test::a4Grid(), radius, 1.2), uncompensated());
+    int printed = 0;
+    forEachPixel(texture.image, [&](const Eigen::Vector2d&, const unsigned char* pixel) {
+        if (pixel[3]) {
+            QCOMPARE(QColor(pixel[0], pixel[1], pixel[2]), colour);
+            ++printed;
+        }
+    });
+    QVERIFY(printed > 10000);
+}
+
+void ReverseTextureTest::textureWithoutCoordinatesIsTheColour() {
+    TexturedMesh model = test::plainModel(boxMesh(boxSize), QColor(10, 200, 30));
+    model.materials[0].texture = 0;
+    model.textures.push_back(letterF());
+    const ReverseTexture texture =
+        reversed(model, test::flatUnderBox(test::a4Grid(), boxSize), uncompensated());
+    QCOMPARE(texture.image.pixelColor(620, 877), QColor(10, 200, 30));
+}
+
+void ReverseTextureTest::nothingIsPrintedBeyondTheBleed() {
+    const TexturedMesh model = test::plainModel(boxMesh(boxSize), QColor(10, 200, 30));
+    const DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize);
+    const Eigen::Vector2d painted(16.5 * film.grid.spacingX(), 16.5 * film.grid.spacingZ());
+    for (const double bleed : {0.0, 2.0, 5.0}) {
+        ReverseTextureOptions options = uncompensated();
+        options.bleed = bleed;
+        const ReverseTexture texture = reversed(model, film, options);
+        forEachPixel(texture.image, [&](const Eigen::Vector2d& at, const unsigned char* pixel) {
+            const Eigen::Vector2d beyond = (at.cwiseAbs() - painted).cwiseMax(0);
+            if (beyond.norm() < bleed - 0.2 || beyond.isZero()) {
+                QCOMPARE(int(pixel[3]), 255);
+            } else if (beyond.norm() > bleed + 0.2) {
+                QCOMPARE(int(pixel[3]), 0);
+            }
+        });
+    }
+}
+
+void ReverseTextureTest::inkFollowsTheStretch() {
+    // Flat film drawn out by a fifth each way: every film cell covers 1.44 times its area.
+    DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize / 1.2);
+    for (Eigen::Vector3f& position : film.positions) {
+        position *= 1.2f;
+    }
+    const QColor colour(200, 120, 90);
+    ReverseTextureOptions options;
+    options.pixels = a4Pixels;
+    const ReverseTexture texture =
+        reversed(test::plainModel(boxMesh(boxSize), colour), film, options);
+    const QColor printed = texture.image.pixelColor(620, 877);
+    const auto density = [](int value) { return -std::log10(linearFromSrgb(value / 255.0)); };
+    QVERIFY(std::abs(density(printed.red()) - 1.44 * density(colour.red())) < 0.01);
+    QVERIFY(std::abs(density(printed.green()) - 1.44 * density(colour.green())) < 0.01);
+    QVERIFY(std::abs(density(printed.blue()) - 1.44 * density(colour.blue())) < 0.01);
+    QCOMPARE(texture.shortfallArea, 0.0);
+}
+
+void ReverseTextureTest::colourThatCannotBeHadIsReported() {
+    DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize / 1.2);
+    for (Eigen::Vector3f& position : film.positions) {
+        position *= 1.2f;
+    }
+    ReverseTextureOptions options;
+    options.pixels = a4Pixels;
+    options.ink.limit = 1;
+    const ReverseTexture texture =
+        reversed(test::plainModel(boxMesh(boxSize), QColor(0, 0, 0)), film, options);
+    // All of the painted bottom: 28 × 28 points' cells, drawn out.
+    const double painted = 27 * 27 * film.grid.spacingX() * film.grid.spacingZ() * 1.44;
+    QVERIFY(std::abs(texture.shortfallArea - painted) < 0.01 * painted);
+}
+
+void ReverseTextureTest::sameBytesOnOneThreadAndOnMany() {
+    const TexturedMesh model = test::globe(radius, 60, 120, drawn(waves, {300, 200}));
+    const DippedFilm film = test::viscousOnSphere(test::a4Grid(), radius, 1.8);
+    const ReverseTexture many = reversed(model, film, uncompensated());
+    const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
+    const ReverseTexture one = reversed(model, film, uncompensated());
+    QVERIFY(one.image == many.image);
+    QCOMPARE(one.seamTriangles, many.seamTriangles);
+    QCOMPARE(one.shortfallArea, many.shortfallArea);
+}
+
+void ReverseTextureTest::tinyImageStillWorks() {
+    const TexturedMesh model = test::globe(radius, 60, 120, drawn(waves, {300, 200}));
+    const DippedFilm film = test::viscousOnSphere(test::a4Grid(), radius, 1.8);
+    const ReverseTexture texture = reversed(model, film, uncompensated({21, 30}));
+    QCOMPARE(texture.image.size(), QSize(21, 30));
+    QCOMPARE(texture.image.pixelColor(10, 15).alpha(), 255);
+    QCOMPARE(texture.image.pixelColor(0, 0).alpha(), 0);
+}
+
+void ReverseTextureTest::cancellingThrows() {
+    Progress progress;
+    progress.cancelSwitch.cancel();
+    QVERIFY_EXCEPTION_THROWN(reversed(test::plainModel(boxMesh(boxSize), Qt::red),
+                                      test::flatUnderBox(test::a4Grid(), boxSize), uncompensated(),
+                                      progress),
+                             Cancelled);
+}
+
+QTEST_MAIN(ReverseTextureTest)
+#include "ReverseTextureTest.moc"
