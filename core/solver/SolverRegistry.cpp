@@ -43,7 +43,7 @@ struct Plugin {
 };
 
 QString requiredText(const QJsonObject& metadata, const char* key) {
-    const QString text = metadata[QLatin1String(key)].toString().trimmed();
+    QString text = metadata[QLatin1String(key)].toString().trimmed();
     if (text.isEmpty() || text.size() > 200) {
         throw Refusal(tr("Its description has no valid \"%1\"").arg(QLatin1String(key)));
     }

@@ -1,6 +1,7 @@
 // The paper's film on the CPU (film-physics §1).
 
 #include "cpu/PaperFilm.h"
+#include "PlainPaperFilm.h"
 #include "TestFilm.h"
 #include "pbd/BodyFrame.h"
 
@@ -57,6 +58,8 @@ class PaperFilmTest : public QObject {
 
 private slots:
     void nothingMovesBeforeContact();
+    void followsThePaperStepByStep_data();
+    void followsThePaperStepByStep();
     void adheredPointsLieOnTheSurface();
     void adheredPointsMoveExactlyWithTheBody();
     void pinnedPointsStay();
@@ -84,6 +87,31 @@ void PaperFilmTest::nothingMovesBeforeContact() {
             QCOMPARE(float(place.z), float(-148.5 + row * setup.film.spacingZ()));
         }
     }
+}
+
+void PaperFilmTest::followsThePaperStepByStep_data() {
+    QTest::addColumn<solver::Lattice>("lattice");
+    QTest::addColumn<double>("travel");
+    QTest::newRow("the paper's lattice") << solver::Lattice::Structural << 25.0;
+    QTest::newRow("with diagonals") << solver::Lattice::Isotropic << 12.0;
+}
+
+void PaperFilmTest::followsThePaperStepByStep() {
+    QFETCH(solver::Lattice, lattice);
+    QFETCH(double, travel);
+    const SampledBody body = sphere(35, 96);
+    auto setup = paperDip(body, -35, 31, 44, travel);
+    setup.settings.lattice = lattice;
+    PlainPaperFilm plain(setup);
+    plain.dip();
+    const Ending end = dipped(setup);
+    double farthest = 0;
+    for (std::size_t point = 0; point < end.states.size(); ++point) {
+        QCOMPARE(end.isAdhered(point), plain.isAdhered(point));
+        farthest = std::max(farthest, length(end.position(point) - plain.position(point)));
+    }
+    qInfo("farthest from the plain solver: %g mm", farthest);
+    QVERIFY(farthest < 0.02);
 }
 
 void PaperFilmTest::adheredPointsLieOnTheSurface() {
