@@ -92,12 +92,18 @@ double niceStep(double span) {
     return 10 * decade;
 }
 
-// From 1, unstretched, upwards; where film is compressed as well, evenly to both sides of 1.
-Scale scaleOf(const Distribution& values) {
+// From 1, unstretched, upwards; where film is compressed as well, evenly to both sides of 1. A few
+// points that tore away do not take the colours from the others: they lie past the scale's end.
+Scale scaleOf(std::vector<float> values) {
     constexpr double least = 0.02; // noise is not blown up to a picture
+    constexpr double outliers = 0.002;
+    std::sort(values.begin(), values.end());
+    const auto last = double(values.size() - 1);
+    const double lowest = values[std::size_t(std::floor(outliers * last))];
+    const double highest = values[std::size_t(std::ceil((1 - outliers) * last))];
     Scale scale;
-    const double above = std::max(values.maximum - 1, least);
-    const double below = 1 - values.minimum;
+    const double above = std::clamp(highest - 1, least, 9.0);
+    const double below = 1 - lowest;
     if (below > 0.1 * above && below > least / 2) {
         const double reach = std::max(above, below);
         scale.step = niceStep(2 * reach);
@@ -156,8 +162,8 @@ class StretchPicture {
 public:
     StretchPicture(const DippedFilm& film, const FilmContact& contact, int longEdge)
         : grid_(film.grid), stretch_(film, contact),
-          values_(distribution(stretch_.paintedValues())), scale_(scaleOf(values_)),
-          unit_(longEdge / 100.0) {
+          values_(distribution(stretch_.paintedValues())),
+          scale_(scaleOf(stretch_.paintedValues())), unit_(longEdge / 100.0) {
         const double height = 78;
         const double width = std::clamp(height * grid_.width / grid_.depth, 20.0, 250.0);
         plot_ = QRectF(9, 12, width, height);
@@ -248,21 +254,29 @@ private:
         painter.setPen(QPen(ink, 0.12));
         painter.setBrush(gradient);
         painter.drawRect(bar);
-        const int decimals = std::max(1, int(std::ceil(-std::log10(scale_.step) - 1e-9)));
         for (double value = scale_.low; value < scale_.high + scale_.step / 2;
              value += scale_.step) {
             const double y = bar.bottom() - scale_.share(value) * bar.height();
             painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 0.7, y));
             letter(painter, QRectF(bar.right() + 1.2, y - 1, 8, 2),
-                   Qt::AlignLeft | Qt::AlignVCenter, QLocale().toString(value, 'f', decimals), 1.5,
-                   ink);
+                   Qt::AlignLeft | Qt::AlignVCenter, scaleLabel(value), 1.5, ink);
         }
         letter(painter, QRectF(bar.left(), bar.bottom() + 1.6, 14, 2), Qt::AlignLeft,
                Text::tr("stretch\nmm per mm"), 1.5, paleInk);
     }
 
+    QString scaleLabel(double value) const {
+        const int decimals = std::max(1, int(std::ceil(-std::log10(scale_.step) - 1e-9)));
+        const QString number = QLocale().toString(value, 'f', decimals);
+        const bool goesOn = value > scale_.high - scale_.step / 2 && values_.maximum > scale_.high;
+        return goesOn ? Text::tr("%1 and more").arg(number) : number;
+    }
+
     void drawValues(QPainter& painter) const {
-        const auto number = [](double value) { return QLocale().toString(value, 'f', 3); };
+        const auto number = [](double value) {
+            return value < 1000 ? QLocale().toString(value, 'f', 3)
+                                : QLocale().toString(value, 'g', 3);
+        };
         const QString text = Text::tr("On the body: min %1 · mean %2 · 95 % %3 · max %4")
                                  .arg(number(values_.minimum), number(values_.mean),
                                       number(values_.percentile95), number(values_.maximum));
