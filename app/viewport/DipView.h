@@ -14,6 +14,9 @@
 #include <span>
 #include <vector>
 
+class QKeyEvent;
+class QMouseEvent;
+
 namespace dipwright {
 
 // How dragging with the left button turns the camera.
@@ -116,10 +119,10 @@ protected:
 
 private:
     struct Scene;
-    bool mousePressed(class QMouseEvent* event);
+    bool mousePressed(QMouseEvent* event);
     bool mouseMoved(QMouseEvent* event);
     bool mouseReleased(QMouseEvent* event);
-    bool keyPressed(class QKeyEvent* event);
+    bool keyPressed(QKeyEvent* event);
     void render();
 
     std::unique_ptr<Scene> scene_;

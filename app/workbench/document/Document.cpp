@@ -1,0 +1,131 @@
+#include "document/Document.h"
+
+#include "project/ProjectStore.h"
+
+#include <QFileInfo>
+#include <QUndoCommand>
+
+namespace dipwright {
+
+namespace {
+
+// Each step keeps two versions of the project, which share their model: some kilobytes.
+constexpr int undoLimit = 500;
+
+} // namespace
+
+// A project before and after one step. The values are whole: undoing cannot miss anything.
+class ProjectEdit : public QUndoCommand {
+public:
+    ProjectEdit(Document& document, const QString& text, const QString& mergeKey, Project after)
+        : QUndoCommand(text), document_(document), mergeKey_(mergeKey),
+          mergeRound_(document.mergeRound_), before_(document.project_), after_(std::move(after)) {}
+
+    void undo() override { document_.replaceProject(before_); }
+    void redo() override { document_.replaceProject(after_); }
+    int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
+
+    bool mergeWith(const QUndoCommand* next) override {
+        const auto& other = static_cast<const ProjectEdit&>(*next);
+        if (other.mergeKey_ != mergeKey_ || other.mergeRound_ != mergeRound_) {
+            return false;
+        }
+        after_ = other.after_;
+        setObsolete(after_ == before_);
+        return true;
+    }
+
+private:
+    Document& document_;
+    QString mergeKey_;
+    int mergeRound_;
+    Project before_, after_;
+};
+
+bool dependsOnChange(Stage stage, std::size_t number, const Project& before, const Project& now) {
+    if (number >= before.immersions.size() || number >= now.immersions.size()) {
+        return true;
+    }
+    // A name stands on the sheet only.
+    const auto posed = [number](const Project& project) {
+        Immersion immersion = project.immersions[number];
+        immersion.name.clear();
+        return immersion;
+    };
+    if (before.model != now.model || before.film != now.film || before.process != now.process ||
+        before.fieldResolution != now.fieldResolution || posed(before) != posed(now)) {
+        return true;
+    }
+    const bool texture = before.ink != now.ink || before.sheet.bleed != now.sheet.bleed ||
+                         before.sheet.resolution != now.sheet.resolution;
+    if (stage != Stage::Dip && texture) {
+        return true;
+    }
+    return stage == Stage::Sheet && (before.name != now.name || before.date != now.date ||
+                                     before.immersions[number].name != now.immersions[number].name);
+}
+
+Document::Document(Project project, const QString& path, QObject* parent)
+    : QObject(parent), project_(std::move(project)), path_(path) {
+    undoStack_.setUndoLimit(undoLimit);
+    connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::fileChanged);
+}
+
+Document::~Document() = default;
+
+void Document::edit(const QString& text, const QString& mergeKey,
+                    const std::function<void(Project&)>& change) {
+    Project changed = project_;
+    change(changed);
+    if (changed != project_) {
+        undoStack_.push(new ProjectEdit(*this, text, mergeKey, std::move(changed)));
+    }
+}
+
+void Document::replaceProject(const Project& project) {
+    project_ = project;
+    emit projectChanged();
+}
+
+QString Document::title() const {
+    return path_.isEmpty() ? project_.name : QFileInfo(path_).completeBaseName();
+}
+
+void Document::save() {
+    saveProject(project_, path_);
+    recovered_ = false;
+    undoStack_.setClean();
+    emit fileChanged();
+}
+
+void Document::saveAs(const QString& path) {
+    saveProject(project_, path);
+    if (path != path_) {
+        path_ = path;
+        lock_.acquireByForce(path);
+    }
+    recovered_ = false;
+    undoStack_.setClean();
+    emit fileChanged();
+}
+
+void Document::setResult(std::shared_ptr<const JobResult> result) {
+    result_ = std::move(result);
+    emit resultChanged();
+}
+
+bool Document::isFresh(Stage stage, std::size_t number) const {
+    return result_ && number < result_->immersions.size() &&
+           !dependsOnChange(stage, number, result_->project, project_);
+}
+
+bool Document::isFresh() const {
+    for (std::size_t number = 0; number < project_.immersions.size(); ++number) {
+        if (!isFresh(Stage::Sheet, number)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace dipwright

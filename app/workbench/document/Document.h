@@ -1,0 +1,81 @@
+// One open document: a project as a value, every change to it undoable, its file, and the result
+// of the last run with what of it is out of date. No widgets. UI thread only.
+#pragma once
+
+#include "document/FileLock.h"
+#include "pipeline/Pipeline.h"
+
+#include <QObject>
+#include <QUndoStack>
+#include <functional>
+
+namespace dipwright {
+
+// What can be out of date, each later one including what it depends on.
+enum class Stage { Dip, Texture, Sheet };
+
+// Whether `stage` of immersion `number` would come out different for `now` than it did for
+// `before`.
+bool dependsOnChange(Stage stage, std::size_t number, const Project& before, const Project& now);
+
+class Document : public QObject {
+    Q_OBJECT
+
+public:
+    // `path` empty: a new document without a file.
+    explicit Document(Project project, const QString& path = {}, QObject* parent = nullptr);
+    ~Document() override;
+
+    const Project& project() const { return project_; }
+
+    // Applies `change` to a copy of the project and makes it the project, as one step to undo that
+    // is called `text`. Nothing happens when it changes nothing. Steps with the same `mergeKey` in
+    // a row become one, until endMerge(); an empty key never merges. What `change` throws passes
+    // through, and nothing has changed.
+    void edit(const QString& text, const QString& mergeKey,
+              const std::function<void(Project&)>& change);
+    void endMerge() { ++mergeRound_; }
+    QUndoStack& undoStack() { return undoStack_; }
+
+    // The file. `path` is empty for a document that was never saved.
+    const QString& path() const { return path_; }
+    QString title() const; // the file's name, or the project's
+    bool isModified() const { return path_.isEmpty() || recovered_ || !undoStack_.isClean(); }
+    // Restored after a crash: differs from its file though nothing was edited since.
+    void setRecovered() {
+        recovered_ = true;
+        emit fileChanged();
+    }
+    // Takes the file's lock; what it found is returned and nothing is taken unless it was free.
+    LockState lock() { return lock_.acquire(path_); }
+    void lockAnyway() { lock_.acquireByForce(path_); }
+    // Throws Error; then file and document are as they were.
+    void save();
+    void saveAs(const QString& path);
+
+    // The last run's result, which names the project it belongs to; null before the first.
+    std::shared_ptr<const JobResult> result() const { return result_; }
+    void setResult(std::shared_ptr<const JobResult> result);
+    // Whether there is a result of `stage` for immersion `number` that fits the project as it is.
+    bool isFresh(Stage stage, std::size_t number) const;
+    bool isFresh() const; // everything of every immersion
+
+signals:
+    void projectChanged();
+    void resultChanged();
+    void fileChanged(); // path, title or modified
+
+private:
+    friend class ProjectEdit;
+    void replaceProject(const Project& project);
+
+    Project project_;
+    QString path_;
+    QUndoStack undoStack_;
+    int mergeRound_ = 0;
+    bool recovered_ = false;
+    FileLock lock_;
+    std::shared_ptr<const JobResult> result_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,63 @@
+#include "document/RecentProjects.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFileInfo>
+#include <QSettings>
+#include <QStandardPaths>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int mostRecent = 12;
+constexpr QSize thumbnailSize(320, 200);
+const QString settingsKey = QStringLiteral("recentProjects");
+
+QString thumbnailPath(const QString& path) {
+    const QByteArray key =
+        QCryptographicHash::hash(path.toUtf8(), QCryptographicHash::Sha256).toHex().left(32);
+    return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) +
+           QStringLiteral("/thumbnails/") + QString::fromLatin1(key) + QStringLiteral(".png");
+}
+
+} // namespace
+
+QStringList recentProjects() {
+    return QSettings().value(settingsKey).toStringList();
+}
+
+void addRecentProject(const QString& path) {
+    QStringList paths = recentProjects();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    paths.removeAll(absolute);
+    paths.prepend(absolute);
+    QSettings().setValue(settingsKey, QStringList(paths.mid(0, mostRecent)));
+}
+
+void forgetRecentProject(const QString& path) {
+    QStringList paths = recentProjects();
+    paths.removeAll(path);
+    QSettings().setValue(settingsKey, paths);
+    QFile::remove(thumbnailPath(path));
+}
+
+QImage projectThumbnail(const QString& path) {
+    return QImage(thumbnailPath(QFileInfo(path).absoluteFilePath()));
+}
+
+void keepProjectThumbnail(const QString& path, const QImage& picture) {
+    if (picture.isNull()) {
+        return;
+    }
+    const QString file = thumbnailPath(QFileInfo(path).absoluteFilePath());
+    QDir().mkpath(QFileInfo(file).absolutePath());
+    const QImage scaled =
+        picture.scaled(thumbnailSize, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+    const QRect middle((scaled.width() - thumbnailSize.width()) / 2,
+                       (scaled.height() - thumbnailSize.height()) / 2, thumbnailSize.width(),
+                       thumbnailSize.height());
+    scaled.copy(middle).save(file);
+}
+
+} // namespace dipwright

@@ -1,0 +1,136 @@
+#include "document/Recovery.h"
+
+#include "base/Error.h"
+#include "document/Document.h"
+#include "project/ProjectStore.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QJsonDocument>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <QUuid>
+#include <algorithm>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int defaultIntervalSeconds = 20;
+
+QString besides(const QString& copy, const char* extension) {
+    return copy.left(copy.lastIndexOf(QLatin1Char('.'))) + QLatin1String(extension);
+}
+
+} // namespace
+
+QString recoveryFolder() {
+    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+           QStringLiteral("/recovery");
+}
+
+std::vector<RecoveredDocument> findRecoveredDocuments(const QString& folder) {
+    std::vector<RecoveredDocument> found;
+    const QDir directory(folder);
+    for (const QFileInfo& copy :
+         directory.entryInfoList({QStringLiteral("*.dipw")}, QDir::Files, QDir::Time)) {
+        QLockFile lock(besides(copy.filePath(), ".lock"));
+        lock.setStaleLockTime(0);
+        if (!lock.tryLock(0)) {
+            continue; // open in a program that lives
+        }
+        QFile description(besides(copy.filePath(), ".json"));
+        QJsonObject json;
+        if (description.open(QIODevice::ReadOnly)) {
+            json = QJsonDocument::fromJson(description.readAll()).object();
+        }
+        found.push_back({copy.filePath(), json[QLatin1String("original")].toString(),
+                         json[QLatin1String("name")].toString(copy.completeBaseName()),
+                         copy.lastModified()});
+    }
+    return found;
+}
+
+void discardRecovered(const RecoveredDocument& recovered) {
+    for (const char* extension : {".dipw", ".json", ".lock"}) {
+        QFile::remove(besides(recovered.copy, extension));
+    }
+}
+
+AutoSaver::AutoSaver(Document& document, const QString& folder, QObject* parent)
+    : QObject(parent), document_(document), folder_(folder),
+      name_(QUuid::createUuid().toString(QUuid::WithoutBraces)) {
+    writer_.setMaxThreadCount(1);
+    timer_.setSingleShot(true);
+    setInterval(defaultIntervalSeconds);
+    connect(&timer_, &QTimer::timeout, this, &AutoSaver::write);
+    connect(&document, &Document::projectChanged, this, &AutoSaver::scheduleCopy);
+    connect(&document, &Document::fileChanged, this, [this] {
+        if (!document_.isModified()) {
+            discard();
+        }
+    });
+    if (document.isModified() || document.path().isEmpty()) {
+        scheduleCopy();
+    }
+}
+
+AutoSaver::~AutoSaver() {
+    writer_.waitForDone();
+}
+
+void AutoSaver::setInterval(int seconds) {
+    timer_.setInterval(seconds * 1000);
+}
+
+void AutoSaver::scheduleCopy() {
+    if (!timer_.isActive()) {
+        timer_.start();
+    }
+}
+
+QString AutoSaver::file(const char* extension) const {
+    return folder_ + QLatin1Char('/') + name_ + QLatin1String(extension);
+}
+
+void AutoSaver::keepNow() {
+    timer_.stop();
+    write();
+    writer_.waitForDone();
+}
+
+void AutoSaver::write() {
+    QDir().mkpath(folder_);
+    if (!lock_) {
+        lock_ = std::make_unique<QLockFile>(file(".lock"));
+        lock_->setStaleLockTime(0);
+        lock_->tryLock(0);
+    }
+    const QJsonObject description{
+        {QStringLiteral("original"), document_.path()},
+        {QStringLiteral("name"), document_.title()},
+    };
+    writer_.start(
+        [project = document_.project(), description, copy = file(".dipw"), about = file(".json")] {
+            QSaveFile json(about);
+            if (json.open(QIODevice::WriteOnly)) {
+                json.write(QJsonDocument(description).toJson());
+                json.commit();
+            }
+            try {
+                saveProject(project, copy);
+            } catch (const Error& error) {
+                qWarning("No recovery copy: %s", qUtf8Printable(error.sentence()));
+            }
+        });
+}
+
+void AutoSaver::discard() {
+    timer_.stop();
+    writer_.waitForDone();
+    QFile::remove(file(".dipw"));
+    QFile::remove(file(".json"));
+    lock_.reset();
+}
+
+} // namespace dipwright

@@ -1,0 +1,58 @@
+// Copies of edited documents, kept while they are open, from which work is restored after a crash.
+//
+// A document's copy is NAME.dipw with NAME.json beside it (which file it belongs to) and NAME.lock,
+// held by the program that edits it. A copy whose lock nobody holds was left behind by a crash. The
+// copy goes when the document is saved or its user has let it go; nothing else removes it.
+#pragma once
+
+#include "project/Project.h"
+
+#include <QLockFile>
+#include <QThreadPool>
+#include <QTimer>
+
+namespace dipwright {
+
+class Document;
+
+struct RecoveredDocument {
+    QString copy;     // the recovery file
+    QString original; // the document's own file; empty: it had none
+    QString name;     // of the project
+    QDateTime saved;
+};
+
+// The copies in `folder` that a crash has left behind, the newest first.
+std::vector<RecoveredDocument> findRecoveredDocuments(const QString& folder);
+// Removes one copy, once it is restored or the user has let it go.
+void discardRecovered(const RecoveredDocument& recovered);
+// Where copies are kept by default.
+QString recoveryFolder();
+
+// Keeps the copy of one document: after each change, at most once an interval, on another thread.
+class AutoSaver : public QObject {
+    Q_OBJECT
+
+public:
+    AutoSaver(Document& document, const QString& folder, QObject* parent = nullptr);
+    ~AutoSaver() override; // waits for a copy being written; the copy stays if edits are not saved
+
+    void setInterval(int seconds);
+    // Writes the copy now if there is anything to keep, and waits until it is on the disk.
+    void keepNow();
+    // The user has saved, or let the changes go: removes the copy.
+    void discard();
+
+private:
+    void scheduleCopy();
+    void write();
+    QString file(const char* extension) const;
+
+    Document& document_;
+    QString folder_, name_;
+    std::unique_ptr<QLockFile> lock_;
+    QTimer timer_;
+    QThreadPool writer_;
+};
+
+} // namespace dipwright

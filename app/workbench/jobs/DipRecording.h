@@ -1,0 +1,53 @@
+// The film of one dip over time, thinned out so that it can be played and scrubbed.
+#pragma once
+
+#include "dip/Dip.h"
+
+#include <memory>
+#include <mutex>
+
+namespace dipwright {
+
+// A grid of fewer points laid through the film's: every so-manieth column and row, and the last.
+struct ThinnedFilm {
+    int columns = 0, rows = 0;
+    std::vector<std::uint32_t> points; // index in the film, row by row
+};
+ThinnedFilm thinFilm(const solver::FilmGrid& grid, std::size_t mostPoints);
+
+struct RecordedFrame {
+    std::vector<float> positions; // x, y, z a point of the thinned film; world frame
+    double descent = 0;           // mm
+    std::int64_t steps = 0;
+};
+
+// Written by the thread that simulates, read by the UI thread at the same time.
+class DipRecording {
+public:
+    // Keeps at most about `mostFrames` evenly spread frames, always with the newest.
+    DipRecording(const Immersion& immersion, const solver::FilmGrid& grid, std::size_t mostPoints,
+                 std::size_t mostFrames);
+
+    const Immersion& immersion() const { return immersion_; }
+    const ThinnedFilm& film() const { return film_; }
+    const solver::FilmGrid& grid() const { return grid_; }
+
+    void add(const FilmFrame& frame);
+    std::size_t size() const;
+    std::shared_ptr<const RecordedFrame> frame(std::size_t number) const;
+    std::shared_ptr<const RecordedFrame> latest() const; // null: none yet
+
+private:
+    void thinOut();
+
+    const Immersion immersion_;
+    const solver::FilmGrid grid_;
+    const ThinnedFilm film_;
+    const std::size_t mostFrames_;
+    mutable std::mutex mutex_;
+    std::vector<std::shared_ptr<const RecordedFrame>> frames_;
+    std::size_t added_ = 0;
+    std::size_t keepEvery_ = 1;
+};
+
+} // namespace dipwright

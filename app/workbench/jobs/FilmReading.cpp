@@ -1,0 +1,112 @@
+#include "jobs/FilmReading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+// The mean over the triangles round each point.
+std::vector<float> perPoint(std::size_t points, const std::vector<FilmTriangle>& triangles,
+                            const std::vector<PrincipalStretch>& stretches,
+                            float (*value)(const PrincipalStretch&)) {
+    std::vector<float> sums(points, 0), counts(points, 0);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (const std::uint32_t point : triangles[t]) {
+            sums[point] += value(stretches[t]);
+            counts[point] += 1;
+        }
+    }
+    for (std::size_t point = 0; point < points; ++point) {
+        sums[point] /= counts[point];
+    }
+    return sums;
+}
+
+// Barycentric weights of `place` in a triangle of the plane; negative where it lies outside.
+Eigen::Vector3f weightsIn(const std::array<Eigen::Vector2f, 3>& corners,
+                          const Eigen::Vector2f& place) {
+    const auto cross = [](const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
+        return a.x() * b.y() - a.y() * b.x();
+    };
+    const float whole = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const float second = cross(place - corners[0], corners[2] - corners[0]) / whole;
+    const float third = cross(corners[1] - corners[0], place - corners[0]) / whole;
+    return {1 - second - third, second, third};
+}
+
+} // namespace
+
+FilmReading::FilmReading(const ImmersionResult& result)
+    : film_(result.film), contact_(result.contact) {
+    mesh_.positions = film_->positions;
+    mesh_.triangles = filmTriangles(film_->grid);
+    query_ = std::make_unique<SurfaceQuery>(mesh_);
+    const auto principal = principalStretches(*film_);
+    const auto mean = [&](float (*value)(const PrincipalStretch&)) {
+        return perPoint(film_->positions.size(), mesh_.triangles, principal, value);
+    };
+    values_[std::size_t(FilmQuantity::Length)] = pointStretches(*film_);
+    values_[std::size_t(FilmQuantity::Area)] =
+        mean([](const PrincipalStretch& stretch) { return stretch.area(); });
+    values_[std::size_t(FilmQuantity::Larger)] =
+        mean([](const PrincipalStretch& stretch) { return stretch.larger; });
+    values_[std::size_t(FilmQuantity::Smaller)] =
+        mean([](const PrincipalStretch& stretch) { return stretch.smaller; });
+}
+
+std::optional<FilmReadingPoint> FilmReading::at(const Eigen::Vector2f& rest) const {
+    const solver::FilmGrid& grid = film_->grid;
+    const double across = (rest.x() + grid.width / 2) / grid.spacingX();
+    const double down = (rest.y() + grid.depth / 2) / grid.spacingZ();
+    if (across < 0 || down < 0 || across > grid.columns - 1 || down > grid.rows - 1) {
+        return std::nullopt;
+    }
+    const int column = std::min(int(across), grid.columns - 2);
+    const int row = std::min(int(down), grid.rows - 2);
+    const auto cell = std::uint32_t(row * (grid.columns - 1) + column);
+    SurfacePoint best;
+    for (std::uint32_t triangle = cell * 2; triangle < cell * 2 + 2; ++triangle) {
+        std::array<Eigen::Vector2f, 3> corners;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            corners[corner] = restPosition(grid, mesh_.triangles[triangle][corner]);
+        }
+        const Eigen::Vector3f weights = weightsIn(corners, rest);
+        if (!best.isValid() || weights.minCoeff() > best.weights.minCoeff()) {
+            best = {triangle, weights};
+        }
+    }
+    return at(best);
+}
+
+std::optional<FilmReadingPoint> FilmReading::at(const Eigen::Vector3f& origin,
+                                                const Eigen::Vector3f& direction) const {
+    const RayHit hit = query_->hit(origin, direction);
+    if (!hit.point.isValid()) {
+        return std::nullopt;
+    }
+    return at(hit.point);
+}
+
+FilmReadingPoint FilmReading::at(const SurfacePoint& onFilm) const {
+    const FilmTriangle& triangle = mesh_.triangles[onFilm.triangle];
+    FilmReadingPoint reading;
+    reading.place = position(mesh_, onFilm);
+    reading.adhered = true;
+    Eigen::Index nearest = 0;
+    onFilm.weights.maxCoeff(&nearest);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::uint32_t point = triangle[corner];
+        const float weight = onFilm.weights[Eigen::Index(corner)];
+        reading.rest += weight * restPosition(film_->grid, point);
+        for (std::size_t quantity = 0; quantity < filmQuantityCount; ++quantity) {
+            reading.values[quantity] += weight * values_[quantity][point];
+        }
+        reading.adhered = reading.adhered && film_->adhered(point);
+    }
+    reading.body = contact_->surface[triangle[std::size_t(nearest)]];
+    return reading;
+}
+
+} // namespace dipwright

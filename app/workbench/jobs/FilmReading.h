@@ -1,0 +1,48 @@
+// What can be read off one dipped film, point by point: made once on the worker thread, asked under
+// the cursor by the view, the stretch map and the sheet.
+#pragma once
+
+#include "pipeline/Pipeline.h"
+
+#include <optional>
+
+namespace dipwright {
+
+// Ratios of dipped to floating film. Length: mean of a point's constraints.
+enum class FilmQuantity { Length, Area, Larger, Smaller };
+inline constexpr std::size_t filmQuantityCount = 4;
+
+struct FilmReadingPoint {
+    Eigen::Vector2f rest = Eigen::Vector2f::Zero();  // on the floating film, see restPosition()
+    Eigen::Vector3f place = Eigen::Vector3f::Zero(); // pose frame, mm
+    std::array<float, filmQuantityCount> values{};
+    bool adhered = false;
+    SurfacePoint body; // invalid where the film is not on it
+};
+
+class FilmReading {
+public:
+    explicit FilmReading(const ImmersionResult& result);
+
+    const DippedFilm& film() const { return *film_; }
+    // One value a film point.
+    const std::vector<float>& values(FilmQuantity quantity) const {
+        return values_[std::size_t(quantity)];
+    }
+    // The film at a place of the flat film; nothing outside it.
+    std::optional<FilmReadingPoint> at(const Eigen::Vector2f& rest) const;
+    // The film first met by a ray in the pose frame.
+    std::optional<FilmReadingPoint> at(const Eigen::Vector3f& origin,
+                                       const Eigen::Vector3f& direction) const;
+
+private:
+    FilmReadingPoint at(const SurfacePoint& onFilm) const;
+
+    std::shared_ptr<const DippedFilm> film_;
+    std::shared_ptr<const FilmContact> contact_;
+    TriangleMesh mesh_; // the dipped film
+    std::unique_ptr<SurfaceQuery> query_;
+    std::array<std::vector<float>, filmQuantityCount> values_;
+};
+
+} // namespace dipwright

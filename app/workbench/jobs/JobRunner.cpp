@@ -1,0 +1,97 @@
+#include "jobs/JobRunner.h"
+
+namespace dipwright {
+
+JobRunner::JobRunner(QObject* parent) : QObject(parent), worker_([this] { work(); }) {}
+
+JobRunner::~JobRunner() {
+    cancelAll();
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    wake_.notify_all();
+    worker_.join();
+}
+
+void JobRunner::start(std::unique_ptr<Job> job) {
+    ++unfinished_;
+    {
+        const std::lock_guard lock(mutex_);
+        waiting_.push_back({std::move(job), {}});
+    }
+    wake_.notify_all();
+}
+
+void JobRunner::cancelAll() {
+    const std::lock_guard lock(mutex_);
+    current_.cancel();
+    for (Entry& entry : waiting_) {
+        entry.cancelSwitch.cancel();
+    }
+}
+
+void JobRunner::work() {
+    while (true) {
+        Entry entry;
+        {
+            std::unique_lock lock(mutex_);
+            wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
+            if (ending_) {
+                return;
+            }
+            entry = waiting_.front();
+            waiting_.pop_front();
+            current_ = entry.cancelSwitch;
+        }
+        run(entry);
+    }
+}
+
+void JobRunner::run(const Entry& entry) {
+    QMetaObject::invokeMethod(this, [this, title = entry.job->title()] { emit started(title); });
+    bool cancelled = false;
+    std::exception_ptr failure;
+    try {
+        const Progress progress{[this](double share, const QString& text) { report(share, text); },
+                                entry.cancelSwitch};
+        entry.cancelSwitch.throwIfCancelled();
+        entry.job->process(progress);
+    } catch (const Cancelled&) {
+        cancelled = true;
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    QMetaObject::invokeMethod(this, [this, job = entry.job, cancelled, failure] {
+        --unfinished_;
+        job->finalize(cancelled, failure);
+        if (unfinished_ == 0) {
+            emit idle();
+        }
+    });
+}
+
+// However often work reports, the UI thread gets one message at a time, with the latest state.
+void JobRunner::report(double share, const QString& text) {
+    const std::lock_guard lock(mutex_);
+    share_ = share;
+    text_ = text;
+    if (!reportPending_) {
+        reportPending_ = true;
+        QMetaObject::invokeMethod(this, &JobRunner::deliverReport);
+    }
+}
+
+void JobRunner::deliverReport() {
+    double share = 0;
+    QString text;
+    {
+        const std::lock_guard lock(mutex_);
+        reportPending_ = false;
+        share = share_;
+        text = text_;
+    }
+    emit progressed(share, text);
+}
+
+} // namespace dipwright

@@ -1,0 +1,54 @@
+// Runs jobs one after the other on one worker thread and brings their ends back to the UI thread.
+#pragma once
+
+#include "jobs/Job.h"
+
+#include <QObject>
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace dipwright {
+
+class JobRunner : public QObject {
+    Q_OBJECT
+
+public:
+    explicit JobRunner(QObject* parent = nullptr);
+    // Cancels everything and waits for the worker; nothing is finalized any more.
+    ~JobRunner() override;
+
+    void start(std::unique_ptr<Job> job);
+    void cancelAll();
+    bool isBusy() const { return unfinished_ > 0; }
+
+signals:
+    void started(const QString& title);
+    void progressed(double share, const QString& text); // 0 … 1
+    void idle();                                        // everything has been finalized
+
+private:
+    struct Entry {
+        std::shared_ptr<Job> job;
+        CancelSwitch cancelSwitch;
+    };
+    void work();
+    void run(const Entry& entry);
+    void report(double share, const QString& text);
+    void deliverReport();
+
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    std::deque<Entry> waiting_;
+    CancelSwitch current_;
+    bool ending_ = false;
+    bool reportPending_ = false;
+    double share_ = 0;
+    QString text_;
+    int unfinished_ = 0; // UI thread only
+    std::thread worker_;
+};
+
+} // namespace dipwright

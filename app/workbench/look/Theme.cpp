@@ -1,0 +1,81 @@
+#include "look/Theme.h"
+
+#include <QApplication>
+#include <QStyleFactory>
+#include <QStyleHints>
+
+namespace dipwright {
+
+namespace {
+
+struct Colours {
+    QColor window, base, alternate, text, faint, button, link, highlight, highlightedText, middle;
+};
+
+Colours coloursOf(bool dark) {
+    if (dark) {
+        return {0x2a2d33, 0x1f2227, 0x262a30, 0xe6e8eb, 0x9aa1ab,
+                0x363a42, 0x6cb6f5, 0x1f6fb2, 0xffffff, 0x4a4f58};
+    }
+    return {0xf2f3f5, 0xffffff, 0xf6f8fa, 0x1b1f24, 0x5c6570,
+            0xfafbfc, 0x0a62a9, 0x0b67b2, 0xffffff, 0xc3c8d0};
+}
+
+} // namespace
+
+QPalette themePalette(bool dark) {
+    const Colours c = coloursOf(dark);
+    QPalette palette(c.button, c.window);
+    palette.setColor(QPalette::Window, c.window);
+    palette.setColor(QPalette::WindowText, c.text);
+    palette.setColor(QPalette::Base, c.base);
+    palette.setColor(QPalette::AlternateBase, c.alternate);
+    palette.setColor(QPalette::Text, c.text);
+    palette.setColor(QPalette::PlaceholderText, c.faint);
+    palette.setColor(QPalette::Button, c.button);
+    palette.setColor(QPalette::ButtonText, c.text);
+    palette.setColor(QPalette::BrightText, Qt::white);
+    palette.setColor(QPalette::Link, c.link);
+    palette.setColor(QPalette::LinkVisited, c.link);
+    palette.setColor(QPalette::Highlight, c.highlight);
+    palette.setColor(QPalette::HighlightedText, c.highlightedText);
+    palette.setColor(QPalette::ToolTipBase, c.base);
+    palette.setColor(QPalette::ToolTipText, c.text);
+    palette.setColor(QPalette::Mid, c.middle);
+    palette.setColor(QPalette::Midlight, dark ? c.middle.darker(115) : c.middle.lighter(108));
+    palette.setColor(QPalette::Light, dark ? c.middle : QColor(Qt::white));
+    palette.setColor(QPalette::Dark, dark ? QColor(0x17191d) : QColor(0x9aa1ab));
+    palette.setColor(QPalette::Shadow, dark ? QColor(0x0f1114) : QColor(0x7b828c));
+    for (const QPalette::ColorRole role :
+         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText}) {
+        palette.setColor(QPalette::Disabled, role, dark ? QColor(0x7b828c) : QColor(0x8b929c));
+    }
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, c.middle);
+    return palette;
+}
+
+ViewColours viewColours(bool dark) {
+    if (dark) {
+        return {QColor(0x3a4048), QColor(0x1c1f24), QColor(0xc8ced6), QColor(0xffa94d),
+                QColor(0x3d7fb8)};
+    }
+    return {QColor(0xdfe7ee), QColor(0xf8fafb), QColor(0x3c4650), QColor(0xd9480f),
+            QColor(0x4f9bd6)};
+}
+
+bool systemIsDark() {
+    return QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
+}
+
+void applyTheme(QApplication& application, Theme theme) {
+    static const bool desktopIsDark = systemIsDark();
+    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    application.setPalette(
+        themePalette(theme == Theme::Dark || (theme == Theme::System && desktopIsDark)));
+}
+
+bool isDark() {
+    return QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
+}
+
+} // namespace dipwright

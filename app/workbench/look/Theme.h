@@ -1,0 +1,22 @@
+// Light and dark: one palette each, checked for contrast, and the colours of the 3D view.
+#pragma once
+
+#include "viewport/DipView.h"
+
+#include <QPalette>
+#include <QString>
+
+class QApplication;
+
+namespace dipwright {
+
+enum class Theme { System, Light, Dark };
+
+QPalette themePalette(bool dark);
+ViewColours viewColours(bool dark);
+// Whether the desktop itself is dark; meaningful before applyTheme().
+bool systemIsDark();
+void applyTheme(QApplication& application, Theme theme);
+bool isDark(); // of the palette in use
+
+} // namespace dipwright

@@ -1,0 +1,367 @@
+#include "main/DipScene.h"
+
+#include "look/Theme.h"
+#include "texture/Chessboard.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+constexpr QRgb bareFilm = 0xffe9eef2;
+
+QSize pictureSize(const solver::FilmGrid& grid) {
+    const double pixels = 1400 / std::max(grid.width, grid.depth);
+    return (QSizeF(grid.width, grid.depth) * pixels).toSize();
+}
+
+// The film as it comes, with a line every centimetre, so that its deformation can be seen.
+QImage linedFilm(const solver::FilmGrid& grid) {
+    QImage picture(pictureSize(grid), QImage::Format_RGB32);
+    picture.fill(bareFilm);
+    QPainter painter(&picture);
+    painter.translate(picture.width() / 2.0, picture.height() / 2.0);
+    painter.scale(picture.width() / grid.width, picture.height() / grid.depth);
+    const int columns = int(grid.width / 20), rows = int(grid.depth / 20);
+    for (int line = -columns; line <= columns; ++line) {
+        painter.setPen(QPen(line == 0 ? QColor(0x4a, 0x6b, 0x8a) : QColor(0x8f, 0xa5, 0xb8),
+                            line == 0 ? 0.7 : 0.4));
+        painter.drawLine(QPointF(line * 10, -grid.depth), QPointF(line * 10, grid.depth));
+    }
+    for (int line = -rows; line <= rows; ++line) {
+        painter.setPen(QPen(line == 0 ? QColor(0x4a, 0x6b, 0x8a) : QColor(0x8f, 0xa5, 0xb8),
+                            line == 0 ? 0.7 : 0.4));
+        painter.drawLine(QPointF(-grid.width, line * 10), QPointF(grid.width, line * 10));
+    }
+    return picture;
+}
+
+QImage onBareFilm(const QImage& printed, const solver::FilmGrid& grid) {
+    QImage picture(pictureSize(grid), QImage::Format_RGB32);
+    picture.fill(bareFilm);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(picture.rect(), printed);
+    return picture;
+}
+
+FilmShape shapeOfGrid(const solver::FilmGrid& grid, const ThinnedFilm& film) {
+    FilmShape shape;
+    shape.texture.reserve(film.points.size());
+    for (const std::uint32_t point : film.points) {
+        const Eigen::Vector2f rest = restPosition(grid, point);
+        shape.texture.emplace_back(rest.x() / float(grid.width) + 0.5f,
+                                   rest.y() / float(grid.depth) + 0.5f);
+    }
+    for (int row = 0; row + 1 < film.rows; ++row) {
+        for (int column = 0; column + 1 < film.columns; ++column) {
+            const auto first = std::uint32_t(row * film.columns + column);
+            const auto below = first + std::uint32_t(film.columns);
+            shape.triangles.push_back({first, below, below + 1});
+            shape.triangles.push_back({first, below + 1, first + 1});
+        }
+    }
+    return shape;
+}
+
+std::vector<float> flatPositions(const solver::FilmGrid& grid, const ThinnedFilm& film) {
+    std::vector<float> positions;
+    positions.reserve(film.points.size() * 3);
+    for (const std::uint32_t point : film.points) {
+        const Eigen::Vector2f rest = restPosition(grid, point);
+        positions.insert(positions.end(), {rest.x(), 0, rest.y()});
+    }
+    return positions;
+}
+
+constexpr std::size_t setupPoints = 2500;
+
+} // namespace
+
+DipScene::DipScene(DipView& view, QObject* parent) : QObject(parent), view_(view) {}
+
+void DipScene::setProject(const Project& project, std::size_t immersion) {
+    const bool otherModel = project.model != project_.model;
+    const bool otherFilm = !(project.film == project_.film) || !project_.model;
+    project_ = project;
+    immersion_ = std::min(immersion, project.immersions.size() - 1);
+    if (otherModel) {
+        query_ = std::make_unique<SurfaceQuery>(project.model->mesh);
+        view_.setBody(project.model);
+    }
+    if (otherModel || otherFilm) {
+        const solver::FilmGrid grid = filmGrid(project.film);
+        const double height = double(boundingBox(project.model->mesh).diagonal().norm());
+        view_.setTank({grid.width, grid.depth}, std::max(40.0, 0.8 * height));
+        shapeOf_ = nullptr;
+    }
+    if (moment_ == Moment::Setup) {
+        showSetup();
+    }
+    if (otherModel) {
+        view_.fit();
+    }
+}
+
+void DipScene::setResult(std::shared_ptr<const JobResult> result,
+                         std::shared_ptr<const FilmReading> reading) {
+    result_ = std::move(result);
+    reading_ = std::move(reading);
+    shapeOf_ = nullptr;
+    dressBody();
+}
+
+void DipScene::previewPose(const Immersion& immersion) {
+    if (moment_ == Moment::Setup) {
+        placeBody(immersion, 0);
+    }
+}
+
+void DipScene::placeBody(const Immersion& immersion, double descent) {
+    if (!project_.model) {
+        return;
+    }
+    descent_ = descent;
+    const Eigen::Isometry3d pose = poseTransform(project_.model->mesh, immersion);
+    const Eigen::Translation3d shift(immersion.offset[0].value(), startHeight - descent,
+                                     immersion.offset[1].value());
+    modelToWorld_ = shift * pose;
+    view_.setBodyTransform(modelToWorld_);
+    const BoundingBox box = boundingBox(project_.model->mesh);
+    view_.setRotationRings(rings_ && moment_ == Moment::Setup,
+                           (modelToWorld_ * box.center().cast<double>()).cast<float>(),
+                           0.58 * double(box.diagonal().norm()));
+}
+
+void DipScene::setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
+                        std::span<const float> positions) {
+    shape_ = film;
+    shapeGrid_ = grid;
+    view_.setFilm(shapeOfGrid(grid, film), positions);
+}
+
+void DipScene::showSetup() {
+    moment_ = Moment::Setup;
+    if (!project_.model) {
+        return;
+    }
+    placeBody(project_.immersions[immersion_], 0);
+    if (shapeOf_ == this) {
+        return;
+    }
+    const solver::FilmGrid grid = filmGrid(project_.film);
+    const ThinnedFilm film = thinFilm(grid, setupPoints);
+    positions_ = flatPositions(grid, film);
+    setShape(grid, film, positions_);
+    view_.setFilmTransform(Eigen::Isometry3d::Identity());
+    shapeOf_ = this;
+    dressFilm();
+}
+
+void DipScene::showFrame(const DipRecording& recording, const RecordedFrame& frame) {
+    moment_ = Moment::Frame;
+    positions_ = frame.positions;
+    if (shapeOf_ != &recording) {
+        setShape(recording.grid(), recording.film(), frame.positions);
+        view_.setFilmTransform(Eigen::Isometry3d::Identity());
+        shapeOf_ = &recording;
+        dressFilm();
+    } else {
+        view_.setFilmPositions(frame.positions);
+        if (look_ == FilmLook::Stretch) {
+            view_.setFilmColours(frameColours());
+        }
+    }
+    placeBody(recording.immersion(), frame.descent);
+}
+
+void DipScene::showEnd() {
+    if (!reading_ || !result_) {
+        return;
+    }
+    moment_ = Moment::End;
+    const ImmersionResult& result = result_->immersions[immersion_];
+    const double depth = result_->project.process.depth
+                             ? result_->project.process.depth->value()
+                             : result.body->height + result_->project.process.margin.value();
+    placeBody(result.immersion, startHeight + depth);
+    if (shapeOf_ != reading_.get()) {
+        const DippedFilm& film = reading_->film();
+        FilmShape shape;
+        std::vector<float> positions;
+        for (std::size_t point = 0; point < film.positions.size(); ++point) {
+            const Eigen::Vector2f rest = restPosition(film.grid, point);
+            shape.texture.emplace_back(rest.x() / float(film.grid.width) + 0.5f,
+                                       rest.y() / float(film.grid.depth) + 0.5f);
+            positions.insert(positions.end(), film.positions[point].begin(),
+                             film.positions[point].end());
+        }
+        shape.triangles = filmTriangles(film.grid);
+        if (extent_ == FilmExtent::OnBody) {
+            std::size_t kept = 0;
+            for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
+                if (result.contact->painted[t]) {
+                    shape.triangles[kept++] = shape.triangles[t];
+                }
+            }
+            shape.triangles.resize(kept);
+        }
+        shapeGrid_ = film.grid;
+        view_.setFilm(shape, positions);
+        shapeOf_ = reading_.get();
+    }
+    const Eigen::Isometry3d poseToModel = result.body->modelToPose.inverse();
+    view_.setFilmTransform(modelToWorld_ * poseToModel);
+    dressFilm();
+}
+
+void DipScene::setFilmLook(FilmLook look, const QImage& picture) {
+    look_ = look;
+    picture_ = picture;
+    dressFilm();
+}
+
+void DipScene::setFilmExtent(FilmExtent extent) {
+    extent_ = extent;
+    view_.setFilmVisible(extent != FilmExtent::Hidden);
+    if (moment_ == Moment::End) {
+        shapeOf_ = nullptr;
+        showEnd();
+    }
+}
+
+void DipScene::setHeat(FilmQuantity quantity, const HeatScale& scale) {
+    quantity_ = quantity;
+    scale_ = scale;
+    if (look_ == FilmLook::Stretch) {
+        dressFilm();
+    }
+}
+
+void DipScene::setShowCoverage(bool show) {
+    coverage_ = show;
+    dressBody();
+}
+
+void DipScene::setShowRings(bool show) {
+    rings_ = show;
+    if (moment_ == Moment::Setup) {
+        showSetup();
+    }
+}
+
+void DipScene::dressFilm() {
+    if (!project_.model) {
+        return;
+    }
+    view_.setFilmColours({});
+    const bool hasSheet = result_ && immersion_ < result_->immersions.size();
+    switch (look_) {
+    case FilmLook::Stretch:
+        if (moment_ == Moment::End) {
+            std::vector<QRgb> colours;
+            for (const float value : reading_->values(quantity_)) {
+                colours.push_back(scale_.colour(double(value)));
+            }
+            view_.setFilmColours(colours);
+        } else {
+            view_.setFilmColours(frameColours());
+        }
+        return;
+    case FilmLook::Sheet:
+        if (hasSheet) {
+            view_.setFilmPicture(
+                onBareFilm(result_->immersions[immersion_].texture->image, shapeGrid_));
+            return;
+        }
+        break;
+    case FilmLook::Chessboard: {
+        solver::FilmGrid printed = shapeGrid_;
+        printed.width = project_.film.width.value();
+        printed.depth = project_.film.height.value();
+        view_.setFilmPicture(chessboard(printed, chessSquare, pictureSize(shapeGrid_)));
+        return;
+    }
+    case FilmLook::Picture:
+        if (!picture_.isNull()) {
+            view_.setFilmPicture(onBareFilm(picture_, shapeGrid_));
+            return;
+        }
+        break;
+    case FilmLook::Lines:
+        break;
+    }
+    view_.setFilmPicture(linedFilm(shapeGrid_));
+}
+
+// The mean stretch of the threads of the thinned film, which is what can be told on the way.
+std::vector<QRgb> DipScene::frameColours() const {
+    std::vector<QRgb> colours(shape_.points.size());
+    const auto at = [this](int column, int row) {
+        return Eigen::Map<const Eigen::Vector3f>(
+            &positions_[std::size_t(row * shape_.columns + column) * 3]);
+    };
+    const auto rest = [this](int column, int row) {
+        return restPosition(shapeGrid_, shape_.points[std::size_t(row * shape_.columns + column)]);
+    };
+    for (int row = 0; row < shape_.rows; ++row) {
+        for (int column = 0; column < shape_.columns; ++column) {
+            float sum = 0;
+            int count = 0;
+            for (const auto& [c, r] : {std::pair(column - 1, row), std::pair(column + 1, row),
+                                       std::pair(column, row - 1), std::pair(column, row + 1)}) {
+                if (c >= 0 && r >= 0 && c < shape_.columns && r < shape_.rows) {
+                    sum += (at(c, r) - at(column, row)).norm() /
+                           (rest(c, r) - rest(column, row)).norm();
+                    ++count;
+                }
+            }
+            colours[std::size_t(row * shape_.columns + column)] =
+                scale_.colour(double(sum) / count);
+        }
+    }
+    return colours;
+}
+
+void DipScene::dressBody() {
+    if (!coverage_ || !result_ || result_->project.model != project_.model ||
+        immersion_ >= result_->immersions.size()) {
+        view_.setBodyColours({});
+        return;
+    }
+    std::vector<QRgb> colours;
+    for (const std::uint8_t covered : result_->immersions[immersion_].coverage->covered) {
+        colours.push_back(covered ? mapColour(QStringLiteral("balance"), 0.1).rgb() : bareFilm);
+    }
+    view_.setBodyColours(colours);
+}
+
+std::optional<Eigen::Isometry3d> DipScene::worldToEnd() const {
+    if (moment_ != Moment::End) {
+        return std::nullopt;
+    }
+    const ImmersionResult& result = result_->immersions[immersion_];
+    return result.body->modelToPose * modelToWorld_.inverse();
+}
+
+std::optional<Eigen::Vector3f> DipScene::modelPoint(const ViewRay& ray) const {
+    if (!query_) {
+        return std::nullopt;
+    }
+    const Eigen::Isometry3f worldToModel = modelToWorld_.inverse().cast<float>();
+    const RayHit hit =
+        query_->hit(worldToModel * ray.origin, worldToModel.linear() * ray.direction);
+    if (!hit.point.isValid()) {
+        return std::nullopt;
+    }
+    return position(project_.model->mesh, hit.point);
+}
+
+Eigen::Vector3f DipScene::toWorld(const Eigen::Vector3f& modelPoint) const {
+    return modelToWorld_.cast<float>() * modelPoint;
+}
+
+} // namespace dipwright

@@ -1,0 +1,79 @@
+// Brings project, recording and result into the 3D view: which body, which film, at which moment.
+#pragma once
+
+#include "jobs/DipJob.h"
+#include "panels/HeatScale.h"
+#include "viewport/DipView.h"
+
+#include <QObject>
+
+namespace dipwright {
+
+enum class FilmLook { Lines, Sheet, Chessboard, Picture, Stretch };
+enum class FilmExtent { Whole, OnBody, Hidden };
+
+class DipScene : public QObject {
+    Q_OBJECT
+
+public:
+    explicit DipScene(DipView& view, QObject* parent = nullptr);
+
+    // The job as it is set up: body in its pose above the flat film. Does what has changed.
+    void setProject(const Project& project, std::size_t immersion);
+    // How the dip went; null: not yet.
+    void setResult(std::shared_ptr<const JobResult> result,
+                   std::shared_ptr<const FilmReading> reading);
+    // Turns the body as it would stand in `immersion`, without a change to the project.
+    void previewPose(const Immersion& immersion);
+
+    // The moments: before the dip as set up now, in the middle, at the end with the whole film.
+    void showSetup();
+    void showFrame(const DipRecording& recording, const RecordedFrame& frame);
+    void showEnd();
+    double depth() const { return descent_ - startHeight; } // mm under water, of what is shown
+
+    void setFilmLook(FilmLook look, const QImage& picture = {});
+    void setFilmExtent(FilmExtent extent);
+    void setHeat(FilmQuantity quantity, const HeatScale& scale);
+    void setShowCoverage(bool show);
+    void setShowRings(bool show);
+
+    // From the world to the pose frame at the end of the dip; only while the end is shown.
+    std::optional<Eigen::Isometry3d> worldToEnd() const;
+    // The shown model's place that `ray` meets first, in model coordinates.
+    std::optional<Eigen::Vector3f> modelPoint(const ViewRay& ray) const;
+    Eigen::Vector3f toWorld(const Eigen::Vector3f& modelPoint) const;
+
+private:
+    enum class Moment { Setup, Frame, End };
+
+    void placeBody(const Immersion& immersion, double descent);
+    void setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
+                  std::span<const float> positions);
+    void dressFilm();
+    void dressBody();
+    std::vector<QRgb> frameColours() const;
+
+    DipView& view_;
+    Project project_;
+    std::size_t immersion_ = 0;
+    std::shared_ptr<const JobResult> result_;
+    std::shared_ptr<const FilmReading> reading_;
+    std::unique_ptr<SurfaceQuery> query_; // of the model
+    Moment moment_ = Moment::Setup;
+    Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
+    double descent_ = 0;
+    const void* shapeOf_ = nullptr; // what the view's film was made for
+    ThinnedFilm shape_;
+    solver::FilmGrid shapeGrid_;
+    std::vector<float> positions_;
+    FilmLook look_ = FilmLook::Lines;
+    FilmExtent extent_ = FilmExtent::Whole;
+    QImage picture_;
+    FilmQuantity quantity_ = FilmQuantity::Length;
+    HeatScale scale_;
+    bool coverage_ = false;
+    bool rings_ = true;
+};
+
+} // namespace dipwright

@@ -1,0 +1,392 @@
+// How a window is put together: docks, actions, menus and tool bars.
+#include "look/Icons.h"
+#include "main/MainWindowActions.h"
+#include "main/Workbench.h"
+#include "panels/LogPanel.h"
+#include "panels/PicturePanel.h"
+#include "panels/PropertyPanel.h"
+#include "panels/ReportPanel.h"
+#include "panels/StartPage.h"
+#include "panels/StretchPanel.h"
+#include "panels/Timeline.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+#include <QProgressBar>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace dipwright {
+
+void MainWindow::makeDocks() {
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+
+    pages_ = new QStackedWidget;
+    startPage_ = new StartPage;
+    view_ = new DipView;
+    view_->setObjectName(QStringLiteral("view"));
+    view_->setAccessibleName(tr("3D view of the dip"));
+    view_->setWhatsThis(tr("The body above the film. Drag to turn the view, drag with the right "
+                           "button to shift it, turn the wheel to zoom. Drag a ring to turn the "
+                           "body."));
+    scene_ = new DipScene(*view_, this);
+    timeline_ = new Timeline;
+    staleBanner_ = new QLabel;
+    staleBanner_->setObjectName(QStringLiteral("staleBanner"));
+    staleBanner_->setAlignment(Qt::AlignCenter);
+    staleBanner_->setAutoFillBackground(true);
+    staleBanner_->setContentsMargins(8, 4, 8, 4);
+    staleBanner_->setWordWrap(true);
+    staleBanner_->hide();
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(staleBanner_);
+    layout->addWidget(view_, 1);
+    layout->addWidget(timeline_);
+    pages_->addWidget(startPage_);
+    pages_->addWidget(page);
+    setCentralWidget(pages_);
+
+    tree_ = new ProjectTree;
+    properties_ = new PropertyPanel(workbench_.registry());
+    auto* splitter = new QSplitter(Qt::Vertical);
+    splitter->setChildrenCollapsible(false);
+    splitter->addWidget(tree_);
+    splitter->addWidget(properties_);
+    splitter->setStretchFactor(0, 2);
+    splitter->setStretchFactor(1, 5);
+    projectDock_ = new QDockWidget(tr("Project"));
+    projectDock_->setObjectName(QStringLiteral("projectDock"));
+    projectDock_->setWidget(splitter);
+    addDockWidget(Qt::LeftDockWidgetArea, projectDock_);
+
+    makeResults();
+
+    log_ = new LogPanel;
+    logDock_ = new QDockWidget(tr("Log"));
+    logDock_->setObjectName(QStringLiteral("logDock"));
+    logDock_->setWidget(log_);
+    addDockWidget(Qt::BottomDockWidgetArea, logDock_);
+    logDock_->hide();
+    resizeDocks({projectDock_, resultsDock_}, {320, 400}, Qt::Horizontal);
+    resizeDocks({logDock_}, {160}, Qt::Vertical);
+}
+
+void MainWindow::makeResults() {
+    stretch_ = new StretchPanel;
+    texture_ = new PicturePanel(tr("Reverse texture"),
+                                tr("Run the dip to see the image that goes on the film."));
+    proof_ = new PicturePanel(tr("Proof"), tr("Run the dip to see the body as it will come out."));
+    sheet_ = new PicturePanel(tr("Sheet"), tr("Run the dip to see the page as it prints."));
+    sheet_->offerTrueSize();
+    report_ = new ReportPanel;
+    results_ = new QTabWidget;
+    results_->setObjectName(QStringLiteral("results"));
+    results_->setDocumentMode(true);
+    results_->setUsesScrollButtons(true);
+    results_->addTab(stretch_, tr("Stretch"));
+    results_->addTab(texture_, tr("Reverse Texture"));
+    results_->addTab(proof_, tr("Proof"));
+    results_->addTab(sheet_, tr("Sheet"));
+    results_->addTab(report_, tr("Report"));
+    results_->setTabToolTip(0, tr("How much the film has stretched, and where"));
+    results_->setTabToolTip(1, tr("The image that goes on the film"));
+    results_->setTabToolTip(2, tr("The body as it will come out"));
+    results_->setTabToolTip(3, tr("The page as it prints"));
+    results_->setTabToolTip(4, tr("The figures of the last run"));
+    resultsDock_ = new QDockWidget(tr("Results"));
+    resultsDock_->setObjectName(QStringLiteral("resultsDock"));
+    resultsDock_->setWidget(results_);
+    addDockWidget(Qt::RightDockWidgetArea, resultsDock_);
+}
+
+void MainWindow::makeStatusBar() {
+    readingLabel_ = new QLabel;
+    readingLabel_->setObjectName(QStringLiteral("reading"));
+    readingLabel_->setAccessibleName(tr("Value under the cursor"));
+    readingLabel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    jobLabel_ = new QLabel;
+    progressBar_ = new QProgressBar;
+    progressBar_->setObjectName(QStringLiteral("progress"));
+    progressBar_->setAccessibleName(tr("Progress"));
+    progressBar_->setRange(0, 1000);
+    progressBar_->setFixedWidth(200);
+    progressBar_->setTextVisible(false);
+    cancelButton_ = new QToolButton;
+    cancelButton_->setDefaultAction(actions_->cancel);
+    cancelButton_->setAutoRaise(true);
+    statusBar()->addWidget(readingLabel_, 1);
+    statusBar()->addPermanentWidget(jobLabel_);
+    statusBar()->addPermanentWidget(progressBar_);
+    statusBar()->addPermanentWidget(cancelButton_);
+    for (QWidget* widget : {static_cast<QWidget*>(jobLabel_), static_cast<QWidget*>(progressBar_),
+                            static_cast<QWidget*>(cancelButton_)}) {
+        widget->hide();
+    }
+}
+
+QAction* MainWindow::addAction(const char* name, const QString& iconName, const QString& text,
+                               const QString& help, const QKeySequence& shortcut,
+                               const std::function<void()>& triggered) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(QLatin1String(name));
+    if (!iconName.isEmpty()) {
+        action->setIcon(icon(iconName));
+    }
+    action->setShortcut(shortcut);
+    action->setProperty("defaultShortcut", QVariant::fromValue(shortcut));
+    action->setWhatsThis(help);
+    action->setProperty("help", help);
+    if (triggered) {
+        connect(action, &QAction::triggered, this, triggered);
+    }
+    QMainWindow::addAction(action);
+    return action;
+}
+
+void MainWindow::makeActions() {
+    actions_ = std::make_unique<Actions>();
+    Actions& a = *actions_;
+    const auto none = QKeySequence();
+    const auto key = [](const char* text) { return QKeySequence(QLatin1String(text)); };
+    const auto look = [this](ViewDirection direction) {
+        return [this, direction] { view_->look(direction); };
+    };
+
+    a.newProject = addAction("new", QStringLiteral("document-new"), tr("&New Project…"),
+                             tr("Make a project of a textured model"), QKeySequence::New,
+                             [this] { newProject(); });
+    a.open = addAction("open", QStringLiteral("document-open"), tr("&Open…"), tr("Open a project"),
+                       QKeySequence::Open, [this] { open(); });
+    a.save = addAction("save", QStringLiteral("document-save"), tr("&Save"), tr("Save the project"),
+                       QKeySequence::Save, [this] { save(); });
+    a.saveAs = addAction("saveAs", {}, tr("Save &As…"), tr("Save the project as another file"),
+                         QKeySequence::SaveAs, [this] { saveAs(); });
+    a.exportResults = addAction("exportResults", QStringLiteral("export"), tr("&Export Results…"),
+                                tr("Write sheets, stretch maps, proof, films and report to a "
+                                   "folder"),
+                                key("Ctrl+E"), [this] { exportResults(); });
+    a.exportPdf = addAction("exportPdf", QStringLiteral("sheet"), tr("Sheet as P&DF…"),
+                            tr("Save this immersion's sheet as PDF at true size"), none,
+                            [this] { exportSheet(true); });
+    a.exportPng = addAction("exportPng", QStringLiteral("texture"), tr("Sheet as P&NG…"),
+                            tr("Save this immersion's film image as PNG"), none,
+                            [this] { exportSheet(false); });
+    a.close =
+        addAction("close", {}, tr("&Close Window"), {}, QKeySequence::Close, [this] { close(); });
+    a.quit = addAction("quit", {}, tr("&Quit"), {}, QKeySequence::Quit,
+                       [] { QApplication::closeAllWindows(); });
+    a.quit->setMenuRole(QAction::QuitRole);
+
+    a.undo = addAction("undo", QStringLiteral("undo"), tr("&Undo"), tr("Take back the last change"),
+                       QKeySequence::Undo, [this] { document_->undoStack().undo(); });
+    a.redo = addAction("redo", QStringLiteral("redo"), tr("&Redo"), tr("Make the change again"),
+                       QKeySequence::Redo, [this] { document_->undoStack().redo(); });
+    a.addImmersion = addAction("addImmersion", QStringLiteral("add"), tr("Add &Second Immersion"),
+                               tr("Dip the body a second time, from another side"), none,
+                               [this] { addImmersion(); });
+    a.removeImmersion =
+        addAction("removeImmersion", QStringLiteral("remove"), tr("Remove &Immersion"),
+                  tr("Remove the immersion shown"), none, [this] { removeImmersion(immersion_); });
+    a.reloadModel = addAction("reloadModel", QStringLiteral("reload"), tr("Re&load Model"),
+                              tr("Read the model's file again and keep all settings"),
+                              QKeySequence::Refresh, [this] { reloadModel(); });
+    a.replaceModel = addAction("replaceModel", QStringLiteral("replace"), tr("Replace &Model…"),
+                               tr("Take another model"), none, [this] { replaceModel({}); });
+    a.replaceTexture =
+        addAction("replaceTexture", QStringLiteral("texture"), tr("Replace &Texture…"),
+                  tr("Put another picture on the model"), none, [this] { replaceTexture({}); });
+
+    a.run = addAction("run", QStringLiteral("run"), tr("&Run"),
+                      tr("Simulate the dip and make the sheets"), key("Ctrl+R"),
+                      [this] { startDip(); });
+    a.cancel = addAction("cancel", QStringLiteral("cancel"), tr("&Cancel"),
+                         tr("Stop what is running"), key("Ctrl+."), [this] { cancelJobs(); });
+    a.live = addAction("live", QStringLiteral("live"), tr("Run &Live"),
+                       tr("Run again after each change"), none, {});
+    a.live->setCheckable(true);
+    a.play = addAction("play", QStringLiteral("play"), tr("&Play or Pause"), tr("Play the dip"),
+                       key("Ctrl+Space"), [this] { timeline_->togglePlaying(); });
+
+    a.fit = addAction("fit", QStringLiteral("fit"), tr("&Fit"), tr("Show body and film whole"),
+                      key("Ctrl+0"), [this] { view_->fit(); });
+    a.oblique =
+        addAction("oblique", QStringLiteral("view-oblique"), tr("&Oblique"),
+                  tr("Look from above at an angle"), key("Ctrl+1"), look(ViewDirection::Oblique));
+    a.front = addAction("front", QStringLiteral("view-front"), tr("F&ront"),
+                        tr("Look from the front"), key("Ctrl+2"), look(ViewDirection::Front));
+    a.right = addAction("right", QStringLiteral("view-right"), tr("Ri&ght"),
+                        tr("Look from the right"), key("Ctrl+3"), look(ViewDirection::Right));
+    a.top = addAction("top", QStringLiteral("view-top"), tr("&Top"), tr("Look from above"),
+                      key("Ctrl+4"), look(ViewDirection::Top));
+    a.back = addAction("back", {}, tr("Bac&k"), tr("Look from behind"), key("Ctrl+5"),
+                       look(ViewDirection::Back));
+    a.left = addAction("left", {}, tr("&Left"), tr("Look from the left"), key("Ctrl+6"),
+                       look(ViewDirection::Left));
+    a.bottom = addAction("bottom", {}, tr("&Bottom"), tr("Look from below"), key("Ctrl+7"),
+                         look(ViewDirection::Bottom));
+    a.parallel = addAction("parallel", QStringLiteral("parallel"), tr("&Parallel Projection"),
+                           tr("Show equal lengths equally long, near or far"), key("Ctrl+8"), {});
+    a.parallel->setCheckable(true);
+    connect(a.parallel, &QAction::toggled, view_, &DipView::setParallelProjection);
+
+    a.rings = addAction("rings", QStringLiteral("rotate"), tr("R&otation Rings"),
+                        tr("Show the rings that turn the body"), none, {});
+    a.rings->setCheckable(true);
+    a.rings->setChecked(true);
+    connect(a.rings, &QAction::toggled, scene_, &DipScene::setShowRings);
+    a.water = addAction("water", QStringLiteral("water"), tr("&Water and Tank"),
+                        tr("Show the water and the edges of the tank"), none, {});
+    a.water->setCheckable(true);
+    a.water->setChecked(true);
+    connect(a.water, &QAction::toggled, view_, &DipView::setWaterVisible);
+    a.body = addAction("body", QStringLiteral("body"), tr("Bo&dy"), tr("Show the body"), none, {});
+    a.body->setCheckable(true);
+    a.body->setChecked(true);
+    connect(a.body, &QAction::toggled, view_, &DipView::setBodyVisible);
+    a.coverage = addAction("coverage", QStringLiteral("proof"), tr("&Coverage on the Body"),
+                           tr("Show which of the body this immersion paints"), none, {});
+    a.coverage->setCheckable(true);
+    connect(a.coverage, &QAction::toggled, scene_, &DipScene::setShowCoverage);
+    a.filmOnBody =
+        addAction("filmOnBody", QStringLiteral("film"), tr("Film on the Body &Only"),
+                  tr("At the end of the dip, hide the film that paints nothing"), none, {});
+    a.filmOnBody->setCheckable(true);
+    connect(a.filmOnBody, &QAction::toggled, this, [this](bool only) {
+        scene_->setFilmExtent(only ? FilmExtent::OnBody : FilmExtent::Whole);
+    });
+    a.measure = addAction("measure", QStringLiteral("measure"), tr("&Measure"),
+                          tr("Click two places on the body to measure the distance between them"),
+                          key("Ctrl+M"), {});
+    a.measure->setCheckable(true);
+    connect(a.measure, &QAction::toggled, this, [this](bool on) {
+        measuring_ = on;
+        measured_.clear();
+        view_->setMeasure({}, {});
+    });
+    a.tour = addAction("tour", QStringLiteral("help"), tr("Quick &Tour"),
+                       tr("What is where, in six steps"), none, {});
+    a.guide = addAction("guide", QStringLiteral("report"), tr("User &Guide"),
+                        tr("How everything works"), QKeySequence::HelpContents, {});
+    a.preferences = addAction("preferences", QStringLiteral("preferences"), tr("&Preferences…"),
+                              tr("Units, language, look, shortcuts and solvers"),
+                              QKeySequence::Preferences, {});
+    a.preferences->setMenuRole(QAction::PreferencesRole);
+    a.about = addAction("about", {}, tr("&About Dipwright"), {}, none, {});
+    a.about->setMenuRole(QAction::AboutRole);
+}
+
+void MainWindow::fillFilmMenu() {
+    struct Look {
+        FilmLook look;
+        const char* name;
+        QString text;
+    };
+    const std::vector<Look> looks{{FilmLook::Lines, "filmLines", tr("&Lines every 10 mm")},
+                                  {FilmLook::Sheet, "filmSheet", tr("The &Sheet's Image")},
+                                  {FilmLook::Stretch, "filmStretch", tr("S&tretch")},
+                                  {FilmLook::Chessboard, "filmChessboard", tr("&Chessboard 17 mm")},
+                                  {FilmLook::Picture, "filmPicture", tr("A &Picture…")}};
+    actions_->filmLook = new QActionGroup(this);
+    for (const Look& look : looks) {
+        QAction* action = addAction(look.name, {}, look.text, tr("What the film wears in the view"),
+                                    {}, [this, chosen = look.look] { setFilmLook(chosen); });
+        action->setCheckable(true);
+        action->setData(int(look.look));
+        actions_->filmLook->addAction(action);
+    }
+    actions_->filmLook->actions().first()->setChecked(true);
+}
+
+void MainWindow::makeMenus() {
+    const Actions& a = *actions_;
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    file->addActions({a.newProject, a.open});
+    recentMenu_ = file->addMenu(tr("Open &Recent"));
+    connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+    file->addSeparator();
+    file->addActions({a.save, a.saveAs});
+    file->addSeparator();
+    file->addActions({a.exportResults, a.exportPdf, a.exportPng});
+    file->addSeparator();
+    file->addActions({a.close, a.quit});
+
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    edit->addActions({a.undo, a.redo});
+    edit->addSeparator();
+    edit->addActions({a.addImmersion, a.removeImmersion});
+    edit->addSeparator();
+    edit->addActions({a.reloadModel, a.replaceModel, a.replaceTexture});
+    edit->addSeparator();
+    edit->addAction(a.preferences);
+
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addActions({a.fit, a.oblique, a.front, a.right, a.top, a.back, a.left, a.bottom});
+    view->addSeparator();
+    view->addAction(a.parallel);
+    view->addSeparator();
+    QMenu* film = view->addMenu(icon(QStringLiteral("film")), tr("&Film Wears"));
+    film->setObjectName(QStringLiteral("filmMenu"));
+    fillFilmMenu();
+    film->addActions(a.filmLook->actions());
+    view->addActions({a.filmOnBody, a.body, a.coverage, a.water, a.rings, a.measure});
+
+    QMenu* dip = menuBar()->addMenu(tr("&Dip"));
+    dip->addActions({a.run, a.cancel, a.live});
+    dip->addSeparator();
+    dip->addAction(a.play);
+
+    QMenu* window = menuBar()->addMenu(tr("&Window"));
+    window->addActions({projectDock_->toggleViewAction(), resultsDock_->toggleViewAction(),
+                        logDock_->toggleViewAction()});
+
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    help->addActions({a.tour, a.guide});
+    help->addSeparator();
+    help->addAction(a.about);
+}
+
+void MainWindow::makeToolBars() {
+    const Actions& a = *actions_;
+    QToolBar* main = addToolBar(tr("Main"));
+    main->setObjectName(QStringLiteral("mainToolBar"));
+    main->setIconSize({22, 22});
+    main->addActions({a.newProject, a.open, a.save});
+    main->addSeparator();
+    main->addActions({a.undo, a.redo});
+    main->addSeparator();
+    main->addAction(a.run);
+    auto* run = qobject_cast<QToolButton*>(main->widgetForAction(a.run));
+    run->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    main->addActions({a.cancel, a.live});
+    main->addSeparator();
+
+    QToolBar* view = addToolBar(tr("View"));
+    view->setObjectName(QStringLiteral("viewToolBar"));
+    view->setIconSize({22, 22});
+    view->addActions({a.fit, a.oblique, a.front, a.right, a.top, a.parallel});
+    view->addSeparator();
+    auto* film = new QToolButton;
+    film->setIcon(icon(QStringLiteral("film")));
+    film->setToolTip(tr("What the film wears in the view"));
+    film->setAccessibleName(tr("Film Wears"));
+    film->setPopupMode(QToolButton::InstantPopup);
+    film->setMenu(findChild<QMenu*>(QStringLiteral("filmMenu")));
+    view->addWidget(film);
+    view->addActions({a.filmOnBody, a.coverage, a.water, a.rings, a.measure});
+}
+
+} // namespace dipwright

@@ -1,0 +1,81 @@
+#include "main/Workbench.h"
+
+#include "document/Recovery.h"
+#include "look/Theme.h"
+#include "main/MainWindow.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace dipwright {
+
+namespace {
+
+Theme themeOf(ThemeChoice choice) {
+    switch (choice) {
+    case ThemeChoice::Light:
+        return Theme::Light;
+    case ThemeChoice::Dark:
+        return Theme::Dark;
+    case ThemeChoice::System:
+        break;
+    }
+    return Theme::System;
+}
+
+} // namespace
+
+Workbench::Workbench(const QString& recovery, QObject* parent)
+    : QObject(parent), recovery_(recovery), preferences_(loadPreferences()) {
+    applyTheme(*qApp, themeOf(preferences_.theme));
+}
+
+Workbench::~Workbench() = default;
+
+void Workbench::setPreferences(const Preferences& preferences) {
+    if (preferences == preferences_) {
+        return;
+    }
+    preferences_ = preferences;
+    savePreferences(preferences);
+    applyTheme(*qApp, themeOf(preferences.theme));
+    emit preferencesChanged();
+}
+
+MainWindow* Workbench::openWindow() {
+    auto* window = new MainWindow(*this);
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    window->show();
+    return window;
+}
+
+void Workbench::offerRecovery() {
+    for (const RecoveredDocument& recovered : findRecoveredDocuments(recovery_)) {
+        QMessageBox question(
+            QMessageBox::Question, tr("Restore Project"),
+            tr("Dipwright was not closed properly. “%1” has changes that were "
+               "not saved, from %2.")
+                .arg(recovered.name, QLocale().toString(recovered.saved, QLocale::ShortFormat)));
+        question.setInformativeText(recovered.original.isEmpty()
+                                        ? tr("It was never saved as a file.")
+                                        : tr("Its file %1 is as it was last saved.")
+                                              .arg(QDir::toNativeSeparators(recovered.original)));
+        question.setObjectName(QStringLiteral("recoveryQuestion"));
+        QPushButton* restore = question.addButton(tr("Restore"), QMessageBox::AcceptRole);
+        QPushButton* discard =
+            question.addButton(tr("Discard Changes"), QMessageBox::DestructiveRole);
+        question.addButton(tr("Decide Later"), QMessageBox::RejectRole);
+        question.setDefaultButton(restore);
+        question.exec();
+        if (question.clickedButton() == restore) {
+            openWindow()->restore(recovered);
+        } else if (question.clickedButton() == discard) {
+            discardRecovered(recovered);
+        }
+    }
+}
+
+} // namespace dipwright

@@ -1,0 +1,41 @@
+// What all windows of the program share: the solvers, the preferences, and the windows themselves.
+#pragma once
+
+#include "document/Preferences.h"
+#include "solver/SolverRegistry.h"
+
+#include <QObject>
+#include <memory>
+
+namespace dipwright {
+
+class MainWindow;
+
+class Workbench : public QObject {
+    Q_OBJECT
+
+public:
+    // `recovery`: the folder in which copies of unsaved work are kept.
+    explicit Workbench(const QString& recovery, QObject* parent = nullptr);
+    ~Workbench() override;
+
+    const SolverRegistry& registry() const { return registry_; }
+    const QString& recovery() const { return recovery_; }
+    const Preferences& preferences() const { return preferences_; }
+    void setPreferences(const Preferences& preferences); // and keeps them
+
+    // A new window that shows the start page. Deletes itself when it is closed.
+    MainWindow* openWindow();
+    // Offers what a crash has left behind, each in a window of its own.
+    void offerRecovery();
+
+signals:
+    void preferencesChanged();
+
+private:
+    SolverRegistry registry_;
+    QString recovery_;
+    Preferences preferences_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,39 @@
+// The workbench: dipwright [FILE.dipw …]
+#include "document/Recovery.h"
+#include "main/MainWindow.h"
+#include "main/Workbench.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QIcon>
+#include <QTimer>
+
+int main(int argc, char* argv[]) {
+    dipwright::DipView::prepareSurfaceFormat();
+    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("dipwright"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Dipwright"));
+    QApplication::setOrganizationName(QStringLiteral("Dipwright"));
+    QApplication::setApplicationVersion(QStringLiteral(DIPWRIGHT_VERSION));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/dipwright.svg")));
+    QApplication::setDesktopFileName(QStringLiteral("dipwright"));
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QApplication::translate("main", "Computational hydrographic printing."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("FILE"),
+                                 QApplication::translate("main", "Projects to open."),
+                                 QStringLiteral("[FILE.dipw …]"));
+    parser.process(application);
+
+    dipwright::Workbench workbench(dipwright::recoveryFolder());
+    dipwright::MainWindow* window = workbench.openWindow();
+    for (const QString& path : parser.positionalArguments()) {
+        window->openProject(path);
+    }
+    QTimer::singleShot(0, &workbench, &dipwright::Workbench::offerRecovery);
+    return QApplication::exec();
+}

@@ -1,0 +1,115 @@
+#include "panels/HeatScale.h"
+
+#include "results/Results.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int tableSize = 256;
+constexpr QRgb warningColour = 0xffd81b60; // apart from every map here, for all kinds of vision
+
+std::vector<QRgb> colourTable(const QString& map) {
+    std::vector<QRgb> table(tableSize);
+    for (int entry = 0; entry < tableSize; ++entry) {
+        table[std::size_t(entry)] = mapColour(map, double(entry) / (tableSize - 1)).rgb();
+    }
+    return table;
+}
+
+QRgb lookUp(const std::vector<QRgb>& table, const HeatScale& scale, double value) {
+    if (scale.limit && value > *scale.limit) {
+        return warningColour;
+    }
+    const double share = (value - scale.low) / std::max(1e-9, scale.high - scale.low);
+    return table[std::size_t(std::clamp(share, 0.0, 1.0) * (tableSize - 1) + 0.5)];
+}
+
+} // namespace
+
+QRgb HeatScale::colour(double value) const {
+    if (limit && value > *limit) {
+        return warningColour;
+    }
+    return mapColour(map, std::clamp((value - low) / std::max(1e-9, high - low), 0.0, 1.0)).rgb();
+}
+
+HeatScale automaticScale(const HeatScale& scale, const std::vector<float>& values) {
+    HeatScale automatic = scale;
+    if (values.empty()) {
+        return automatic;
+    }
+    std::vector<float> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    const double low = sorted[sorted.size() / 100];
+    const double high = sorted[sorted.size() - 1 - sorted.size() / 100];
+    automatic.low = std::floor(low * 100) / 100;
+    automatic.high = std::max(automatic.low + 0.02, std::ceil(high * 100) / 100);
+    return automatic;
+}
+
+QImage heatPicture(const std::vector<float>& values, int columns, int rows, QSize pixels,
+                   const HeatScale& scale) {
+    const std::vector<QRgb> table = colourTable(scale.map);
+    QImage picture(pixels, QImage::Format_RGB32);
+    for (int y = 0; y < pixels.height(); ++y) {
+        const double down = (y + 0.5) / pixels.height() * (rows - 1);
+        const int row = std::min(int(down), rows - 2);
+        const double v = down - row;
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
+        for (int x = 0; x < pixels.width(); ++x) {
+            const double across = (x + 0.5) / pixels.width() * (columns - 1);
+            const int column = std::min(int(across), columns - 2);
+            const double u = across - column;
+            const float* upper =
+                &values[std::size_t(row) * std::size_t(columns) + std::size_t(column)];
+            const float* lower = upper + columns;
+            const double value = (1 - v) * ((1 - u) * double(upper[0]) + u * double(upper[1])) +
+                                 v * ((1 - u) * double(lower[0]) + u * double(lower[1]));
+            line[x] = lookUp(table, scale, value);
+        }
+    }
+    return picture;
+}
+
+QList<QLineF> isolines(const std::vector<float>& values, int columns, int rows, QSizeF size,
+                       double step) {
+    QList<QLineF> lines;
+    const double cellWidth = size.width() / (columns - 1), cellHeight = size.height() / (rows - 1);
+    for (int row = 0; row + 1 < rows; ++row) {
+        for (int column = 0; column + 1 < columns; ++column) {
+            const std::size_t first = std::size_t(row) * std::size_t(columns) + std::size_t(column);
+            // Round the cell: upper left, upper right, lower right, lower left.
+            const std::array<double, 4> corner{values[first], values[first + 1],
+                                               values[first + std::size_t(columns) + 1],
+                                               values[first + std::size_t(columns)]};
+            const auto [least, most] = std::minmax_element(corner.begin(), corner.end());
+            for (double level = std::ceil(*least / step) * step; level < *most; level += step) {
+                std::array<QPointF, 4> crossings;
+                std::size_t count = 0;
+                constexpr std::array<std::array<double, 2>, 4> place{
+                    {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+                for (std::size_t side = 0; side < 4; ++side) {
+                    const std::size_t next = (side + 1) % 4;
+                    const double from = corner[side] - level, to = corner[next] - level;
+                    if ((from < 0) != (to < 0)) {
+                        const double share = from / (from - to);
+                        crossings[count++] = {
+                            (column + std::lerp(place[side][0], place[next][0], share)) * cellWidth,
+                            (row + std::lerp(place[side][1], place[next][1], share)) * cellHeight};
+                    }
+                }
+                for (std::size_t pair = 0; pair + 1 < count; pair += 2) {
+                    lines.append({crossings[pair], crossings[pair + 1]});
+                }
+            }
+        }
+    }
+    return lines;
+}
+
+} // namespace dipwright

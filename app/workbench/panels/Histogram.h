@@ -1,0 +1,31 @@
+// How often each value occurs, drawn in the colours of the scale: key and statistics in one.
+#pragma once
+
+#include "panels/HeatScale.h"
+
+#include <QWidget>
+
+namespace dipwright {
+
+class Histogram : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit Histogram(QWidget* parent = nullptr);
+
+    void setValues(const std::vector<float>& values, const HeatScale& scale);
+    void setMark(const std::optional<double>& value); // the value under the cursor
+
+    QSize sizeHint() const override { return {320, 96}; }
+    QSize minimumSizeHint() const override { return {160, 84}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    std::vector<int> counts_; // from low to high
+    HeatScale scale_;
+    std::optional<double> mark_;
+};
+
+} // namespace dipwright

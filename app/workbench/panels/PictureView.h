@@ -1,0 +1,66 @@
+// A picture of known size in millimetres that can be zoomed, shifted and read under the cursor.
+#pragma once
+
+#include <QImage>
+#include <QLineF>
+#include <QWidget>
+#include <optional>
+
+namespace dipwright {
+
+class PictureView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PictureView(QWidget* parent = nullptr);
+
+    // Keeps zoom and place when the size stays the same.
+    void setPicture(const QImage& picture, QSizeF millimetres);
+    void clear(const QString& hint); // what to do to get a picture
+    bool isEmpty() const { return picture_.isNull(); }
+    const QImage& picture() const { return picture_; }
+
+    // Lines drawn over the picture, in its millimetres.
+    void setLines(const QList<QLineF>& lines);
+    // The linked cursor, in millimetres from the upper left corner.
+    void setCursorAt(const std::optional<QPointF>& place);
+
+    void zoomToFit();
+    void zoomToTrueSize(); // a millimetre on the screen is one of the picture
+    void zoomBy(double factor, const std::optional<QPointF>& fixed = {});
+    double zoom() const { return pixelsPerMillimetre_; }
+
+    QSize sizeHint() const override { return {360, 420}; }
+    QSize minimumSizeHint() const override { return {160, 160}; }
+
+signals:
+    void hovered(QPointF millimetres); // inside the picture
+    void hoverLeft();
+    void zoomChanged();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    QRectF shownRect() const; // of the whole picture in the widget
+    void fitNow();
+
+    QImage picture_;
+    QSizeF size_;
+    QString hint_;
+    QList<QLineF> lines_;
+    std::optional<QPointF> cursor_;
+    double pixelsPerMillimetre_ = 1;
+    QPointF middle_; // of the view, in millimetres of the picture
+    bool fits_ = true;
+    QPointF dragged_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,242 @@
+#include "panels/PropertyField.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLineEdit>
+#include <QWheelEvent>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+QHBoxLayout* makeRow(QWidget* owner) {
+    auto* row = new QHBoxLayout(owner);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    return row;
+}
+
+// Takes the wheel only while it has the focus, so that scrolling the panel changes no value.
+class NumberBox : public QDoubleSpinBox {
+public:
+    explicit NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
+        setFocusPolicy(Qt::StrongFocus);
+        setKeyboardTracking(false);
+        setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+        setMinimumWidth(64);
+    }
+    QSize sizeHint() const override { return {96, QDoubleSpinBox::sizeHint().height()}; }
+
+protected:
+    void wheelEvent(QWheelEvent* event) override {
+        if (hasFocus()) {
+            QDoubleSpinBox::wheelEvent(event);
+        } else {
+            event->ignore();
+        }
+    }
+    QString textFromValue(double value) const override {
+        QString text = QDoubleSpinBox::textFromValue(value);
+        const QString point = locale().decimalPoint();
+        if (text.contains(point)) {
+            while (text.endsWith(locale().zeroDigit())) {
+                text.chop(1);
+            }
+            if (text.endsWith(point)) {
+                text.chop(point.size());
+            }
+        }
+        return text;
+    }
+};
+
+class NumberField : public PropertyField {
+public:
+    NumberField(const PropertySpec& spec, const FieldRule& rule, LengthUnit length, QWidget* parent)
+        : PropertyField(spec, parent), factor_(shownPerStored(spec.unit, length)),
+          whole_(rule.kind == FieldKind::WholeNumber), nullable_(rule.nullable) {
+        auto* row = makeRow(this);
+        if (nullable_) {
+            addAbsentTick(*row);
+        }
+        const int decimals = whole_ ? 0 : unitDecimals(spec.unit, length);
+        const QString range = tr("%1 to %2%3")
+                                  .arg(locale().toString(rule.minimum * factor_, 'g', 6),
+                                       locale().toString(rule.maximum * factor_, 'g', 6),
+                                       unitSuffix(spec.unit, length));
+        for (int part = 0; part < rule.parts; ++part) {
+            auto* box = new NumberBox(this);
+            box->setDecimals(decimals);
+            box->setRange(rule.minimum * factor_, rule.maximum * factor_);
+            box->setSuffix(unitSuffix(spec.unit, length));
+            const QString partName = spec.parts.value(part);
+            adopt(box, partName.isEmpty() ? spec.label : spec.label + QLatin1Char(' ') + partName,
+                  range);
+            if (!partName.isEmpty()) {
+                box->setPrefix(partName + QStringLiteral("  "));
+            }
+            connect(box, &QDoubleSpinBox::valueChanged, this, [this, part] { changed(part); });
+            row->addWidget(box, 1);
+            boxes_.push_back(box);
+        }
+        stored_.resize(boxes_.size());
+    }
+
+    void show(const QJsonValue& value) override {
+        shown_ = value;
+        if (absent_) {
+            const QSignalBlocker quiet(absent_);
+            absent_->setChecked(value.isNull());
+        }
+        for (std::size_t part = 0; part < boxes_.size(); ++part) {
+            const QJsonValue own = boxes_.size() == 1 ? value : value.toArray().at(int(part));
+            const QSignalBlocker quiet(boxes_[part]);
+            boxes_[part]->setEnabled(!value.isNull());
+            stored_[part] = own.toDouble(spec().whenPresent);
+            boxes_[part]->setValue(stored_[part] * factor_);
+        }
+    }
+
+private:
+    void addAbsentTick(QHBoxLayout& row) {
+        absent_ = new QCheckBox(spec().absent, this);
+        adopt(absent_, spec().label + QLatin1Char(' ') + spec().absent, {});
+        connect(absent_, &QCheckBox::toggled, this, [this](bool absent) {
+            emit edited(absent ? QJsonValue() : QJsonValue(spec().whenPresent));
+            emit left();
+        });
+        row.addWidget(absent_);
+    }
+    void changed(int part) {
+        stored_[std::size_t(part)] = boxes_[std::size_t(part)]->value() / factor_;
+        if (boxes_.size() == 1) {
+            emit edited(asJson(stored_[0]));
+            return;
+        }
+        QJsonArray parts;
+        for (const double value : stored_) {
+            parts.append(asJson(value));
+        }
+        emit edited(parts);
+    }
+    QJsonValue asJson(double value) const { return whole_ ? std::round(value) : value; }
+
+    double factor_;
+    bool whole_, nullable_;
+    QCheckBox* absent_ = nullptr;
+    std::vector<QDoubleSpinBox*> boxes_;
+    std::vector<double> stored_; // what is shown may have fewer digits
+    QJsonValue shown_;
+};
+
+class ChoiceField : public PropertyField {
+public:
+    ChoiceField(const PropertySpec& spec, const FieldRule& rule, QWidget* parent)
+        : PropertyField(spec, parent), box_(new QComboBox(this)) {
+        makeRow(this)->addWidget(box_);
+        box_->setFocusPolicy(Qt::StrongFocus);
+        box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box_->setMinimumContentsLength(6);
+        for (const QString& word : rule.choices) {
+            box_->addItem(spec.words.value(word, word), word);
+        }
+        adopt(box_, spec.label, {});
+        connect(box_, &QComboBox::activated, this, [this](int index) {
+            emit edited(box_->itemData(index).toString());
+            emit left();
+        });
+    }
+    void show(const QJsonValue& value) override {
+        box_->setCurrentIndex(box_->findData(value.toString()));
+    }
+
+private:
+    QComboBox* box_;
+};
+
+class FlagField : public PropertyField {
+public:
+    FlagField(const PropertySpec& spec, QWidget* parent)
+        : PropertyField(spec, parent), box_(new QCheckBox(this)) {
+        makeRow(this)->addWidget(box_);
+        adopt(box_, spec.label, {});
+        connect(box_, &QCheckBox::toggled, this, [this](bool ticked) {
+            emit edited(ticked);
+            emit left();
+        });
+    }
+    void show(const QJsonValue& value) override {
+        const QSignalBlocker quiet(box_);
+        box_->setChecked(value.toBool());
+    }
+
+private:
+    QCheckBox* box_;
+};
+
+class TextField : public PropertyField {
+public:
+    TextField(const PropertySpec& spec, const FieldRule& rule, QWidget* parent)
+        : PropertyField(spec, parent), line_(new QLineEdit(this)) {
+        makeRow(this)->addWidget(line_);
+        line_->setMaxLength(int(rule.maximum));
+        adopt(line_, spec.label, {});
+        connect(line_, &QLineEdit::textEdited, this,
+                [this](const QString& text) { emit edited(text); });
+    }
+    void show(const QJsonValue& value) override {
+        if (line_->text() != value.toString()) {
+            line_->setText(value.toString());
+        }
+    }
+
+private:
+    QLineEdit* line_;
+};
+
+} // namespace
+
+PropertyField* PropertyField::make(const PropertySpec& spec, const FieldRule& rule,
+                                   LengthUnit length, QWidget* parent) {
+    switch (rule.kind) {
+    case FieldKind::Text:
+        return new TextField(spec, rule, parent);
+    case FieldKind::Choice:
+        return new ChoiceField(spec, rule, parent);
+    case FieldKind::Flag:
+        return new FlagField(spec, parent);
+    case FieldKind::Number:
+    case FieldKind::WholeNumber:
+        break;
+    }
+    return new NumberField(spec, rule, length, parent);
+}
+
+void PropertyField::adopt(QWidget* editor, const QString& name, const QString& range) {
+    editor->setAccessibleName(name);
+    editor->setAccessibleDescription(spec_.help);
+    editor->setObjectName(spec_.path);
+    editor->setWhatsThis(spec_.help);
+    const QString shownRange =
+        range.isEmpty() ? QString() : QStringLiteral("<br><i>%1</i>").arg(range.toHtmlEscaped());
+    editor->setToolTip(QStringLiteral("<p>%1%2</p>").arg(spec_.help.toHtmlEscaped(), shownRange));
+    editor->installEventFilter(this);
+    if (!focusProxy()) {
+        setFocusProxy(editor);
+    }
+}
+
+bool PropertyField::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusOut) {
+        emit left();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace dipwright

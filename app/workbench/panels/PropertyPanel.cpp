@@ -1,0 +1,245 @@
+#include "panels/PropertyPanel.h"
+
+#include "base/Error.h"
+#include "document/ProjectValue.h"
+#include "look/Icons.h"
+#include "panels/PropertySpecs.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace dipwright {
+
+PropertyPanel::PropertyPanel(const SolverRegistry& registry, QWidget* parent)
+    : QScrollArea(parent), registry_(registry) {
+    setObjectName(QStringLiteral("propertyPanel"));
+    setAccessibleName(tr("Properties"));
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
+void PropertyPanel::setDocument(Document* document) {
+    document_ = document;
+    if (document) {
+        connect(document, &Document::projectChanged, this, &PropertyPanel::refresh);
+    }
+    rebuild();
+}
+
+void PropertyPanel::setLengthUnit(LengthUnit unit) {
+    lengthUnit_ = unit;
+    rebuild();
+}
+
+void PropertyPanel::showNode(const ProjectNode& node) {
+    if (node != node_) {
+        node_ = node;
+        rebuild();
+    }
+}
+
+void PropertyPanel::rebuild() {
+    refreshers_.clear();
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(10, 8, 10, 10);
+    form->setVerticalSpacing(8);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    if (document_) {
+        if (node_.part == ProjectPart::Model) {
+            addModelFacts(*form);
+        } else if (node_.part == ProjectPart::Process) {
+            addPreset(*form);
+            addSolver(*form);
+        }
+        for (const PropertySection& section : propertySections(node_)) {
+            if (!section.title.isEmpty()) {
+                addHeading(*form, section.title);
+            }
+            for (const PropertySpec& spec : section.specs) {
+                addField(*form, spec);
+            }
+        }
+    }
+    setWidget(page);
+    refresh();
+}
+
+void PropertyPanel::refresh() {
+    if (!document_) {
+        return;
+    }
+    if (node_.part == ProjectPart::Immersion &&
+        node_.immersion >= document_->project().immersions.size()) {
+        return; // the tree is about to select something else
+    }
+    for (const auto& refresher : refreshers_) {
+        refresher();
+    }
+}
+
+void PropertyPanel::addHeading(QFormLayout& form, const QString& text) {
+    auto* heading = new QLabel(text);
+    QFont font = heading->font();
+    font.setBold(true);
+    heading->setFont(font);
+    heading->setContentsMargins(0, form.rowCount() > 0 ? 8 : 0, 0, 0);
+    form.addRow(heading);
+}
+
+void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
+    PropertyField* field = PropertyField::make(spec, valueRule(spec.path), lengthUnit_, nullptr);
+    auto* label = new QLabel(spec.label);
+    label->setBuddy(field);
+    label->setToolTip(spec.help);
+    form.addRow(label, field);
+    connect(field, &PropertyField::edited, this, [this, spec, field](const QJsonValue& value) {
+        edit(tr("Change %1").arg(spec.label), spec.path,
+             [&](Project& project) { setValueAt(project, spec.path, value); });
+        field->show(valueAt(document_->project(), spec.path));
+    });
+    connect(field, &PropertyField::left, this, [this] {
+        if (document_) {
+            document_->endMerge();
+        }
+    });
+    refreshers_.push_back([this, &form, field, spec] {
+        field->show(valueAt(document_->project(), spec.path));
+        if (spec.relevant) {
+            form.setRowVisible(field, spec.relevant(document_->project()));
+        }
+    });
+}
+
+void PropertyPanel::edit(const QString& text, const QString& mergeKey,
+                         const std::function<void(Project&)>& change) {
+    try {
+        document_->edit(text, mergeKey, change);
+    } catch (const Error& error) {
+        emit failed(error.sentence());
+    }
+}
+
+void PropertyPanel::addModelFacts(QFormLayout& form) {
+    auto* facts = new QLabel;
+    facts->setWordWrap(true);
+    facts->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    form.addRow(facts);
+    refreshers_.push_back([this, facts] {
+        const Project& project = document_->project();
+        const TexturedMesh& model = *project.model;
+        const Eigen::Vector3f size = boundingBox(model.mesh).sizes();
+        const QLocale locale;
+        QStringList lines{
+            project.modelSource.source.isEmpty()
+                ? tr("Embedded in the project")
+                : tr("From %1").arg(QFileInfo(project.modelSource.source).fileName()),
+            tr("%1 × %2 × %3")
+                .arg(shownLength(size.x(), lengthUnit_), shownLength(size.y(), lengthUnit_),
+                     shownLength(size.z(), lengthUnit_)),
+            tr("%n triangle(s)", nullptr, int(model.mesh.triangles.size())),
+            tr("%1 cm³").arg(locale.toString(volume(model.mesh) / 1000, 'f', 1)),
+            isClosed(model.mesh) ? tr("Closed surface") : tr("Surface with openings")};
+        for (const QImage& texture : model.textures) {
+            lines.append(
+                tr("Texture of %1 × %2 pixels").arg(texture.width()).arg(texture.height()));
+        }
+        if (model.textures.empty()) {
+            lines.append(tr("No texture: drop a picture on the window to put one on"));
+        }
+        facts->setText(lines.join(QLatin1Char('\n')));
+    });
+    const auto addButton = [this, &form](const QString& iconName, const QString& text,
+                                         const QString& help, void (PropertyPanel::*asked)()) {
+        auto* button = new QPushButton(icon(iconName), text);
+        button->setToolTip(help);
+        connect(button, &QPushButton::clicked, this, asked);
+        form.addRow(button);
+    };
+    addButton(QStringLiteral("reload"), tr("Reload from Disk"),
+              tr("Reads the model's file again and keeps all settings."),
+              &PropertyPanel::reloadModelAsked);
+    addButton(QStringLiteral("replace"), tr("Replace Model…"),
+              tr("Takes another model. Rotations and offsets start anew."),
+              &PropertyPanel::replaceModelAsked);
+    addButton(QStringLiteral("texture"), tr("Replace Texture…"),
+              tr("Puts another picture on the model."), &PropertyPanel::replaceTextureAsked);
+}
+
+void PropertyPanel::addPreset(QFormLayout& form) {
+    auto* box = new QComboBox;
+    box->addItem(tr("Production"), QStringLiteral("production"));
+    box->addItem(tr("Paper of 2020"), QStringLiteral("paper-2020"));
+    box->addItem(tr("Custom"), QString());
+    const QString help = tr("Production is the accurate film model and the default. Paper of 2020 "
+                            "is the published model, for comparison.");
+    box->setToolTip(help);
+    box->setWhatsThis(help);
+    box->setAccessibleName(tr("Preset"));
+    auto* label = new QLabel(tr("Preset"));
+    label->setBuddy(box);
+    form.addRow(label, box);
+    connect(box, &QComboBox::activated, this, [this, box](int index) {
+        const QString preset = box->itemData(index).toString();
+        if (!preset.isEmpty()) {
+            edit(tr("Apply Preset"), {},
+                 [&preset](Project& project) { applyPreset(project, preset); });
+        }
+        refresh();
+    });
+    refreshers_.push_back([this, box] {
+        const Project& project = document_->project();
+        for (int index = 0; index < box->count(); ++index) {
+            const QString preset = box->itemData(index).toString();
+            Project applied = project;
+            if (!preset.isEmpty()) {
+                applyPreset(applied, preset);
+            }
+            if (applied == project) {
+                box->setCurrentIndex(index);
+                return;
+            }
+        }
+    });
+}
+
+void PropertyPanel::addSolver(QFormLayout& form) {
+    auto* box = new QComboBox;
+    box->setObjectName(QStringLiteral("process.solver"));
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(8);
+    box->addItem(tr("Best available"), QStringLiteral("auto"));
+    for (const SolverInfo& solver : registry_.solvers()) {
+        box->addItem(solver.available ? solver.name : tr("%1 (not available)").arg(solver.name),
+                     solver.id);
+        box->setItemData(box->count() - 1, solver.available ? solver.device : solver.reason,
+                         Qt::ToolTipRole);
+    }
+    const QString help = tr("What computes the dip. “Best available” takes a GPU where there is "
+                            "one.");
+    box->setToolTip(help);
+    box->setWhatsThis(help);
+    box->setAccessibleName(tr("Solver"));
+    auto* label = new QLabel(tr("Solver"));
+    label->setBuddy(box);
+    form.addRow(label, box);
+    connect(box, &QComboBox::activated, this, [this, box](int index) {
+        edit(tr("Choose Solver"), {}, [&](Project& project) {
+            setValueAt(project, QStringLiteral("process.solver"), box->itemData(index).toString());
+        });
+    });
+    refreshers_.push_back([this, box] {
+        const QString id = document_->project().process.solver;
+        if (box->findData(id) < 0) {
+            box->addItem(tr("%1 (not installed)").arg(id), id);
+        }
+        box->setCurrentIndex(box->findData(id));
+    });
+}
+
+} // namespace dipwright

@@ -1,0 +1,49 @@
+// The values of what is selected in the project tree, each with unit, range and explanation.
+#pragma once
+
+#include "document/Document.h"
+#include "panels/ProjectTree.h"
+#include "panels/PropertyField.h"
+
+#include <QScrollArea>
+
+class QFormLayout;
+
+namespace dipwright {
+
+class PropertyPanel : public QScrollArea {
+    Q_OBJECT
+
+public:
+    // The registry names the solvers to choose from; it must outlive the panel.
+    explicit PropertyPanel(const SolverRegistry& registry, QWidget* parent = nullptr);
+
+    void setDocument(Document* document); // may be null
+    void setLengthUnit(LengthUnit unit);
+    void showNode(const ProjectNode& node);
+
+signals:
+    void failed(const QString& sentence);
+    void reloadModelAsked();
+    void replaceModelAsked();
+    void replaceTextureAsked();
+
+private:
+    void rebuild();
+    void refresh();
+    void addHeading(QFormLayout& form, const QString& text);
+    void addField(QFormLayout& form, const PropertySpec& spec);
+    void addModelFacts(QFormLayout& form);
+    void addPreset(QFormLayout& form);
+    void addSolver(QFormLayout& form);
+    void edit(const QString& text, const QString& mergeKey,
+              const std::function<void(Project&)>& change);
+
+    const SolverRegistry& registry_;
+    Document* document_ = nullptr;
+    LengthUnit lengthUnit_ = LengthUnit::Millimetre;
+    ProjectNode node_;
+    std::vector<std::function<void()>> refreshers_; // of what is shown now
+};
+
+} // namespace dipwright

@@ -1,0 +1,278 @@
+#include "panels/PropertySpecs.h"
+
+#include <QCoreApplication>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(PropertySpecs)
+};
+
+bool isProduction(const Project& project) {
+    return project.film.lattice == solver::Lattice::Isotropic &&
+           project.film.support == solver::Support::Water;
+}
+
+bool isPaperModel(const Project& project) {
+    return !isProduction(project);
+}
+
+QMap<QString, QString> edgeWords() {
+    return {{QStringLiteral("free"), Text::tr("Free")},
+            {QStringLiteral("pinned"), Text::tr("Held by a barrier")}};
+}
+
+PropertySpec edge(const char* path, const QString& label) {
+    return {.path = QLatin1String(path),
+            .label = label,
+            .help = Text::tr("Whether this side of the film floats freely or is held by a barrier "
+                             "in the tank."),
+            .words = edgeWords()};
+}
+
+std::vector<PropertySection> projectProperties() {
+    return {{{},
+             {{.path = QStringLiteral("name"),
+               .label = Text::tr("Name"),
+               .help = Text::tr("What the project is called. It stands in the job line of every "
+                                "sheet.")},
+              {.path = QStringLiteral("created"),
+               .label = Text::tr("Date"),
+               .help = Text::tr("The date in the job line. It belongs to the project, so that the "
+                                "same project always gives the same sheet.")}}}};
+}
+
+std::vector<PropertySection> modelProperties() {
+    return {{Text::tr("Distance field"),
+             {{.path = QStringLiteral("body.sdf_resolution"),
+               .label = Text::tr("Resolution"),
+               .help = Text::tr("Samples along each edge of the cube round the body in which the "
+                                "distance to its surface is kept. More follows finer detail and "
+                                "takes longer to build.")}}}};
+}
+
+std::vector<PropertySection> filmProperties() {
+    PropertySection printed{Text::tr("Printed film"), {}};
+    printed.specs = {
+        {.path = QStringLiteral("film.preset"),
+         .label = Text::tr("Format"),
+         .help = Text::tr("The size in which the film comes and is printed."),
+         .words = {{QStringLiteral("custom"), Text::tr("Custom")}}},
+        {.path = QStringLiteral("film.size_mm"),
+         .label = Text::tr("Size"),
+         .help = Text::tr("Width and height of the printed film. The grid keeps its spacing."),
+         .unit = Unit::Length,
+         .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
+        {.path = QStringLiteral("film.points"),
+         .label = Text::tr("Points"),
+         .help = Text::tr("Points of the simulated film across and down. More points show finer "
+                          "detail and take longer."),
+         .parts = {Text::tr("W", "width"), Text::tr("H", "height")}}};
+
+    PropertySection material{Text::tr("Behaviour on the water"), {}};
+    material.specs = {
+        {.path = QStringLiteral("film.swell"),
+         .label = Text::tr("Swell"),
+         .help = Text::tr("How much the wetted film has grown over the printed one, across and "
+                          "down. Measure it: it is the first number to calibrate, and the sheet is "
+                          "printed smaller by it."),
+         .unit = Unit::Ratio,
+         .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
+        {.path = QStringLiteral("film.relaxation_time_s"),
+         .label = Text::tr("Relaxation"),
+         .help = Text::tr("How fast stress in the floating film decays. An elastic film remembers "
+                          "its shape for ever; a viscous one, at 0 s, forgets at once."),
+         .unit = Unit::Time,
+         .absent = Text::tr("Elastic"),
+         .whenPresent = 1,
+         .relevant = isProduction},
+        {.path = QStringLiteral("film.contact_distance_mm"),
+         .label = Text::tr("Contact distance"),
+         .help = Text::tr("How near a film point has to come to the surface to touch it."),
+         .unit = Unit::Length},
+        {.path = QStringLiteral("film.lattice"),
+         .label = Text::tr("Film model"),
+         .help = Text::tr("Isotropic film resists shear and gives the same result whichever way "
+                          "the grid lies. The structural lattice joins horizontal and vertical "
+                          "neighbours only, as in the paper of 2020."),
+         .words = {{QStringLiteral("isotropic"), Text::tr("Isotropic")},
+                   {QStringLiteral("structural"), Text::tr("Structural lattice")}}},
+        {.path = QStringLiteral("film.support"),
+         .label = Text::tr("Support"),
+         .help = Text::tr("Whether the water holds up the free film. Without it nothing does."),
+         .words = {{QStringLiteral("water"), Text::tr("Water")},
+                   {QStringLiteral("none"), Text::tr("None")}}}};
+
+    PropertySection edges{Text::tr("Sides"), {}};
+    edges.specs = {
+        edge("film.edges.left", Text::tr("Left")), edge("film.edges.right", Text::tr("Right")),
+        edge("film.edges.top", Text::tr("Top")), edge("film.edges.bottom", Text::tr("Bottom"))};
+    return {printed, material, edges};
+}
+
+std::vector<PropertySection> processProperties() {
+    PropertySection motion{Text::tr("Motion"), {}};
+    motion.specs = {
+        {.path = QStringLiteral("process.dip_speed_mm_s"),
+         .label = Text::tr("Speed"),
+         .help = Text::tr("How fast the body comes down into the water."),
+         .unit = Unit::Speed},
+        {.path = QStringLiteral("process.depth_mm"),
+         .label = Text::tr("Depth"),
+         .help = Text::tr("How far the lowest point of the body goes under the waterline. “Whole "
+                          "body” dips until all of it is under."),
+         .unit = Unit::Length,
+         .absent = Text::tr("Whole body"),
+         .whenPresent = 20},
+        {.path = QStringLiteral("process.margin_mm"),
+         .label = Text::tr("Margin"),
+         .help = Text::tr("How much farther than fully under the body is dipped."),
+         .unit = Unit::Length,
+         .relevant = [](const Project& project) { return !project.process.depth; }}};
+
+    PropertySection limits{Text::tr("Limits"), {}};
+    limits.specs = {
+        {.path = QStringLiteral("process.tear_stretch"),
+         .label = Text::tr("Tears at"),
+         .help = Text::tr("The area stretch past which film counts as torn. Torn film is marked "
+                          "and not painted."),
+         .unit = Unit::Ratio},
+        {.path = QStringLiteral("process.overhang_deg"),
+         .label = Text::tr("Overhang"),
+         .help = Text::tr("Film holds on faces that turn upwards by no more than this."),
+         .unit = Unit::Angle}};
+
+    PropertySection accuracy{Text::tr("Accuracy"), {}};
+    accuracy.specs = {
+        {.path = QStringLiteral("process.contact_travel_cells"),
+         .label = Text::tr("Step"),
+         .help = Text::tr("How far the contact line travels in one step, in cells of the film. "
+                          "Smaller is finer and slower."),
+         .unit = Unit::Cells,
+         .relevant = isProduction},
+        {.path = QStringLiteral("process.time_step_s"),
+         .label = Text::tr("Time step"),
+         .help = Text::tr("Time that one step simulates."),
+         .unit = Unit::Time,
+         .relevant = isPaperModel},
+        {.path = QStringLiteral("process.iterations"),
+         .label = Text::tr("Iterations"),
+         .help = Text::tr("Sweeps over all constraints in one step."),
+         .relevant = isPaperModel},
+        {.path = QStringLiteral("process.relaxation"),
+         .label = Text::tr("Sweeps"),
+         .help = Text::tr("Jacobi corrects all points at once and averages; Gauss–Seidel one after "
+                          "the other."),
+         .words = {{QStringLiteral("jacobi"), QStringLiteral("Jacobi")},
+                   {QStringLiteral("gauss-seidel"), QStringLiteral("Gauss–Seidel")}},
+         .relevant = isPaperModel},
+        {.path = QStringLiteral("process.self_contact"),
+         .label = Text::tr("Self-contact"),
+         .help = Text::tr("Keep film from passing through film."),
+         .relevant = isPaperModel}};
+    return {motion, limits, accuracy};
+}
+
+std::vector<PropertySection> immersionProperties(std::size_t number) {
+    const QString prefix = QStringLiteral("immersions[%1].").arg(number);
+    return {{{},
+             {{.path = prefix + QStringLiteral("name"),
+               .label = Text::tr("Name"),
+               .help = Text::tr("What this immersion is called. It stands in the job line of its "
+                                "sheet.")},
+              {.path = prefix + QStringLiteral("rotation_deg"),
+               .label = Text::tr("Rotation"),
+               .help = Text::tr("How the body is turned about X, then Y, then Z before it is "
+                                "dipped. Drag the rings in the view to turn it by hand; hold Shift "
+                                "for steps of 15°."),
+               .unit = Unit::Angle,
+               .parts = {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")}},
+              {.path = prefix + QStringLiteral("offset_mm"),
+               .label = Text::tr("Offset"),
+               .help = Text::tr("Where the body meets the film, from the middle of the film: X to "
+                                "the right, Z down the sheet."),
+               .unit = Unit::Length,
+               .parts = {QStringLiteral("X"), QStringLiteral("Z")}}}}};
+}
+
+std::vector<PropertySection> sheetProperties() {
+    PropertySection page{Text::tr("Page"), {}};
+    page.specs = {
+        {.path = QStringLiteral("sheet.paper"),
+         .label = Text::tr("Paper"),
+         .help = Text::tr("The page that the film image is laid on. “As the film” prints the film "
+                          "itself, edge to edge."),
+         .words = {{QStringLiteral("film"), Text::tr("As the film")},
+                   {QStringLiteral("custom"), Text::tr("Custom")}}},
+        {.path = QStringLiteral("sheet.custom_size_mm"),
+         .label = Text::tr("Size"),
+         .help = Text::tr("Width and height of the page."),
+         .unit = Unit::Length,
+         .parts = {Text::tr("W", "width"), Text::tr("H", "height")},
+         .relevant = [](const Project& p) { return p.sheet.paper == QLatin1String("custom"); }},
+        {.path = QStringLiteral("sheet.landscape"),
+         .label = Text::tr("Landscape"),
+         .help = Text::tr("Turn the page on its side."),
+         .relevant = [](const Project& p) { return p.sheet.paper != QLatin1String("film"); }},
+        {.path = QStringLiteral("sheet.dpi"),
+         .label = Text::tr("Resolution"),
+         .help = Text::tr("Pixels to the inch of the film image."),
+         .unit = Unit::Resolution},
+        {.path = QStringLiteral("sheet.bleed_mm"),
+         .label = Text::tr("Bleed"),
+         .help = Text::tr("How far the colour is continued past the painted area, so that a small "
+                          "error of position leaves no bare edge."),
+         .unit = Unit::Length}};
+    PropertySection extras{Text::tr("On the page"), {}};
+    extras.specs = {
+        {.path = QStringLiteral("sheet.marks"),
+         .label = Text::tr("Registration marks"),
+         .help = Text::tr("Marks in the corners by which the film is laid into the tank.")},
+        {.path = QStringLiteral("sheet.ruler"),
+         .label = Text::tr("Ruler"),
+         .help = Text::tr("A ruler of 100 mm: measure it to see that the page was printed at true "
+                          "size.")},
+        {.path = QStringLiteral("sheet.job_line"),
+         .label = Text::tr("Job line"),
+         .help = Text::tr("A line with project, immersion, date, film, scale and a check sum.")}};
+    return {page, extras};
+}
+
+std::vector<PropertySection> inkProperties() {
+    return {{{},
+             {{.path = QStringLiteral("ink.compensate"),
+               .label = Text::tr("Compensate stretch"),
+               .help = Text::tr("Ink thins where the film stretches. Print more there, so that the "
+                                "body shows the colour of the texture.")},
+              {.path = QStringLiteral("ink.limit"),
+               .label = Text::tr("Ink limit"),
+               .help = Text::tr("The highest optical density that can be printed. Where more would "
+                                "be needed, the colour falls short and the report says so."),
+               .unit = Unit::Density}}}};
+}
+
+} // namespace
+
+std::vector<PropertySection> propertySections(const ProjectNode& node) {
+    switch (node.part) {
+    case ProjectPart::Project:
+        return projectProperties();
+    case ProjectPart::Model:
+        return modelProperties();
+    case ProjectPart::Film:
+        return filmProperties();
+    case ProjectPart::Process:
+        return processProperties();
+    case ProjectPart::Immersion:
+        return immersionProperties(node.immersion);
+    case ProjectPart::Sheet:
+        return sheetProperties();
+    case ProjectPart::Ink:
+        return inkProperties();
+    }
+    return {};
+}
+
+} // namespace dipwright

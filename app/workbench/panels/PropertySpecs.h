@@ -1,0 +1,16 @@
+// How every value of the schema is called and explained, by the part of the project it belongs to.
+#pragma once
+
+#include "panels/ProjectTree.h"
+#include "panels/PropertyField.h"
+
+namespace dipwright {
+
+struct PropertySection {
+    QString title; // empty: none
+    std::vector<PropertySpec> specs;
+};
+
+std::vector<PropertySection> propertySections(const ProjectNode& node);
+
+} // namespace dipwright

@@ -1,0 +1,112 @@
+#include "panels/ReportPanel.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ReportPanel)
+};
+
+class Table {
+public:
+    void row(const QString& name, const QString& value) {
+        html_ += QStringLiteral("<tr><td style='padding:3px 16px 3px 0'>%1</td>"
+                                "<td style='padding:3px 0' align='right'>%2</td></tr>")
+                     .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+    }
+    QString html() const {
+        return QStringLiteral("<table width='100%' cellspacing='0'>%1</table>").arg(html_);
+    }
+
+private:
+    QString html_;
+};
+
+QString heading(const QString& text) {
+    return QStringLiteral("<h3 style='margin-bottom:4px'>%1</h3>").arg(text.toHtmlEscaped());
+}
+
+QString number(double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QString percent(double share) {
+    return Text::tr("%1 %").arg(number(share * 100, 1));
+}
+
+QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
+    const DippedFilm& film = *result.film;
+    const Distribution stretch = distribution(constraintStretches(film));
+    std::vector<float> areas;
+    for (const PrincipalStretch& cell : principalStretches(film)) {
+        areas.push_back(cell.area());
+    }
+    const Distribution area = distribution(std::move(areas));
+    std::size_t adhered = 0;
+    for (std::size_t point = 0; point < film.states.size(); ++point) {
+        adhered += film.adhered(point);
+    }
+    const QLocale locale;
+    Table table;
+    table.row(Text::tr("Body painted"), percent(result.coverage->share));
+    table.row(Text::tr("Film points on the body"),
+              Text::tr("%1 of %2")
+                  .arg(locale.toString(qulonglong(adhered)),
+                       locale.toString(qulonglong(film.states.size()))));
+    table.row(Text::tr("Stretch, mean and largest"),
+              QStringLiteral("%1 · %2").arg(number(stretch.mean, 3), number(stretch.maximum, 3)));
+    table.row(Text::tr("Area stretch, smallest and largest"),
+              QStringLiteral("%1 · %2").arg(number(area.minimum, 3), number(area.maximum, 3)));
+    table.row(Text::tr("Registration, mean and 95 %"),
+              QStringLiteral("%1 · %2").arg(shownLength(result.registration.mean, unit),
+                                            shownLength(result.registration.percentile95, unit)));
+    table.row(Text::tr("Film across texture seams"),
+              Text::tr("%n triangle(s)", nullptr, int(result.texture->seamTriangles)));
+    table.row(Text::tr("Colour short of ink"),
+              Text::tr("%1 mm²").arg(number(result.texture->shortfallArea, 0)));
+    table.row(Text::tr("Air trapped"),
+              Text::tr("%1 mm²").arg(number(result.coverage->trappedAirArea, 0)));
+    table.row(
+        Text::tr("Simulated in"),
+        Text::tr("%1 s, %n step(s)", nullptr, int(film.steps)).arg(number(film.wallSeconds, 2)));
+    return heading(result.immersion.name) + table.html();
+}
+
+} // namespace
+
+ReportPanel::ReportPanel(QWidget* parent) : QWidget(parent), text_(new QTextBrowser) {
+    text_->setFrameShape(QFrame::NoFrame);
+    text_->setObjectName(QStringLiteral("report"));
+    text_->setAccessibleName(tr("Report"));
+    text_->setPlaceholderText(tr("Run the dip to see its figures."));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(text_);
+}
+
+void ReportPanel::setResult(std::shared_ptr<const JobResult> result, LengthUnit unit) {
+    if (!result) {
+        text_->clear();
+        return;
+    }
+    Table whole;
+    whole.row(tr("Body painted altogether"), percent(result->coverageTotal));
+    whole.row(tr("Solver"), result->solver.name);
+    whole.row(tr("Device"), result->device);
+    QString html = whole.html();
+    for (const QString& note : result->notes) {
+        html += QStringLiteral("<p><b>%1</b></p>").arg(note.toHtmlEscaped());
+    }
+    for (const ImmersionResult& immersion : result->immersions) {
+        html += immersionHtml(immersion, unit);
+    }
+    text_->setHtml(html);
+}
+
+} // namespace dipwright

@@ -1,0 +1,208 @@
+#include "panels/StretchPanel.h"
+
+#include "look/Icons.h"
+#include "results/Results.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace dipwright {
+
+namespace {
+
+QString mapTitle(const QString& map) {
+    QString title = map;
+    title[0] = title[0].toUpper();
+    return title;
+}
+
+QDoubleSpinBox* rangeBox(const QString& name) {
+    auto* box = new QDoubleSpinBox;
+    box->setRange(0, 100);
+    box->setDecimals(2);
+    box->setSingleStep(0.05);
+    box->setKeyboardTracking(false);
+    box->setAccessibleName(name);
+    box->setToolTip(name);
+    return box;
+}
+
+// The spacing of isolines that divides the range into about ten.
+double isolineStep(const HeatScale& scale) {
+    for (const double step : {0.01, 0.02, 0.05, 0.1, 0.2, 0.5}) {
+        if ((scale.high - scale.low) / step <= 12) {
+            return step;
+        }
+    }
+    return 1;
+}
+
+} // namespace
+
+StretchPanel::StretchPanel(QWidget* parent)
+    : QWidget(parent), quantityBox_(new QComboBox), mapBox_(new QComboBox),
+      automaticBox_(new QCheckBox(tr("Automatic range"))), lowBox_(rangeBox(tr("Lowest value"))),
+      highBox_(rangeBox(tr("Highest value"))), limitTick_(new QCheckBox(tr("Mark above"))),
+      limitBox_(rangeBox(tr("Limit above which film is marked"))),
+      isolineTick_(new QCheckBox(tr("Isolines"))), exportButton_(new QToolButton),
+      view_(new PictureView), histogram_(new Histogram), summary_(new QLabel) {
+    quantityBox_->setObjectName(QStringLiteral("stretchQuantity"));
+    quantityBox_->addItem(tr("Stretch"), int(FilmQuantity::Length));
+    quantityBox_->addItem(tr("Area stretch"), int(FilmQuantity::Area));
+    quantityBox_->addItem(tr("Largest stretch"), int(FilmQuantity::Larger));
+    quantityBox_->addItem(tr("Smallest stretch"), int(FilmQuantity::Smaller));
+    quantityBox_->setItemData(
+        0, tr("Length of the film's threads after the dip over before: the mean round each point."),
+        Qt::ToolTipRole);
+    quantityBox_->setItemData(1, tr("Area after over before. Ink thins by as much."),
+                              Qt::ToolTipRole);
+    quantityBox_->setItemData(2, tr("The stretch in the direction in which it is largest."),
+                              Qt::ToolTipRole);
+    quantityBox_->setItemData(
+        3, tr("The stretch in the direction in which it is smallest. Below 1 the film wrinkles."),
+        Qt::ToolTipRole);
+    quantityBox_->setAccessibleName(tr("Quantity"));
+    for (const QString& map : colourMaps()) {
+        mapBox_->addItem(mapTitle(map), map);
+    }
+    mapBox_->setAccessibleName(tr("Colour map"));
+    mapBox_->setToolTip(tr("Colour map; all are safe for colour-blind readers."));
+    automaticBox_->setChecked(true);
+    highBox_->setValue(2);
+    lowBox_->setValue(1);
+    limitBox_->setValue(1.3);
+    view_->setObjectName(QStringLiteral("stretchMap"));
+    view_->setAccessibleName(tr("Stretch map"));
+    summary_->setWordWrap(true);
+    summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    auto* top = new QHBoxLayout;
+    top->addWidget(quantityBox_, 1);
+    top->addWidget(mapBox_, 1);
+    exportButton_->setIcon(icon(QStringLiteral("export")));
+    exportButton_->setText(tr("Export"));
+    exportButton_->setToolTip(tr("Save the map or its numbers"));
+    exportButton_->setPopupMode(QToolButton::InstantPopup);
+    exportButton_->setAutoRaise(true);
+    auto* menu = new QMenu(exportButton_);
+    menu->addAction(tr("Picture (PNG)…"), this, &StretchPanel::exportPictureAsked);
+    menu->addAction(tr("Table (CSV)…"), this, &StretchPanel::exportTableAsked);
+    menu->addAction(tr("Film (VTP)…"), this, &StretchPanel::exportFilmAsked);
+    exportButton_->setMenu(menu);
+    top->addWidget(exportButton_);
+    layout->addLayout(top);
+    layout->addWidget(view_, 1);
+    layout->addWidget(histogram_);
+    makeScaleRow(*layout);
+    layout->addWidget(summary_);
+
+    for (QComboBox* box : {quantityBox_, mapBox_}) {
+        connect(box, &QComboBox::currentIndexChanged, this, &StretchPanel::redraw);
+    }
+    for (QCheckBox* box : {automaticBox_, limitTick_, isolineTick_}) {
+        connect(box, &QCheckBox::toggled, this, &StretchPanel::redraw);
+    }
+    for (QDoubleSpinBox* box : {lowBox_, highBox_, limitBox_}) {
+        connect(box, &QDoubleSpinBox::valueChanged, this, &StretchPanel::redraw);
+    }
+    connect(view_, &PictureView::hovered, this, [this](QPointF place) {
+        const auto& grid = reading_->film().grid;
+        emit hovered({float(place.x() - grid.width / 2), float(place.y() - grid.depth / 2)});
+    });
+    connect(view_, &PictureView::hoverLeft, this, &StretchPanel::hoverLeft);
+    redraw();
+}
+
+void StretchPanel::makeScaleRow(QVBoxLayout& layout) {
+    auto* range = new QHBoxLayout;
+    range->addWidget(automaticBox_);
+    range->addStretch();
+    range->addWidget(lowBox_);
+    range->addWidget(new QLabel(QStringLiteral("–")));
+    range->addWidget(highBox_);
+    layout.addLayout(range);
+    auto* marks = new QHBoxLayout;
+    marks->addWidget(limitTick_);
+    marks->addWidget(limitBox_);
+    marks->addStretch();
+    marks->addWidget(isolineTick_);
+    layout.addLayout(marks);
+}
+
+void StretchPanel::setReading(std::shared_ptr<const FilmReading> reading) {
+    reading_ = std::move(reading);
+    redraw();
+}
+
+void StretchPanel::setLengthUnit(LengthUnit unit) {
+    unit_ = unit;
+}
+
+FilmQuantity StretchPanel::quantity() const {
+    return FilmQuantity(quantityBox_->currentData().toInt());
+}
+
+void StretchPanel::redraw() {
+    lowBox_->setEnabled(!automaticBox_->isChecked());
+    highBox_->setEnabled(!automaticBox_->isChecked());
+    limitBox_->setEnabled(limitTick_->isChecked());
+    exportButton_->setEnabled(reading_ != nullptr);
+    scale_.map = mapBox_->currentData().toString();
+    scale_.limit.reset();
+    if (limitTick_->isChecked()) {
+        scale_.limit = limitBox_->value();
+    }
+    scale_.low = lowBox_->value();
+    scale_.high = std::max(scale_.low + 0.01, highBox_->value());
+    if (!reading_) {
+        view_->clear(tr("Run the dip to see how the film stretches."));
+        histogram_->setValues({}, scale_);
+        summary_->clear();
+        emit scaleChanged();
+        return;
+    }
+    const std::vector<float>& values = reading_->values(quantity());
+    if (automaticBox_->isChecked()) {
+        scale_ = automaticScale(scale_, values);
+        const QSignalBlocker quietLow(lowBox_), quietHigh(highBox_);
+        lowBox_->setValue(scale_.low);
+        highBox_->setValue(scale_.high);
+    }
+    const solver::FilmGrid& grid = reading_->film().grid;
+    const QSizeF size(grid.width, grid.depth);
+    const double pixels = 900 / std::max(grid.width, grid.depth);
+    view_->setPicture(
+        heatPicture(values, grid.columns, grid.rows, (size * pixels).toSize(), scale_), size);
+    view_->setLines(isolineTick_->isChecked()
+                        ? isolines(values, grid.columns, grid.rows, size, isolineStep(scale_))
+                        : QList<QLineF>());
+    histogram_->setValues(values, scale_);
+    const Distribution spread = distribution(values);
+    const auto number = [this](double value) { return locale().toString(value, 'f', 3); };
+    summary_->setText(
+        tr("Mean %1 · 95 % below %2 · largest %3")
+            .arg(number(spread.mean), number(spread.percentile95), number(spread.maximum)));
+    emit scaleChanged();
+}
+
+void StretchPanel::showReading(const std::optional<FilmReadingPoint>& point) {
+    if (!point || !reading_) {
+        view_->setCursorAt({});
+        histogram_->setMark({});
+        return;
+    }
+    const solver::FilmGrid& grid = reading_->film().grid;
+    view_->setCursorAt(QPointF(double(point->rest.x()) + grid.width / 2,
+                               double(point->rest.y()) + grid.depth / 2));
+    histogram_->setMark(double(point->values[std::size_t(quantity())]));
+}
+
+} // namespace dipwright

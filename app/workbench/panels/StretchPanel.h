@@ -1,0 +1,64 @@
+// The stretch of the film as a map over the flat film, with its scale, its histogram and exports.
+#pragma once
+
+#include "jobs/FilmReading.h"
+#include "panels/HeatScale.h"
+#include "panels/Histogram.h"
+#include "panels/PictureView.h"
+#include "panels/Units.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QToolButton;
+class QVBoxLayout;
+
+namespace dipwright {
+
+class StretchPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StretchPanel(QWidget* parent = nullptr);
+
+    // Null: nothing has been simulated yet.
+    void setReading(std::shared_ptr<const FilmReading> reading);
+    void setLengthUnit(LengthUnit unit);
+    FilmQuantity quantity() const;
+    const HeatScale& scale() const { return scale_; }
+    // The linked cursor; nullopt: nowhere.
+    void showReading(const std::optional<FilmReadingPoint>& point);
+
+signals:
+    void scaleChanged(); // quantity, map, range or limit
+    void hovered(Eigen::Vector2f rest);
+    void hoverLeft();
+    void exportPictureAsked();
+    void exportTableAsked();
+    void exportFilmAsked();
+
+private:
+    void makeScaleRow(QVBoxLayout& layout);
+    void redraw();
+
+    std::shared_ptr<const FilmReading> reading_;
+    HeatScale scale_;
+    LengthUnit unit_ = LengthUnit::Millimetre;
+    QComboBox* quantityBox_;
+    QComboBox* mapBox_;
+    QCheckBox* automaticBox_;
+    QDoubleSpinBox* lowBox_;
+    QDoubleSpinBox* highBox_;
+    QCheckBox* limitTick_;
+    QDoubleSpinBox* limitBox_;
+    QCheckBox* isolineTick_;
+    QToolButton* exportButton_;
+    PictureView* view_;
+    Histogram* histogram_;
+    QLabel* summary_;
+};
+
+} // namespace dipwright

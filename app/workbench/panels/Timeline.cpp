@@ -1,0 +1,110 @@
+#include "panels/Timeline.h"
+
+#include "look/Icons.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <QToolButton>
+
+namespace dipwright {
+
+namespace {
+
+constexpr double playSeconds = 4; // a whole dip, however long it took
+constexpr int ticksPerSecond = 30;
+
+} // namespace
+
+Timeline::Timeline(QWidget* parent)
+    : QWidget(parent), playButton_(new QToolButton), startButton_(new QToolButton),
+      endButton_(new QToolButton), slider_(new QSlider(Qt::Horizontal)), depth_(new QLabel) {
+    const auto makeButton = [](QToolButton* button, const QString& iconName, const QString& text) {
+        button->setIcon(icon(iconName));
+        button->setToolTip(text);
+        button->setAccessibleName(text);
+        button->setAutoRaise(true);
+    };
+    makeButton(startButton_, QStringLiteral("to-start"), tr("Before the dip"));
+    makeButton(playButton_, QStringLiteral("play"), tr("Play the dip"));
+    makeButton(endButton_, QStringLiteral("to-end"), tr("End of the dip"));
+    slider_->setObjectName(QStringLiteral("timeline"));
+    slider_->setAccessibleName(tr("Time of the dip"));
+    slider_->setToolTip(tr("Time of the dip"));
+    depth_->setMinimumWidth(
+        depth_->fontMetrics().horizontalAdvance(QStringLiteral("  000.00 mm  ")));
+    depth_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    depth_->setToolTip(tr("How far the lowest point of the body is under the waterline"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(6, 2, 8, 2);
+    layout->addWidget(startButton_);
+    layout->addWidget(playButton_);
+    layout->addWidget(endButton_);
+    layout->addWidget(slider_, 1);
+    layout->addWidget(depth_);
+
+    connect(slider_, &QSlider::valueChanged, this, &Timeline::positionChanged);
+    connect(slider_, &QSlider::sliderPressed, this, &Timeline::pause);
+    connect(startButton_, &QToolButton::clicked, this, [this] { setPosition(0); });
+    connect(endButton_, &QToolButton::clicked, this, [this] { setPosition(frames()); });
+    connect(playButton_, &QToolButton::clicked, this, &Timeline::togglePlaying);
+    timer_.setInterval(1000 / ticksPerSecond);
+    connect(&timer_, &QTimer::timeout, this, &Timeline::advance);
+    setFrames(0);
+}
+
+void Timeline::setFrames(int frames) {
+    pause();
+    const QSignalBlocker quiet(slider_);
+    slider_->setRange(0, frames);
+    slider_->setValue(frames);
+    slider_->setPageStep(std::max(1, frames / 10));
+    setEnabled(frames > 0);
+}
+
+int Timeline::frames() const {
+    return slider_->maximum();
+}
+
+int Timeline::position() const {
+    return slider_->value();
+}
+
+void Timeline::setPosition(int position) {
+    slider_->setValue(position);
+}
+
+void Timeline::setDepth(double millimetres, LengthUnit unit) {
+    depth_->setText(shownLength(millimetres, unit));
+}
+
+void Timeline::togglePlaying() {
+    if (isPlaying()) {
+        pause();
+        return;
+    }
+    if (position() >= frames()) {
+        setPosition(0);
+    }
+    playPosition_ = position();
+    clock_.start();
+    timer_.start();
+    playButton_->setIcon(icon(QStringLiteral("pause")));
+    playButton_->setToolTip(tr("Pause"));
+}
+
+void Timeline::pause() {
+    timer_.stop();
+    playButton_->setIcon(icon(QStringLiteral("play")));
+    playButton_->setToolTip(tr("Play the dip"));
+}
+
+void Timeline::advance() {
+    playPosition_ += double(clock_.restart()) / 1000 / playSeconds * frames();
+    setPosition(std::min(frames(), int(playPosition_)));
+    if (position() >= frames()) {
+        pause();
+    }
+}
+
+} // namespace dipwright

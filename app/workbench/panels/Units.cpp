@@ -1,0 +1,84 @@
+#include "panels/Units.h"
+
+#include "base/Units.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Units)
+};
+
+bool isLength(Unit unit) {
+    return unit == Unit::Length || unit == Unit::Speed;
+}
+
+} // namespace
+
+double shownPerStored(Unit unit, LengthUnit length) {
+    return isLength(unit) && length == LengthUnit::Inch ? 1 / millimetresPerInch : 1;
+}
+
+QString unitSuffix(Unit unit, LengthUnit length) {
+    const bool inch = length == LengthUnit::Inch;
+    switch (unit) {
+    case Unit::Length:
+        return inch ? Text::tr(" in") : Text::tr(" mm");
+    case Unit::Speed:
+        return inch ? Text::tr(" in/s") : Text::tr(" mm/s");
+    case Unit::Time:
+        return Text::tr(" s");
+    case Unit::Angle:
+        return Text::tr("°");
+    case Unit::Resolution:
+        return Text::tr(" dpi");
+    case Unit::Cells:
+        return Text::tr(" cells");
+    case Unit::Density:
+        return Text::tr(" D");
+    case Unit::Ratio:
+        return QStringLiteral(" ×");
+    case Unit::None:
+        break;
+    }
+    return {};
+}
+
+int unitDecimals(Unit unit, LengthUnit length) {
+    const int more = isLength(unit) && length == LengthUnit::Inch ? 2 : 0;
+    switch (unit) {
+    case Unit::Length:
+    case Unit::Speed:
+        return 2 + more;
+    case Unit::Time:
+        return 4;
+    case Unit::Angle:
+        return 1;
+    case Unit::Resolution:
+        return 0;
+    case Unit::Ratio:
+    case Unit::Cells:
+        return 3;
+    case Unit::Density:
+        return 2;
+    case Unit::None:
+        break;
+    }
+    return 0;
+}
+
+QString shownNumber(double value, Unit unit, LengthUnit length) {
+    return QLocale().toString(value * shownPerStored(unit, length), 'f',
+                              unitDecimals(unit, length)) +
+           unitSuffix(unit, length);
+}
+
+QString shownLength(double millimetres, LengthUnit length) {
+    return shownNumber(millimetres, Unit::Length, length);
+}
+
+} // namespace dipwright

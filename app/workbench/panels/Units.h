@@ -1,0 +1,19 @@
+// Numbers as the user reads them: in millimetres or inches, with the unit's sign.
+#pragma once
+
+#include "document/Preferences.h"
+
+namespace dipwright {
+
+enum class Unit { None, Length, Speed, Time, Angle, Resolution, Ratio, Cells, Density };
+
+// The factor from a project's value to the one shown.
+double shownPerStored(Unit unit, LengthUnit length);
+QString unitSuffix(Unit unit, LengthUnit length); // " mm", with the space before it
+// Decimals that show `step` of a stored value.
+int unitDecimals(Unit unit, LengthUnit length);
+// "12.5 mm"
+QString shownLength(double millimetres, LengthUnit length);
+QString shownNumber(double value, Unit unit, LengthUnit length);
+
+} // namespace dipwright
