@@ -5,6 +5,7 @@ file(GLOB_RECURSE sources
     ${SOURCE_FOLDER}/solvers/*.h ${SOURCE_FOLDER}/solvers/*.cpp ${SOURCE_FOLDER}/solvers/*.cu
     ${SOURCE_FOLDER}/plugins/*.h ${SOURCE_FOLDER}/plugins/*.cpp ${SOURCE_FOLDER}/plugins/*.cu
     ${SOURCE_FOLDER}/resources/*.h ${SOURCE_FOLDER}/resources/*.cpp
+    ${SOURCE_FOLDER}/docs/*.cpp
     ${SOURCE_FOLDER}/tests/*.h ${SOURCE_FOLDER}/tests/*.cpp)
 execute_process(COMMAND ${CLANG_FORMAT} --dry-run -Werror ${sources}
     RESULT_VARIABLE result ERROR_VARIABLE complaints)
