@@ -66,7 +66,7 @@ void printProject(const Project& project, QTextStream& out) {
     out << QStringLiteral("Project: %1, made on %2\n").arg(project.name, project.date);
     printModel(*project.model, out);
     printFilm(project.film, out);
-    out << QStringLiteral("Process: %1 mm/s, solver %2, field of %3³\n")
+    out << QStringLiteral("Process: %1 mm/s, solver %2, a distance field of %3 samples a side\n")
                .arg(plain(project.process.dipSpeed.value()), project.process.solver)
                .arg(project.fieldResolution);
     for (const Immersion& immersion : project.immersions) {

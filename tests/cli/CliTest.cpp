@@ -1,0 +1,370 @@
+// dipwright-cli from a model to a sheet, through the program itself.
+#include "BallModel.h"
+#include "CliProcess.h"
+
+#include <QColorSpace>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QtTest>
+#include <cmath>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
+
+using namespace dipwright::testing;
+
+namespace {
+
+// Coarse and small, so that a run takes about a second.
+const QStringList quickly{"--set", "film.size_mm=120x120",   "--set", "film.points=41x41",
+                          "--set", "body.sdf_resolution=64", "--set", "sheet.dpi=100"};
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QJsonObject jsonOf(const QString& path) {
+    return QJsonDocument::fromJson(bytesOf(path)).object();
+}
+
+QStringList filesBelow(const QString& folder) {
+    QStringList files;
+    QDirIterator all(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+    while (all.hasNext()) {
+        files.append(QDir(folder).relativeFilePath(all.next()));
+    }
+    files.sort();
+    return files;
+}
+
+void compareArray(vtkDataArray* array, int components, vtkIdType tuples, int type) {
+    QVERIFY(array);
+    QCOMPARE(array->GetNumberOfComponents(), components);
+    QCOMPARE(array->GetNumberOfTuples(), tuples);
+    QCOMPARE(array->GetDataType(), type);
+}
+
+bool hasNumbers(const QJsonObject& object, const QStringList& keys) {
+    return std::all_of(keys.begin(), keys.end(), [&](const QString& key) {
+        return object[key].isDouble() && std::isfinite(object[key].toDouble());
+    });
+}
+
+} // namespace
+
+class CliTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY(folder_.isValid());
+        qputenv("DIPWRIGHT_CACHE", path("cache").toLocal8Bit());
+        const Outcome made = cli({"new", path("ball.dipw"), "--model", writeBall(folder_.path()),
+                                  "--immersion", "name=Top,rotation=0;30;0,offset=2;-3",
+                                  "--immersion", "name=Bottom,rotation=180;0;0"});
+        QVERIFY2(made.exitCode == 0, made.err);
+        const Outcome done = run({"--out", path("out")});
+        QVERIFY2(done.exitCode == 0, done.err);
+        summary_ = done.out;
+    }
+
+    void everyHelpAndTheVersionAreThere() {
+        const Outcome help = cli({"--help"});
+        QCOMPARE(help.exitCode, 0);
+        for (const char* command : {"new", "run", "info", "validate", "solvers", "bench"}) {
+            QVERIFY2(help.out.contains(command), command);
+            const Outcome own = cli({command, "--help"});
+            QCOMPARE(own.exitCode, 0);
+            QVERIFY2(own.out.contains(command) && own.out.contains("--help"), own.out);
+            QVERIFY(own.err.isEmpty());
+        }
+        const Outcome version = cli({"--version"});
+        QCOMPARE(version.exitCode, 0);
+        QVERIFY(QRegularExpression("^dipwright-cli \\d+\\.\\d+\\.\\d+\n$")
+                    .match(version.out)
+                    .hasMatch());
+    }
+
+    void aRunWritesWhatIsPromisedAndNothingElse() {
+        QStringList expected{"proof.png", "report.json"};
+        for (const char* immersion : {"immersion-1", "immersion-2"}) {
+            for (const char* file :
+                 {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp", "stretch.png"}) {
+                expected.append(QStringLiteral("%1/%2").arg(immersion, file));
+            }
+        }
+        expected.sort();
+        QCOMPARE(filesBelow(path("out")), expected);
+        QVERIFY(summary_.contains("Top") && summary_.contains("Bottom"));
+    }
+
+    void theSheetHasItsSizeItsResolutionAndItsProfile() {
+        const QImage sheet(path("out/immersion-1/sheet.png"));
+        QCOMPARE(sheet.size(), QSize(472, 472)); // 120 mm at 100 dpi
+        QVERIFY(std::abs(sheet.dotsPerMeterX() * 0.0254 - 100) < 0.02);
+        QVERIFY(sheet.colorSpace().isValid());
+        const QByteArray pdf = bytesOf(path("out/immersion-1/sheet.pdf"));
+        QVERIFY(pdf.startsWith("%PDF-") && pdf.trimmed().endsWith("%%EOF"));
+    }
+
+    void theFilmIsReadByVtk() {
+        vtkNew<vtkXMLPolyDataReader> reader;
+        reader->SetFileName(path("out/immersion-1/film.vtp").toLocal8Bit().constData());
+        reader->Update();
+        vtkPolyData* film = reader->GetOutput();
+        QCOMPARE(film->GetNumberOfPoints(), vtkIdType(41 * 41));
+        QCOMPARE(film->GetNumberOfPolys(), vtkIdType(2 * 40 * 40));
+        vtkPointData* points = film->GetPointData();
+        compareArray(points->GetArray("rest"), 3, 41 * 41, VTK_FLOAT);
+        compareArray(points->GetArray("adhered"), 1, 41 * 41, VTK_UNSIGNED_CHAR);
+        compareArray(points->GetArray("uv"), 2, 41 * 41, VTK_FLOAT);
+        compareArray(points->GetArray("stretch"), 1, 41 * 41, VTK_FLOAT);
+    }
+
+    void theBodyIsReadByVtk() {
+        vtkNew<vtkXMLPolyDataReader> reader;
+        reader->SetFileName(path("out/immersion-2/body.vtp").toLocal8Bit().constData());
+        reader->Update();
+        vtkPolyData* body = reader->GetOutput();
+        QVERIFY(body->GetPointData()->GetTCoords());
+        QVERIFY(body->GetCellData()->GetArray("covered"));
+        double box[6];
+        body->GetBounds(box);
+        QVERIFY2(std::abs(box[2]) < 1e-3 && std::abs(box[3] - 40) < 0.1, "lowest point at y = 0");
+    }
+
+    void picturesArePictures() {
+        QVERIFY(!QImage(path("out/proof.png")).isNull());
+        QVERIFY(!QImage(path("out/immersion-2/stretch.png")).isNull());
+    }
+
+    void theReportHasTheShapeThatIsPromised() {
+        const QJsonObject report = jsonOf(path("out/report.json"));
+        QCOMPARE(report["version"].toInt(), 1);
+        QCOMPARE(report["project"].toString(), QStringLiteral("ball"));
+        for (const char* key : {"id", "device", "version"}) {
+            QVERIFY(!report["solver"].toObject()[QLatin1String(key)].toString().isEmpty());
+        }
+        const QJsonArray immersions = report["immersions"].toArray();
+        QCOMPARE(immersions.size(), 2);
+        for (const QJsonValue& value : immersions) {
+            const QJsonObject immersion = value.toObject();
+            QVERIFY(hasNumbers(immersion["film"].toObject(),
+                               {"columns", "rows", "points", "constraints"}));
+            QVERIFY(hasNumbers(
+                immersion, {"steps", "wall_seconds", "steps_per_second", "adhered", "coverage"}));
+            for (const char* key : {"stretch", "area_stretch"}) {
+                const QJsonObject stretch = immersion[QLatin1String(key)].toObject();
+                QVERIFY(hasNumbers(stretch, {"min", "mean", "p95", "max"}));
+                QVERIFY(stretch["min"].toDouble() <= stretch["mean"].toDouble());
+                QVERIFY(stretch["p95"].toDouble() <= stretch["max"].toDouble());
+            }
+            QVERIFY(hasNumbers(immersion["texture"].toObject(),
+                               {"contact", "filled", "seam_triangles"}));
+            QVERIFY(hasNumbers(immersion["registration_mm"].toObject(), {"mean", "p95", "max"}));
+            QVERIFY(hasNumbers(immersion["ink"].toObject(), {"shortfall_area"}));
+        }
+        const double first = immersions[0].toObject()["coverage"].toDouble();
+        const double second = immersions[1].toObject()["coverage"].toDouble();
+        const double total = report["coverage_total"].toDouble();
+        QVERIFY2(total >= std::max(first, second) - 0.01 && total <= first + second + 0.01,
+                 qPrintable(QString::number(total)));
+        // A ball dipped from both sides is painted all round, but for a belt at the waterline.
+        QVERIFY2(total > 0.8, qPrintable(QString::number(total)));
+    }
+
+    void theSameProjectGivesTheSameBytesOnAnyNumberOfThreads() {
+        QVERIFY(run({"--out", path("one"), "--threads", "1"}).exitCode == 0);
+        QVERIFY(run({"--out", path("two"), "--threads", "2"}).exitCode == 0);
+        for (const QString& file : filesBelow(path("out"))) {
+            if (file != "report.json") { // which holds the seconds it took
+                QVERIFY2(bytesOf(path("one/" + file)) == bytesOf(path("out/" + file)),
+                         qPrintable(file));
+                QVERIFY2(bytesOf(path("two/" + file)) == bytesOf(path("out/" + file)),
+                         qPrintable(file));
+            }
+        }
+    }
+
+    void settingsHoldForTheRun() {
+        const Outcome done = cli({"run", path("ball.dipw"), "--out", path("set"), "--dpi", "75",
+                                  "--set", "film.points=31x41", "--set", "film.size_mm=90x120",
+                                  "--set", "body.sdf_resolution=64"});
+        QVERIFY2(done.exitCode == 0, done.err);
+        const QJsonObject film = jsonOf(path("set/report.json"))["immersions"]
+                                     .toArray()[0]
+                                     .toObject()["film"]
+                                     .toObject();
+        QCOMPARE(film["columns"].toInt(), 31);
+        QCOMPARE(film["rows"].toInt(), 41);
+        QCOMPARE(QImage(path("set/immersion-1/sheet.png")).size(), QSize(266, 354));
+    }
+
+    void theStandardSheetIsA4At300Dpi() {
+        const Outcome done = cli({"run", path("ball.dipw"), "--out", path("a4"), "--set",
+                                  "film.points=31x43", "--set", "body.sdf_resolution=64"});
+        QVERIFY2(done.exitCode == 0, done.err);
+        const QImage sheet(path("a4/immersion-1/sheet.png"));
+        QCOMPARE(sheet.size(), QSize(2480, 3508));
+        QCOMPARE(sheet.dotsPerMeterX(), 11811);
+    }
+
+    void aPictureOrTheChessboardGoesOnTheFilm() {
+        QVERIFY(run({"--out", path("chess"), "--film-image", "chessboard"}).exitCode == 0);
+        const QImage chess(path("chess/immersion-1/sheet.png"));
+        const QRgb middle = chess.pixel(chess.width() / 2 + 30, chess.height() / 2 + 30);
+        const QRgb beside = chess.pixel(chess.width() / 2 - 30, chess.height() / 2 + 30);
+        QVERIFY(qGray(middle) != qGray(beside));
+        QVERIFY(bytesOf(path("chess/proof.png")) != bytesOf(path("out/proof.png")));
+        QVERIFY(run({"--out", path("picture"), "--film-image", path("ball.png")}).exitCode == 0);
+        QVERIFY(!QImage(path("picture/immersion-1/sheet.png")).isNull());
+    }
+
+    void laterResultsReplaceEarlierOnesAndNothingElse() {
+        QVERIFY(run({"--out", path("again")}).exitCode == 0);
+        QFile note(path("again/note.txt"));
+        QVERIFY(note.open(QIODevice::WriteOnly));
+        note.close();
+        QVERIFY(cli({"new", path("single.dipw"), "--model", path("ball.obj")}).exitCode == 0);
+        QVERIFY(cli(QStringList{"run", path("single.dipw"), "--out", path("again")} + quickly)
+                    .exitCode == 0);
+        const QStringList files = filesBelow(path("again"));
+        QVERIFY(files.contains("note.txt"));
+        QVERIFY(files.contains("immersion-1/sheet.png"));
+        QVERIFY(files.filter("immersion-2").isEmpty());
+        QCOMPARE(files.size(), 8);
+    }
+
+    void infoTellsWhatIsInside() {
+        const Outcome text = cli({"info", path("ball.dipw"), "--set", "film.swell=1.1;1"});
+        QCOMPARE(text.exitCode, 0);
+        QVERIFY(text.out.contains("Top") && text.out.contains("1.1"));
+        const Outcome json = cli({"info", path("ball.dipw"), "--json"});
+        const QJsonObject document = QJsonDocument::fromJson(json.out).object();
+        QCOMPARE(document["format"].toString(), QStringLiteral("dipwright-project"));
+        QCOMPARE(document["immersions"].toArray().size(), 2);
+        QCOMPARE(document["model_info"].toObject()["closed"].toBool(), true);
+    }
+
+    void validateTellsWhetherItCanRun() {
+        QCOMPARE(cli({"validate", path("ball.dipw")}).exitCode, 0);
+        const Outcome edge =
+            cli({"validate", path("ball.dipw"), "--set", "immersions[0].offset_mm=100;0"});
+        QCOMPARE(edge.exitCode, 0);
+        QVERIFY2(edge.out.contains("warning: Top"), edge.out);
+        const Outcome missed =
+            cli({"validate", path("ball.dipw"), "--set", "immersions[0].offset_mm=500;0"});
+        QCOMPARE(missed.exitCode, 1);
+        QCOMPARE(missed.errorLines().size(), 1);
+    }
+
+    void theOriginalsAreNotNeededToRun() {
+        QTemporaryDir away;
+        const QString model = writeBall(away.path());
+        QVERIFY(cli({"new", path("own.dipw"), "--model", model}).exitCode == 0);
+        QVERIFY(away.remove());
+        QCOMPARE(cli({"info", path("own.dipw")}).exitCode, 0);
+    }
+
+    void aModelIsScaledByItsLongestEdge() {
+        QVERIFY(cli({"new", path("large.dipw"), "--model", path("ball.obj"), "--size-mm", "110"})
+                    .exitCode == 0);
+        const QJsonObject info =
+            QJsonDocument::fromJson(cli({"info", path("large.dipw"), "--json"}).out).object();
+        const QJsonArray size = info["model_info"].toObject()["size_mm"].toArray();
+        QVERIFY(std::abs(size[1].toDouble() - 110) < 1e-3);
+    }
+
+    void thePresetIsStored() {
+        QVERIFY(
+            cli({"new", path("paper.dipw"), "--model", path("ball.obj"), "--preset", "paper-2020"})
+                .exitCode == 0);
+        const QJsonObject info =
+            QJsonDocument::fromJson(cli({"info", path("paper.dipw"), "--json"}).out).object();
+        QCOMPARE(info["film"].toObject()["lattice"].toString(), QStringLiteral("structural"));
+        QCOMPARE(info["film"].toObject()["support"].toString(), QStringLiteral("none"));
+        const Outcome done =
+            cli(QStringList{"run", path("paper.dipw"), "--out", path("paper")} + quickly);
+        QVERIFY2(done.exitCode == 0, done.err);
+    }
+
+    void solversAreListed() {
+        QVERIFY(cli({"solvers"}).out.contains("pbd-cpu"));
+        const QJsonArray solvers = QJsonDocument::fromJson(cli({"solvers", "--json"}).out).array();
+        QVERIFY(!solvers.isEmpty());
+        for (const QJsonValue& value : solvers) {
+            const QJsonObject solver = value.toObject();
+            QVERIFY(!solver["id"].toString().isEmpty() && !solver["name"].toString().isEmpty());
+            QVERIFY(!solver["version"].toString().isEmpty());
+            QVERIFY(!solver["device"].toString().isEmpty());
+            QVERIFY(solver["available"].toBool() || !solver["reason"].toString().isEmpty());
+        }
+    }
+
+    void theBenchmarkPrintsTableOne() {
+        const Outcome bench = cli({"bench", "--json", "--rows", "1", "--runs", "1"});
+        QVERIFY2(bench.exitCode == 0, bench.err);
+        const QJsonObject json = QJsonDocument::fromJson(bench.out).object();
+        QCOMPARE(json["version"].toInt(), 1);
+        QVERIFY(!json["solver"].toString().isEmpty() && !json["device"].toString().isEmpty());
+        const QJsonObject row = json["table1"].toArray().first().toObject();
+        QCOMPARE(row["points"].toInt(), 96);
+        QCOMPARE(row["constraints"].toInt(), 172);
+        QCOMPARE(row["paper"].toInt(), 326);
+        QVERIFY(hasNumbers(row, {"steps_per_second", "min", "max"}));
+        QVERIFY(row["steps_per_second"].toDouble() > 0);
+    }
+
+    void progressIsPlainLinesOrNothing() {
+        const Outcome told = run({"--out", path("told")});
+        QVERIFY(told.err.contains(" %  ") && !told.err.contains('\r'));
+        const Outcome quiet = run({"--out", path("quiet"), "--quiet"});
+        QCOMPARE(quiet.exitCode, 0);
+        QVERIFY2(quiet.err.isEmpty(), quiet.err);
+    }
+
+#ifdef Q_OS_UNIX
+    void aRequestToTerminateLeavesNothingBehind() {
+        QProcess process;
+        process.start(cliPath(), {"run", path("ball.dipw"), "--out", path("cancelled"), "--set",
+                                  "film.points=600x848", "--set", "body.sdf_resolution=64"});
+        process.setReadChannel(QProcess::StandardError);
+        QByteArray told;
+        while (!told.contains("Dipping")) {
+            QVERIFY(process.waitForReadyRead(-1));
+            told += process.readAll();
+        }
+        process.terminate();
+        QVERIFY(process.waitForFinished(-1));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 1);
+        const QByteArray rest = process.readAllStandardError();
+        QVERIFY2(rest.count("error:") == 1 && rest.contains("ancelled"), rest);
+        QVERIFY(!QFileInfo::exists(path("cancelled")));
+        QVERIFY(QDir(folder_.path())
+                    .entryList({".dipwright-*"}, QDir::AllEntries | QDir::Hidden)
+                    .isEmpty());
+    }
+#endif
+
+private:
+    QString path(const QString& name) const {
+        return folder_.filePath(name);
+    }
+    Outcome run(const QStringList& options) const {
+        return cli(QStringList{"run", path("ball.dipw")} + quickly + options);
+    }
+
+    QTemporaryDir folder_;
+    QByteArray summary_;
+};
+
+QTEST_GUILESS_MAIN(CliTest)
+#include "CliTest.moc"
