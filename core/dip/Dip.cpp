@@ -146,6 +146,7 @@ solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
     setup.settings.selfContact = process.selfContact;
     setup.settings.contactTravel = process.contactTravel;
     setup.settings.overhang = radians(process.overhang);
+    setup.settings.tearStretch = process.tearStretch;
     setup.pinned = pinnedPoints(film);
     return setup;
 }

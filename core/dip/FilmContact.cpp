@@ -14,6 +14,8 @@ namespace {
 // up to where it would go through the body.
 constexpr float spannedHollow = 0.15f;
 constexpr float cutEdge = 0.5f;
+// Twice the area over the longest edge squared, of film so folded that it has no side.
+constexpr float flat = 1e-3f;
 // Cosines between the film's and the body's outward normals.
 constexpr float turnedAway = 0.1f;    // film against the face it lies on
 constexpr float foldedAcross = -0.9f; // two faces under one film triangle
@@ -97,18 +99,32 @@ private:
         const Eigen::Vector3f a = position(mesh_, surface_[triangle[0]]);
         const Eigen::Vector3f b = position(mesh_, surface_[triangle[1]]);
         const Eigen::Vector3f c = position(mesh_, surface_[triangle[2]]);
+        const Eigen::Vector3f turn = (b - a).cross(c - a);
         const float longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-        const Eigen::Vector3f middle = (a + b + c) / 3;
-        const ClosestPoint under = query_.closest(middle, cutEdge * longest);
-        if (!under.point.isValid()) {
+        if (turn.norm() < flat * longest * longest) {
             return false;
         }
         // The film's ink side, up at first, lies against the body: its normal points into it.
-        const Eigen::Vector3f intoBody = (b - a).cross(c - a).normalized();
+        const Eigen::Vector3f intoBody = turn.normalized();
+        const ClosestPoint under = query_.closest((a + b + c) / 3, cutEdge * longest);
+        if (!under.point.isValid()) {
+            return false;
+        }
         const Eigen::Vector3f outward = triangleNormal(mesh_, under.point.triangle);
-        const bool outside = (position(mesh_, under.point) - middle).dot(intoBody) > 0;
-        return !(outside && under.distance > spannedHollow * longest) &&
-               outward.dot(intoBody) < -turnedAway && outward.y() <= steepest_;
+        return outward.dot(intoBody) < -turnedAway && outward.y() <= steepest_ &&
+               !spansHollow((a + b + c) / 3, intoBody, longest) &&
+               !spansHollow((a + b) / 2, intoBody, (b - a).norm()) &&
+               !spansHollow((b + c) / 2, intoBody, (c - b).norm()) &&
+               !spansHollow((c + a) / 2, intoBody, (a - c).norm());
+    }
+    // Whether a place of the film between two or three that are on the body, `length` apart, is
+    // not.
+    bool spansHollow(const Eigen::Vector3f& place, const Eigen::Vector3f& intoBody,
+                     float length) const {
+        const ClosestPoint under = query_.closest(place, length);
+        const bool outside =
+            under.point.isValid() && (position(mesh_, under.point) - place).dot(intoBody) > 0;
+        return outside && under.distance > spannedHollow * length;
     }
 
     const TriangleMesh& mesh_;
@@ -116,6 +132,11 @@ private:
     const std::vector<SurfacePoint>& surface_;
     float steepest_;
 };
+
+// Film drawn out in one direction tears too, however much it shrinks across.
+bool isTorn(const PrincipalStretch& stretch, double limit) {
+    return std::max(stretch.larger, stretch.area()) > float(limit);
+}
 
 } // namespace
 
@@ -142,7 +163,7 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const Surf
     contact.painted.resize(triangles.size());
     contact.torn.resize(triangles.size());
     tbb::parallel_for(std::size_t(0), triangles.size(), [&](std::size_t triangle) {
-        contact.torn[triangle] = stretches[triangle].area() > float(process.tearStretch);
+        contact.torn[triangle] = isTorn(stretches[triangle], process.tearStretch);
         contact.painted[triangle] = !contact.torn[triangle] && test.isPainted(triangles[triangle]);
     });
     return contact;

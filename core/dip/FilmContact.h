@@ -13,7 +13,7 @@ struct FilmContact {
         filled; // a film point each: 1 = interpolated, the point itself missed
     std::vector<std::uint8_t>
         painted;                    // a film triangle each: 1 = this piece of film is on the body
-    std::vector<std::uint8_t> torn; // a film triangle each: 1 = stretched past the tear limit
+    std::vector<std::uint8_t> torn; // a film triangle each: 1 = area or length past the tear limit
     std::size_t contactCount = 0;   // points that are on the body themselves
     std::size_t filledCount = 0;    // points that were filled
 };

@@ -27,9 +27,11 @@ InkCompensation::Ink InkCompensation::print(const LinearColour& wanted, float ar
         const float light = wanted[channel];
         const float compensated = std::exp2(stretch * std::log2(light));
         ink.colour[channel] = std::max(compensated, std::min(light, darkest_));
-        const float missing = std::log2(std::max(ink.colour[channel], darkest_)) / stretch -
-                              std::log2(std::max(light, darkest_));
-        ink.fallsShort = ink.fallsShort || missing > visibleDensity * log2Of10;
+        if (compensated < darkest_) {
+            const float missing = std::log2(std::max(ink.colour[channel], darkest_)) / stretch -
+                                  std::log2(std::max(light, darkest_));
+            ink.fallsShort = ink.fallsShort || missing > visibleDensity * log2Of10;
+        }
     }
     return ink;
 }

@@ -13,18 +13,28 @@ namespace {
 constexpr int mostTaps = 8;
 constexpr float fullLight = 65535;
 
+bool isOpaque(const QImage& image) {
+    for (int row = 0; row < image.height(); ++row) {
+        const auto* texel = image.constScanLine(row);
+        for (int column = 0; column < image.width(); ++column) {
+            if (texel[4 * column + 3] != 255) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+// Without see-through texels, and its rows one after another without gaps.
 QImage onWhite(const QImage& image) {
-    if (!image.hasAlphaChannel()) {
+    if (isOpaque(image) && image.bytesPerLine() == 4 * qsizetype(image.width())) {
         return image;
     }
-    QImage opaque = image;
+    QImage opaque = image.copy();
     const std::array<float, 256>& linear = linearTable();
     for (int row = 0; row < opaque.height(); ++row) {
         auto* texel = opaque.scanLine(row);
         for (int column = 0; column < opaque.width(); ++column, texel += 4) {
-            if (texel[3] == 255) {
-                continue;
-            }
             const float opacity = float(texel[3]) / 255;
             for (int channel = 0; channel < 3; ++channel) {
                 texel[channel] = encodedByte(opacity * linear[texel[channel]] + 1 - opacity);
@@ -38,6 +48,7 @@ QImage onWhite(const QImage& image) {
 // One pixel of a row or column half as long as the one before: what it covers of that one.
 struct Cover {
     int first = 0;
+    int count = 0; // two, or three of an odd length
     std::array<float, 3> weights{};
 };
 std::vector<Cover> halvingCovers(int length) {
@@ -49,10 +60,11 @@ std::vector<Cover> halvingCovers(int length) {
         const double end = begin + ratio;
         Cover& cover = covers[std::size_t(pixel)];
         cover.first = int(begin);
-        for (int part = 0; part < 3; ++part) {
+        cover.count = std::min(int(std::ceil(end)), length) - cover.first;
+        for (int part = 0; part < cover.count; ++part) {
             const double from = std::max(begin, double(cover.first + part));
-            const double to = std::min({end, double(cover.first + part + 1), double(length)});
-            cover.weights[std::size_t(part)] = float(std::max(0.0, to - from) / ratio);
+            const double to = std::min(end, double(cover.first + part + 1));
+            cover.weights[std::size_t(part)] = float((to - from) / ratio);
         }
     }
     return covers;
@@ -61,7 +73,8 @@ std::vector<Cover> halvingCovers(int length) {
 } // namespace
 
 TextureSampler::TextureSampler(const QImage& image, bool repeats)
-    : image_(onWhite(image)), repeats_(repeats) {
+    : image_(onWhite(image)), encoded_(image_.constBits()), linear_(linearTable()),
+      repeats_(repeats) {
     levels_.push_back({image.width(), image.height(), {}});
     while (levels_.back().width > 1 || levels_.back().height > 1) {
         levels_.push_back(halved(levels_.back()));
@@ -70,10 +83,8 @@ TextureSampler::TextureSampler(const QImage& image, bool repeats)
 
 LinearColour TextureSampler::texel(const Level& level, std::size_t index) const {
     if (level.texels.empty()) {
-        const auto width = std::size_t(level.width);
-        const auto* encoded = image_.constScanLine(int(index / width)) + 4 * (index % width);
-        const std::array<float, 256>& linear = linearTable();
-        return {linear[encoded[0]], linear[encoded[1]], linear[encoded[2]]};
+        const auto* encoded = encoded_ + 4 * index;
+        return {linear_[encoded[0]], linear_[encoded[1]], linear_[encoded[2]]};
     }
     const std::array<std::uint16_t, 4>& light = level.texels[index];
     return LinearColour(light[0], light[1], light[2]) / fullLight;
@@ -86,23 +97,23 @@ TextureSampler::Level TextureSampler::halved(const Level& level) const {
     half.texels.resize(columns.size() * rows.size());
     tbb::parallel_for(std::size_t(0), rows.size(), [&](std::size_t row) {
         for (std::size_t column = 0; column < columns.size(); ++column) {
+            const Cover& across = columns[column];
             LinearColour sum = LinearColour::Zero();
-            for (int down = 0; down < 3; ++down) {
-                for (int right = 0; right < 3; ++right) {
-                    const float weight = rows[row].weights[std::size_t(down)] *
-                                         columns[column].weights[std::size_t(right)];
-                    if (weight > 0) {
-                        const int y = rows[row].first + down;
-                        const int x = columns[column].first + right;
-                        sum += weight * texel(level, std::size_t(y) * std::size_t(level.width) +
-                                                         std::size_t(x));
-                    }
+            for (int down = 0; down < rows[row].count; ++down) {
+                const std::size_t first =
+                    std::size_t(rows[row].first + down) * std::size_t(level.width) +
+                    std::size_t(across.first);
+                LinearColour line = LinearColour::Zero();
+                for (int right = 0; right < across.count; ++right) {
+                    line += across.weights[std::size_t(right)] *
+                            texel(level, first + std::size_t(right));
                 }
+                sum += rows[row].weights[std::size_t(down)] * line;
             }
             std::array<std::uint16_t, 4>& texel = half.texels[row * columns.size() + column];
             for (int channel = 0; channel < 3; ++channel) {
                 texel[std::size_t(channel)] =
-                    std::uint16_t(std::lround(std::min(sum[channel], 1.0f) * fullLight));
+                    std::uint16_t(std::min(sum[channel], 1.0f) * fullLight + 0.5f);
             }
         }
     });

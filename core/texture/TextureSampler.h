@@ -60,7 +60,9 @@ private:
     LinearColour bilinear(const Level& level, const Eigen::Vector2f& coordinate) const;
     LinearColour trilinear(const Eigen::Vector2f& coordinate, float level) const;
 
-    QImage image_;
+    QImage image_; // never detached, so that encoded_ stays
+    const unsigned char* encoded_;
+    const std::array<float, 256>& linear_;
     bool repeats_;
     std::vector<Level> levels_;
 };
