@@ -1,6 +1,7 @@
 #include "project/Project.h"
 
 #include "base/Error.h"
+#include "project/FieldJson.h"
 #include "project/Schema.h"
 
 #include <QCoreApplication>
@@ -16,82 +17,6 @@ struct Text {
 };
 
 constexpr int maximumImmersions = 2;
-
-// The value at a dotted path; undefined where there is none. Throws Error where an object is
-// expected on the way and something else stands there.
-QJsonValue valueAt(const QJsonObject& json, const QString& path, const QString& file) {
-    const auto dot = path.indexOf(QLatin1Char('.'));
-    if (dot < 0) {
-        return json.value(path);
-    }
-    const QString head = path.left(dot);
-    const QJsonValue inner = json.value(head);
-    if (inner.isUndefined()) {
-        return inner;
-    }
-    if (!inner.isObject()) {
-        throw Error(Text::tr("“%1” must be an object").arg(head), file);
-    }
-    return valueAt(inner.toObject(), path.mid(dot + 1), file);
-}
-
-void insertAt(QJsonObject& json, const QString& path, const QJsonValue& value) {
-    const auto dot = path.indexOf(QLatin1Char('.'));
-    if (dot < 0) {
-        json.insert(path, value);
-        return;
-    }
-    QJsonObject inner = json.value(path.left(dot)).toObject();
-    insertAt(inner, path.mid(dot + 1), value);
-    json.insert(path.left(dot), inner);
-}
-
-// Removes the value, and every object on the way that it leaves empty.
-void removeAt(QJsonObject& json, const QString& path) {
-    const auto dot = path.indexOf(QLatin1Char('.'));
-    if (dot < 0) {
-        json.remove(path);
-        return;
-    }
-    const QString head = path.left(dot);
-    if (!json.value(head).isObject()) {
-        return;
-    }
-    QJsonObject inner = json.value(head).toObject();
-    removeAt(inner, path.mid(dot + 1));
-    if (inner.isEmpty()) {
-        json.remove(head);
-    } else {
-        json.insert(head, inner);
-    }
-}
-
-template <typename Owner>
-void readFields(Owner& owner, const std::vector<Field<Owner>>& fields, const QJsonObject& json,
-                const QString& prefix, const QString& file) {
-    for (const Field<Owner>& field : fields) {
-        const QJsonValue value = valueAt(json, field.path, file);
-        if (!value.isUndefined()) {
-            checkValue(field.rule, value, prefix + field.path, file);
-            field.set(owner, value);
-        }
-    }
-}
-
-template <typename Owner>
-void writeFields(const Owner& owner, const std::vector<Field<Owner>>& fields, QJsonObject& json) {
-    for (const Field<Owner>& field : fields) {
-        insertAt(json, field.path, field.get(owner));
-    }
-}
-
-template <typename Owner>
-QJsonObject withoutFields(QJsonObject json, const std::vector<Field<Owner>>& fields) {
-    for (const Field<Owner>& field : fields) {
-        removeAt(json, field.path);
-    }
-    return json;
-}
 
 std::vector<Immersion> readImmersions(const QJsonValue& value, const QString& file) {
     const QJsonArray array = value.toArray();
@@ -123,6 +48,42 @@ QJsonArray writeImmersions(const Project& project) {
     return array;
 }
 
+template <typename P>
+void readProfile(std::optional<P>& profile, const char* key, const QJsonObject& profiles,
+                 const QString& file) {
+    const QJsonValue value = profiles.value(QLatin1String(key));
+    if (!value.isUndefined()) {
+        const Profile read = profileFromJson(
+            value.toObject(), QStringLiteral("%1: profiles.%2").arg(file, QLatin1String(key)));
+        if (!std::holds_alternative<P>(read)) {
+            throw Error(
+                Text::tr("profiles.%1 holds a profile of another kind").arg(QLatin1String(key)),
+                file);
+        }
+        profile = std::get<P>(read);
+    }
+}
+
+ProjectProfiles readProfiles(const QJsonObject& json, const QString& file) {
+    ProjectProfiles profiles;
+    const QJsonObject object = json.value(QLatin1String("profiles")).toObject();
+    readProfile(profiles.printer, "printer", object, file);
+    readProfile(profiles.film, "film", object, file);
+    readProfile(profiles.tank, "tank", object, file);
+    return profiles;
+}
+
+void writeProfiles(const ProjectProfiles& profiles, QJsonObject& json) {
+    const auto write = [&](const char* path, const auto& profile) {
+        if (profile) {
+            insertAt(json, QLatin1String(path), toJson(Profile(*profile)));
+        }
+    };
+    write("profiles.printer", profiles.printer);
+    write("profiles.film", profiles.film);
+    write("profiles.tank", profiles.tank);
+}
+
 // What of a file this version does not know, with the shape of the file.
 QJsonObject unknownPart(const QJsonObject& json) {
     QJsonObject unknown = withoutFields(json, projectFields());
@@ -131,6 +92,9 @@ QJsonObject unknownPart(const QJsonObject& json) {
     }
     for (const char* path : {"model.mesh", "model.texture", "model.textures"}) {
         removeAt(unknown, QLatin1String(path)); // the store's, which knows the assets
+    }
+    for (const char* path : {"profiles.printer", "profiles.film", "profiles.tank"}) {
+        removeAt(unknown, QLatin1String(path));
     }
     QJsonArray immersions;
     bool anything = false;
@@ -256,6 +220,7 @@ QJsonObject toJson(const Project& project) {
     json.insert(QStringLiteral("version"), projectVersion);
     writeFields(project, projectFields(), json);
     json.insert(QStringLiteral("immersions"), writeImmersions(project));
+    writeProfiles(project.profiles, json);
     return json;
 }
 
@@ -265,6 +230,7 @@ Project fromJson(const QJsonObject& json, const QString& where) {
     Project project;
     readFields(project, projectFields(), current, {}, where);
     project.immersions = readImmersions(current.value(QLatin1String("immersions")), where);
+    project.profiles = readProfiles(current, where);
     project.unknown = unknownPart(current);
     return project;
 }

@@ -3,6 +3,7 @@
 
 #include "dip/Dip.h"
 #include "model/TexturedMesh.h"
+#include "project/Profiles.h"
 #include "sheet/Sheet.h"
 #include "texture/ReverseTexture.h"
 
@@ -31,6 +32,7 @@ struct Project {
     std::vector<Immersion> immersions{Immersion{}}; // one or two
     SheetSettings sheet;
     InkSettings ink;
+    ProjectProfiles profiles; // that it was made with, by content
     QJsonObject unknown; // keys this version does not know; they survive a save
 
     bool operator==(const Project&) const = default;

@@ -1,6 +1,7 @@
 #include "project/Schema.h"
 
 #include "base/Error.h"
+#include "project/FieldMakers.h"
 #include "project/FilmSizes.h"
 
 #include <QCoreApplication>
@@ -14,81 +15,6 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(Project)
 };
-
-double plainNumber(double number) {
-    return number;
-}
-template <typename Unit>
-double plainNumber(Quantity<Unit> quantity) {
-    return quantity.value();
-}
-
-// `access` is a generic lambda from an owner, const or not, to a reference to the value.
-template <typename Owner, typename Access>
-using ValueOf = std::remove_cvref_t<decltype(std::declval<Access>()(std::declval<Owner&>()))>;
-
-template <typename Owner = Project, typename Access>
-Field<Owner> number(const char* path, double minimum, double maximum, Access access) {
-    using Value = ValueOf<Owner, Access>;
-    const bool whole = std::is_integral_v<Value>;
-    return {QString::fromLatin1(path),
-            {whole ? FieldKind::WholeNumber : FieldKind::Number, 1, false, minimum, maximum},
-            [access](const Owner& owner) { return QJsonValue(plainNumber(access(owner))); },
-            [access](Owner& owner, const QJsonValue& value) {
-                access(owner) = Value(value.toDouble());
-            }};
-}
-
-// Several numbers of one unit: `access` gives the part of that index.
-template <typename Owner = Project, typename Access>
-Field<Owner> numbers(const char* path, int parts, double minimum, double maximum, Access access) {
-    using Value = std::remove_cvref_t<decltype(access(std::declval<Owner&>(), 0))>;
-    return {QString::fromLatin1(path),
-            {FieldKind::Number, parts, false, minimum, maximum},
-            [access, parts](const Owner& owner) {
-                QJsonArray array;
-                for (int part = 0; part < parts; ++part) {
-                    array.append(plainNumber(access(owner, part)));
-                }
-                return QJsonValue(array);
-            },
-            [access, parts](Owner& owner, const QJsonValue& value) {
-                for (int part = 0; part < parts; ++part) {
-                    access(owner, part) = Value(value.toArray().at(part).toDouble());
-                }
-            }};
-}
-
-template <typename Owner = Project, typename Access>
-Field<Owner> text(const char* path, int maximumLength, Access access) {
-    return {QString::fromLatin1(path),
-            {FieldKind::Text, 1, false, 0, double(maximumLength)},
-            [access](const Owner& owner) { return QJsonValue(access(owner)); },
-            [access](Owner& owner, const QJsonValue& value) { access(owner) = value.toString(); }};
-}
-
-template <typename Access>
-Field<Project> flag(const char* path, Access access) {
-    return {
-        QString::fromLatin1(path),
-        {FieldKind::Flag},
-        [access](const Project& project) { return QJsonValue(access(project)); },
-        [access](Project& project, const QJsonValue& value) { access(project) = value.toBool(); }};
-}
-
-// A value out of a list of words; `words` are in the order of the values 0, 1, 2 …
-template <typename Access>
-Field<Project> choice(const char* path, const QStringList& words, Access access) {
-    using Value = ValueOf<Project, Access>;
-    return {QString::fromLatin1(path),
-            {FieldKind::Choice, 1, false, 0, 0, words},
-            [access, words](const Project& project) {
-                return QJsonValue(words.at(int(access(project))));
-            },
-            [access, words](Project& project, const QJsonValue& value) {
-                access(project) = Value(words.indexOf(value.toString()));
-            }};
-}
 
 Field<Project> filmPreset() {
     return {QStringLiteral("film.preset"),

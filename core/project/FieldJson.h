@@ -1,0 +1,47 @@
+// Reads and writes what a schema declares. Private to this folder.
+#pragma once
+
+#include "project/Field.h"
+
+#include <QJsonObject>
+#include <vector>
+
+namespace dipwright {
+
+// The value at a dotted path; undefined where there is none. Throws Error where an object is
+// expected on the way and something else stands there.
+QJsonValue valueAt(const QJsonObject& json, const QString& path, const QString& file);
+void insertAt(QJsonObject& json, const QString& path, const QJsonValue& value);
+// Removes the value, and every object on the way that it leaves empty.
+void removeAt(QJsonObject& json, const QString& path);
+
+// Sets what stands in `json`, checked, and leaves the rest of the owner as it is; `prefix` is the
+// owner's own path, for errors.
+template <typename Owner>
+void readFields(Owner& owner, const std::vector<Field<Owner>>& fields, const QJsonObject& json,
+                const QString& prefix, const QString& file) {
+    for (const Field<Owner>& field : fields) {
+        const QJsonValue value = valueAt(json, field.path, file);
+        if (!value.isUndefined()) {
+            checkValue(field.rule, value, prefix + field.path, file);
+            field.set(owner, value);
+        }
+    }
+}
+
+template <typename Owner>
+void writeFields(const Owner& owner, const std::vector<Field<Owner>>& fields, QJsonObject& json) {
+    for (const Field<Owner>& field : fields) {
+        insertAt(json, field.path, field.get(owner));
+    }
+}
+
+template <typename Owner>
+QJsonObject withoutFields(QJsonObject json, const std::vector<Field<Owner>>& fields) {
+    for (const Field<Owner>& field : fields) {
+        removeAt(json, field.path);
+    }
+    return json;
+}
+
+} // namespace dipwright

@@ -1,0 +1,88 @@
+// Makes the fields of a schema from where they stand, what they may be and an access to the value.
+// Private to this folder.
+#pragma once
+
+#include "base/Units.h"
+#include "project/Field.h"
+
+#include <QJsonArray>
+#include <type_traits>
+
+namespace dipwright {
+
+struct Project;
+
+inline double plainNumber(double number) {
+    return number;
+}
+template <typename Unit>
+double plainNumber(Quantity<Unit> quantity) {
+    return quantity.value();
+}
+
+// `access` is a generic lambda from an owner, const or not, to a reference to the value.
+template <typename Owner, typename Access>
+using ValueOf = std::remove_cvref_t<decltype(std::declval<Access>()(std::declval<Owner&>()))>;
+
+template <typename Owner = Project, typename Access>
+Field<Owner> number(const char* path, double minimum, double maximum, Access access) {
+    using Value = ValueOf<Owner, Access>;
+    const bool whole = std::is_integral_v<Value>;
+    return {QString::fromLatin1(path),
+            {whole ? FieldKind::WholeNumber : FieldKind::Number, 1, false, minimum, maximum},
+            [access](const Owner& owner) { return QJsonValue(plainNumber(access(owner))); },
+            [access](Owner& owner, const QJsonValue& value) {
+                access(owner) = Value(value.toDouble());
+            }};
+}
+
+// Several numbers of one unit: `access` gives the part of that index.
+template <typename Owner = Project, typename Access>
+Field<Owner> numbers(const char* path, int parts, double minimum, double maximum, Access access) {
+    using Value = std::remove_cvref_t<decltype(access(std::declval<Owner&>(), 0))>;
+    return {QString::fromLatin1(path),
+            {FieldKind::Number, parts, false, minimum, maximum},
+            [access, parts](const Owner& owner) {
+                QJsonArray array;
+                for (int part = 0; part < parts; ++part) {
+                    array.append(plainNumber(access(owner, part)));
+                }
+                return QJsonValue(array);
+            },
+            [access, parts](Owner& owner, const QJsonValue& value) {
+                for (int part = 0; part < parts; ++part) {
+                    access(owner, part) = Value(value.toArray().at(part).toDouble());
+                }
+            }};
+}
+
+template <typename Owner = Project, typename Access>
+Field<Owner> text(const char* path, int maximumLength, Access access) {
+    return {QString::fromLatin1(path),
+            {FieldKind::Text, 1, false, 0, double(maximumLength)},
+            [access](const Owner& owner) { return QJsonValue(access(owner)); },
+            [access](Owner& owner, const QJsonValue& value) { access(owner) = value.toString(); }};
+}
+
+template <typename Owner = Project, typename Access>
+Field<Owner> flag(const char* path, Access access) {
+    return {QString::fromLatin1(path),
+            {FieldKind::Flag},
+            [access](const Owner& owner) { return QJsonValue(access(owner)); },
+            [access](Owner& owner, const QJsonValue& value) { access(owner) = value.toBool(); }};
+}
+
+// A value out of a list of words; `words` are in the order of the values 0, 1, 2 …
+template <typename Owner = Project, typename Access>
+Field<Owner> choice(const char* path, const QStringList& words, Access access) {
+    using Value = ValueOf<Owner, Access>;
+    return {
+        QString::fromLatin1(path),
+        {FieldKind::Choice, 1, false, 0, 0, words},
+        [access, words](const Owner& owner) { return QJsonValue(words.at(int(access(owner)))); },
+        [access, words](Owner& owner, const QJsonValue& value) {
+            access(owner) = Value(words.indexOf(value.toString()));
+        }};
+}
+
+} // namespace dipwright

@@ -1,0 +1,215 @@
+// The file form of profiles, as tables of fields.
+#include "project/Profiles.h"
+
+#include "base/Error.h"
+#include "project/FieldJson.h"
+#include "project/FieldMakers.h"
+#include "project/Project.h"
+
+#include <QCoreApplication>
+#include <QDate>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Profiles)
+};
+
+constexpr int profileVersion = 1;
+constexpr int longestName = 100;
+constexpr int longestIccProfile = 16 << 20; // bytes
+
+const QStringList edgeWords{QStringLiteral("free"), QStringLiteral("pinned")};
+
+template <typename Owner>
+Field<Owner> nameField() {
+    return text<Owner>(
+        "name", longestName, [](auto& p) -> auto& { return p.name; });
+}
+
+// Four choices under `path`: left, right, top and bottom.
+template <typename Owner, typename Access>
+void addEdges(std::vector<Field<Owner>>& fields, const QByteArray& path, Access edges) {
+    fields.push_back(choice<Owner>(
+        path + ".left", edgeWords, [edges](auto& p) -> auto& { return edges(p).leftPinned; }));
+    fields.push_back(choice<Owner>(
+        path + ".right", edgeWords, [edges](auto& p) -> auto& { return edges(p).rightPinned; }));
+    fields.push_back(choice<Owner>(
+        path + ".top", edgeWords, [edges](auto& p) -> auto& { return edges(p).topPinned; }));
+    fields.push_back(choice<Owner>(
+        path + ".bottom", edgeWords, [edges](auto& p) -> auto& { return edges(p).bottomPinned; }));
+}
+
+Field<PrinterProfile> iccField() {
+    return {QStringLiteral("icc_profile"),
+            {FieldKind::Text, 1, false, 0, double(longestIccProfile) * 4 / 3 + 4},
+            [](const PrinterProfile& p) { return QString::fromLatin1(p.iccProfile.toBase64()); },
+            [](PrinterProfile& p, const QJsonValue& value) {
+                const auto bytes = QByteArray::fromBase64Encoding(
+                    value.toString().toLatin1(), QByteArray::AbortOnBase64DecodingErrors);
+                if (!bytes) {
+                    throw Error(
+                        Text::tr("The ICC profile is not stored as base64 text, import it anew"),
+                        QStringLiteral("icc_profile"));
+                }
+                p.iccProfile = *bytes;
+            }};
+}
+
+const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
+    using P = PrinterProfile;
+    static const std::vector<Field<P>> fields{
+        nameField<P>(),
+        text<P>(
+            "queue", 255, [](auto& p) -> auto& { return p.queue; }),
+        numbers<P>(
+            "scale", 2, 0.9, 1.1,
+            [](auto& p, int part) -> auto& { return part == 0 ? p.scaleX : p.scaleY; }),
+        numbers<P>(
+            "margins_mm", 4, 0, 100,
+            [](auto& p, int part) -> auto& { return p.margins[std::size_t(part)]; }),
+        iccField(),
+        choice<P>(
+            "intent",
+            {QStringLiteral("perceptual"), QStringLiteral("relative"), QStringLiteral("saturation"),
+             QStringLiteral("absolute")},
+            [](auto& p) -> auto& { return p.intent; }),
+        flag<P>(
+            "black_point_compensation", [](auto& p) -> auto& { return p.blackPoint; }),
+        number<P>(
+            "ink_limit", 0.1, 10, [](auto& p) -> auto& { return p.inkLimit; }),
+        number<P>(
+            "dpi", 30, 2400, [](auto& p) -> auto& { return p.resolution; })};
+    return fields;
+}
+
+Field<FilmProfile> relaxationField() {
+    return {QStringLiteral("relaxation_time_s"),
+            {FieldKind::Number, 1, true, 0, 1e6},
+            [](const FilmProfile& p) {
+                const double seconds = p.relaxationTime.value();
+                return std::isinf(seconds) ? QJsonValue() : QJsonValue(seconds);
+            },
+            [](FilmProfile& p, const QJsonValue& value) {
+                p.relaxationTime = Seconds(value.isNull() ? std::numeric_limits<double>::infinity()
+                                                          : value.toDouble());
+            }};
+}
+
+Field<FilmProfile> expiryField() {
+    return {QStringLiteral("expiry"),
+            {FieldKind::Text, 1, false, 0, 10},
+            [](const FilmProfile& p) { return QJsonValue(p.expiry); },
+            [](FilmProfile& p, const QJsonValue& value) {
+                p.expiry = value.toString();
+                if (!p.expiry.isEmpty() && !QDate::fromString(p.expiry, Qt::ISODate).isValid()) {
+                    throw Error(Text::tr("%1 is not a date, write it as 2027-03-31").arg(p.expiry),
+                                QStringLiteral("expiry"));
+                }
+            }};
+}
+
+const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
+    using P = FilmProfile;
+    static const std::vector<Field<P>> fields = [] {
+        std::vector<Field<P>> all{
+            nameField<P>(),
+            numbers<P>(
+                "size_mm", 2, 10, 3000,
+                [](auto& p, int part) -> auto& { return part == 0 ? p.width : p.height; }),
+            numbers<P>(
+                "swell", 2, 0.5, 2,
+                [](auto& p, int part) -> auto& { return part == 0 ? p.swellX : p.swellY; }),
+            relaxationField(),
+            number<P>(
+                "contact_distance_mm", 0, 10, [](auto& p) -> auto& { return p.contactDistance; }),
+            choice<P>(
+                "feed", {QStringLiteral("short edge first"), QStringLiteral("long edge first")},
+                [](auto& p) -> auto& { return p.feed; }),
+            number<P>(
+                "soak_time_s", 0, 3600, [](auto& p) -> auto& { return p.soakTime; }),
+            number<P>(
+                "activator_time_s", 0, 3600, [](auto& p) -> auto& { return p.activatorTime; }),
+            text<P>(
+                "lot", 100, [](auto& p) -> auto& { return p.lot; }),
+            expiryField()};
+        addEdges(
+            all, "edges", [](auto& p) -> auto& { return p.edges; });
+        return all;
+    }();
+    return fields;
+}
+
+const std::vector<Field<TankProfile>>& fieldsOf(const TankProfile*) {
+    using P = TankProfile;
+    static const std::vector<Field<P>> fields = [] {
+        std::vector<Field<P>> all{
+            nameField<P>(),
+            numbers<P>(
+                "size_mm", 2, 10, 10000,
+                [](auto& p, int part) -> auto& { return part == 0 ? p.width : p.length; }),
+            number<P>(
+                "water_level_mm", 0, 2000, [](auto& p) -> auto& { return p.waterLevel; }),
+            numbers<P>(
+                "mark_distance_mm", 2, 0, 10000,
+                [](auto& p, int part) -> auto& { return p.markDistance[std::size_t(part)]; })};
+        addEdges(
+            all, "barriers", [](auto& p) -> auto& { return p.barriers; });
+        return all;
+    }();
+    return fields;
+}
+
+void checkFormat(const QJsonObject& json, const QString& where) {
+    if (json.value(QLatin1String("format")).toString() != QLatin1String("dipwright-profile")) {
+        throw Error(Text::tr("This is not a Dipwright profile"), where);
+    }
+    const QJsonValue version = json.value(QLatin1String("version"));
+    checkValue({FieldKind::WholeNumber, 1, false, 1, 1e6}, version, QStringLiteral("version"),
+               where);
+    if (version.toInt() > profileVersion) {
+        throw Error(
+            Text::tr("The profile has version %1 of the file format and this program reads up "
+                     "to version %2, open it with a newer Dipwright")
+                .arg(version.toInt())
+                .arg(profileVersion),
+            where);
+    }
+}
+
+template <typename P>
+Profile read(const QJsonObject& json, const QString& where) {
+    P profile;
+    readFields(profile, fieldsOf(&profile), json, {}, where);
+    if (profile.name.simplified().isEmpty()) {
+        throw Error(Text::tr("A profile needs a name"), where);
+    }
+    return profile;
+}
+
+} // namespace
+
+QJsonObject toJson(const Profile& profile) {
+    QJsonObject json{{QStringLiteral("format"), QStringLiteral("dipwright-profile")},
+                     {QStringLiteral("version"), profileVersion},
+                     {QStringLiteral("kind"), profileKindName(kindOf(profile))}};
+    std::visit([&](const auto& value) { writeFields(value, fieldsOf(&value), json); }, profile);
+    return json;
+}
+
+Profile profileFromJson(const QJsonObject& json, const QString& where) {
+    checkFormat(json, where);
+    switch (profileKindOf(json.value(QLatin1String("kind")).toString())) {
+    case ProfileKind::Printer:
+        return read<PrinterProfile>(json, where);
+    case ProfileKind::Film:
+        return read<FilmProfile>(json, where);
+    case ProfileKind::Tank:
+        break;
+    }
+    return read<TankProfile>(json, where);
+}
+
+} // namespace dipwright

@@ -1,0 +1,147 @@
+#include "project/ProfileLibrary.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QDir>
+#include <QJsonDocument>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <algorithm>
+#include <map>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Profiles)
+};
+
+constexpr qint64 longestFile = 32 << 20; // bytes; ICC profiles are a megabyte or two
+
+QString shippedFolder() {
+    return QStringLiteral(":/dipwright/profiles");
+}
+
+// Any name makes a file name that every system takes and no other name makes.
+QString fileName(const QString& name) {
+    QString plain;
+    for (const QChar letter : name.left(40)) {
+        plain += letter.isLetterOrNumber() && letter.unicode() < 128 ? letter.toLower()
+                                                                     : QLatin1Char('-');
+    }
+    const QByteArray hash =
+        QCryptographicHash::hash(name.toUtf8(), QCryptographicHash::Sha256).toHex();
+    return QStringLiteral("%1-%2.json").arg(plain, QString::fromLatin1(hash.left(8)));
+}
+
+// Later folders do not stand in for earlier ones.
+void addFolder(std::map<QString, ProfileEntry>& found, ProfileKind kind, const QString& folder) {
+    const QDir directory(folder + QLatin1Char('/') + profileKindName(kind));
+    for (const QString& file :
+         directory.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name)) {
+        const QString path = directory.filePath(file);
+        try {
+            const Profile profile = importProfile(path);
+            if (kindOf(profile) == kind) {
+                found.try_emplace(nameOf(profile), ProfileEntry{kind, nameOf(profile), path});
+            }
+        } catch (const Error&) {
+            continue; // one damaged file must not take the others away
+        }
+    }
+}
+
+} // namespace
+
+QString ProfileLibrary::standardFolder() {
+    const QString chosen = qEnvironmentVariable("DIPWRIGHT_PROFILE_PATH");
+    return chosen.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                                  QStringLiteral("/profiles")
+                            : chosen;
+}
+
+ProfileLibrary::ProfileLibrary(const QString& userFolder) : folder_(userFolder) {}
+
+std::vector<ProfileEntry> ProfileLibrary::profiles(ProfileKind kind) const {
+    std::map<QString, ProfileEntry> found;
+    addFolder(found, kind, folder_);
+    addFolder(found, kind, shippedFolder());
+    std::vector<ProfileEntry> entries;
+    for (const auto& [name, entry] : found) {
+        entries.push_back(entry);
+    }
+    return entries;
+}
+
+Profile ProfileLibrary::profile(ProfileKind kind, const QString& name) const {
+    QStringList names;
+    for (const ProfileEntry& entry : profiles(kind)) {
+        if (entry.name == name) {
+            return importProfile(entry.path);
+        }
+        names << entry.name;
+    }
+    throw Error(Text::tr("There is no %1 profile of this name, there are: %2")
+                    .arg(profileKindName(kind), names.join(QStringLiteral(", "))),
+                name);
+}
+
+void ProfileLibrary::save(const Profile& profile) const {
+    const QString folder = folder_ + QLatin1Char('/') + profileKindName(kindOf(profile));
+    if (!QDir().mkpath(folder)) {
+        throw Error(Text::tr("The folder for profiles cannot be made, choose another with "
+                             "DIPWRIGHT_PROFILE_PATH"),
+                    folder);
+    }
+    // A file of another name may hold a profile of this name, if the user put it there.
+    QString path = folder + QLatin1Char('/') + fileName(nameOf(profile));
+    for (const ProfileEntry& entry : profiles(kindOf(profile))) {
+        if (entry.name == nameOf(profile) && entry.isUsers()) {
+            path = entry.path;
+        }
+    }
+    exportProfile(profile, path);
+}
+
+void ProfileLibrary::remove(ProfileKind kind, const QString& name) const {
+    for (const ProfileEntry& entry : profiles(kind)) {
+        if (entry.name == name && entry.isUsers()) {
+            if (!QFile::remove(entry.path)) {
+                throw Error(Text::tr("The profile cannot be removed"), entry.path);
+            }
+            return;
+        }
+    }
+    throw Error(
+        Text::tr("There is no %1 profile of your own of this name").arg(profileKindName(kind)),
+        name);
+}
+
+Profile importProfile(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        throw Error(Text::tr("The profile cannot be read: %1").arg(file.errorString()), path);
+    }
+    if (file.size() > longestFile) {
+        throw Error(Text::tr("The file is too large for a profile"), path);
+    }
+    QJsonParseError failure;
+    const QJsonDocument document = QJsonDocument::fromJson(file.readAll(), &failure);
+    if (!document.isObject()) {
+        throw Error(Text::tr("This is not a Dipwright profile: %1").arg(failure.errorString()),
+                    path);
+    }
+    return profileFromJson(document.object(), path);
+}
+
+void exportProfile(const Profile& profile, const QString& path) {
+    const QByteArray bytes = QJsonDocument(toJson(profile)).toJson();
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
+        throw Error(Text::tr("The profile cannot be written: %1").arg(file.errorString()), path);
+    }
+}
+
+} // namespace dipwright

@@ -1,0 +1,44 @@
+// The profiles at hand: those that come with the program, and the user's own in a folder of files.
+#pragma once
+
+#include "project/Profiles.h"
+
+#include <vector>
+
+namespace dipwright {
+
+struct ProfileEntry {
+    ProfileKind kind;
+    QString name;
+    QString path; // of its file; one of the program's own begins with ":"
+    bool isUsers() const { return !path.startsWith(QLatin1Char(':')); }
+};
+
+// Reads files when asked; keeps none. A user's profile stands in for the program's of the same
+// name.
+class ProfileLibrary {
+public:
+    // DIPWRIGHT_PROFILE_PATH, or "profiles" in the user's folder for program data.
+    static QString standardFolder();
+
+    explicit ProfileLibrary(const QString& userFolder = standardFolder());
+
+    // By name, the user's and the program's together. Files that are no profiles are passed over.
+    std::vector<ProfileEntry> profiles(ProfileKind kind) const;
+    // Throws Error when there is none of that name, or its file is damaged.
+    Profile profile(ProfileKind kind, const QString& name) const;
+
+    // Writes a user's profile whole or not at all, over one of the same name. Throws Error.
+    void save(const Profile& profile) const;
+    // Removes a user's profile; the program's own of that name comes back. Throws Error.
+    void remove(ProfileKind kind, const QString& name) const;
+
+private:
+    QString folder_;
+};
+
+// One profile as a file of its own, for another machine. Throws Error.
+Profile importProfile(const QString& path);
+void exportProfile(const Profile& profile, const QString& path);
+
+} // namespace dipwright

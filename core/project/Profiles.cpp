@@ -1,0 +1,67 @@
+#include "project/Profiles.h"
+
+#include "base/Error.h"
+#include "project/FilmSizes.h"
+#include "project/Project.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Profiles)
+};
+
+const QStringList kindNames{QStringLiteral("printer"), QStringLiteral("film"),
+                            QStringLiteral("tank")};
+
+void apply(Project& project, const PrinterProfile& printer) {
+    project.sheet.resolution = printer.resolution;
+    project.ink.limit = printer.inkLimit;
+    project.profiles.printer = printer;
+}
+
+void apply(Project& project, const FilmProfile& film) {
+    resizeFilm(project.film, film.width, film.height);
+    project.film.swellX = film.swellX;
+    project.film.swellY = film.swellY;
+    project.film.relaxationTime = film.relaxationTime;
+    project.film.edges = film.edges;
+    project.film.contactDistance = film.contactDistance;
+    project.profiles.film = film;
+}
+
+void apply(Project& project, const TankProfile& tank) {
+    project.film.edges = tank.barriers;
+    project.profiles.tank = tank;
+}
+
+} // namespace
+
+QString profileKindName(ProfileKind kind) {
+    return kindNames.at(int(kind));
+}
+
+ProfileKind profileKindOf(const QString& name) {
+    const auto index = kindNames.indexOf(name);
+    if (index < 0) {
+        throw Error(Text::tr("There is no such kind of profile, use printer, film or tank"), name);
+    }
+    return ProfileKind(index);
+}
+
+ProfileKind kindOf(const Profile& profile) {
+    return ProfileKind(profile.index());
+}
+
+const QString& nameOf(const Profile& profile) {
+    return std::visit([](const auto& value) -> const QString& { return value.name; }, profile);
+}
+
+void applyProfile(Project& project, const Profile& profile) {
+    std::visit([&](const auto& value) { apply(project, value); }, profile);
+}
+
+} // namespace dipwright

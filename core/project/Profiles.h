@@ -1,0 +1,95 @@
+// What is known of one printer, one film or one tank, measured once and used by every job.
+//
+// A profile is a value. A project keeps a copy of those it was made with, by name and content, so
+// that an old job prints the same when the profile has since changed.
+#pragma once
+
+#include "base/Units.h"
+#include "film/FilmSettings.h"
+
+#include <QByteArray>
+#include <QJsonObject>
+#include <QString>
+#include <array>
+#include <optional>
+#include <variant>
+
+namespace dipwright {
+
+// How colours are carried into the printer's space (ICC.1, rendering intents).
+enum class RenderingIntent { Perceptual, RelativeColorimetric, Saturation, AbsoluteColorimetric };
+
+struct PrinterProfile {
+    QString name;
+    QString queue;     // the system's name of the printer, or empty
+    double scaleX = 1; // printed length over true length, measured across the page …
+    double scaleY = 1; // … and along it; a sheet is drawn smaller by these
+    // The page's left, top, right and bottom that the printer cannot reach.
+    std::array<Millimetres, 4> margins{};
+    QByteArray iccProfile; // the ICC file itself; empty: the printer is sent sRGB
+    RenderingIntent intent = RenderingIntent::RelativeColorimetric;
+    bool blackPoint = true; // compensated: the darkest dark stays distinct
+    double inkLimit = 2;    // highest optical density, a channel
+    DotsPerInch resolution{300};
+    bool operator==(const PrinterProfile&) const = default;
+};
+
+// Which edge of the sheet goes into the printer first: the film swells more along the web.
+enum class FeedDirection { ShortEdgeFirst, LongEdgeFirst };
+
+struct FilmProfile {
+    QString name;
+    Millimetres width{210}, height{297};
+    double swellX = 1, swellY = 1;
+    Seconds relaxationTime{std::numeric_limits<double>::infinity()}; // infinity: elastic
+    FilmEdges edges;
+    Millimetres contactDistance{0};
+    FeedDirection feed = FeedDirection::ShortEdgeFirst;
+    Seconds soakTime{60};      // on the water before the activator
+    Seconds activatorTime{10}; // from the activator to the dip
+    QString lot;
+    QString expiry; // ISO date, or empty
+    bool operator==(const FilmProfile&) const = default;
+};
+
+struct TankProfile {
+    QString name;
+    Millimetres width{400}, length{600}; // of the water, along X and Z
+    Millimetres waterLevel{0};           // under the tank's rim
+    FilmEdges barriers;                  // sides of the film that barriers hold
+    // Between the tank's marks along X and Z, which the sheet's registration marks are laid to;
+    // 0: none.
+    std::array<Millimetres, 2> markDistance{};
+    bool operator==(const TankProfile&) const = default;
+};
+
+using Profile = std::variant<PrinterProfile, FilmProfile, TankProfile>;
+enum class ProfileKind { Printer, Film, Tank }; // in the order of Profile's alternatives
+
+// "printer", "film", "tank": in files and on the command line.
+QString profileKindName(ProfileKind kind);
+// Throws Error on another word.
+ProfileKind profileKindOf(const QString& name);
+ProfileKind kindOf(const Profile& profile);
+const QString& nameOf(const Profile& profile);
+
+// The profiles that a project was made with.
+struct ProjectProfiles {
+    std::optional<PrinterProfile> printer;
+    std::optional<FilmProfile> film;
+    std::optional<TankProfile> tank;
+    bool operator==(const ProjectProfiles&) const = default;
+};
+
+struct Project;
+// Takes a profile over into a project, content and effect: a film's size, swell, relaxation, edges
+// and contact distance; a printer's resolution and ink limit; a tank's barriers.
+void applyProfile(Project& project, const Profile& profile);
+
+// A profile file: {"format":"dipwright-profile","version":1,"kind":…,"name":…,…}. Unknown keys are
+// ignored. `profileFromJson` checks every value and throws Error naming `where` and the path; a
+// newer version is refused.
+QJsonObject toJson(const Profile& profile);
+Profile profileFromJson(const QJsonObject& json, const QString& where);
+
+} // namespace dipwright

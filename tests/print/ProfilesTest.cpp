@@ -1,0 +1,216 @@
+// Profiles of printers, films and tanks: their files, the library, and the copy in a project.
+#include "project/ProfileLibrary.h"
+
+#include "base/Error.h"
+#include "project/Project.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+PrinterProfile printer() {
+    PrinterProfile profile;
+    profile.name = QStringLiteral("Büro / hinten: \"links\"");
+    profile.queue = QStringLiteral("office");
+    profile.scaleX = 1.004;
+    profile.scaleY = 0.997;
+    profile.margins = {Millimetres(3), Millimetres(4), Millimetres(5), Millimetres(6)};
+    profile.iccProfile = QByteArray("\0\1\2icc", 6);
+    profile.intent = RenderingIntent::Perceptual;
+    profile.blackPoint = false;
+    profile.inkLimit = 1.7;
+    profile.resolution = DotsPerInch(600);
+    return profile;
+}
+
+FilmProfile film() {
+    FilmProfile profile;
+    profile.name = QStringLiteral("Blue box");
+    profile.width = Millimetres(297);
+    profile.height = Millimetres(420);
+    profile.swellX = 1.03;
+    profile.swellY = 1.06;
+    profile.relaxationTime = Seconds(4);
+    profile.edges.leftPinned = profile.edges.topPinned = true;
+    profile.contactDistance = Millimetres(0.1);
+    profile.feed = FeedDirection::LongEdgeFirst;
+    profile.soakTime = Seconds(75);
+    profile.activatorTime = Seconds(8);
+    profile.lot = QStringLiteral("B-17");
+    profile.expiry = QStringLiteral("2027-03-31");
+    return profile;
+}
+
+TankProfile tank() {
+    TankProfile profile;
+    profile.name = QStringLiteral("Long tank");
+    profile.width = Millimetres(300);
+    profile.length = Millimetres(900);
+    profile.waterLevel = Millimetres(25);
+    profile.barriers.rightPinned = true;
+    profile.markDistance = {Millimetres(198), Millimetres(285)};
+    return profile;
+}
+
+QString refusal(const QJsonObject& json) {
+    try {
+        profileFromJson(json, QStringLiteral("x.json"));
+    } catch (const Error& error) {
+        return error.sentence();
+    }
+    return {};
+}
+
+} // namespace
+
+class ProfilesTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    ProfileLibrary library_{folder_.path()};
+
+private slots:
+    void filesHoldEverything();
+    void programBringsSoundProfiles();
+    void usersProfileStandsInForTheProgramsOwn();
+    void importAndExportCarryOneProfile();
+    void missingProfileIsNamed();
+    void damagedFilesAreRefused();
+    void damagedFileDoesNotHideOthers();
+    void outOfRangeValuesAreRefusedByPath();
+    void projectTakesOverWhatAProfileSays();
+    void projectRemembersProfilesByContent();
+};
+
+void ProfilesTest::filesHoldEverything() {
+    for (const Profile& profile : {Profile(printer()), Profile(film()), Profile(tank())}) {
+        QVERIFY(profileFromJson(toJson(profile), QString()) == profile);
+    }
+}
+
+void ProfilesTest::programBringsSoundProfiles() {
+    for (ProfileKind kind : {ProfileKind::Printer, ProfileKind::Film, ProfileKind::Tank}) {
+        const auto entries = library_.profiles(kind);
+        QVERIFY(entries.size() >= 2);
+        for (const ProfileEntry& entry : entries) {
+            QVERIFY(!entry.isUsers());
+            QCOMPARE(nameOf(library_.profile(kind, entry.name)), entry.name);
+        }
+    }
+}
+
+void ProfilesTest::usersProfileStandsInForTheProgramsOwn() {
+    const ProfileEntry shipped = library_.profiles(ProfileKind::Printer).front();
+    auto changed = std::get<PrinterProfile>(library_.profile(ProfileKind::Printer, shipped.name));
+    changed.scaleX = 1.01;
+    library_.save(changed);
+    changed.scaleX = 1.02;
+    library_.save(changed);
+    QCOMPARE(std::get<PrinterProfile>(library_.profile(ProfileKind::Printer, shipped.name)).scaleX,
+             1.02);
+    library_.remove(ProfileKind::Printer, shipped.name);
+    QVERIFY(std::get<PrinterProfile>(library_.profile(ProfileKind::Printer, shipped.name)).scaleX !=
+            1.02);
+    QVERIFY_EXCEPTION_THROWN(library_.remove(ProfileKind::Printer, shipped.name), Error);
+}
+
+void ProfilesTest::importAndExportCarryOneProfile() {
+    const QString path = folder_.filePath("out.json");
+    exportProfile(printer(), path);
+    library_.save(importProfile(path));
+    QVERIFY(library_.profile(ProfileKind::Printer, printer().name) == Profile(printer()));
+    QVERIFY_EXCEPTION_THROWN(exportProfile(printer(), folder_.filePath("no/such/folder/x.json")),
+                             Error);
+}
+
+void ProfilesTest::missingProfileIsNamed() {
+    try {
+        library_.profile(ProfileKind::Film, "Green box");
+        QFAIL("there is no such film");
+    } catch (const Error& error) {
+        QVERIFY(error.sentence().contains("Green box"));
+        QVERIFY(error.sentence().contains("Ideal film, A4"));
+    }
+}
+
+void ProfilesTest::damagedFilesAreRefused() {
+    const QString path = folder_.filePath("damaged.json");
+    for (const QByteArray& bytes :
+         {QByteArray(), QByteArray("{\"format\":\"dipwr"), QByteArray("[1,2]"), QByteArray("{}"),
+          QByteArray("\x89PNG\r\n")}) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        file.close();
+        QVERIFY_EXCEPTION_THROWN(importProfile(path), Error);
+    }
+    QVERIFY_EXCEPTION_THROWN(importProfile(folder_.filePath("nosuch.json")), Error);
+    QJsonObject newer = toJson(Profile(film()));
+    newer["version"] = 7;
+    QVERIFY(refusal(newer).contains('7'));
+    QJsonObject unknownKind = toJson(Profile(film()));
+    unknownKind["kind"] = "scanner";
+    QVERIFY(refusal(unknownKind).contains("scanner"));
+}
+
+void ProfilesTest::damagedFileDoesNotHideOthers() {
+    QDir().mkpath(folder_.filePath("film"));
+    QFile file(folder_.filePath("film/000.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("not a profile");
+    file.close();
+    QVERIFY(library_.profiles(ProfileKind::Film).size() >= 2);
+}
+
+void ProfilesTest::outOfRangeValuesAreRefusedByPath() {
+    QJsonObject json = toJson(Profile(printer()));
+    json["scale"] = QJsonArray{1.0, 2.0};
+    QVERIFY(refusal(json).contains("scale[1]"));
+    json = toJson(Profile(printer()));
+    json["icc_profile"] = "%%%";
+    QVERIFY(refusal(json).contains("icc_profile"));
+    json = toJson(Profile(printer()));
+    json["name"] = "  ";
+    QVERIFY(refusal(json).contains("name"));
+    json = toJson(Profile(film()));
+    json["expiry"] = "soon";
+    QVERIFY(refusal(json).contains("soon"));
+}
+
+void ProfilesTest::projectTakesOverWhatAProfileSays() {
+    Project project;
+    applyProfile(project, film());
+    QCOMPARE(project.film.width.value(), 297.0);
+    QCOMPARE(project.film.preset, QString("A3"));
+    QCOMPARE(project.film.swellY, 1.06);
+    QCOMPARE(project.film.relaxationTime.value(), 4.0);
+    QVERIFY(project.film.edges.leftPinned);
+    applyProfile(project, printer());
+    QCOMPARE(project.sheet.resolution.value(), 600.0);
+    QCOMPARE(project.ink.limit, 1.7);
+    applyProfile(project, tank());
+    QVERIFY(project.film.edges.rightPinned && !project.film.edges.leftPinned);
+}
+
+void ProfilesTest::projectRemembersProfilesByContent() {
+    Project project;
+    project.name = QStringLiteral("Turtle");
+    applyProfile(project, printer());
+    applyProfile(project, film());
+    const QJsonObject json = toJson(project);
+    const Project read = fromJson(json, QStringLiteral("turtle.dipw"));
+    QVERIFY(read.profiles == project.profiles);
+    QCOMPARE(toJson(read), json);
+    QJsonObject wrong = json;
+    QJsonObject profiles = json["profiles"].toObject();
+    profiles["printer"] = profiles["film"];
+    wrong["profiles"] = profiles;
+    QVERIFY_EXCEPTION_THROWN(fromJson(wrong, QStringLiteral("turtle.dipw")), Error);
+}
+
+QTEST_GUILESS_MAIN(ProfilesTest)
+#include "ProfilesTest.moc"
