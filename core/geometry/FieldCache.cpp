@@ -77,12 +77,13 @@ std::shared_ptr<const DistanceField> load(const QString& path, int resolution) {
     }
     fields >> field->spacing;
     const auto edge = std::size_t(resolution);
-    const auto bytes = qint64(edge * edge * edge * sizeof(float));
+    const std::size_t count = edge * edge * edge;
+    const auto bytes = qint64(count) * qint64(sizeof(float));
     if (version != cacheVersion || field->size != std::array{resolution, resolution, resolution} ||
         file.size() - file.pos() != bytes) {
         return nullptr;
     }
-    field->distance.resize(edge * edge * edge);
+    field->distance.resize(count);
     if (file.read(reinterpret_cast<char*>(field->distance.data()), bytes) != bytes ||
         header(*field) != stored) {
         return nullptr;

@@ -241,8 +241,8 @@ TexturedMesh readByAssimp(const ModelSource& source, QStringList& warnings,
     auto* files = new ModelFileSystem(absolutePath, source.folder);
     importer.SetIOHandler(files); // takes it over
     importer.SetProgressHandler(&reading);
-    const aiScene* scene =
-        importer.ReadFile(absolutePath.toUtf8().constData(), aiProcess_Triangulate);
+    const aiScene* scene = importer.ReadFile(absolutePath.toUtf8().constData(),
+                                             aiProcess_Triangulate | aiProcess_TransformUVCoords);
     importer.SetProgressHandler(nullptr);
     progress.cancelSwitch.throwIfCancelled();
     if (!scene) {

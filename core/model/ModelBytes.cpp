@@ -50,7 +50,7 @@ void prepare(QDataStream& stream) {
 template <typename Number, typename Value>
 void writeNumbers(QDataStream& stream, const std::vector<Value>& values) {
     static_assert(sizeof(Value) % sizeof(Number) == 0);
-    const auto bytes = qsizetype(values.size() * sizeof(Value));
+    const auto bytes = qsizetype(values.size()) * qsizetype(sizeof(Value));
     QByteArray swapped(bytes, Qt::Uninitialized);
     qToLittleEndian<Number>(values.data(), bytes / qsizetype(sizeof(Number)), swapped.data());
     stream.writeRawData(swapped.constData(), int(bytes));

@@ -26,7 +26,7 @@ QString ModelFolder::find(const QString& name) const {
     const QString path = QDir::cleanPath(QString(name).replace(u'\\', u'/').trimmed());
     const QString decoded = QUrl::fromPercentEncoding(path.toUtf8());
     for (const QString& candidate : {path, decoded, path.section(u'/', -1)}) {
-        if (const QString found = findRelative(candidate); !found.isEmpty()) {
+        if (QString found = findRelative(candidate); !found.isEmpty()) {
             return found;
         }
     }

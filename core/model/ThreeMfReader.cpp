@@ -263,8 +263,13 @@ public:
         const Part& root = part(rootPart());
         Eigen::Affine3d toMillimetres = Eigen::Affine3d::Identity();
         toMillimetres.scale(root.unit);
+        std::size_t total = 0;
         for (const Placement& item : root.build) {
-            place(item, toMillimetres, 0);
+            total += triangleCount(item, 0);
+            source_.checkTriangleCount(total);
+        }
+        for (const Placement& item : root.build) {
+            place(item, toMillimetres);
         }
         return std::move(model_);
     }
@@ -295,36 +300,56 @@ private:
             .first->second;
     }
 
-    void place(const Placement& placement, const Eigen::Affine3d& outer, int depth) {
-        const Part& inPart = part(placement.part);
-        const auto object = inPart.objects.find(placement.object);
-        if (object == inPart.objects.end() || depth > maximumDepth) {
-            source_.throwDamaged(tr("an object names one that is not there, or itself"));
+    const Object& object(const Placement& placement) {
+        const auto& objects = part(placement.part).objects;
+        const auto found = objects.find(placement.object);
+        if (found == objects.end()) {
+            source_.throwDamaged(tr("it places an object that is not there"));
         }
-        if (object->second.isSupport) {
+        return found->second;
+    }
+
+    // Of the object with its components. Counted before anything is placed, because components of
+    // components multiply: a small file can ask for more than any memory holds.
+    std::size_t triangleCount(const Placement& placement, int depth) {
+        const auto key = std::pair(placement.part, placement.object);
+        const auto known = triangleCounts_.find(key);
+        if (known != triangleCounts_.end()) {
+            return known->second;
+        }
+        if (depth > maximumDepth) {
+            source_.throwDamaged(tr("an object holds itself"));
+        }
+        const Object& placed = object(placement);
+        std::size_t count = placed.isSupport ? 0 : placed.triangles.size();
+        for (const Placement& component : placed.components) {
+            count += placed.isSupport ? 0 : triangleCount(component, depth + 1);
+            source_.checkTriangleCount(count);
+        }
+        return triangleCounts_.emplace(key, count).first->second;
+    }
+
+    void place(const Placement& placement, const Eigen::Affine3d& outer) {
+        if (triangleCount(placement, 0) == 0) {
             return;
         }
+        cancelSwitch_.throwIfCancelled();
+        const Object& placed = object(placement);
         const Eigen::Affine3d transform = outer * placement.transform;
-        addMesh(object->second, inPart, placement.part, transform);
-        for (const Placement& component : object->second.components) {
-            cancelSwitch_.throwIfCancelled();
-            countPlacement();
-            place(component, transform, depth + 1);
+        addMesh(placed, part(placement.part), placement.part, transform);
+        for (const Placement& component : placed.components) {
+            place(component, transform);
         }
     }
 
-    // Components of components multiply; without this a small file keeps the program busy for ever.
-    void countPlacement() { source_.checkTriangleCount(++placements_); }
-
-    void addMesh(const Object& object, const Part& inPart, const QString& partName,
+    void addMesh(const Object& mesh, const Part& inPart, const QString& partName,
                  const Eigen::Affine3d& transform) {
-        source_.checkTriangleCount(model_.mesh.triangles.size() + object.triangles.size());
         const auto first = std::uint32_t(model_.mesh.positions.size());
-        for (const auto& position : object.positions) {
+        for (const auto& position : mesh.positions) {
             model_.mesh.positions.push_back((transform * position.cast<double>()).cast<float>());
         }
         const bool isMirrored = transform.linear().determinant() < 0;
-        for (const ObjectTriangle& triangle : object.triangles) {
+        for (const ObjectTriangle& triangle : mesh.triangles) {
             auto corners = triangle.corners;
             auto uv = noCoordinates();
             const auto group = inPart.groups.find(triangle.group);
@@ -404,7 +429,7 @@ private:
     TexturedMesh model_;
     std::map<std::tuple<QString, int, int>, std::uint16_t> materials_;
     std::map<QString, int> textures_;
-    std::size_t placements_ = 0;
+    std::map<std::pair<QString, int>, std::size_t> triangleCounts_;
 };
 
 } // namespace

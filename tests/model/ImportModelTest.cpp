@@ -138,10 +138,13 @@ private Q_SLOTS:
     void objWithTwoMaterials();
     void objWithoutMaterialFileIsGreyAndSaysSo();
     void plyWithItsPicture();
+    void binaryPlyWithCoordinatesACorner();
     void plyAndStlWithoutCoordinates();
     void gltfShowsItsPictureUpright();
     void glbShowsItsPictureUpright();
+    void gltfMovesItsPicture();
     void threeMfShowsItsPictureUpright();
+    void threeMfPlacesComponentsInMillimetres();
     void spot();
     void everyFormatIsInTheFilters();
 
@@ -169,6 +172,8 @@ private Q_SLOTS:
     void textureRefusals_data();
     void textureRefusals();
     void optionsOutOfRangeAreRefused();
+    void hostile3mfIsRefused_data();
+    void hostile3mfIsRefused();
     void truncatedFilesNeverCrash_data();
     void truncatedFilesNeverCrash();
     void cancelEndsTheImport();
@@ -237,6 +242,16 @@ void ImportModelTest::plyWithItsPicture() {
     QCOMPARE(chartCount(model), std::size_t(1));
 }
 
+void ImportModelTest::binaryPlyWithCoordinatesACorner() {
+    write(QStringLiteral("ply.png"), png(quarters()));
+    for (const bool littleEndian : {true, false}) {
+        const auto [model, report] =
+            import(write(QStringLiteral("binary.ply"), squareBinaryPly("ply.png", littleEndian)));
+        QCOMPARE(report.triangles, std::size_t(2));
+        QVERIFY(showsQuarters(model));
+    }
+}
+
 void ImportModelTest::plyAndStlWithoutCoordinates() {
     const QByteArray ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
                            "property float y\nproperty float z\nelement face 4\n"
@@ -269,11 +284,57 @@ void ImportModelTest::glbShowsItsPictureUpright() {
     QVERIFY(showsQuarters(model));
 }
 
+void ImportModelTest::gltfMovesItsPicture() {
+    QByteArray text = squareGltf(png(quarters()));
+    text.replace(R"("baseColorTexture":{"index":0})",
+                 R"("baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":
+                 {"offset":[0.5,0],"scale":[0.5,0.5]}}})");
+    text.replace(R"("asset":)", R"("extensionsUsed":["KHR_texture_transform"],"asset":)");
+    const auto imported = import(write(QStringLiteral("moved.gltf"), text));
+    QCOMPARE(colourAtPlace(imported.model, 0.1F, 0.1F), QColor(Qt::green)); // upper right alone
+    QCOMPARE(colourAtPlace(imported.model, 0.9F, 0.9F), QColor(Qt::green));
+}
+
 void ImportModelTest::threeMfShowsItsPictureUpright() {
     writeSquare3mf(at(QStringLiteral("square.3mf")), png(quarters()));
     const auto [model, report] = import(at(QStringLiteral("square.3mf")));
     QCOMPARE(report.triangles, std::size_t(2));
     QVERIFY(showsQuarters(model));
+}
+
+void ImportModelTest::threeMfPlacesComponentsInMillimetres() {
+    const QByteArray part = R"(<model unit="inch"><resources>
+<object id="1" pid="9" pindex="1"><mesh><vertices><vertex x="0" y="0" z="0"/>
+<vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/><vertex x="0" y="0" z="1"/></vertices>
+<triangles><triangle v1="0" v2="2" v3="1"/><triangle v1="0" v2="1" v3="3"/>
+<triangle v1="1" v2="2" v3="3"/><triangle v1="2" v2="0" v3="3" pid="9" p1="0"/></triangles>
+</mesh></object></resources><build/></model>)";
+    const QByteArray root = R"(<model unit="centimeter" xmlns:p="production"><resources>
+<basematerials id="9"><base name="clear" displaycolor="#11223344"/></basematerials>
+<object id="3" type="support"><mesh><vertices><vertex x="90" y="0" z="0"/></vertices></mesh></object>
+<object id="2"><components><component p:path="/3D/part.model" objectid="1"/>
+<component p:path="/3D/part.model" objectid="1" transform="-1 0 0 0 1 0 0 0 1 -5 0 0"/>
+</components></object></resources>
+<build><item objectid="2" transform="0 2 0 -2 0 0 0 0 2 0 0 7"/><item objectid="3"/></build></model>)";
+    const QByteArray materials = R"(<resources><basematerials id="9">
+<base name="red" displaycolor="#FF0000"/><base name="blue" displaycolor="#0000FFFF"/>
+</basematerials>)";
+    write3mf(
+        at(QStringLiteral("parts.3mf")),
+        {{QStringLiteral("3D/3dmodel.model"), root},
+         {QStringLiteral("3D/part.model"), QByteArray(part).replace("<resources>", materials)}});
+    const auto [model, report] = import(at(QStringLiteral("parts.3mf")));
+    QCOMPARE(report.triangles, std::size_t(8));
+    QVERIFY(report.closed);
+    // Two of a sixth of a cubic centimetre, twice as large; turned a quarter about Z, lifted by 7
+    // cm.
+    QVERIFY(std::abs(report.volume - 2 * 8 * 1000 / 6.0) < 0.1);
+    QVERIFY(report.box.min().isApprox(Eigen::Vector3f(-20, -120, 70), 1e-4F));
+    QVERIFY(report.box.max().isApprox(Eigen::Vector3f(0, 20, 90), 1e-4F));
+    QCOMPARE(model.materials.size(), std::size_t(2));
+    QCOMPARE(model.materials[0].colour, QColor(Qt::blue));
+    QCOMPARE(model.materials[1].colour, QColor(Qt::red));
+    QCOMPARE(std::count(model.material.begin(), model.material.end(), 1), 2);
 }
 
 void ImportModelTest::spot() {
@@ -505,6 +566,11 @@ void ImportModelTest::refusals_data() {
     row("one line", "line.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "area");
     row("huge", "huge.obj", QByteArray(cubeObj()).replace("v 5 5 5", "v 1e30 5 5"), "mm");
     row("truncated glb", "cut.glb", squareGlb(png(quarters())).chopped(200), "cannot be read");
+    row("truncated ply header", "cut.ply", squarePly("x.png").left(100), "cannot be read");
+    row("truncated ply", "cut.ply", squarePly("x.png").chopped(6), "cannot be read");
+    row("unknown point", "point.ply", squarePly("x").replace("3 0 2 3", "3 0 2 4"),
+        "cannot be read");
+    row("a ply named obj", "ply.obj", squarePly("x.png").left(100), "cannot be read");
     TriangleMesh sphere = sphereMesh(1, 4, 8);
     row("truncated stl", "cut.stl", stl(sphere).left(25), "cannot be read");
 }
@@ -579,6 +645,42 @@ void ImportModelTest::optionsOutOfRangeAreRefused() {
     ImportOptions options;
     options.texture = at(QStringLiteral("nowhere.png"));
     QVERIFY(refusal(path, options).contains(QStringLiteral("nowhere.png")));
+}
+
+void ImportModelTest::hostile3mfIsRefused_data() {
+    QTest::addColumn<QByteArray>("model");
+    const QByteArray mesh =
+        R"(<mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/>
+<vertex x="0" y="1" z="0"/></vertices><triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh>)";
+    QByteArray doubling = R"(<object id="0">)" + mesh + "</object>";
+    for (int i = 1; i < 31; ++i) {
+        const QByteArray child = R"(<component objectid=")" + QByteArray::number(i - 1) + R"("/>)";
+        doubling += R"(<object id=")" + QByteArray::number(i) + R"("><components>)" + child +
+                    child + "</components></object>";
+    }
+    QTest::newRow("an object that holds itself") << QByteArray(
+        R"(<object id="30"><components><component objectid="30"/></components></object>)");
+    QTest::newRow("a thousand million triangles") << doubling;
+    QTest::newRow("an object that is not there") << QByteArray();
+    QTest::newRow("a point that is not there")
+        << QByteArray(R"(<object id="30">)" + mesh + "</object>").replace(R"(v3="2")", R"(v3="3")");
+    QTest::newRow("no number")
+        << QByteArray(R"(<object id="30">)" + mesh + "</object>").replace(R"(x="1")", R"(x="one")");
+    QTest::newRow("a triangle outside an object")
+        << QByteArray(R"(<triangle v1="0" v2="1" v3="2"/>)");
+    QTest::newRow("not well-formed") << QByteArray(R"(<object id="30"><mesh>)");
+}
+
+void ImportModelTest::hostile3mfIsRefused() {
+    QFETCH(QByteArray, model);
+    write3mf(at(QStringLiteral("hostile.3mf")),
+             {{QStringLiteral("3D/3dmodel.model"),
+               "<model><resources>" + model +
+                   R"(</resources><build><item objectid="30"/></build></model>)"}});
+    const QString sentence = refusal(at(QStringLiteral("hostile.3mf")));
+    QVERIFY2(sentence.contains(QStringLiteral("cannot be read")) ||
+                 sentence.contains(QStringLiteral("million")),
+             qPrintable(sentence));
 }
 
 void ImportModelTest::truncatedFilesNeverCrash_data() {

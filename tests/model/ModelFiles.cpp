@@ -140,33 +140,41 @@ QByteArray squareGlb(const QByteArray& pngBytes) {
     return bytes;
 }
 
-void writeSquare3mf(const QString& path, const QByteArray& pngBytes) {
+void write3mf(const QString& path, const std::vector<std::pair<QString, QByteArray>>& files) {
     QuaZip zip(path);
     if (!zip.open(QuaZip::mdCreate)) {
         throw std::runtime_error("cannot write a zip");
     }
-    addEntry(zip, QStringLiteral("[Content_Types].xml"),
-             R"(<?xml version="1.0" encoding="UTF-8"?>
+    for (const auto& [name, bytes] : files) {
+        addEntry(zip, name, bytes);
+    }
+    zip.close();
+    if (zip.getZipError() != 0) {
+        throw std::runtime_error("cannot close a zip");
+    }
+}
+
+void writeSquare3mf(const QString& path, const QByteArray& pngBytes) {
+    write3mf(
+        path,
+        {{QStringLiteral("[Content_Types].xml"), R"(<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
 <Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
 <Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
 <Default Extension="png" ContentType="image/png"/>
-</Types>)");
-    addEntry(zip, QStringLiteral("_rels/.rels"),
-             R"(<?xml version="1.0" encoding="UTF-8"?>
+</Types>)"},
+         {QStringLiteral("_rels/.rels"), R"(<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
 <Relationship Target="/3D/3dmodel.model" Id="rel0"
  Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
-</Relationships>)");
-    addEntry(zip, QStringLiteral("3D/_rels/3dmodel.model.rels"),
-             R"(<?xml version="1.0" encoding="UTF-8"?>
+</Relationships>)"},
+         {QStringLiteral("3D/_rels/3dmodel.model.rels"), R"(<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
 <Relationship Target="/3D/Textures/picture.png" Id="rel1"
  Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dtexture"/>
-</Relationships>)");
-    addEntry(zip, QStringLiteral("3D/Textures/picture.png"), pngBytes);
-    addEntry(zip, QStringLiteral("3D/3dmodel.model"),
-             R"(<?xml version="1.0" encoding="UTF-8"?>
+</Relationships>)"},
+         {QStringLiteral("3D/Textures/picture.png"), pngBytes},
+         {QStringLiteral("3D/3dmodel.model"), R"(<?xml version="1.0" encoding="UTF-8"?>
 <model unit="millimeter" xml:lang="en-US"
  xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
  xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02">
@@ -184,11 +192,7 @@ void writeSquare3mf(const QString& path, const QByteArray& pngBytes) {
 </mesh></object>
 </resources>
 <build><item objectid="3"/></build>
-</model>)");
-    zip.close();
-    if (zip.getZipError() != 0) {
-        throw std::runtime_error("cannot close a zip");
-    }
+</model>)"}});
 }
 
 QByteArray squarePly(const QByteArray& pictureFile) {
@@ -209,6 +213,37 @@ end_header
 3 0 1 2
 3 0 2 3
 )";
+}
+
+QByteArray squareBinaryPly(const QByteArray& pictureFile, bool littleEndian) {
+    QByteArray bytes = QByteArray("ply\nformat binary_") + (littleEndian ? "little" : "big") +
+                       "_endian 1.0\ncomment TextureFile " + pictureFile +
+                       "\nelement vertex 4\nproperty double x\nproperty float y\n"
+                       "property float z\nproperty uchar quality\nelement face 1\n"
+                       "property list uchar int vertex_indices\n"
+                       "property list uchar float texcoord\nelement edge 1\n"
+                       "property int vertex1\nend_header\n";
+    QDataStream stream(&bytes, QIODevice::Append);
+    stream.setByteOrder(littleEndian ? QDataStream::LittleEndian : QDataStream::BigEndian);
+    const std::pair<int, int> corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const auto writeFloat = [&](int value) {
+        stream.setFloatingPointPrecision(QDataStream::SinglePrecision);
+        stream << float(value);
+    };
+    for (const auto& [x, y] : corners) {
+        stream.setFloatingPointPrecision(QDataStream::DoublePrecision);
+        stream << double(x);
+        writeFloat(y);
+        writeFloat(0);
+        stream << quint8(7);
+    }
+    stream << quint8(4) << qint32(0) << qint32(1) << qint32(2) << qint32(3) << quint8(8);
+    for (const auto& [x, y] : corners) {
+        writeFloat(x);
+        writeFloat(y);
+    }
+    stream << qint32(0);
+    return bytes;
 }
 
 } // namespace dipwright::testing

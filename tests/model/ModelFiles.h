@@ -5,6 +5,8 @@
 #include <QImage>
 #include <QString>
 
+#include <vector>
+
 namespace dipwright::testing {
 
 void writeFile(const QString& path, const QByteArray& bytes);
@@ -26,5 +28,11 @@ QByteArray squareGlb(const QByteArray& pngBytes);
 // The same square as 3MF with its picture, and as PLY that names its picture's file.
 void writeSquare3mf(const QString& path, const QByteArray& pngBytes);
 QByteArray squarePly(const QByteArray& pictureFile);
+
+// The same square as binary PLY of one quad with coordinates a corner.
+QByteArray squareBinaryPly(const QByteArray& pictureFile, bool littleEndian);
+
+// A 3MF package with these files.
+void write3mf(const QString& path, const std::vector<std::pair<QString, QByteArray>>& files);
 
 } // namespace dipwright::testing
