@@ -102,7 +102,9 @@ void PaperFilm::layFlat(const std::vector<std::uint8_t>& pinned) {
     shared_ = std::make_unique<SharedFilm>();
     shared_->film = FilmRows(rows, model_.stride);
     shared_->activity = FilmActivity(rows, model_.chunks);
+    const bool sleeps = model_.settings.relaxation == solver::Relaxation::Jacobi;
     for (int row = 0; row < rows; ++row) {
+        std::fill_n(shared_->activity.hasMoved(row), model_.chunks, std::uint8_t(!sleeps));
         const StoredRow points = shared_->film.row(row);
         std::uint8_t* freePoints = shared_->activity.freePoints(row);
         for (int column = 0; column < columns; ++column) {
@@ -113,7 +115,6 @@ void PaperFilm::layFlat(const std::vector<std::uint8_t>& pinned) {
         }
     }
     shared_->published = {shared_->film, shared_->film};
-    shared_->activity.update();
 }
 
 void PaperFilm::cutIntoBands(int threads) {
@@ -148,7 +149,6 @@ void PaperFilm::step() {
     } else {
         sweep(descent);
     }
-    shared_->activity.update();
     progress_ = {progress_.steps + 1, descent, descent >= travel};
 }
 
@@ -172,7 +172,6 @@ void PaperFilm::sweepWithSelfContact(double descent) {
     PaperPass next = passAt(descent);
     next.predicts = true;
     pass(next);
-    shared_->activity.update();
     selfContact_->find(pointsAt(descent));
     next.predicts = false;
     next.sweeps = 1;
@@ -217,6 +216,7 @@ void PaperFilm::shift(int row, int column, const pbd::Vector3<float>& move) {
 }
 
 void PaperFilm::pass(const PaperPass& pass) {
+    shared_->activity.update();
     const auto run = [&](std::size_t band) {
         const FlushDenormals flush;
         bands_[band].run(pass);

@@ -75,6 +75,8 @@ private:
 
 // Which parts of the film need work. Film at rest far from the body, and film whose points have all
 // adhered, sleeps in tiles; a tile wakes when film beside it has moved or the body has come near.
+// In one pass motion spreads by no more than a tile, so that sleep changes no bit; Gauss–Seidel
+// sweeps carry it farther, and there film at rest does not sleep.
 class FilmActivity {
 public:
     FilmActivity() = default;
@@ -88,11 +90,11 @@ public:
     const std::uint8_t* isPresent(int row) const { return &isPresent_[tile(row)]; }
     const std::uint8_t* nothing() const { return nothing_.data(); }
 
-    // Takes what has happened in a step into account for the next one.
+    // Takes what has happened in a pass into account for the next one.
     void update();
 
 private:
-    static constexpr int tileRows = 8;
+    static constexpr int tileRows = 8; // no fewer than the Jacobi sweeps of a pass
     std::size_t cell(int row, int chunk) const {
         return std::size_t(row) * std::size_t(chunks_) + std::size_t(chunk);
     }

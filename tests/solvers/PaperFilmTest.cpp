@@ -26,12 +26,16 @@ bool haveSameBits(const Ending& a, const Ending& b) {
                       });
 }
 
+std::size_t pointIndex(const solver::FilmGrid& grid, int column, int row) {
+    return std::size_t(row) * std::size_t(grid.columns) + std::size_t(column);
+}
+
 // The largest final over rest length of all horizontal and vertical constraints.
 double largestStretch(const Ending& end, const solver::FilmGrid& grid) {
     double largest = 0;
     for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {
-            const auto point = std::size_t(row * grid.columns + column);
+            const auto point = pointIndex(grid, column, row);
             if (column + 1 < grid.columns) {
                 largest = std::max(largest, length(end.position(point + 1) - end.position(point)) /
                                                 grid.spacingX());
@@ -81,7 +85,7 @@ void PaperFilmTest::nothingMovesBeforeContact() {
     QCOMPARE(adheredCount(end), std::size_t(0));
     for (int row = 0; row < setup.film.rows; ++row) {
         for (int column = 0; column < setup.film.columns; ++column) {
-            const auto place = end.position(std::size_t(row * setup.film.columns + column));
+            const auto place = end.position(pointIndex(setup.film, column, row));
             QCOMPARE(float(place.x), float(-105 + column * setup.film.spacingX()));
             QCOMPARE(float(place.y), 0.0f);
             QCOMPARE(float(place.z), float(-148.5 + row * setup.film.spacingZ()));
