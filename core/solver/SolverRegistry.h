@@ -3,7 +3,8 @@
 // A plugin is a loadable module with a metadata file of the same base name beside it:
 //   pbd-cpu.json   {"format":"dipwright-solver","interface":1,"id":"pbd-cpu","name":…,"version":…,
 //                   "device":"cpu|gpu","vendor":…,"module":"pbd-cpu.so","priority":10}
-// The metadata is read before any of the module's code runs; a module is loaded when first asked for.
+// The metadata is read before any of the module's code runs; a module is loaded when first asked
+// for.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -18,9 +19,9 @@ namespace dipwright {
 struct SolverInfo {
     QString id, name, version, device, vendor;
     QString modulePath, metadataPath;
-    int priority = 0;      // "auto" takes the available one with the highest
+    int priority = 0; // "auto" takes the available one with the highest
     bool available = false;
-    QString reason;        // a sentence, where not available
+    QString reason; // a sentence, where not available
 };
 
 class SolverRegistry {

@@ -9,8 +9,8 @@ namespace dipwright::cpu {
 namespace {
 
 constexpr int arraysPerWorkingRow = 4;
-// Film that has moved at all wakes the film beside it. The film's motion is so sensitive that even a
-// millionth of a millimetre left out would be seen at the end; with this, sleep changes no bit.
+// Film that has moved at all wakes the film beside it. The film's motion is so sensitive that even
+// a millionth of a millimetre left out would be seen at the end; with this, sleep changes no bit.
 constexpr float wakeDistance = 0;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
