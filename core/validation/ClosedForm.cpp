@@ -8,7 +8,7 @@
 
 namespace dipwright {
 
-Profile sphereProfile(double radius, double polarAngle) {
+Meridian sphereMeridian(double radius, double polarAngle) {
     return {[radius](double arc) { return radius * std::sin(arc / radius); },
             [radius](double distance, double height) {
                 return radius * std::atan2(distance, radius - height);
@@ -16,7 +16,7 @@ Profile sphereProfile(double radius, double polarAngle) {
             radius * polarAngle, radius * (1 - std::cos(polarAngle))};
 }
 
-Profile spheroidProfile(double across, double along, double parameter) {
+Meridian spheroidMeridian(double across, double along, double parameter) {
     // Arc length by the parameter t of (across·sin t, along·(1 − cos t)), Simpson's rule.
     constexpr int samples = 20000;
     const double last = pi / 2, width = last / samples;
@@ -49,14 +49,14 @@ Profile spheroidProfile(double across, double along, double parameter) {
             arcOf(parameter), along * (1 - std::cos(parameter))};
 }
 
-Profile coneProfile(double halfAngle, double contactRadius) {
+Meridian coneMeridian(double halfAngle, double contactRadius) {
     const double sine = std::sin(halfAngle);
     return {[sine](double arc) { return arc * sine; },
             [](double distance, double height) { return std::hypot(distance, height); },
             contactRadius / sine, contactRadius / std::tan(halfAngle)};
 }
 
-ClosedForm::ClosedForm(const Profile& profile, FilmLaw law, double ringRadius) {
+ClosedForm::ClosedForm(const Meridian& profile, FilmLaw law, double ringRadius) {
     const std::size_t samples = std::size_t(std::ceil(profile.fullArc / 0.001)) + 1;
     step_ = profile.fullArc / double(samples - 1);
     const double ring = ringRadius * ringRadius;

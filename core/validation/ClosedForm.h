@@ -11,17 +11,17 @@ namespace dipwright {
 // A body of revolution about Y that stands on its pole at (0, 0): its radius by the arc length from
 // the pole, and the arc length of a surface point from its distance from the axis and height over
 // the pole. mm.
-struct Profile {
+struct Meridian {
     std::function<double(double arc)> radius;
     std::function<double(double radius, double height)> arc;
     double fullArc = 0;   // as far as the comparison goes
     double fullDepth = 0; // how deep the pole is then
 };
-Profile sphereProfile(double radius, double polarAngle);
+Meridian sphereMeridian(double radius, double polarAngle);
 // Half-axes across (`across`) and along Y, to the polar parameter `parameter` (radians, π/2:
 // equator).
-Profile spheroidProfile(double across, double along, double parameter);
-Profile coneProfile(double halfAngle, double contactRadius);
+Meridian spheroidMeridian(double across, double along, double parameter);
+Meridian coneMeridian(double halfAngle, double contactRadius);
 
 enum class FilmLaw { Elastic, Viscous };
 
@@ -32,7 +32,7 @@ enum class FilmLaw { Elastic, Viscous };
 // Ro: the radius of the ring that holds the film. As Ro grows these become the forms of §3.
 class ClosedForm {
 public:
-    ClosedForm(const Profile& profile, FilmLaw law, double ringRadius);
+    ClosedForm(const Meridian& profile, FilmLaw law, double ringRadius);
     double filmRadius(double arc) const; // linear between samples 0.001 mm apart or less
 
 private:

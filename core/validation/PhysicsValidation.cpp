@@ -163,7 +163,7 @@ private:
 
 struct Revolution {
     QString name;
-    Profile profile;
+    Meridian profile;
     TriangleMesh mesh;
     double firstCell; // comparison from so many cells off the pole
     bool isCone;
@@ -173,16 +173,16 @@ std::vector<Revolution> bodiesOfRevolution() {
     constexpr int rings = 360, segments = 720;
     std::vector<Revolution> bodies;
     const double angle = radians(Degrees(80)), rho = contactRadius / std::sin(angle);
-    bodies.push_back({tr("Sphere to 80°"), sphereProfile(rho, angle),
+    bodies.push_back({tr("Sphere to 80°"), sphereMeridian(rho, angle),
                       sphereMesh(rho, rings, segments), 3, false});
     for (const double along : {0.6, 1.4}) {
         bodies.push_back({along < 1 ? tr("Flat spheroid 1 : 0.6") : tr("Long spheroid 1 : 1.4"),
-                          spheroidProfile(rho, along * rho, angle),
+                          spheroidMeridian(rho, along * rho, angle),
                           ellipsoidMesh({rho, along * rho, rho}, rings, segments), 3, false});
     }
     for (const int degrees : {30, 45, 60, 75}) {
         const double half = radians(Degrees(degrees));
-        bodies.push_back({tr("Cone of %1°").arg(degrees), coneProfile(half, contactRadius),
+        bodies.push_back({tr("Cone of %1°").arg(degrees), coneMeridian(half, contactRadius),
                           coneMesh(half, contactRadius * 1.05 / std::tan(half), segments), 10,
                           true});
     }
