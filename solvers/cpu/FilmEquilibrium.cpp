@@ -10,8 +10,9 @@ namespace dipwright::cpu {
 
 namespace {
 
-constexpr int maximumNewtonSteps = 12;
-constexpr int maximumConjugateSteps = 60;
+constexpr int maximumNewtonSteps = 8;
+constexpr int maximumConjugateSteps = 40;
+constexpr int maximumShortenings = 6;
 
 DIPWRIGHT_SIMD_CLONES
 void addScaled(std::size_t count, float factor, const float* a, float* out) {
@@ -42,10 +43,12 @@ void multiplyBy(std::size_t count, const float* a, float* out) {
 FilmEquilibrium::FilmEquilibrium(const solver::FilmGrid& grid)
     : film_(grid), multigrid_(grid), free_(grid.pointCount(), 1.f), gradient_(grid.pointCount()),
       step_(grid.pointCount()), residual_(grid.pointCount()), preconditioned_(grid.pointCount()),
-      direction_(grid.pointCount()), product_(grid.pointCount()) {}
+      direction_(grid.pointCount()), product_(grid.pointCount()), start_(grid.pointCount()),
+      longestStep_(2 * std::max(grid.spacingX(), grid.spacingZ())) {}
 
 void FilmEquilibrium::setFree(const std::vector<float>& free) {
     free_ = free;
+    film_.setFree(free);
     multigrid_.setFree(free);
 }
 
@@ -63,13 +66,15 @@ void FilmEquilibrium::maskHeld(PlaneVector& v) const {
     multiplyBy(v.size(), free_.data(), v.z.data());
 }
 
-// Solves Hessian · step_ = −gradient_ to a residual of `tolerance`.
+// Solves Hessian · step_ = −gradient_ to a residual of `tolerance`, or as far as it goes: crossing
+// triangles make the Hessian slightly unsymmetric.
 void FilmEquilibrium::conjugateGradients(double tolerance) {
     const std::size_t count = step_.size();
     std::fill(step_.x.begin(), step_.x.end(), 0.f);
     std::fill(step_.z.begin(), step_.z.end(), 0.f);
     residual_ = gradient_;
     double before = 0;
+    const double start = std::sqrt(dot(residual_, residual_));
     for (int iteration = 0; iteration < maximumConjugateSteps; ++iteration) {
         ++work_.conjugateSteps;
         multigrid_.apply(residual_, preconditioned_);
@@ -84,7 +89,7 @@ void FilmEquilibrium::conjugateGradients(double tolerance) {
         film_.hessian(direction_, product_);
         maskHeld(product_);
         const double curvature = dot(direction_, product_);
-        if (!(curvature > 0)) {
+        if (!(curvature > 1e-6 * now)) {
             return;
         }
         const float length = float(now / curvature);
@@ -92,32 +97,64 @@ void FilmEquilibrium::conjugateGradients(double tolerance) {
         addScaled(count, -length, direction_.z.data(), step_.z.data());
         addScaled(count, -length, product_.x.data(), residual_.x.data());
         addScaled(count, -length, product_.z.data(), residual_.z.data());
-        if (std::sqrt(dot(residual_, residual_)) <= tolerance) {
+        const double left = std::sqrt(dot(residual_, residual_));
+        if (left <= tolerance || !(left < 10 * start)) {
             return;
         }
     }
+}
+
+double FilmEquilibrium::force(const PlaneVector& displacement, double& elastic) {
+    elastic = film_.gradient(displacement, gradient_);
+    maskHeld(gradient_);
+    return std::sqrt(dot(gradient_, gradient_));
+}
+
+// Adds step_ to `displacement`, shortened until the forces do not grow. Returns the force then, and
+// leaves `displacement` as it was if no length helps.
+double FilmEquilibrium::advance(PlaneVector& displacement, double before, double& elastic) {
+    float longest = 0;
+    for (std::size_t point = 0; point < step_.size(); ++point) {
+        longest = std::max({longest, std::abs(step_.x[point]), std::abs(step_.z[point])});
+    }
+    if (!std::isfinite(longest)) {
+        return before;
+    }
+    double length = std::min(1.0, longestStep_ / std::max(double(longest), 1e-30));
+    start_ = displacement;
+    for (int attempt = 0; attempt < maximumShortenings; ++attempt) {
+        displacement = start_;
+        addScaled(displacement.size(), float(length), step_.x.data(), displacement.x.data());
+        addScaled(displacement.size(), float(length), step_.z.data(), displacement.z.data());
+        const double after = force(displacement, elastic);
+        if (after <= before * (1 - 0.1 * length)) {
+            return after;
+        }
+        length /= 2;
+    }
+    displacement = start_;
+    return before;
 }
 
 double FilmEquilibrium::solve(PlaneVector& displacement, double residual) {
     const FlushDenormals flush;
     // Below this the film is flat and whole to the precision of its numbers.
     const double floor = 1e-6 * std::sqrt(double(displacement.size()));
-    double ratio = 0;
+    double elastic = 0, now = force(displacement, elastic);
     for (int iteration = 0; iteration < maximumNewtonSteps; ++iteration) {
-        const double elastic = film_.gradient(displacement, gradient_);
-        maskHeld(gradient_);
-        const double force = std::sqrt(dot(gradient_, gradient_));
         const double allowed = std::max(residual * elastic, floor);
-        ratio = elastic > 0 ? force / elastic : 0;
-        if (force <= allowed) {
+        if (now <= allowed) {
             break;
         }
         ++work_.newtonSteps;
-        conjugateGradients(std::max(0.5 * allowed, 0.02 * force));
-        addScaled(displacement.size(), 1, step_.x.data(), displacement.x.data());
-        addScaled(displacement.size(), 1, step_.z.data(), displacement.z.data());
+        conjugateGradients(std::max(0.5 * allowed, 0.02 * now));
+        const double before = now;
+        now = advance(displacement, before, elastic);
+        if (!(now < before)) {
+            break;
+        }
     }
-    return ratio;
+    return elastic > 0 ? now / elastic : 0;
 }
 
 } // namespace dipwright::cpu

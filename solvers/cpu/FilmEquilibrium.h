@@ -24,6 +24,10 @@ public:
         film_.moveCrossing(std::move(triangles));
     }
 
+    std::vector<std::size_t> tornCrossing(const PlaneVector& displacement, double limit) const {
+        return film_.tornCrossing(displacement, limit);
+    }
+
     // Moves the free points of `displacement` until the forces left on them are `residual` times
     // the elastic forces in the film (both as root of the sum of squares). Returns the ratio
     // reached.
@@ -37,14 +41,17 @@ public:
     const Work& work() const { return work_; }
 
 private:
+    double force(const PlaneVector& displacement, double& elastic);
     void conjugateGradients(double tolerance);
+    double advance(PlaneVector& displacement, double before, double& elastic);
     double dot(const PlaneVector& a, const PlaneVector& b) const;
     void maskHeld(PlaneVector& v) const;
 
     PlaneFilm film_;
     PlaneMultigrid multigrid_;
     std::vector<float> free_;
-    PlaneVector gradient_, step_, residual_, preconditioned_, direction_, product_;
+    PlaneVector gradient_, step_, residual_, preconditioned_, direction_, product_, start_;
+    double longestStep_; // mm that a point moves at most in one Newton step
     Work work_;
 };
 

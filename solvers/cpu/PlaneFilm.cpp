@@ -244,6 +244,7 @@ PlaneFilm::PlaneFilm(const solver::FilmGrid& grid)
         state.sine.assign(cells, 0.f);
         state.turn.assign(cells, -1.f);
     }
+    moving_[0] = moving_[1] = std::vector<float>(cells, 1.f);
     crept_.assign(std::size_t(rows_ - 1), 0);
     for (TriangleArrays& shape : inverseShape_) {
         shape.a.assign(cells, inverseX_);
@@ -276,6 +277,39 @@ Matrix2<float> PlaneFilm::wholeGradient(const Crossing& triangle,
                              1 / inverseX_, 1 / inverseZ_),
                    triangle);
     return gradientOf(edges, inverseShape(triangle.cell, triangle.second));
+}
+
+void PlaneFilm::setFree(const std::vector<float>& free) {
+    const std::size_t width = std::size_t(columns_), cells = width - 1;
+    for (std::size_t j = 0; j + 1 < std::size_t(rows_); ++j) {
+        const float* lower = free.data() + j * width;
+        const float* upper = lower + width;
+        for (std::size_t i = 0; i < cells; ++i) {
+            const std::size_t right = i + 1, odd = (i + j) & 1;
+            moving_[0][j * cells + i] = std::max({lower[i], lower[right], upper[odd ? i : right]});
+            moving_[1][j * cells + i] = std::max({upper[i], upper[right], lower[odd ? right : i]});
+        }
+    }
+}
+
+std::vector<std::size_t> PlaneFilm::tornCrossing(const PlaneVector& displacement,
+                                                 double limit) const {
+    const std::size_t cells = std::size_t(columns_ - 1);
+    std::vector<std::size_t> torn;
+    for (std::size_t k = 0; k < crossing_.size(); ++k) {
+        const Crossing& triangle = crossing_[k];
+        const RowOfPoints points =
+            rowOfPoints(displacement, std::size_t(columns_), int(triangle.cell / cells));
+        const CellEdges e =
+            withOffset(cellEdges(points, triangle.cell % cells, triangle.second,
+                                 triangle.thirdOnRight, 1 / inverseX_, 1 / inverseZ_),
+                       triangle);
+        const double area = double(e.hx * e.vz - e.hz * e.vx) * double(inverseX_ * inverseZ_);
+        if (!triangle.released && area > limit) {
+            torn.push_back(k);
+        }
+    }
+    return torn;
 }
 
 void PlaneFilm::setCrossing(std::vector<Crossing> triangles, const PlaneVector& displacement) {
@@ -342,8 +376,11 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
                       pbd::crossingForces(triangle, P, inverseShape(triangle.cell, second), area_));
         }
         if (owned) {
-            squares[std::size_t(j)] =
-                rowDot(forces.storage.data(), forces.storage.data(), 8 * cells);
+            for (const int which : {firstX, firstZ, secondX, secondZ}) {
+                const std::vector<float>& moving = moving_[which == secondX || which == secondZ];
+                squares[std::size_t(j)] +=
+                    rowWeightedSquares(moving.data() + first, forces.array(which), cells);
+            }
         }
     });
     double sum = 0;

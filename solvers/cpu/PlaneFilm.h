@@ -21,6 +21,9 @@ public:
 
     explicit PlaneFilm(const solver::FilmGrid& grid);
 
+    // One entry a film point: 1 where it moves, 0 where it is held.
+    void setFree(const std::vector<float>& free);
+
     // The triangles that cross the contact line from now on, sorted by cell; their floating parts
     // have the gradient that they have now.
     void setCrossing(std::vector<Crossing> triangles, const PlaneVector& displacement);
@@ -28,12 +31,17 @@ public:
     void moveCrossing(std::vector<Crossing> triangles);
 
     // The gradient of the energy at `displacement` (from rest, mm), kept as the point at which
-    // hessian() is taken. Returns the root of the sum of squares of all edge forces, the measure
-    // against which a residual counts as small.
+    // hessian() is taken. Returns the root of the sum of squares of the forces on
+    // horizontal edges, the measure
+    // against which a residual counts as small; triangles without a free corner do not count.
     double gradient(const PlaneVector& displacement, PlaneVector& result);
 
     // The Hessian, made positive semi-definite, times `direction`.
     void hessian(const PlaneVector& direction, PlaneVector& result) const;
+
+    // The crossing triangles that are stretched to more than `limit` times their area before the
+    // dip, as indices into the list that was set.
+    std::vector<std::size_t> tornCrossing(const PlaneVector& displacement, double limit) const;
 
     // Ends a step: lets the stretch of all triangles decay by `keep`, rest shapes creeping to
     // current ones (PlaneStress.h), and makes the floating part of a crossing triangle stand for
@@ -65,7 +73,8 @@ private:
     std::vector<std::uint8_t> crept_; // a row of cells each: 0 where all rest shapes are the same
     TriangleArrays inverseShape_[2];
     States state_[2];
-    std::vector<Crossing> crossing_;                  // sorted by cell
+    std::vector<float> moving_[2];   // first and second triangles: 1 where a corner is free
+    std::vector<Crossing> crossing_; // sorted by cell
     std::vector<pbd::CrossingAnchor<float>> anchors_; // of crossing_
     std::vector<std::size_t> firstCrossing_;          // of each row of cells, and the end
 };

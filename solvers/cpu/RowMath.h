@@ -8,4 +8,7 @@ namespace dipwright::cpu {
 
 double rowDot(const float* a, const float* b, std::size_t count);
 
+// Σ weight·a².
+double rowWeightedSquares(const float* weight, const float* a, std::size_t count);
+
 } // namespace dipwright::cpu

@@ -34,7 +34,7 @@ public:
           settings_(setup.settings), equilibrium_(setup.film), displacement_(grid_.pointCount()),
           before_(grid_.pointCount()), states_(grid_.pointCount(), solver::PointState::Free),
           attached_(grid_.pointCount()), free_(grid_.pointCount(), 1.f),
-          clearance_(grid_.pointCount(), Real(0)),
+          clearance_(grid_.pointCount(), Real(0)), holding_(trianglesPerPoint(grid_)),
           released_(2 * std::size_t(grid_.columns - 1) * std::size_t(grid_.rows - 1), 0) {
         for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
             free_[point] = setup.pinned[point] ? 0.f : 1.f;
@@ -83,16 +83,22 @@ private:
         const BodyFrame<Real> frame = bodyFrame<Real>(motion_, descent_ + increment);
         predict(increment);
         if (anyAdhered_) {
-            equilibrium_.moveCrossing(crossingTriangles(frame));
+            const std::vector<CrossingTriangle<Real>> crossing = crossingTriangles(frame);
+            equilibrium_.moveCrossing(crossing);
             equilibrium_.solve(displacement_, settings_.residual);
+            for (const std::size_t torn :
+                 equilibrium_.tornCrossing(displacement_, settings_.tearStretch)) {
+                release(crossing[torn].cell, crossing[torn].second);
+            }
             equilibrium_.relax(displacement_, keptStress(increment));
         }
         const std::vector<std::size_t> touching = touchingPoints(increment, frame);
         for (const std::size_t point : touching) {
             adhere(point, increment);
         }
-        if (!touching.empty()) {
+        if (!touching.empty() || freeChanged_) {
             anyAdhered_ = true;
+            freeChanged_ = false;
             equilibrium_.setFree(free_);
         }
         if (anyAdhered_) {
@@ -129,14 +135,16 @@ private:
         return double(nearest);
     }
 
+    Real limited(Real way) const { return std::clamp(way, -cell(), cell()); }
+
     // Free points go on as in the step before: the warm start of the equilibrium.
     void predict(double increment) {
-        const Real factor = increment_ > 0 ? Real(increment / increment_) : Real(0);
+        const Real factor = increment_ > 0 && driven_ ? Real(increment / increment_) : Real(0);
         for (std::size_t point = 0; point < states_.size(); ++point) {
             const Real x = displacement_.x[point], z = displacement_.z[point];
             if (free_[point] > 0) {
-                displacement_.x[point] += factor * (x - before_.x[point]);
-                displacement_.z[point] += factor * (z - before_.z[point]);
+                displacement_.x[point] += limited(factor * (x - before_.x[point]));
+                displacement_.z[point] += limited(factor * (z - before_.z[point]));
             }
             before_.x[point] = x;
             before_.z[point] = z;
@@ -144,13 +152,50 @@ private:
     }
 
     TriangleCorners corners(int column, int row, bool second) const {
+        return corners(grid_, column, row, second);
+    }
+    static TriangleCorners corners(const solver::FilmGrid& grid, int column, int row, bool second) {
         const bool even = (column + row) % 2 == 0;
         const bool onRight = even != second;
-        const std::size_t columns = std::size_t(grid_.columns);
+        const std::size_t columns = std::size_t(grid.columns);
         const std::size_t lower = std::size_t(row) * columns + std::size_t(column);
         const std::size_t base = second ? lower + columns : lower;
         const std::size_t other = (second ? lower : lower + columns) + (onRight ? 1 : 0);
         return {base, base + 1, other, onRight, !second};
+    }
+
+    // Takes a triangle out of the film for good. A free point that no triangle holds any more stays
+    // where it is: nothing says where it should go.
+    void release(std::uint32_t cellIndex, bool second) {
+        std::uint8_t& released = released_[2 * std::size_t(cellIndex) + second];
+        if (released) {
+            return;
+        }
+        released = 1;
+        const int cells = grid_.columns - 1;
+        const TriangleCorners c = corners(int(cellIndex) % cells, int(cellIndex) / cells, second);
+        for (const std::size_t point : {c.left, c.right, c.third}) {
+            if (--holding_[point] == 0 && free_[point] > 0) {
+                free_[point] = 0.f;
+                freeChanged_ = true;
+            }
+        }
+    }
+
+    // How many triangles meet in each point.
+    static std::vector<std::uint8_t> trianglesPerPoint(const solver::FilmGrid& grid) {
+        std::vector<std::uint8_t> counts(grid.pointCount(), 0);
+        for (int row = 0; row + 1 < grid.rows; ++row) {
+            for (int column = 0; column + 1 < grid.columns; ++column) {
+                for (const bool second : {false, true}) {
+                    const TriangleCorners c = corners(grid, column, row, second);
+                    for (const std::size_t point : {c.left, c.right, c.third}) {
+                        ++counts[point];
+                    }
+                }
+            }
+        }
+        return counts;
     }
 
     // Unfolds the surface under every triangle that crosses the contact line. Where there is no
@@ -158,6 +203,7 @@ private:
     std::vector<CrossingTriangle<Real>> crossingTriangles(const BodyFrame<Real>& frame) {
         std::vector<CrossingTriangle<Real>> crossing;
         steepness_ = Real(1);
+        driven_ = false;
         const auto isAdhered = [&](std::size_t point) {
             return states_[point] != solver::PointState::Free;
         };
@@ -204,11 +250,18 @@ private:
         const ContactLine<Real> line = contactLine(field_, frame, contactDistance, cell(),
                                                    adhered * (Real(1) / Real(adheredCount)),
                                                    free * (Real(1) / Real(3 - adheredCount)));
-        std::uint8_t& hasReleased = released_[2 * std::size_t(cellIndex) + (second ? 1 : 0)];
-        released = released || hasReleased || line.upwards > Real(std::sin(settings_.overhang));
-        hasReleased = released;
+        const bool turnsUp = released || line.upwards > Real(std::sin(settings_.overhang));
+        released = turnsUp || released_[2 * std::size_t(cellIndex) + second] != 0;
+        if (turnsUp) { // the softened film stays on the water where it is
+            release(cellIndex, second);
+            for (const std::size_t point : points) {
+                freeChanged_ = freeChanged_ || free_[point] > 0;
+                free_[point] = 0.f;
+            }
+        }
         if (!released) {
             steepness_ = std::min(steepness_, line.steepness);
+            driven_ = true;
         }
         Vector3<Real> offset[3];
         Real distance[3]; // from the contact line: along the surface, or across the water
@@ -328,11 +381,14 @@ private:
     std::vector<Vector3<Real>> attached_; // where an adhered point sits, body coordinates
     std::vector<float> free_;             // 1: the equilibrium moves it
     std::vector<Real> clearance_;         // how far from contact a free point is at least
+    std::vector<std::uint8_t> holding_;   // triangles of a point that have not come off
     std::vector<std::uint8_t> released_; // two triangles a cell: 1 once the film has come off there
     Real steepness_ = Real(1);           // the least of all contact-line places
     double descent_ = 0, increment_ = 0;
     std::int64_t steps_ = 0;
     bool anyAdhered_ = false;
+    bool driven_ = false;      // the contact line still pulls at the film
+    bool freeChanged_ = false; // free_ is newer than what the equilibrium knows
 };
 
 } // namespace dipwright::pbd

@@ -90,6 +90,7 @@ struct Settings {
     // Film holds on faces that turn upwards by no more than this, radians from the vertical. Past it
     // the film is caught (PointState::Trapped) but neither painted nor pulled along.
     double overhang = 0.35;
+    double tearStretch = 4; // film stretched to more than this many times its area tears
     int threads = 0; // 0: all the host has
 };
 
