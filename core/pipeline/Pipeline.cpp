@@ -24,12 +24,9 @@ constexpr double dipDone = 0.7; // of an immersion
 constexpr double contactDone = 0.8;
 constexpr double textureDone = 0.9;
 
-// The part of the process that the dip itself depends on; the rest judges the film afterwards.
+// Which solver computes is told by the solver itself, and a change from "auto" to its name is none.
 ProcessSettings dipInputs(ProcessSettings process) {
-    const ProcessSettings standard;
-    process.tearStretch = standard.tearStretch;
-    process.overhang = standard.overhang;
-    process.solver = standard.solver;
+    process.solver.clear();
     return process;
 }
 
@@ -90,7 +87,7 @@ private:
         } else {
             now.film = dip(index, now, fieldProgress, progress.part(0, dipDone));
         }
-        if (old && now.film == old->film && previous_->project.process == project_.process) {
+        if (old && now.film == old->film) {
             now.contact = old->contact;
             now.coverage = old->coverage;
             now.registration = old->registration;
