@@ -9,9 +9,9 @@ namespace dipwright {
 
 namespace {
 
-// Shares of a film triangle's longest edge that its middle may lie off the surface. Outside the
-// body it spans a hollow that the film does not follow; inside, it goes round an edge of the body,
-// up to where it would go through the body.
+// Shares of an edge's length that its middle may lie off the surface. Outside the body it spans a
+// hollow that the film does not follow, which a long edge does not make any shallower; inside, it
+// goes round an edge of the body, up to where it would go through the body.
 constexpr float spannedHollow = 0.15f;
 constexpr float cutEdge = 0.5f;
 // Twice the area over the longest edge squared, of film so folded that it has no side.
@@ -20,9 +20,13 @@ constexpr float flat = 1e-3f;
 constexpr float turnedAway = 0.1f;    // film against the face it lies on
 constexpr float foldedAcross = -0.9f; // two faces under one film triangle
 
+float cellSize(const solver::FilmGrid& grid) {
+    return float(std::max(grid.spacingX(), grid.spacingZ()));
+}
+
 // The farthest an adhered point may be from the surface that it touches: half a film cell.
 float contactReach(const solver::FilmGrid& grid) {
-    return float(std::max(grid.spacingX(), grid.spacingZ()) / 2);
+    return cellSize(grid) / 2;
 }
 
 SurfacePoint surfacePoint(const Eigen::Vector3f& position, const Eigen::Vector3f& filmNormal,
@@ -74,9 +78,10 @@ std::vector<SurfacePoint> locatePoints(const DippedFilm& film, const SurfaceQuer
 class PaintTest {
 public:
     PaintTest(const PosedBody& body, const SurfaceQuery& query,
-              const std::vector<SurfacePoint>& surface, const ProcessSettings& process)
+              const std::vector<SurfacePoint>& surface, const ProcessSettings& process, float cell)
         : mesh_(body.model.mesh), query_(query), surface_(surface),
-          steepest_(float(std::sin(radians(process.overhang)))) {}
+          steepest_(float(std::sin(radians(process.overhang)))),
+          deepest_(float(touchedHollow) * cell) {}
 
     bool isPainted(const FilmTriangle& triangle) const {
         return std::all_of(triangle.begin(), triangle.end(),
@@ -124,13 +129,14 @@ private:
         const ClosestPoint under = query_.closest(place, length);
         const bool outside =
             under.point.isValid() && (position(mesh_, under.point) - place).dot(intoBody) > 0;
-        return outside && under.distance > spannedHollow * length;
+        return outside && under.distance > std::min(spannedHollow * length, deepest_);
     }
 
     const TriangleMesh& mesh_;
     const SurfaceQuery& query_;
     const std::vector<SurfacePoint>& surface_;
     float steepest_;
+    float deepest_;
 };
 
 // Film drawn out in one direction tears too, however much it shrinks across.
@@ -159,7 +165,7 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const Surf
 
     const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
     const std::vector<PrincipalStretch> stretches = principalStretches(film);
-    const PaintTest test(body, query, contact.surface, process);
+    const PaintTest test(body, query, contact.surface, process, cellSize(film.grid));
     contact.painted.resize(triangles.size());
     contact.torn.resize(triangles.size());
     tbb::parallel_for(std::size_t(0), triangles.size(), [&](std::size_t triangle) {

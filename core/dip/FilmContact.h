@@ -18,6 +18,10 @@ struct FilmContact {
     std::size_t filledCount = 0;    // points that were filled
 };
 
+// Hollows up to this deep, in film cells, count as touched by the film that spans them; the film's
+// grid cannot tell better.
+inline constexpr double touchedHollow = 0.3;
+
 // Finds the surface point of every adhered film point: the nearest one along the film's normal, or
 // the closest one where that ray goes astray. A point that has none is filled from its neighbours
 // where it has some on both sides, along the rows and along the columns. A film triangle is painted

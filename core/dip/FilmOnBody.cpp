@@ -105,7 +105,8 @@ bool FilmOnBody::locate(const SurfacePoint& point, Eigen::Vector2f& rest,
         return false;
     }
     const Eigen::Vector3f offset = place - position(data_->painted, found.point);
-    if (data_->isBeyondBorder(found.point, offset, outward)) {
+    const bool deepInAHollow = offset.dot(outward) < -float(touchedHollow) * data_->reach;
+    if (deepInAHollow || data_->isBeyondBorder(found.point, offset, outward)) {
         return false;
     }
     triangle = data_->filmTriangle[found.point.triangle];
