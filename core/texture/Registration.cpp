@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dipwright {
 
@@ -87,12 +88,19 @@ FilmPlace filmPlace(const solver::FilmGrid& grid, const FilmTriangle& corners,
 // How far from `wanted` on the body, in mm, that belongs what the film shows there.
 float errorAt(const TexturedMesh& model, const ReverseMap& map, const SurfacePoint& wanted,
               const FilmPlace& place) {
+    const Eigen::Vector3f at = position(model.mesh, wanted);
     const SurfacePoint carried = map.surface(place);
     const TexturePlace shown = map.texture(place);
-    const bool sameChart = model.chart[shown.bodyTriangle] == model.chart[carried.triangle];
-    const auto belongs =
-        map.showing(shown.coordinate, sameChart ? carried.triangle : shown.bodyTriangle);
-    return (belongs.value_or(position(model.mesh, carried)) - position(model.mesh, wanted)).norm();
+    float error = std::numeric_limits<float>::infinity();
+    // Read off both triangles near by: in one that has next to no area on the texture, distances on
+    // the body cannot be told from it.
+    for (const std::uint32_t triangle : {carried.triangle, shown.bodyTriangle}) {
+        const auto belongs = map.showing(shown.coordinate, triangle);
+        if (belongs && model.chart[triangle] == model.chart[shown.bodyTriangle]) {
+            error = std::min(error, (*belongs - at).norm());
+        }
+    }
+    return std::isfinite(error) ? error : (position(model.mesh, carried) - at).norm();
 }
 
 } // namespace
