@@ -6,6 +6,7 @@
 
 #include "base/Units.h"
 #include "film/FilmSettings.h"
+#include "sheet/PrinterColour.h"
 
 #include <QByteArray>
 #include <QJsonObject>
@@ -15,9 +16,6 @@
 #include <variant>
 
 namespace dipwright {
-
-// How colours are carried into the printer's space (ICC.1, rendering intents).
-enum class RenderingIntent { Perceptual, RelativeColorimetric, Saturation, AbsoluteColorimetric };
 
 struct PrinterProfile {
     QString name;

@@ -13,6 +13,8 @@
 
 namespace dipwright {
 
+class PrinterColour;
+
 // The project file's "sheet".
 struct SheetSettings {
     QString paper = QStringLiteral("film"); // film (the page is the film), A4, A3, Letter, custom
@@ -35,10 +37,12 @@ struct JobLine {
 
 // A film image at its printed size with what is printed round it.
 struct Sheet {
-    QImage image; // the film's printed size at `resolution`, ink side up
+    QImage image;                                // ink side up, the film's printed size, sRGB
     Millimetres filmWidth{210}, filmHeight{297}; // printed size
     SheetSettings settings;
     JobLine job;
+    // Of marks, ruler and job line from the page's edge; more where a printer reaches less.
+    Millimetres clearance{3};
 };
 
 // Pixels of a film image at true size: A4 at 300 dpi is 2480 × 3508. Throws Error past 32,000
@@ -51,10 +55,27 @@ QImage flattened(const QImage& filmImage);
 // Draws the whole page with a painter whose unit is the millimetre and whose origin is the page's
 // upper left corner: used by the PDF, the printer and the preview.
 void paintSheet(QPainter& painter, const Sheet& sheet);
-// PNG with resolution and sRGB profile. Unprinted is white. Throws Error when not writable.
+// PNG of the film with resolution and sRGB profile. Unprinted is white. Throws Error when not
+// writable.
 void writeSheetPng(const Sheet& sheet, QIODevice& device);
-// PDF at true size, the image stored without loss, sRGB as output intent, viewers asked not to
-// scale. Same bytes for the same sheet. Throws Error when not writable.
-void writeSheetPdf(const Sheet& sheet, QIODevice& device);
+
+// What stands between the sheet and true size and colour on one printer's paper.
+struct PrintCorrection {
+    // Printed length over true length, measured; the page is drawn smaller by these about its
+    // middle, and comes out true.
+    double scaleX = 1, scaleY = 1;
+    const PrinterColour* colour = nullptr; // not owned; null: sRGB
+};
+
+// PDF at true size, the image stored without loss, viewers asked not to scale, with the colour's
+// space as output intent. A colour in CMYK is refused: PDF pages are written in RGB, TIFF takes it.
+// Same bytes for the same sheet. Throws Error when not writable.
+void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
+
+// TIFF of the whole page, for raster image processors: RGB, or CMYK where the colour is in CMYK,
+// with resolution and ICC profile, compressed without loss. The film image is moved to whole pixels
+// and not resampled. Scales are not corrected. Same bytes for the same sheet. Throws Error when not
+// writable.
+void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrinterColour* colour = nullptr);
 
 } // namespace dipwright

@@ -16,7 +16,6 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
 };
 
-constexpr double edgeClearance = 3;  // mm from the page's edge that any printer reaches
 constexpr double stripClearance = 2; // mm between two things
 constexpr double jobLineDepth = 3.5;
 constexpr double jobLineType = 2.2;
@@ -81,14 +80,14 @@ private:
 // Finds places along the page's edges for strips that neither meet each other nor the paint.
 class Places {
 public:
-    Places(QSizeF page, const Paint& paint, const std::vector<SheetMark>& marks)
-        : page_(page), paint_(paint) {
+    Places(QSizeF page, double clearance, const Paint& paint, const std::vector<SheetMark>& marks)
+        : page_(page), clearance_(clearance), paint_(paint) {
         for (const SheetMark& mark : marks) {
             taken_.push_back(mark.box());
         }
     }
 
-    double longest() const { return std::max(page_.width(), page_.height()) - 2 * edgeClearance; }
+    double longest() const { return std::max(page_.width(), page_.height()) - 2 * clearance_; }
 
     // Edges in the order of preference: 0 top, 1 right, 2 bottom, 3 left.
     std::optional<SheetStrip> take(QSizeF size, const std::array<int, 4>& edges) {
@@ -117,7 +116,7 @@ public:
 private:
     bool isFree(const QRectF& box) const {
         const QRectF page(QPointF(0, 0), page_);
-        const double c = edgeClearance - 1e-6;
+        const double c = clearance_ - 1e-6;
         const QRectF wide =
             box.adjusted(-stripClearance, -stripClearance, stripClearance, stripClearance);
         return page.adjusted(c, c, -c, -c).contains(box) &&
@@ -128,30 +127,31 @@ private:
     SheetStrip stripAt(int edge, double along, QSizeF size) const {
         const double w = page_.width();
         const double h = page_.height();
-        const double reserve = edgeClearance + 2 * markReach + stripClearance;
+        const double reserve = clearance_ + 2 * markReach + stripClearance;
         const bool upright = edge % 2 == 1;
         const double room = (upright ? h : w) - size.width() - 2 * reserve;
         const double start = room < 0 ? reserve + room / 2 : reserve + room * along;
         switch (edge) {
         case 0:
-            return {{start, edgeClearance}, 0, size};
+            return {{start, clearance_}, 0, size};
         case 1:
-            return {{w - edgeClearance, start}, 90, size};
+            return {{w - clearance_, start}, 90, size};
         case 2:
-            return {{start, h - edgeClearance - size.height()}, 0, size};
+            return {{start, h - clearance_ - size.height()}, 0, size};
         default:
-            return {{edgeClearance, h - start}, -90, size};
+            return {{clearance_, h - start}, -90, size};
         }
     }
 
     QSizeF page_;
+    double clearance_; // from the page's edge
     const Paint& paint_;
     std::vector<QRectF> taken_;
 };
 
 // Outside the film where the paper has the room, so that they also show where to cut; else inside.
-std::vector<SheetMark> placeMarks(const QRectF& film, const Paint& paint) {
-    const double inset = edgeClearance + markReach;
+std::vector<SheetMark> placeMarks(const QRectF& film, double clearance, const Paint& paint) {
+    const double inset = clearance + markReach;
     const bool outside = std::min(film.left(), film.top()) >= 2 * inset;
     const QRectF centres = outside ? film.adjusted(-inset, -inset, inset, inset)
                                    : film.adjusted(inset, inset, -inset, -inset);
@@ -245,10 +245,11 @@ SheetLayout sheetLayout(const Sheet& sheet) {
                                  (layout.page.height() - film.height()) / 2),
                          film);
     const Paint paint(sheet.image, layout.film);
+    const double clearance = sheet.clearance.value();
     if (sheet.settings.marks) {
-        layout.marks = placeMarks(layout.film, paint);
+        layout.marks = placeMarks(layout.film, clearance, paint);
     }
-    Places places(layout.page, paint, layout.marks);
+    Places places(layout.page, clearance, paint, layout.marks);
     if (sheet.settings.ruler) {
         layout.ruler = placeRuler(places);
     }

@@ -1,8 +1,8 @@
 // Where things stand on a sheet: the film, the registration marks, the ruler and the job line.
 //
-// Marks, ruler and job line keep 3 mm from the page's edge, so that every printer reaches them, and
-// look for a place that the film image leaves unprinted. Only where there is none (an image that
-// covers the whole film) they stand on the image, with a white rim to be legible.
+// Marks, ruler and job line keep clear of the page's edge, where printers do not reach, and look
+// for a place that the film image leaves unprinted. Only where there is none (an image that covers
+// the whole film) they stand on the image, with a white rim to be legible.
 #pragma once
 
 #include "sheet/Sheet.h"

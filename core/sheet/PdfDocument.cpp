@@ -1,0 +1,106 @@
+#include "sheet/PdfDocument.h"
+
+#include "base/Units.h"
+
+#include <QBuffer>
+#include <QColorSpace>
+#include <QPageLayout>
+#include <QPdfWriter>
+#include <cmath>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFPageDocumentHelper.hh>
+#include <qpdf/QPDFWriter.hh>
+
+namespace dipwright {
+namespace {
+
+constexpr int dotsPerInch = 1200; // of the drawing's coordinates; images keep their own
+
+double points(double millimetres) {
+    return millimetres / millimetresPerInch * 72;
+}
+
+// Qt rounds pages to whole points; room for all of the page now, the exact box by qpdf.
+QPageLayout roomFor(QSizeF page) {
+    const QSizeF size(std::ceil(points(page.width())), std::ceil(points(page.height())));
+    return {QPageSize(size, QPageSize::Point, QString(), QPageSize::ExactMatch),
+            QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)};
+}
+
+QByteArray drawnPdf(const std::vector<PdfPage>& pages, const PdfSettings& settings) {
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    writer.setResolution(dotsPerInch);
+    writer.setTitle(settings.title);
+    writer.setCreator(QStringLiteral("Dipwright " DIPWRIGHT_VERSION));
+    writer.setPageLayout(roomFor(pages.front().size));
+    QPainter painter(&writer);
+    for (const PdfPage& page : pages) {
+        if (&page != &pages.front()) {
+            writer.setPageLayout(roomFor(page.size));
+            writer.newPage();
+        }
+        const double unit = dotsPerInch / millimetresPerInch;
+        const QPointF middle(page.size.width() / 2, page.size.height() / 2);
+        painter.resetTransform();
+        painter.scale(unit, unit);
+        painter.translate(middle);
+        painter.scale(1 / settings.scaleX, 1 / settings.scaleY);
+        painter.translate(-middle);
+        page.paint(painter);
+    }
+    painter.end();
+    return buffer.data();
+}
+
+// The box is measured from Qt's upper left corner, where the drawing starts.
+void setExactBox(QPDFObjectHandle page, QSizeF size) {
+    const double top = page.getKey("/MediaBox").getArrayAsRectangle().ury;
+    page.replaceKey("/MediaBox", QPDFObjectHandle::newFromRectangle(
+                                     {0, top - points(size.height()), points(size.width()), top}));
+}
+
+void addOutputIntent(QPDF& pdf, const PdfSettings& settings) {
+    const QByteArray profile = settings.outputProfile.isEmpty()
+                                   ? QColorSpace(QColorSpace::SRgb).iccProfile()
+                                   : settings.outputProfile;
+    QPDFObjectHandle stream = QPDFObjectHandle::newStream(&pdf, profile.toStdString());
+    stream.getDict().replaceKey("/N", QPDFObjectHandle::newInteger(3));
+    const QPDFObjectHandle name =
+        QPDFObjectHandle::newUnicodeString(settings.outputName.toStdString());
+    QPDFObjectHandle intent = QPDFObjectHandle::parse("<< /Type /OutputIntent /S /GTS_PDFX >>");
+    intent.replaceKey("/OutputConditionIdentifier", name);
+    intent.replaceKey("/Info", name);
+    intent.replaceKey("/DestOutputProfile", stream);
+    QPDFObjectHandle intents = QPDFObjectHandle::newArray();
+    intents.appendItem(pdf.makeIndirectObject(intent));
+    pdf.getRoot().replaceKey("/OutputIntents", intents);
+}
+
+} // namespace
+
+QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings) {
+    const QByteArray drawn = drawnPdf(pages, settings);
+    QPDF pdf;
+    pdf.processMemoryFile("drawn.pdf", drawn.constData(), std::size_t(drawn.size()));
+    const std::vector<QPDFPageObjectHelper> drawnPages = QPDFPageDocumentHelper(pdf).getAllPages();
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        setExactBox(drawnPages.at(i).getObjectHandle(), pages[i].size);
+    }
+    addOutputIntent(pdf, settings);
+    pdf.getRoot().replaceKey("/ViewerPreferences",
+                             QPDFObjectHandle::parse("<< /PrintScaling /None >>"));
+    pdf.getTrailer().getKey("/Info").removeKey("/CreationDate");
+    pdf.getTrailer().getKey("/Info").removeKey("/ModDate");
+    QPDFWriter writer(pdf);
+    writer.setOutputMemory();
+    writer.setDeterministicID(true);
+    writer.setStreamDataMode(qpdf_s_preserve);
+    writer.setMinimumPDFVersion("1.6"); // the first with PrintScaling
+    writer.write();
+    const std::shared_ptr<Buffer> bytes = writer.getBufferSharedPointer();
+    return {reinterpret_cast<const char*>(bytes->getBuffer()), qsizetype(bytes->getSize())};
+}
+
+} // namespace dipwright

@@ -1,0 +1,180 @@
+// The files that a sheet is written to.
+#include "sheet/Sheet.h"
+
+#include "base/Error.h"
+#include "sheet/PdfDocument.h"
+#include "sheet/PrinterColour.h"
+#include "sheet/SheetInk.h"
+
+#include <QColorSpace>
+#include <QCoreApplication>
+#include <QImageWriter>
+#include <cmath>
+#include <cstring>
+#include <tiffio.h>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
+};
+
+// The page as pixels of the sheet's resolution, in sRGB.
+QImage pageImage(const Sheet& sheet) {
+    const SheetLayout layout = sheetLayout(sheet);
+    const QSize pixels = sheetPixels(Millimetres(layout.page.width()),
+                                     Millimetres(layout.page.height()), sheet.settings.resolution);
+    QImage page(pixels, QImage::Format_RGB888);
+    page.fill(Qt::white);
+    QPainter painter(&page);
+    const double unit = pixelsPerMillimetre(sheet.settings.resolution);
+    painter.drawImage((layout.film.topLeft() * unit).toPoint(), flattened(sheet.image));
+    painter.scale(unit, unit);
+    paintMarks(painter, layout);
+    return page;
+}
+
+// A TIFF file that libtiff composes in memory.
+class TiffBuffer {
+public:
+    TiffBuffer()
+        : tiff_(TIFFClientOpen("sheet.tiff", "w", this, read, write, seek, close, size, nullptr,
+                               nullptr)) {}
+    ~TiffBuffer() { finish(); }
+    TiffBuffer(const TiffBuffer&) = delete;
+    TiffBuffer& operator=(const TiffBuffer&) = delete;
+
+    TIFF* tiff() const { return tiff_; }
+    const QByteArray& finish() {
+        if (tiff_) {
+            TIFFClose(tiff_);
+            tiff_ = nullptr;
+        }
+        return bytes_;
+    }
+
+private:
+    static TiffBuffer& self(thandle_t handle) { return *static_cast<TiffBuffer*>(handle); }
+    static tmsize_t read(thandle_t handle, void* target, tmsize_t count) {
+        TiffBuffer& buffer = self(handle);
+        count = std::min<tmsize_t>(count, tmsize_t(buffer.bytes_.size() - buffer.at_));
+        std::memcpy(target, buffer.bytes_.constData() + buffer.at_, std::size_t(count));
+        buffer.at_ += count;
+        return count;
+    }
+    static tmsize_t write(thandle_t handle, void* source, tmsize_t count) {
+        TiffBuffer& buffer = self(handle);
+        if (buffer.at_ + count > buffer.bytes_.size()) {
+            buffer.bytes_.resize(buffer.at_ + count);
+        }
+        std::memcpy(buffer.bytes_.data() + buffer.at_, source, std::size_t(count));
+        buffer.at_ += count;
+        return count;
+    }
+    static toff_t seek(thandle_t handle, toff_t offset, int from) {
+        TiffBuffer& buffer = self(handle);
+        const qsizetype base = from == SEEK_SET   ? 0
+                               : from == SEEK_CUR ? buffer.at_
+                                                  : buffer.bytes_.size();
+        buffer.at_ = base + qsizetype(offset);
+        return toff_t(buffer.at_);
+    }
+    static int close(thandle_t) { return 0; }
+    static toff_t size(thandle_t handle) { return toff_t(self(handle).bytes_.size()); }
+
+    QByteArray bytes_;
+    qsizetype at_ = 0;
+    TIFF* tiff_;
+};
+
+void setTags(TIFF* tiff, QSize size, int channels, DotsPerInch resolution, const QByteArray& icc) {
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, size.width());
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, size.height());
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, channels);
+    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC,
+                 channels == 4 ? PHOTOMETRIC_SEPARATED : PHOTOMETRIC_RGB);
+    if (channels == 4) {
+        TIFFSetField(tiff, TIFFTAG_INKSET, INKSET_CMYK);
+    }
+    TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
+    TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
+    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
+    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, resolution.value());
+    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, resolution.value());
+    TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
+    TIFFSetField(tiff, TIFFTAG_SOFTWARE, "Dipwright " DIPWRIGHT_VERSION);
+    TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(icc.size()), icc.constData());
+}
+
+} // namespace
+
+void writeSheetPng(const Sheet& sheet, QIODevice& device) {
+    QImage image = flattened(sheet.image);
+    const int dotsPerMetre =
+        int(std::lround(pixelsPerMillimetre(sheet.settings.resolution) * 1000));
+    image.setDotsPerMeterX(dotsPerMetre);
+    image.setDotsPerMeterY(dotsPerMetre);
+    QImageWriter writer(&device, "png");
+    if (!writer.write(image)) {
+        throw Error(Text::tr("The sheet's image cannot be written: %1").arg(writer.errorString()),
+                    QStringLiteral("sheet.png"));
+    }
+}
+
+PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction) {
+    PreparedSheet prepared{sheet, {}};
+    prepared.settings.title = sheet.job.project.simplified();
+    prepared.settings.scaleX = correction.scaleX;
+    prepared.settings.scaleY = correction.scaleY;
+    if (correction.colour) {
+        if (correction.colour->isCmyk()) {
+            throw Error(
+                Text::tr("A PDF cannot be written in the CMYK of this ICC profile; write a TIFF, "
+                         "or print in sRGB"),
+                correction.colour->description());
+        }
+        prepared.settings.outputProfile = correction.colour->iccProfile();
+        prepared.settings.outputName = correction.colour->description();
+        prepared.sheet.image = correction.colour->rgb(sheet.image);
+    }
+    return prepared;
+}
+
+void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction) {
+    const PreparedSheet prepared = preparedSheet(sheet, correction);
+    const auto paint = [&](QPainter& painter) { paintSheet(painter, prepared.sheet); };
+    const QByteArray pdf = pdfDocument({{pageSize(sheet), paint}}, prepared.settings);
+    if (device.write(pdf) != pdf.size()) {
+        throw Error(Text::tr("The sheet's PDF cannot be written: %1").arg(device.errorString()),
+                    QStringLiteral("sheet.pdf"));
+    }
+}
+
+void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrinterColour* colour) {
+    const QImage page = pageImage(sheet);
+    const bool cmyk = colour && colour->isCmyk();
+    const QImage rgb = colour && !cmyk ? colour->rgb(page) : page;
+    QByteArray inks = cmyk ? colour->cmyk(page) : QByteArray();
+    TiffBuffer buffer;
+    setTags(buffer.tiff(), page.size(), cmyk ? 4 : 3, sheet.settings.resolution,
+            colour ? colour->iccProfile() : QColorSpace(QColorSpace::SRgb).iccProfile());
+    std::vector<uchar> row(std::size_t(page.width()) * 4);
+    bool written = true;
+    for (int y = 0; y < page.height() && written; ++y) {
+        const auto* source = cmyk ? reinterpret_cast<const uchar*>(inks.constData()) +
+                                        qsizetype(y) * page.width() * 4
+                                  : rgb.constScanLine(y);
+        std::copy_n(source, page.width() * (cmyk ? 4 : 3), row.begin()); // libtiff works in it
+        written = TIFFWriteScanline(buffer.tiff(), row.data(), std::uint32_t(y), 0) == 1;
+    }
+    const QByteArray& bytes = buffer.finish();
+    if (!written || device.write(bytes) != bytes.size()) {
+        throw Error(Text::tr("The sheet's TIFF cannot be written: %1").arg(device.errorString()),
+                    QStringLiteral("sheet.tiff"));
+    }
+}
+
+} // namespace dipwright

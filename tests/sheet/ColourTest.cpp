@@ -1,0 +1,259 @@
+// The sheet's colours in a printer's space, and the files that carry them.
+#include "TestProfiles.h"
+
+#include "base/Error.h"
+#include "sheet/PrinterColour.h"
+#include "sheet/Sheet.h"
+
+#include <QBuffer>
+#include <QColorSpace>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <tiffio.h>
+
+using namespace dipwright;
+
+namespace {
+
+QImage swatches() {
+    QImage image(40, 10, QImage::Format_RGBA8888);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.fillRect(0, 0, 10, 10, Qt::white);
+    painter.fillRect(10, 0, 10, 10, QColor(128, 128, 128));
+    painter.fillRect(20, 0, 10, 10, QColor(255, 0, 0));
+    return image;
+}
+
+Sheet smallSheet() {
+    Sheet sheet;
+    sheet.filmWidth = Millimetres(100);
+    sheet.filmHeight = Millimetres(80);
+    sheet.settings.resolution = DotsPerInch(150);
+    sheet.image = QImage(sheetPixels(sheet.filmWidth, sheet.filmHeight, sheet.settings.resolution),
+                         QImage::Format_RGBA8888);
+    sheet.image.fill(Qt::transparent);
+    QPainter painter(&sheet.image);
+    painter.fillRect(200, 150, 200, 200, QColor(255, 0, 0));
+    painter.fillRect(400, 150, 50, 200, QColor(90, 90, 90));
+    sheet.job.hash = QStringLiteral("c0ffee");
+    return sheet;
+}
+
+int difference(const QColor& a, const QColor& b) {
+    return std::max({std::abs(a.red() - b.red()), std::abs(a.green() - b.green()),
+                     std::abs(a.blue() - b.blue())});
+}
+
+struct Tiff {
+    std::uint32_t width = 0, height = 0;
+    std::uint16_t channels = 0, photometric = 0, unit = 0;
+    float dpi = 0;
+    QByteArray icc;
+    QByteArray pixels;
+
+    const uchar* pixel(int x, int y) const {
+        return reinterpret_cast<const uchar*>(pixels.constData()) +
+               (qsizetype(y) * width + x) * channels;
+    }
+};
+
+Tiff readTiff(const QString& path) {
+    Tiff result;
+    TIFF* tiff = TIFFOpen(qPrintable(path), "r");
+    if (!tiff) {
+        return result;
+    }
+    TIFFGetField(tiff, TIFFTAG_IMAGEWIDTH, &result.width);
+    TIFFGetField(tiff, TIFFTAG_IMAGELENGTH, &result.height);
+    TIFFGetField(tiff, TIFFTAG_SAMPLESPERPIXEL, &result.channels);
+    TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &result.photometric);
+    TIFFGetField(tiff, TIFFTAG_RESOLUTIONUNIT, &result.unit);
+    TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &result.dpi);
+    std::uint32_t size = 0;
+    void* icc = nullptr;
+    if (TIFFGetField(tiff, TIFFTAG_ICCPROFILE, &size, &icc)) {
+        result.icc = QByteArray(static_cast<const char*>(icc), qsizetype(size));
+    }
+    QByteArray row(TIFFScanlineSize(tiff), '\0');
+    for (std::uint32_t y = 0; y < result.height; ++y) {
+        TIFFReadScanline(tiff, row.data(), y, 0);
+        result.pixels += row;
+    }
+    TIFFClose(tiff);
+    return result;
+}
+
+} // namespace
+
+class ColourTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    PrinterColour pale_{paleRgbProfile(), RenderingIntent::RelativeColorimetric, true, "pale.icc"};
+    PrinterColour inks_{simpleCmykProfile(0.02), RenderingIntent::RelativeColorimetric, true,
+                        "inks.icc"};
+
+    Tiff tiffOf(const Sheet& sheet, const PrinterColour* colour) {
+        QFile file(folder_.filePath("sheet.tiff"));
+        if (file.open(QIODevice::WriteOnly)) {
+            writeSheetTiff(sheet, file, colour);
+        }
+        file.close();
+        return readTiff(file.fileName());
+    }
+
+private slots:
+    void profilesTellWhatTheyAre();
+    void whatIsNoPrinterProfileIsRefused();
+    void greysStayGreyAndReachableColoursSurvive();
+    void inksAreWhatTheColourNeeds();
+    void softProofPalesWhatThePrinterCannotMake();
+    void gamutWarningPointsAtIt();
+    void tiffHoldsThePageInSrgb();
+    void tiffHoldsThePageInCmyk();
+    void tiffIsTheSameEveryTime();
+    void pdfCarriesThePrintersSpace();
+    void pdfInCmykIsRefused();
+};
+
+void ColourTest::profilesTellWhatTheyAre() {
+    QVERIFY(!pale_.isCmyk());
+    QCOMPARE(pale_.description(), QString("Pale printer"));
+    QVERIFY(inks_.isCmyk());
+    QCOMPARE(inks_.description(), QString("Simple inks"));
+}
+
+void ColourTest::whatIsNoPrinterProfileIsRefused() {
+    const auto open = [](const QByteArray& bytes) {
+        PrinterColour(bytes, RenderingIntent::Perceptual, true, "x.icc");
+    };
+    QVERIFY_EXCEPTION_THROWN(open({}), Error);
+    QVERIFY_EXCEPTION_THROWN(open("not a profile"), Error);
+    QVERIFY_EXCEPTION_THROWN(open(paleRgbProfile().left(300)), Error);
+}
+
+void ColourTest::greysStayGreyAndReachableColoursSurvive() {
+    const QImage printed = pale_.rgb(swatches());
+    QCOMPARE(printed.pixelColor(5, 5), QColor(Qt::white));
+    QCOMPARE(printed.pixelColor(35, 5).alpha(), 0);
+    const QColor grey = printed.pixelColor(15, 5);
+    QVERIFY(std::abs(grey.red() - grey.blue()) <= 2 && std::abs(grey.red() - grey.green()) <= 2);
+    QVERIFY(difference(pale_.softProof(swatches()).pixelColor(15, 5), QColor(128, 128, 128)) <= 2);
+}
+
+void ColourTest::inksAreWhatTheColourNeeds() {
+    const QByteArray inks = inks_.cmyk(swatches().convertToFormat(QImage::Format_RGB888));
+    const auto* white = reinterpret_cast<const uchar*>(inks.constData()) + (5 * 40 + 5) * 4;
+    const auto* red = white + 20 * 4;
+    for (int ink = 0; ink < 4; ++ink) {
+        QVERIFY(white[ink] <= 2);
+    }
+    QVERIFY(red[0] < 20);
+    QVERIFY(red[1] > 230);
+    QVERIFY(red[2] > 230);
+}
+
+void ColourTest::softProofPalesWhatThePrinterCannotMake() {
+    const QColor red = pale_.softProof(swatches()).pixelColor(25, 5);
+    QVERIFY2(red.green() > 40, qPrintable(red.name()));
+    QCOMPARE(pale_.softProof(swatches()).pixelColor(35, 5).alpha(), 0);
+}
+
+void ColourTest::gamutWarningPointsAtIt() {
+    const GamutWarning warning = pale_.gamutWarning(swatches());
+    QCOMPARE(qGray(warning.mask.pixel(5, 5)), 0);
+    QCOMPARE(qGray(warning.mask.pixel(15, 5)), 0);
+    QCOMPARE(qGray(warning.mask.pixel(25, 5)), 255);
+    QCOMPARE(qGray(warning.mask.pixel(35, 5)), 0); // unprinted
+    QVERIFY(std::abs(warning.share - 1.0 / 3) < 1e-9);
+}
+
+void ColourTest::tiffHoldsThePageInSrgb() {
+    Sheet sheet = smallSheet();
+    const Tiff tiff = tiffOf(sheet, nullptr);
+    QCOMPARE(int(tiff.width), 591);
+    QCOMPARE(int(tiff.height), 472);
+    QCOMPARE(int(tiff.channels), 3);
+    QCOMPARE(int(tiff.photometric), int(PHOTOMETRIC_RGB));
+    QCOMPARE(int(tiff.unit), int(RESUNIT_INCH));
+    QCOMPARE(tiff.dpi, 150.0f);
+    QCOMPARE(tiff.icc, QColorSpace(QColorSpace::SRgb).iccProfile());
+    QCOMPARE(int(tiff.pixel(300, 200)[0]), 255);
+    QCOMPARE(int(tiff.pixel(300, 200)[1]), 0);
+    QCOMPARE(int(tiff.pixel(100, 200)[1]), 255);
+    // Film pixels are not resampled on larger paper either.
+    sheet.settings.marks = false;
+    sheet.settings.paper = QStringLiteral("A4");
+    const Tiff page = tiffOf(sheet, nullptr);
+    QCOMPARE(int(page.width), 1240);
+    int reds = 0;
+    int others = 0;
+    for (int y = 400; y < 1300; ++y) {
+        for (int x = 300; x < 900; ++x) {
+            const uchar* p = page.pixel(x, y);
+            reds += p[0] == 255 && p[1] == 0 && p[2] == 0;
+            others += p[0] != 255 && p[0] != 90;
+        }
+    }
+    QCOMPARE(reds, 200 * 200);
+    QCOMPARE(others, 0);
+}
+
+void ColourTest::tiffHoldsThePageInCmyk() {
+    const Tiff tiff = tiffOf(smallSheet(), &inks_);
+    QCOMPARE(int(tiff.channels), 4);
+    QCOMPARE(int(tiff.photometric), int(PHOTOMETRIC_SEPARATED));
+    QCOMPARE(tiff.icc, inks_.iccProfile());
+    const uchar* red = tiff.pixel(300, 200);
+    QVERIFY(red[0] < 20 && red[1] > 230 && red[2] > 230);
+    QVERIFY(tiff.pixel(100, 200)[0] <= 2);
+}
+
+void ColourTest::tiffIsTheSameEveryTime() {
+    QBuffer first;
+    QBuffer second;
+    first.open(QIODevice::WriteOnly);
+    second.open(QIODevice::WriteOnly);
+    writeSheetTiff(smallSheet(), first);
+    writeSheetTiff(smallSheet(), second);
+    QVERIFY(!first.data().isEmpty());
+    QCOMPARE(first.data(), second.data());
+    QBuffer readOnly;
+    readOnly.open(QIODevice::ReadOnly);
+    QVERIFY_EXCEPTION_THROWN(writeSheetTiff(smallSheet(), readOnly), Error);
+}
+
+void ColourTest::pdfCarriesThePrintersSpace() {
+    QFile file(folder_.filePath("pale.pdf"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    PrintCorrection correction;
+    correction.colour = &pale_;
+    const Sheet sheet = smallSheet();
+    writeSheetPdf(sheet, file, correction);
+    file.close();
+    QProcess process;
+    process.start("pdfimages", {"-png", file.fileName(), folder_.filePath("pale")});
+    QVERIFY(process.waitForFinished(30000) && process.exitCode() == 0);
+    const QImage image(folder_.filePath("pale-000.png"));
+    QVERIFY(difference(image.pixelColor(300, 200), pale_.rgb(sheet.image).pixelColor(300, 200)) ==
+            0);
+    process.start("qpdf", {"--qdf", "--stream-data=uncompress", file.fileName(), "-"});
+    QVERIFY(process.waitForFinished(30000));
+    const QByteArray document = process.readAllStandardOutput();
+    QVERIFY(document.contains("Pale printer"));
+    QVERIFY(document.contains(pale_.iccProfile()));
+}
+
+void ColourTest::pdfInCmykIsRefused() {
+    PrintCorrection correction;
+    correction.colour = &inks_;
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    QVERIFY_EXCEPTION_THROWN(writeSheetPdf(smallSheet(), buffer, correction), Error);
+    QVERIFY(buffer.data().isEmpty());
+}
+
+QTEST_MAIN(ColourTest)
+#include "ColourTest.moc"

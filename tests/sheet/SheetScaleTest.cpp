@@ -1,0 +1,243 @@
+// Printers that stretch, and paper that is too small: corrected scales, calibration pages, tiles.
+#include "sheet/CalibrationPage.h"
+#include "sheet/TiledSheet.h"
+
+#include "base/Error.h"
+#include "sheet/SheetLayout.h"
+
+#include <QBuffer>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr int dpi = 1200;
+constexpr double pixelsPerMm = dpi / millimetresPerInch;
+
+Sheet patchSheet(Millimetres width = Millimetres(210), Millimetres height = Millimetres(297)) {
+    Sheet sheet;
+    sheet.filmWidth = width;
+    sheet.filmHeight = height;
+    sheet.settings.resolution = DotsPerInch(100);
+    sheet.image =
+        QImage(sheetPixels(width, height, sheet.settings.resolution), QImage::Format_RGBA8888);
+    sheet.image.fill(Qt::transparent);
+    QPainter painter(&sheet.image);
+    painter.fillRect(sheet.image.rect().adjusted(150, 150, -150, -150), QColor(20, 90, 160));
+    sheet.job.immersion = QStringLiteral("Top");
+    sheet.job.hash = QStringLiteral("c0ffee");
+    return sheet;
+}
+
+QByteArray tool(const QString& program, const QStringList& arguments) {
+    QProcess process;
+    process.start(program, arguments);
+    return process.waitForFinished(60000) && process.exitCode() == 0
+               ? process.readAllStandardOutput()
+               : QByteArray();
+}
+
+// Middles of the dark runs along a row or column of pixels, in mm.
+std::vector<double> ticks(const QImage& grey, bool across, int at) {
+    std::vector<double> found;
+    double weight = 0;
+    double sum = 0;
+    const int length = across ? grey.width() : grey.height();
+    for (int i = 0; i < length; ++i) {
+        const int dark = 255 - qGray(across ? grey.pixel(i, at) : grey.pixel(at, i));
+        if (dark > 5) {
+            weight += dark;
+            sum += dark * (i + 0.5);
+        } else if (weight > 0) {
+            found.push_back(sum / weight / pixelsPerMm);
+            weight = sum = 0;
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+class SheetScaleTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    template <typename Write>
+    QString saved(const QString& name, Write write) {
+        QFile file(folder_.filePath(name));
+        if (!file.open(QIODevice::WriteOnly)) {
+            qFatal("cannot write %s", qPrintable(file.fileName()));
+        }
+        write(file);
+        return file.fileName();
+    }
+
+    QImage rendered(const QString& path, const QRectF& box, int page = 1) {
+        const QRect pixels =
+            QTransform::fromScale(pixelsPerMm, pixelsPerMm).mapRect(box).toAlignedRect();
+        const QString base = folder_.filePath("part");
+        tool("pdftoppm",
+             {"-r", QString::number(dpi), "-f", QString::number(page), "-l", QString::number(page),
+              "-gray", "-png", "-singlefile", "-x", QString::number(pixels.x()), "-y",
+              QString::number(pixels.y()), "-W", QString::number(pixels.width()), "-H",
+              QString::number(pixels.height()), path, base});
+        return QImage(base + ".png").convertToFormat(QImage::Format_Grayscale8);
+    }
+
+private slots:
+    void correctedRulerComesOutTrue();
+    void verificationPageComesOutTrue();
+    void calibrationPageMeasuresWhatItSays();
+    void calibrationPageFitsItsPaper();
+    void measuredLengthsGiveTheScale();
+    void marksKeepClearOfThePrintersMargins();
+    void tilesCoverTheWholeSheet();
+    void tiledPdfHasAPageForEachPiece();
+    void tilesThatCannotBeAreRefused();
+};
+
+// A printer that stretches by 1.004 × 0.997 is told so; what it prints is measured by its own
+// error.
+void SheetScaleTest::correctedRulerComesOutTrue() {
+    constexpr double stretchX = 1.004;
+    const Sheet sheet = patchSheet();
+    const QString path = saved("corrected.pdf", [&](QIODevice& device) {
+        PrintCorrection correction;
+        correction.scaleX = stretchX;
+        correction.scaleY = 0.997;
+        writeSheetPdf(sheet, device, correction);
+    });
+    const QRectF ruler = sheetLayout(sheet).ruler->box();
+    const QImage strip = rendered(path, ruler.adjusted(-1, -1, 1, 1));
+    // The page is drawn about its middle: the ruler's lower edge has moved out by 0.003 · 145 mm.
+    std::vector<double> found;
+    for (int row = strip.height() - 1; row > 0 && found.size() != 101; --row) {
+        found = ticks(strip, true, row);
+    }
+    QCOMPARE(found.size(), std::size_t(101));
+    const double onPaper = (found.back() - found.front()) * stretchX;
+    QVERIFY2(std::abs(onPaper - 100) < 0.05, qPrintable(QString::number(onPaper)));
+}
+
+void SheetScaleTest::verificationPageComesOutTrue() {
+    constexpr double stretchY = 0.997;
+    CalibrationPage page;
+    page.scaleX = 1.004;
+    page.scaleY = stretchY;
+    QVERIFY(page.verifies());
+    const QString path =
+        saved("verify.pdf", [&](QIODevice& device) { writeCalibrationPdf(page, device); });
+    const QImage strip = rendered(path, QRectF(9, 46, 7, 250));
+    std::vector<double> found;
+    const auto expected = std::size_t(std::lround(calibrationLengths(page).y.value())) + 1;
+    for (int column = strip.width() - 1; column > 0 && found.size() != expected; --column) {
+        found = ticks(strip, false, column);
+    }
+    QCOMPARE(found.size(), expected);
+    const double onPaper = (found.back() - found.front()) * stretchY;
+    QVERIFY2(std::abs(onPaper - calibrationLengths(page).y.value()) < 0.05,
+             qPrintable(QString::number(onPaper)));
+}
+
+void SheetScaleTest::calibrationPageMeasuresWhatItSays() {
+    CalibrationPage page;
+    page.printer = QStringLiteral("Canon imagePROGRAF");
+    const QString path =
+        saved("calibrate.pdf", [&](QIODevice& device) { writeCalibrationPdf(page, device); });
+    const QString words = QString::fromUtf8(tool("pdftotext", {"-layout", path, "-"}));
+    const CalibrationLengths lengths = calibrationLengths(page);
+    QVERIFY(words.contains("Canon imagePROGRAF"));
+    QVERIFY(words.contains(QString::number(lengths.x.value())));
+    QVERIFY(words.contains(QString::number(lengths.y.value())));
+    const QRectF lowest(10, 297 - 10 - 0.7, 190, 0.5);
+    const std::vector<double> found = ticks(rendered(path, lowest), true, 5);
+    QCOMPARE(found.size(), std::size_t(lengths.x.value()) + 1);
+    QVERIFY(std::abs(found.back() - found.front() - lengths.x.value()) < 0.01);
+    QBuffer again;
+    again.open(QIODevice::WriteOnly);
+    writeCalibrationPdf(page, again);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(again.data(), file.readAll());
+}
+
+void SheetScaleTest::calibrationPageFitsItsPaper() {
+    for (const QSizeF& paper :
+         {QSizeF(148, 210), QSizeF(297, 210), QSizeF(297, 420), QSizeF(610, 900)}) {
+        CalibrationPage page;
+        page.paper = paper;
+        const CalibrationLengths lengths = calibrationLengths(page);
+        QVERIFY(lengths.x.value() > paper.width() * 0.6 && lengths.x.value() < paper.width() - 20);
+        QVERIFY(lengths.y.value() > paper.height() * 0.5 &&
+                lengths.y.value() < paper.height() - 50);
+    }
+    CalibrationPage tiny;
+    tiny.paper = {80, 100};
+    QVERIFY_EXCEPTION_THROWN(calibrationLengths(tiny), Error);
+}
+
+void SheetScaleTest::measuredLengthsGiveTheScale() {
+    QCOMPARE(calibratedScale(1, Millimetres(180), Millimetres(180.72)), 1.004);
+    // On a page that was corrected already, what is left is taken on top.
+    QCOMPARE(calibratedScale(1.004, Millimetres(180), Millimetres(180)), 1.004);
+    QVERIFY(std::abs(calibratedScale(1.004, Millimetres(200), Millimetres(199)) - 1.004 * 0.995) <
+            1e-12);
+    QVERIFY_EXCEPTION_THROWN(calibratedScale(1, Millimetres(180), Millimetres(161)), Error);
+    QVERIFY_EXCEPTION_THROWN(calibratedScale(1, Millimetres(180), Millimetres(0)), Error);
+    QVERIFY_EXCEPTION_THROWN(calibratedScale(1, Millimetres(180), Millimetres(qQNaN())), Error);
+}
+
+void SheetScaleTest::marksKeepClearOfThePrintersMargins() {
+    Sheet sheet = patchSheet();
+    sheet.clearance = Millimetres(6.5);
+    const SheetLayout layout = sheetLayout(sheet);
+    const QRectF reach = QRectF({0, 0}, layout.page).adjusted(6.49, 6.49, -6.49, -6.49);
+    for (const SheetMark& mark : layout.marks) {
+        QVERIFY(reach.contains(mark.box()));
+    }
+    QVERIFY(reach.contains(layout.ruler->box()));
+    QVERIFY(reach.contains(layout.jobLine->box()));
+}
+
+void SheetScaleTest::tilesCoverTheWholeSheet() {
+    const Sheet sheet = patchSheet(Millimetres(400), Millimetres(500));
+    const TileSettings settings;
+    const std::vector<QRectF> tiles = sheetTiles(sheet, settings);
+    QCOMPARE(tiles.size(), std::size_t(3 * 2)); // 400 mm in 200 mm pieces that share 10 mm
+    for (double x = 0.5; x < 400; x += 7) {
+        for (double y = 0.5; y < 500; y += 7) {
+            QVERIFY(std::any_of(tiles.begin(), tiles.end(),
+                                [&](const QRectF& tile) { return tile.contains(x, y); }));
+        }
+    }
+}
+
+void SheetScaleTest::tiledPdfHasAPageForEachPiece() {
+    const Sheet sheet = patchSheet(Millimetres(300), Millimetres(280));
+    const QString path = saved(
+        "tiles.pdf", [&](QIODevice& device) { writeTiledPdf(sheet, TileSettings{}, device); });
+    const QByteArray info = tool("pdfinfo", {path});
+    QVERIFY(info.contains("Pages:           2"));
+    QVERIFY(info.contains("A4"));
+    QVERIFY(tool("pdftotext", {"-f", "2", path, "-"}).contains("column 2 of 2"));
+    // The patch reaches from 38.1 mm to 261.9 mm of the sheet; the second piece starts at 190 mm.
+    const std::vector<double> patch = ticks(rendered(path, QRectF(0, 100, 210, 1), 2), true, 10);
+    QCOMPARE(patch.size(), std::size_t(1));
+    QVERIFY2(std::abs(patch[0] - (5 + 71.9 / 2)) < 0.3, qPrintable(QString::number(patch[0])));
+}
+
+void SheetScaleTest::tilesThatCannotBeAreRefused() {
+    TileSettings settings;
+    settings.paper = {18, 297};
+    QVERIFY_EXCEPTION_THROWN(sheetTiles(patchSheet(), settings), Error);
+    settings.paper = {25, 25};
+    QVERIFY_EXCEPTION_THROWN(sheetTiles(patchSheet(Millimetres(400), Millimetres(500)), settings),
+                             Error);
+}
+
+QTEST_MAIN(SheetScaleTest)
+#include "SheetScaleTest.moc"
