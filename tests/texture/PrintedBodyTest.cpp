@@ -1,0 +1,171 @@
+// From body to sheet with the film simulated by the CPU plugin.
+#include "DippedByHand.h"
+#include "dip/Coverage.h"
+#include "geometry/Shapes.h"
+#include "solver/SolverRegistry.h"
+#include "texture/Registration.h"
+#include "texture/ReverseTexture.h"
+
+#include <QPainter>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+using namespace dipwright;
+
+namespace {
+
+// One immersion from a model to its film.
+struct Print {
+    Immersion immersion;
+    FilmSettings filmSettings;
+    ProcessSettings process;
+    PosedBody body;
+    SurfaceQuery query;
+    DippedFilm film;
+    FilmContact contact;
+
+    Print(const TexturedMesh& model, const Immersion& held, const FilmSettings& settings,
+          std::optional<Millimetres> depth)
+        : immersion(held), filmSettings(settings), process(withDepth(depth)),
+          body(posedBody(model, held)), query(body.model.mesh), film(dipped(model)),
+          contact(locateFilm(film, body, query, process)) {}
+
+    Registration registration() const {
+        return registrationError(film, contact, body, query, FilmOnBody(film, contact, body));
+    }
+
+private:
+    static ProcessSettings withDepth(std::optional<Millimetres> depth) {
+        ProcessSettings process;
+        process.depth = depth;
+        return process;
+    }
+    DippedFilm dipped(const TexturedMesh& model) const {
+        const SolverRegistry registry;
+        const DistanceField field = buildDistanceField(model.mesh, 128, Progress{});
+        return simulateDip(body, field, immersion, filmSettings, process,
+                           registry.module("pbd-cpu"), Progress{}, {});
+    }
+};
+
+FilmSettings filmOf(Millimetres width, Millimetres height, int columns) {
+    FilmSettings settings;
+    settings.preset = "custom";
+    settings.width = width;
+    settings.height = height;
+    settings.columns = columns;
+    settings.rows = squareCellRows(width, height, columns);
+    return settings;
+}
+
+// A letter F of three bars, in the upper left of its picture.
+QImage letterF() {
+    QImage image(600, 600, QImage::Format_RGBA8888);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.fillRect(90, 60, 60, 300, Qt::black);
+    painter.fillRect(150, 60, 120, 60, Qt::black);
+    painter.fillRect(150, 180, 80, 60, Qt::black);
+    return image;
+}
+
+const Eigen::Vector3d boxSize(60, 20, 60);
+
+// A box over a place off the film's middle, dipped by 2 mm.
+Print printedBox() {
+    Immersion beside;
+    beside.offset = {Millimetres(12), Millimetres(-7)};
+    return {test::boxWithPicture(boxSize, letterF()), beside,
+            filmOf(Millimetres(120), Millimetres(100), 97), Millimetres(2)};
+}
+
+// Film cells wholly under the box's bottom: whether a film triangle is one.
+bool isUnderBottom(const Print& print, const FilmTriangle& triangle) {
+    return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t point) {
+        const Eigen::Vector2f rest = restPosition(print.film.grid, point) - Eigen::Vector2f(12, -7);
+        return rest.cwiseAbs().maxCoeff() < 29.9f;
+    });
+}
+
+} // namespace
+
+class PrintedBodyTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void flatFaceIsCarriedUnchanged();
+    void letterOnTheBottomIsMirroredOnTheSheet();
+    void sphereIsPaintedToItsOverhangAndInPlace();
+};
+
+void PrintedBodyTest::flatFaceIsCarriedUnchanged() {
+    const Print print = printedBox();
+    const std::vector<FilmTriangle> triangles = filmTriangles(print.film.grid);
+    const std::vector<PrincipalStretch> stretches = principalStretches(print.film);
+    int cells = 0;
+    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
+        if (!isUnderBottom(print, triangles[triangle])) {
+            continue;
+        }
+        ++cells;
+        QVERIFY(print.contact.painted[triangle]);
+        QVERIFY(std::abs(stretches[triangle].larger - 1) < 0.002f);
+        QVERIFY(std::abs(stretches[triangle].smaller - 1) < 0.002f);
+        for (const std::uint32_t point : triangles[triangle]) {
+            const Eigen::Vector2f rest =
+                restPosition(print.film.grid, point) - Eigen::Vector2f(12, -7);
+            const Eigen::Vector3f place =
+                position(print.body.model.mesh, print.contact.surface[point]);
+            QVERIFY((place - Eigen::Vector3f(rest.x(), 0, rest.y())).norm() < 0.05f);
+        }
+    }
+    QVERIFY(cells > 4000);
+}
+
+void PrintedBodyTest::letterOnTheBottomIsMirroredOnTheSheet() {
+    const Print print = printedBox();
+    ReverseTextureOptions options;
+    options.pixels = {1200, 1000}; // ten a millimetre
+    const QImage sheet =
+        reverseTexture(print.film, print.contact, print.body, print.query, options, Progress{})
+            .image;
+    // The letter as it has to stand on the sheet: mirrored, 60 mm wide, its middle 12 mm right of
+    // the film's and 7 mm above it.
+    const QImage mirrored = letterF().mirrored(true, false);
+    int wrong = 0;
+    int inked = 0;
+    for (int y = -290; y < 290; ++y) {
+        for (int x = -290; x < 290; ++x) {
+            const QColor printed = sheet.pixelColor(600 + 120 + x, 500 - 70 + y);
+            QCOMPARE(printed.alpha(), 255);
+            const bool black = printed.red() < 128;
+            wrong += black != (mirrored.pixelColor(300 + x, 300 + y).red() < 128);
+            inked += black;
+        }
+    }
+    QVERIFY(inked > 20000);
+    // 0.05 mm along all of the letter's outline of 170 mm is 850 pixels.
+    QVERIFY2(wrong < 850, qPrintable(QString::number(wrong)));
+}
+
+void PrintedBodyTest::sphereIsPaintedToItsOverhangAndInPlace() {
+    QImage picture(256, 128, QImage::Format_RGBA8888);
+    picture.fill(Qt::red);
+    const Print print(test::globe(35, 90, 180, picture), Immersion{},
+                      filmOf(Millimetres(210), Millimetres(210), 91), std::nullopt);
+    const Registration error = print.registration();
+    QVERIFY2(error.mean <= 0.15, qPrintable(QString::number(error.mean)));
+    QVERIFY2(error.percentile95 <= 0.4, qPrintable(QString::number(error.percentile95)));
+    const Coverage cover = coverage(print.film, print.contact, print.body, print.query);
+    // Painted from the pole to where the sphere turns up by 20°, but for a film cell or two.
+    const double end = (1 + std::sin(radians(Degrees(20)))) / 2;
+    QVERIFY2(cover.share > end - 0.06 && cover.share < end + 0.005,
+             qPrintable(QString::number(cover.share)));
+    QCOMPARE(cover.trappedAirArea, 0.0);
+}
+
+QTEST_MAIN(PrintedBodyTest)
+#include "PrintedBodyTest.moc"
