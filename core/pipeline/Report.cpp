@@ -1,3 +1,4 @@
+#include "dip/PaintedStretch.h"
 #include "pipeline/Pipeline.h"
 
 #include <QJsonArray>
@@ -10,57 +11,6 @@ QJsonObject toJson(const Distribution& distribution) {
             {"mean", distribution.mean},
             {"p95", distribution.percentile95},
             {"max", distribution.maximum}};
-}
-
-std::vector<std::uint8_t> pointsOfPaintedFilm(const DippedFilm& film, const FilmContact& contact) {
-    std::vector<std::uint8_t> painted(film.grid.pointCount(), 0);
-    const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
-    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
-        if (contact.painted[triangle]) {
-            for (const std::uint32_t point : triangles[triangle]) {
-                painted[point] = 1;
-            }
-        }
-    }
-    return painted;
-}
-
-// Of the constraints between points of the film that paints; the rest is thrown away.
-Distribution paintedStretch(const DippedFilm& film, const FilmContact& contact) {
-    const std::vector<float> stretches = constraintStretches(film);
-    const std::vector<std::uint8_t> painted = pointsOfPaintedFilm(film, contact);
-    const auto columns = std::size_t(film.grid.columns);
-    const auto rows = std::size_t(film.grid.rows);
-    std::vector<float> kept;
-    std::size_t constraint = 0;
-    const auto keep = [&](std::size_t from, std::size_t to) {
-        if (painted[from] && painted[to]) {
-            kept.push_back(stretches[constraint]);
-        }
-        ++constraint;
-    };
-    for (std::size_t row = 0; row < rows; ++row) {
-        for (std::size_t column = 0; column + 1 < columns; ++column) {
-            keep(row * columns + column, row * columns + column + 1);
-        }
-    }
-    for (std::size_t row = 0; row + 1 < rows; ++row) {
-        for (std::size_t column = 0; column < columns; ++column) {
-            keep(row * columns + column, (row + 1) * columns + column);
-        }
-    }
-    return distribution(std::move(kept));
-}
-
-Distribution paintedAreaStretch(const DippedFilm& film, const FilmContact& contact) {
-    const std::vector<PrincipalStretch> stretches = principalStretches(film);
-    std::vector<float> kept;
-    for (std::size_t triangle = 0; triangle < stretches.size(); ++triangle) {
-        if (contact.painted[triangle]) {
-            kept.push_back(stretches[triangle].area());
-        }
-    }
-    return distribution(std::move(kept));
 }
 
 QJsonObject filmJson(const DippedFilm& film) {
@@ -88,8 +38,8 @@ QJsonObject immersionJson(const ImmersionResult& result) {
             {"coverage", result.coverage->share},
             {"painted_area_mm2", result.coverage->paintedArea},
             {"trapped_air_area_mm2", result.coverage->trappedAirArea},
-            {"stretch", toJson(paintedStretch(film, contact))},
-            {"area_stretch", toJson(paintedAreaStretch(film, contact))},
+            {"stretch", toJson(distribution(paintedConstraintStretches(film, contact)))},
+            {"area_stretch", toJson(distribution(paintedAreaStretches(film, contact)))},
             {"texture", QJsonObject{{"contact", qint64(contact.contactCount)},
                                     {"filled", qint64(contact.filledCount)},
                                     {"seam_triangles", qint64(result.texture->seamTriangles)}}},

@@ -1,3 +1,4 @@
+#include "dip/PaintedStretch.h"
 #include "results/Results.h"
 
 #include <QCoreApplication>
@@ -22,7 +23,8 @@ const QColor paleInk(105, 112, 120);
 class FilmStretch {
 public:
     FilmStretch(const DippedFilm& film, const FilmContact& contact)
-        : grid_(film.grid), values_(pointStretches(film)), painted_(contact.painted) {}
+        : grid_(film.grid), values_(paintedPointStretches(film, contact)),
+          painted_(contact.painted), isOn_(paintedPoints(film, contact)) {}
 
     // At a place given in cells, columns to the right and rows down.
     double at(double column, double row) const {
@@ -49,16 +51,9 @@ public:
 
     // Of the points that belong to painted film, or of all where nothing is painted.
     std::vector<float> paintedValues() const {
-        std::vector<std::uint8_t> isOn(values_.size(), 0);
-        const std::vector<FilmTriangle> triangles = filmTriangles(grid_);
-        for (std::size_t i = 0; i < triangles.size(); ++i) {
-            for (std::uint32_t point : triangles[i]) {
-                isOn[point] |= painted_[i];
-            }
-        }
         std::vector<float> values;
         for (std::size_t i = 0; i < values_.size(); ++i) {
-            if (isOn[i]) {
+            if (isOn_[i]) {
                 values.push_back(values_[i]);
             }
         }
@@ -69,6 +64,7 @@ private:
     solver::FilmGrid grid_;
     std::vector<float> values_;
     std::vector<std::uint8_t> painted_;
+    std::vector<std::uint8_t> isOn_;
 };
 
 // The values that the colours span, and which colours.

@@ -1,5 +1,7 @@
 #include "jobs/FilmReading.h"
 
+#include "dip/PaintedStretch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,13 +49,31 @@ FilmReading::FilmReading(const ImmersionResult& result)
     const auto mean = [&](float (*value)(const PrincipalStretch&)) {
         return perPoint(film_->positions.size(), mesh_.triangles, principal, value);
     };
-    values_[std::size_t(FilmQuantity::Length)] = pointStretches(*film_);
+    values_[std::size_t(FilmQuantity::Length)] = paintedPointStretches(*film_, *contact_);
     values_[std::size_t(FilmQuantity::Area)] =
         mean([](const PrincipalStretch& stretch) { return stretch.area(); });
     values_[std::size_t(FilmQuantity::Larger)] =
         mean([](const PrincipalStretch& stretch) { return stretch.larger; });
     values_[std::size_t(FilmQuantity::Smaller)] =
         mean([](const PrincipalStretch& stretch) { return stretch.smaller; });
+}
+
+std::vector<float> FilmReading::paintedValues(FilmQuantity quantity) const {
+    std::vector<std::uint8_t> painted(film_->positions.size(), 0);
+    for (std::size_t triangle = 0; triangle < mesh_.triangles.size(); ++triangle) {
+        if (contact_->painted[triangle]) {
+            for (const std::uint32_t point : mesh_.triangles[triangle]) {
+                painted[point] = 1;
+            }
+        }
+    }
+    std::vector<float> kept;
+    for (std::size_t point = 0; point < painted.size(); ++point) {
+        if (painted[point]) {
+            kept.push_back(values(quantity)[point]);
+        }
+    }
+    return kept.empty() ? values(quantity) : kept;
 }
 
 std::optional<FilmReadingPoint> FilmReading::at(const Eigen::Vector2f& rest) const {

@@ -1,5 +1,7 @@
 #include "panels/ReportPanel.h"
 
+#include "dip/PaintedStretch.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QTextBrowser>
@@ -42,12 +44,9 @@ QString percent(double share) {
 
 QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
     const DippedFilm& film = *result.film;
-    const Distribution stretch = distribution(constraintStretches(film));
-    std::vector<float> areas;
-    for (const PrincipalStretch& cell : principalStretches(film)) {
-        areas.push_back(cell.area());
-    }
-    const Distribution area = distribution(std::move(areas));
+    const FilmContact& contact = *result.contact;
+    const Distribution stretch = distribution(paintedConstraintStretches(film, contact));
+    const Distribution area = distribution(paintedAreaStretches(film, contact));
     std::size_t adhered = 0;
     for (std::size_t point = 0; point < film.states.size(); ++point) {
         adhered += film.adhered(point);
@@ -66,8 +65,8 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
     table.row(Text::tr("Registration, mean and 95 %"),
               QStringLiteral("%1 · %2").arg(shownLength(result.registration.mean, unit),
                                             shownLength(result.registration.percentile95, unit)));
-    table.row(Text::tr("Film across texture seams"),
-              Text::tr("%n triangle(s)", nullptr, int(result.texture->seamTriangles)));
+    table.row(Text::tr("Film triangles across texture seams"),
+              locale.toString(qulonglong(result.texture->seamTriangles)));
     table.row(Text::tr("Colour short of ink"),
               Text::tr("%1 mm²").arg(number(result.texture->shortfallArea, 0)));
     table.row(Text::tr("Air trapped"),
