@@ -107,10 +107,14 @@ private:
     double seconds_ = 0;
 };
 
-void requireFinite(const DippedFilm& film, const QString& where) {
+// A film point may move by much, but not by many times the film and the way the body goes.
+void requireStable(const DippedFilm& film, double travel, const QString& where) {
+    const double farthest = 10 * (film.grid.width + film.grid.depth + travel);
     for (const Eigen::Vector3f& position : film.positions) {
-        if (!position.allFinite()) {
-            throw Error(tr("The simulation became unstable; choose a smaller time step"), where);
+        if (!position.allFinite() || double(position.cwiseAbs().maxCoeff()) > farthest) {
+            throw Error(
+                tr("The simulation became unstable; choose a smaller time step or contact travel"),
+                where);
         }
     }
 }
@@ -172,7 +176,7 @@ DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
     } catch (...) {
         throw Error(tr("The solver failed with an unknown exception"), immersion.name);
     }
-    requireFinite(dipped, immersion.name);
+    requireStable(dipped, setup.motion.travel, immersion.name);
     if (std::find(dipped.states.begin(), dipped.states.end(), solver::PointState::Adhered) ==
         dipped.states.end()) {
         throw missedFilm(immersion);

@@ -24,26 +24,22 @@ float cellSize(const solver::FilmGrid& grid) {
     return float(std::max(grid.spacingX(), grid.spacingZ()));
 }
 
-// The farthest an adhered point may be from the surface that it touches: half a film cell.
-float contactReach(const solver::FilmGrid& grid) {
-    return cellSize(grid) / 2;
-}
-
+// The solver has found that the point touches, be it at a contact distance.
 SurfacePoint surfacePoint(const Eigen::Vector3f& position, const Eigen::Vector3f& filmNormal,
-                          const SurfaceQuery& query, float reach) {
-    const ClosestPoint closest = query.closest(position, reach);
+                          const SurfaceQuery& query, float cell) {
+    const ClosestPoint closest = query.closest(position);
+    // Along a slanting normal a ray may pass by the surface that the film touches.
+    const float reach = 2 * closest.distance + 0.005f * cell;
     const RayHit below = query.hit(position, filmNormal, reach);
     const RayHit above = query.hit(position, -filmNormal, reach);
     const RayHit& along = below.distance <= above.distance ? below : above;
-    // Along a slanting normal a ray may pass by the surface that the film touches.
-    const bool astray = along.distance > 2 * closest.distance + 0.01f * reach;
-    return along.point.isValid() && !astray ? along.point : closest.point;
+    return along.point.isValid() ? along.point : closest.point;
 }
 
 // The point midway between the neighbours, along the grid's rows and columns, of a point that
 // missed; invalid unless all four are on the body.
 SurfacePoint filledPoint(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
-                         const std::vector<SurfacePoint>& located, std::size_t point, float reach) {
+                         const std::vector<SurfacePoint>& located, std::size_t point) {
     const auto columns = std::size_t(film.grid.columns);
     const std::size_t column = point % columns;
     const std::size_t row = point / columns;
@@ -59,17 +55,17 @@ SurfacePoint filledPoint(const DippedFilm& film, const PosedBody& body, const Su
         }
         middle += position(body.model.mesh, located[neighbour]) / 4;
     }
-    return query.closest(middle, 2 * reach).point;
+    return query.closest(middle, cellSize(film.grid)).point;
 }
 
 std::vector<SurfacePoint> locatePoints(const DippedFilm& film, const SurfaceQuery& query) {
     const std::vector<Eigen::Vector3f> normals =
         vertexNormals(TriangleMesh{film.positions, filmTriangles(film.grid)});
-    const float reach = contactReach(film.grid);
+    const float cell = cellSize(film.grid);
     std::vector<SurfacePoint> points(film.positions.size());
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t point) {
         if (film.adhered(point)) {
-            points[point] = surfacePoint(film.positions[point], normals[point], query, reach);
+            points[point] = surfacePoint(film.positions[point], normals[point], query, cell);
         }
     });
     return points;
@@ -157,8 +153,7 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const Surf
             ++contact.contactCount;
             continue;
         }
-        contact.surface[point] =
-            filledPoint(film, body, query, located, point, contactReach(film.grid));
+        contact.surface[point] = filledPoint(film, body, query, located, point);
         contact.filled[point] = contact.surface[point].isValid();
         contact.filledCount += contact.filled[point];
     }

@@ -83,6 +83,12 @@ FilmOnBody::FilmOnBody(const DippedFilm& film, const FilmContact& contact, const
     const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
     std::vector<std::uint32_t> indices;
     TriangleMesh painted{film.positions, {}};
+    // On the body itself, should the film have stopped short of it by a contact distance.
+    for (std::size_t point = 0; point < painted.positions.size(); ++point) {
+        if (contact.surface[point].isValid()) {
+            painted.positions[point] = position(body.model.mesh, contact.surface[point]);
+        }
+    }
     for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
         if (contact.painted[triangle]) {
             indices.push_back(std::uint32_t(triangle));

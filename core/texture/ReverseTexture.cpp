@@ -1,5 +1,6 @@
 #include "texture/ReverseTexture.h"
 
+#include "base/Error.h"
 #include "texture/AreaStretch.h"
 #include "texture/Bleed.h"
 #include "texture/ReverseMap.h"
@@ -321,6 +322,12 @@ ReverseTexture reverseTexture(const DippedFilm& film, const FilmContact& contact
     progress(0, tr("Reversing the texture"));
     ReverseTexture result;
     result.image = QImage(options.pixels, QImage::Format_RGBA8888);
+    if (result.image.isNull()) {
+        throw Error(
+            tr("The film's image is too large for this computer's memory; choose a lower "
+               "resolution"),
+            QStringLiteral("%1 × %2").arg(options.pixels.width()).arg(options.pixels.height()));
+    }
     result.image.fill(0);
     const ReverseMap map(film, contact, body, query);
     result.seamTriangles = map.seamCount();

@@ -26,7 +26,7 @@ struct ReverseTexture {
 
 // The image to print so that the dip puts the body's texture where it belongs: every pixel in a
 // painted film triangle shows its place of the texture, filtered over what the pixel covers there.
-// All cores, deterministic, throws Cancelled.
+// All cores, deterministic, throws Cancelled; Error for an image that does not fit into memory.
 ReverseTexture reverseTexture(const DippedFilm& film, const FilmContact& contact,
                               const PosedBody& body, const SurfaceQuery& query,
                               const ReverseTextureOptions& options, const Progress& progress);

@@ -64,6 +64,7 @@ class FilmContactTest : public QObject {
 private Q_SLOTS:
     void filmUnderABoxIsOnItsBottom();
     void contactIsOnTheSurfaceNearTheFilm();
+    void filmAtAContactDistanceLiesOnTheBody();
     void filmOnTheUpperSideIsNotPainted();
     void tornFilmIsMarkedAndNotPainted();
     void loneMissIsFilledFromItsNeighbours();
@@ -99,6 +100,20 @@ void FilmContactTest::contactIsOnTheSurfaceNearTheFilm() {
             QVERIFY((globe.place(point) - globe.film.positions[point]).norm() < 0.02f);
         }
     }
+}
+
+void FilmContactTest::filmAtAContactDistanceLiesOnTheBody() {
+    DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
+    for (Eigen::Vector3f& position : film.positions) {
+        position.y() -= 2.5f;
+    }
+    const Located box(boxMesh({60, 30, 60}), film);
+    QCOMPARE(box.paintedCount(), std::size_t(2 * 33 * 33));
+    const FilmOnBody filmOnBody(box.film, box.contact, box.body);
+    Eigen::Vector2f rest;
+    std::uint32_t triangle = 0;
+    QVERIFY(filmOnBody.locate(box.query.closest({5, 0, -8}).point, rest, triangle));
+    QVERIFY((rest - Eigen::Vector2f(5, -8)).norm() < 1e-3f);
 }
 
 void FilmContactTest::filmOnTheUpperSideIsNotPainted() {
