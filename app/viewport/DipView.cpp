@@ -16,7 +16,9 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <QVTKOpenGLNativeWidget.h>
+#include <utility>
 #include <vtkCamera.h>
+#include <vtkCameraOrientationRepresentation.h>
 #include <vtkCameraOrientationWidget.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkLight.h>
@@ -68,6 +70,7 @@ struct DipView::Scene {
     QSizeF filmSize{210, 297};
     QPointF pressed;
     bool leftPressed = false;
+    bool shown = false;
     int draggedAxis = -1;
     int litAxis = -1;
     double pressedAngle = 0;
@@ -111,6 +114,7 @@ DipView::DipView(QWidget* parent) : QWidget(parent), scene_(std::make_unique<Sce
     s.style->SetCurrentRenderer(s.renderer);
     s.window->GetInteractor()->SetInteractorStyle(s.style);
     s.orientation->SetParentRenderer(s.renderer);
+    s.orientation->SetAnimate(false); // its animation would block the event loop
     s.orientation->On();
     connect(&s.timer, &QTimer::timeout, this, &DipView::render);
     s.markers.setSize(s.sceneSize());
@@ -276,12 +280,15 @@ void DipView::look(ViewDirection direction) {
 void DipView::fit() {
     const Scene& s = *scene_;
     BoundingBox box = s.body.worldBox();
-    const Eigen::Vector3f half(float(s.filmSize.width()) / 2, 1, float(s.filmSize.height()) / 2);
+    const double margin = 2 * TankActors::margin(s.filmSize);
+    const Eigen::Vector3f half(float(s.filmSize.width() + margin) / 2, 1,
+                               float(s.filmSize.height() + margin) / 2);
     box.extend(half).extend(Eigen::Vector3f(-half));
     const Eigen::Vector3f low = box.min(), high = box.max();
     const double bounds[6]{low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
     s.renderer->ResetCamera(bounds);
-    s.renderer->GetActiveCamera()->Zoom(1.25); // VTK fits the box's sphere, which leaves much room
+    s.renderer->ResetCameraScreenSpace(bounds);
+    s.renderer->GetActiveCamera()->Zoom(0.95); // some room round it
     s.renderer->ResetCameraClippingRange();
     requestPicture();
 }
@@ -334,13 +341,24 @@ void DipView::requestPicture() {
 }
 
 void DipView::render() {
+    if (!std::exchange(scene_->shown, true)) {
+        fit(); // only now is the picture's shape known
+    }
     scene_->renderer->ResetCameraClippingRange();
     scene_->window->Render();
 }
 
 void DipView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    scene_->markers.setFontSize(int(font().pointSizeF() * 1.6 * devicePixelRatioF()));
+    if (!isUsable()) {
+        return;
+    }
+    const double ratio = devicePixelRatioF();
+    scene_->markers.setFontSize(int(font().pointSizeF() * 1.6 * ratio));
+    auto* axes =
+        vtkCameraOrientationRepresentation::SafeDownCast(scene_->orientation->GetRepresentation());
+    axes->SetSize(int(84 * ratio), int(84 * ratio));
+    axes->SetPadding(int(14 * ratio), int(14 * ratio));
     requestPicture();
 }
 

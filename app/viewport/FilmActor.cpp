@@ -24,9 +24,9 @@ FilmActor::FilmActor(vtkRenderer* renderer)
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -4);
     actor_->SetMapper(mapper);
-    actor_->GetProperty()->SetAmbient(0.3);
-    actor_->GetProperty()->SetDiffuse(0.7);
-    actor_->GetProperty()->SetSpecular(0.1);
+    actor_->GetProperty()->SetAmbient(0.62);
+    actor_->GetProperty()->SetDiffuse(0.42);
+    actor_->GetProperty()->SetSpecular(0.06);
     actor_->GetProperty()->SetSpecularPower(40);
     actor_->PickableOff();
     renderer->AddActor(actor_);

@@ -35,7 +35,7 @@ TankActors::TankActors(vtkRenderer* renderer)
     : waterData_(vtkSmartPointer<vtkPolyData>::New()),
       edgeData_(vtkSmartPointer<vtkPolyData>::New()), water_(actorOf(waterData_)),
       edge_(actorOf(edgeData_)) {
-    water_->GetProperty()->SetOpacity(0.35);
+    water_->GetProperty()->SetOpacity(0.3);
     edge_->GetProperty()->SetOpacity(0.6);
     edge_->GetProperty()->SetLineWidth(1.5f);
     renderer->AddActor(edge_);
@@ -43,22 +43,21 @@ TankActors::TankActors(vtkRenderer* renderer)
     setSize({210, 297}, 80);
 }
 
-void TankActors::setSize(QSizeF film, double depth) {
-    const double margin = 0.12 * std::max(film.width(), film.height());
-    const double innerX = film.width() / 2, innerZ = film.height() / 2;
-    const double outerX = innerX + margin, outerZ = innerZ + margin;
+double TankActors::margin(QSizeF film) {
+    return 0.12 * std::max(film.width(), film.height());
+}
 
-    // A frame round the film: water under the film would only hide what happens there.
+void TankActors::setSize(QSizeF film, double depth) {
+    const double outerX = film.width() / 2 + margin(film);
+    const double outerZ = film.height() / 2 + margin(film);
+
+    // Just below the film, which lies on it.
     auto waterPoints = vtkSmartPointer<vtkPoints>::New();
-    addRectangle(*waterPoints, outerX, 0, outerZ);
-    addRectangle(*waterPoints, innerX, 0, innerZ);
-    auto quads = vtkSmartPointer<vtkCellArray>::New();
-    for (vtkIdType side = 0; side < 4; ++side) {
-        const vtkIdType next = (side + 1) % 4;
-        quads->InsertNextCell({side, next, 4 + next, 4 + side});
-    }
+    addRectangle(*waterPoints, outerX, -0.1, outerZ);
+    auto quad = vtkSmartPointer<vtkCellArray>::New();
+    quad->InsertNextCell({0, 1, 2, 3});
     waterData_->SetPoints(waterPoints);
-    waterData_->SetPolys(quads);
+    waterData_->SetPolys(quad);
 
     auto edgePoints = vtkSmartPointer<vtkPoints>::New();
     addRectangle(*edgePoints, outerX, 0, outerZ);

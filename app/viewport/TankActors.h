@@ -14,6 +14,9 @@ class TankActors {
 public:
     explicit TankActors(vtkRenderer* renderer);
 
+    // mm of water round a film of this size.
+    static double margin(QSizeF film);
+
     void setSize(QSizeF film, double depth);
     void setVisible(bool visible);
     void setColours(const QColor& water, const QColor& edge);

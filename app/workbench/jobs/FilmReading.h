@@ -29,6 +29,8 @@ public:
     const std::vector<float>& values(FilmQuantity quantity) const {
         return values_[std::size_t(quantity)];
     }
+    // Of the points that paint the body only; of all where none does.
+    std::vector<float> paintedValues(FilmQuantity quantity) const;
     // The film at a place of the flat film; nothing outside it.
     std::optional<FilmReadingPoint> at(const Eigen::Vector2f& rest) const;
     // The film first met by a ray in the pose frame.

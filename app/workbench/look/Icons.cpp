@@ -28,7 +28,10 @@ QByteArray recoloured(QByteArray svg, QIcon::Mode mode) {
                    : mode == QIcon::Selected ? text
                                              : palette.color(QPalette::Link));
     put("#c6372f", disabled ? text : dark ? QColor(0xf0, 0x6a, 0x60) : QColor(0xc6, 0x37, 0x2f));
-    put("#b86e00", disabled ? text : dark ? QColor(0xf0, 0xb0, 0x4a) : QColor(0xb8, 0x6e, 0x00));
+    const bool selected = mode == QIcon::Selected;
+    put("#b86e00", disabled           ? text
+                   : dark || selected ? QColor(0xff, 0xc4, 0x5e)
+                                      : QColor(0xb8, 0x6e, 0x00));
     put("#2c7d3c", disabled ? text : dark ? QColor(0x5c, 0xbf, 0x70) : QColor(0x2c, 0x7d, 0x3c));
     return svg;
 }

@@ -1,12 +1,25 @@
 #include "look/Theme.h"
 
 #include <QApplication>
+#include <QProxyStyle>
 #include <QStyleFactory>
-#include <QStyleHints>
 
 namespace dipwright {
 
 namespace {
+
+// Fusion with a few habits of the desktop programs of today.
+class WorkbenchStyle : public QProxyStyle {
+public:
+    WorkbenchStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* data) const override {
+        if (hint == SH_DialogButtonBox_ButtonsHaveIcons) {
+            return 0;
+        }
+        return QProxyStyle::styleHint(hint, option, widget, data);
+    }
+};
 
 struct Colours {
     QColor window, base, alternate, text, faint, button, link, highlight, highlightedText, middle;
@@ -69,7 +82,7 @@ bool systemIsDark() {
 
 void applyTheme(QApplication& application, Theme theme) {
     static const bool desktopIsDark = systemIsDark();
-    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    application.setStyle(new WorkbenchStyle);
     application.setPalette(
         themePalette(theme == Theme::Dark || (theme == Theme::System && desktopIsDark)));
 }

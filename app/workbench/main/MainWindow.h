@@ -4,9 +4,10 @@
 
 #include "document/Document.h"
 #include "document/Recovery.h"
-#include "jobs/DipJob.h"
+#include "jobs/DipSession.h"
 #include "jobs/JobRunner.h"
 #include "main/DipScene.h"
+#include "model/ImportModel.h"
 #include "panels/ProjectTree.h"
 #include "panels/Units.h"
 
@@ -20,17 +21,14 @@ class QLabel;
 class QMenu;
 class QProgressBar;
 class QStackedWidget;
-class QTabWidget;
 class QToolButton;
 
 namespace dipwright {
 
 class LogPanel;
-class PicturePanel;
 class PropertyPanel;
-class ReportPanel;
+class ResultsPanel;
 class StartPage;
-class StretchPanel;
 class Timeline;
 class Workbench;
 
@@ -41,32 +39,38 @@ public:
     explicit MainWindow(Workbench& workbench);
     ~MainWindow() override;
 
-    Document* document() const { return document_.get(); }
+    Document* document() const { return document_.get(); } // null: the start page is shown
     DipView& view() { return *view_; }
-    JobRunner& jobs() { return jobs_; }
+    const DipSession& session() const { return session_; }
 
-    // Opens a project in this window if it is empty, else in a new one. On the worker thread: the
-    // window tells when it is there or why it is not.
+    // Each opens in this window if it is empty, else in a new one; on the worker thread: the window
+    // tells when it is there or why it is not.
     void openProject(const QString& path);
-    // Takes an untitled project, or one made from a model.
-    void showProject(const Project& project);
-    void importModelAsProject(const QString& path, double longestEdge,
-                              const std::function<void(Project&)>& complete);
+    // `complete` may set what the user has chosen beside the model.
+    void importModelAsProject(const QString& path, const ImportOptions& options,
+                              const std::function<void(Project&)>& complete = {});
     void restore(const RecoveredDocument& recovered);
+    void saveAsFile(const QString& path); // throws Error
+    void replaceModel(const QString& path);
+    void replaceTexture(const QString& path);
 
-    void startDip();
-    void cancelJobs();
     void selectImmersion(std::size_t number);
 
 public slots:
-    void newProject();
+    void newProject(const QString& model = {});
     void open();
     bool save();   // false: not saved
     bool saveAs(); // false: not saved
+    void startDip();
+    void cancelJobs();
+    void addImmersion();
+    void showPreferences();
+    void showTour();
+    void showGuide();
+    void showAbout();
 
 signals:
     void documentOpened();
-    void dipFinished(bool done);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -78,38 +82,47 @@ private:
     struct Actions;
 
     // Building the window (MainWindowLayout.cpp).
+    void makeCentre();
     void makeDocks();
-    void makeResults();
     void makeStatusBar();
     void makeActions();
+    void makeFileActions();
+    void makeEditActions();
+    void makeDipActions();
+    void makeCameraActions();
+    void makeDisplayActions();
+    void makeFilmLookActions();
+    void makeHelpActions();
     void makeMenus();
     void makeToolBars();
     QAction* addAction(const char* name, const QString& iconName, const QString& text,
                        const QString& help, const QKeySequence& shortcut,
                        const std::function<void()>& triggered);
-    void applyPreferences();
-    void fillRecentMenu();
-    void fillFilmMenu();
+    QAction* addToggle(const char* name, const QString& iconName, const QString& text,
+                       const QString& help, bool on);
 
-    // Documents.
-    void setDocument(std::unique_ptr<Document> document);
-    bool lockOrAsk(Document& document);
-    bool mayClose();
+    // State of the whole window (MainWindow.cpp).
+    void connectPanels();
+    void applyPreferences();
+    void applyShortcuts();
     void updateTitle();
     void updateActions();
-    void reloadModel();
-    void replaceModel(const QString& path);
-    void replaceTexture(const QString& path);
-    void importInto(const QString& model, const QString& texture, const QString& undoText,
-                    bool keepPose);
-    void addImmersion();
-    void removeImmersion(std::size_t number);
     void report(const QString& what);
     void reportFailure(const QString& title, std::exception_ptr failure);
 
-    // The dip.
+    // Documents (MainWindowDocuments.cpp).
+    void setDocument(std::unique_ptr<Document> document);
+    void showProject(const Project& project);
+    bool lockOrAsk(Document& document);
+    bool mayClose();
+    void fillRecentMenu();
+    void reloadModel();
+    void importInto(const QString& model, const QString& texture, const QString& undoText,
+                    bool keepPose);
+    void removeImmersion(std::size_t number);
+
+    // The dip and what is shown of it (MainWindowDip.cpp).
     void projectChanged();
-    void takeOutcome(const DipOutcome& outcome);
     void showLiveFrame();
     void showMoment(int position);
     void showResults();
@@ -118,22 +131,17 @@ private:
     void exportResults();
     void exportSheet(bool pdf);
     void exportStretch(const QString& kind);
-
-    // The cursor and the tools in the view.
     void hoverRay(const ViewRay& ray);
-    void hoverFilm(const Eigen::Vector2f& rest);
     void showReading(const std::optional<FilmReadingPoint>& point);
-    void clickRay(const ViewRay& ray);
+    void measureAt(const ViewRay& ray);
     void dragRotation(int axis, double degrees);
     void finishRotation();
-
-    LengthUnit lengthUnit() const;
-    const FilmReading* reading() const; // of the immersion shown; null: none
 
     Workbench& workbench_;
     std::unique_ptr<Document> document_;
     std::unique_ptr<AutoSaver> autoSaver_;
     JobRunner jobs_;
+    DipSession session_;
 
     std::unique_ptr<Actions> actions_;
     QStackedWidget* pages_ = nullptr;
@@ -144,32 +152,25 @@ private:
     QLabel* staleBanner_ = nullptr;
     ProjectTree* tree_ = nullptr;
     PropertyPanel* properties_ = nullptr;
-    QTabWidget* results_ = nullptr;
-    StretchPanel* stretch_ = nullptr;
-    PicturePanel* texture_ = nullptr;
-    PicturePanel* proof_ = nullptr;
-    PicturePanel* sheet_ = nullptr;
-    ReportPanel* report_ = nullptr;
+    ResultsPanel* results_ = nullptr;
     LogPanel* log_ = nullptr;
     QDockWidget* projectDock_ = nullptr;
     QDockWidget* resultsDock_ = nullptr;
     QDockWidget* logDock_ = nullptr;
     QMenu* recentMenu_ = nullptr;
+    QMenu* filmMenu_ = nullptr;
     QLabel* readingLabel_ = nullptr;
     QLabel* jobLabel_ = nullptr;
     QProgressBar* progressBar_ = nullptr;
     QToolButton* cancelButton_ = nullptr;
 
-    std::size_t immersion_ = 0;
-    DipRecordings recordings_, running_;
-    DipOutcome outcome_;
-    bool dipRunning_ = false;
-    bool dipWanted_ = false; // again, once the jobs that run now have ended
-    QTimer liveTimer_, updateTimer_;
+    std::size_t immersion_ = 0; // the one shown
+    QTimer liveTimer_;          // pictures of the dip that runs
+    QTimer updateTimer_;        // from the last change to a new run
     const RecordedFrame* shownFrame_ = nullptr;
     bool measuring_ = false;
     std::vector<Eigen::Vector3f> measured_; // model coordinates
-    std::optional<Immersion> dragged_;      // as it was before the drag
+    std::optional<Immersion> dragged_;      // as it was before it was turned by its rings
     QImage filmPicture_;
 };
 

@@ -3,11 +3,9 @@
 #include "main/MainWindowActions.h"
 #include "main/Workbench.h"
 #include "panels/LogPanel.h"
-#include "panels/PicturePanel.h"
 #include "panels/PropertyPanel.h"
-#include "panels/ReportPanel.h"
+#include "panels/ResultsPanel.h"
 #include "panels/StartPage.h"
-#include "panels/StretchPanel.h"
 #include "panels/Timeline.h"
 
 #include <QAction>
@@ -20,18 +18,21 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QTabWidget>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 namespace dipwright {
 
-void MainWindow::makeDocks() {
-    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+namespace {
 
+QKeySequence key(const char* text) {
+    return QKeySequence(QLatin1String(text));
+}
+
+} // namespace
+
+void MainWindow::makeCentre() {
     pages_ = new QStackedWidget;
     startPage_ = new StartPage;
     view_ = new DipView;
@@ -59,6 +60,12 @@ void MainWindow::makeDocks() {
     pages_->addWidget(startPage_);
     pages_->addWidget(page);
     setCentralWidget(pages_);
+}
+
+void MainWindow::makeDocks() {
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 
     tree_ = new ProjectTree;
     properties_ = new PropertyPanel(workbench_.registry());
@@ -66,14 +73,18 @@ void MainWindow::makeDocks() {
     splitter->setChildrenCollapsible(false);
     splitter->addWidget(tree_);
     splitter->addWidget(properties_);
-    splitter->setStretchFactor(0, 2);
-    splitter->setStretchFactor(1, 5);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({190, 500});
     projectDock_ = new QDockWidget(tr("Project"));
     projectDock_->setObjectName(QStringLiteral("projectDock"));
     projectDock_->setWidget(splitter);
     addDockWidget(Qt::LeftDockWidgetArea, projectDock_);
 
-    makeResults();
+    results_ = new ResultsPanel;
+    resultsDock_ = new QDockWidget(tr("Results"));
+    resultsDock_->setObjectName(QStringLiteral("resultsDock"));
+    resultsDock_->setWidget(results_);
+    addDockWidget(Qt::RightDockWidgetArea, resultsDock_);
 
     log_ = new LogPanel;
     logDock_ = new QDockWidget(tr("Log"));
@@ -83,34 +94,6 @@ void MainWindow::makeDocks() {
     logDock_->hide();
     resizeDocks({projectDock_, resultsDock_}, {320, 400}, Qt::Horizontal);
     resizeDocks({logDock_}, {160}, Qt::Vertical);
-}
-
-void MainWindow::makeResults() {
-    stretch_ = new StretchPanel;
-    texture_ = new PicturePanel(tr("Reverse texture"),
-                                tr("Run the dip to see the image that goes on the film."));
-    proof_ = new PicturePanel(tr("Proof"), tr("Run the dip to see the body as it will come out."));
-    sheet_ = new PicturePanel(tr("Sheet"), tr("Run the dip to see the page as it prints."));
-    sheet_->offerTrueSize();
-    report_ = new ReportPanel;
-    results_ = new QTabWidget;
-    results_->setObjectName(QStringLiteral("results"));
-    results_->setDocumentMode(true);
-    results_->setUsesScrollButtons(true);
-    results_->addTab(stretch_, tr("Stretch"));
-    results_->addTab(texture_, tr("Reverse Texture"));
-    results_->addTab(proof_, tr("Proof"));
-    results_->addTab(sheet_, tr("Sheet"));
-    results_->addTab(report_, tr("Report"));
-    results_->setTabToolTip(0, tr("How much the film has stretched, and where"));
-    results_->setTabToolTip(1, tr("The image that goes on the film"));
-    results_->setTabToolTip(2, tr("The body as it will come out"));
-    results_->setTabToolTip(3, tr("The page as it prints"));
-    results_->setTabToolTip(4, tr("The figures of the last run"));
-    resultsDock_ = new QDockWidget(tr("Results"));
-    resultsDock_->setObjectName(QStringLiteral("resultsDock"));
-    resultsDock_->setWidget(results_);
-    addDockWidget(Qt::RightDockWidgetArea, resultsDock_);
 }
 
 void MainWindow::makeStatusBar() {
@@ -138,6 +121,14 @@ void MainWindow::makeStatusBar() {
     }
 }
 
+QAction* MainWindow::addToggle(const char* name, const QString& iconName, const QString& text,
+                               const QString& help, bool on) {
+    QAction* action = addAction(name, iconName, text, help, {}, {});
+    action->setCheckable(true);
+    action->setChecked(on);
+    return action;
+}
+
 QAction* MainWindow::addAction(const char* name, const QString& iconName, const QString& text,
                                const QString& help, const QKeySequence& shortcut,
                                const std::function<void()>& triggered) {
@@ -149,7 +140,6 @@ QAction* MainWindow::addAction(const char* name, const QString& iconName, const 
     action->setShortcut(shortcut);
     action->setProperty("defaultShortcut", QVariant::fromValue(shortcut));
     action->setWhatsThis(help);
-    action->setProperty("help", help);
     if (triggered) {
         connect(action, &QAction::triggered, this, triggered);
     }
@@ -159,13 +149,17 @@ QAction* MainWindow::addAction(const char* name, const QString& iconName, const 
 
 void MainWindow::makeActions() {
     actions_ = std::make_unique<Actions>();
-    Actions& a = *actions_;
-    const auto none = QKeySequence();
-    const auto key = [](const char* text) { return QKeySequence(QLatin1String(text)); };
-    const auto look = [this](ViewDirection direction) {
-        return [this, direction] { view_->look(direction); };
-    };
+    makeFileActions();
+    makeEditActions();
+    makeDipActions();
+    makeCameraActions();
+    makeDisplayActions();
+    makeFilmLookActions();
+    makeHelpActions();
+}
 
+void MainWindow::makeFileActions() {
+    Actions& a = *actions_;
     a.newProject = addAction("new", QStringLiteral("document-new"), tr("&New Project…"),
                              tr("Make a project of a textured model"), QKeySequence::New,
                              [this] { newProject(); });
@@ -174,53 +168,68 @@ void MainWindow::makeActions() {
     a.save = addAction("save", QStringLiteral("document-save"), tr("&Save"), tr("Save the project"),
                        QKeySequence::Save, [this] { save(); });
     a.saveAs = addAction("saveAs", {}, tr("Save &As…"), tr("Save the project as another file"),
-                         QKeySequence::SaveAs, [this] { saveAs(); });
+                         key("Ctrl+Shift+S"), [this] { saveAs(); });
     a.exportResults = addAction("exportResults", QStringLiteral("export"), tr("&Export Results…"),
                                 tr("Write sheets, stretch maps, proof, films and report to a "
                                    "folder"),
                                 key("Ctrl+E"), [this] { exportResults(); });
     a.exportPdf = addAction("exportPdf", QStringLiteral("sheet"), tr("Sheet as P&DF…"),
-                            tr("Save this immersion's sheet as PDF at true size"), none,
+                            tr("Save this immersion's sheet as PDF at true size"), {},
                             [this] { exportSheet(true); });
     a.exportPng = addAction("exportPng", QStringLiteral("texture"), tr("Sheet as P&NG…"),
-                            tr("Save this immersion's film image as PNG"), none,
+                            tr("Save this immersion's film image as PNG"), {},
                             [this] { exportSheet(false); });
-    a.close =
-        addAction("close", {}, tr("&Close Window"), {}, QKeySequence::Close, [this] { close(); });
-    a.quit = addAction("quit", {}, tr("&Quit"), {}, QKeySequence::Quit,
+    a.close = addAction("close", {}, tr("&Close Window"), tr("Close this window"),
+                        QKeySequence::Close, [this] { close(); });
+    a.quit = addAction("quit", {}, tr("&Quit"), tr("Close all windows"), key("Ctrl+Q"),
                        [] { QApplication::closeAllWindows(); });
     a.quit->setMenuRole(QAction::QuitRole);
+}
 
+void MainWindow::makeEditActions() {
+    Actions& a = *actions_;
     a.undo = addAction("undo", QStringLiteral("undo"), tr("&Undo"), tr("Take back the last change"),
                        QKeySequence::Undo, [this] { document_->undoStack().undo(); });
     a.redo = addAction("redo", QStringLiteral("redo"), tr("&Redo"), tr("Make the change again"),
-                       QKeySequence::Redo, [this] { document_->undoStack().redo(); });
+                       key("Ctrl+Shift+Z"), [this] { document_->undoStack().redo(); });
     a.addImmersion = addAction("addImmersion", QStringLiteral("add"), tr("Add &Second Immersion"),
-                               tr("Dip the body a second time, from another side"), none,
+                               tr("Dip the body a second time, from another side"), {},
                                [this] { addImmersion(); });
     a.removeImmersion =
         addAction("removeImmersion", QStringLiteral("remove"), tr("Remove &Immersion"),
-                  tr("Remove the immersion shown"), none, [this] { removeImmersion(immersion_); });
+                  tr("Remove the immersion shown"), {}, [this] { removeImmersion(immersion_); });
     a.reloadModel = addAction("reloadModel", QStringLiteral("reload"), tr("Re&load Model"),
                               tr("Read the model's file again and keep all settings"),
                               QKeySequence::Refresh, [this] { reloadModel(); });
     a.replaceModel = addAction("replaceModel", QStringLiteral("replace"), tr("Replace &Model…"),
-                               tr("Take another model"), none, [this] { replaceModel({}); });
+                               tr("Take another model"), {}, [this] { replaceModel({}); });
     a.replaceTexture =
         addAction("replaceTexture", QStringLiteral("texture"), tr("Replace &Texture…"),
-                  tr("Put another picture on the model"), none, [this] { replaceTexture({}); });
+                  tr("Put another picture on the model"), {}, [this] { replaceTexture({}); });
+    a.preferences = addAction("preferences", QStringLiteral("preferences"), tr("&Preferences…"),
+                              tr("Units, language, look, shortcuts and solvers"), key("Ctrl+,"),
+                              [this] { showPreferences(); });
+    a.preferences->setMenuRole(QAction::PreferencesRole);
+}
 
+void MainWindow::makeDipActions() {
+    Actions& a = *actions_;
     a.run = addAction("run", QStringLiteral("run"), tr("&Run"),
                       tr("Simulate the dip and make the sheets"), key("Ctrl+R"),
                       [this] { startDip(); });
     a.cancel = addAction("cancel", QStringLiteral("cancel"), tr("&Cancel"),
                          tr("Stop what is running"), key("Ctrl+."), [this] { cancelJobs(); });
-    a.live = addAction("live", QStringLiteral("live"), tr("Run &Live"),
-                       tr("Run again after each change"), none, {});
-    a.live->setCheckable(true);
+    a.live = addToggle("live", QStringLiteral("live"), tr("Run &Live"),
+                       tr("Once there is a result, run again after each change"), false);
     a.play = addAction("play", QStringLiteral("play"), tr("&Play or Pause"), tr("Play the dip"),
                        key("Ctrl+Space"), [this] { timeline_->togglePlaying(); });
+}
 
+void MainWindow::makeCameraActions() {
+    Actions& a = *actions_;
+    const auto look = [this](ViewDirection direction) {
+        return [this, direction] { view_->look(direction); };
+    };
     a.fit = addAction("fit", QStringLiteral("fit"), tr("&Fit"), tr("Show body and film whole"),
                       key("Ctrl+0"), [this] { view_->fit(); });
     a.oblique =
@@ -238,77 +247,65 @@ void MainWindow::makeActions() {
                        look(ViewDirection::Left));
     a.bottom = addAction("bottom", {}, tr("&Bottom"), tr("Look from below"), key("Ctrl+7"),
                          look(ViewDirection::Bottom));
-    a.parallel = addAction("parallel", QStringLiteral("parallel"), tr("&Parallel Projection"),
-                           tr("Show equal lengths equally long, near or far"), key("Ctrl+8"), {});
-    a.parallel->setCheckable(true);
+    a.parallel = addToggle("parallel", QStringLiteral("parallel"), tr("&Parallel Projection"),
+                           tr("Show equal lengths equally long, near or far"), false);
     connect(a.parallel, &QAction::toggled, view_, &DipView::setParallelProjection);
+}
 
-    a.rings = addAction("rings", QStringLiteral("rotate"), tr("R&otation Rings"),
-                        tr("Show the rings that turn the body"), none, {});
-    a.rings->setCheckable(true);
-    a.rings->setChecked(true);
+void MainWindow::makeDisplayActions() {
+    Actions& a = *actions_;
+    a.rings = addToggle("rings", QStringLiteral("rotate"), tr("R&otation Rings"),
+                        tr("Show the rings that turn the body"), true);
     connect(a.rings, &QAction::toggled, scene_, &DipScene::setShowRings);
-    a.water = addAction("water", QStringLiteral("water"), tr("&Water and Tank"),
-                        tr("Show the water and the edges of the tank"), none, {});
-    a.water->setCheckable(true);
-    a.water->setChecked(true);
+    a.water = addToggle("water", QStringLiteral("water"), tr("&Water and Tank"),
+                        tr("Show the water and the edges of the tank"), true);
     connect(a.water, &QAction::toggled, view_, &DipView::setWaterVisible);
-    a.body = addAction("body", QStringLiteral("body"), tr("Bo&dy"), tr("Show the body"), none, {});
-    a.body->setCheckable(true);
-    a.body->setChecked(true);
+    a.body = addToggle("body", QStringLiteral("body"), tr("Bo&dy"), tr("Show the body"), true);
     connect(a.body, &QAction::toggled, view_, &DipView::setBodyVisible);
-    a.coverage = addAction("coverage", QStringLiteral("proof"), tr("&Coverage on the Body"),
-                           tr("Show which of the body this immersion paints"), none, {});
-    a.coverage->setCheckable(true);
+    a.coverage = addToggle("coverage", QStringLiteral("proof"), tr("&Coverage on the Body"),
+                           tr("Show how much of the body this immersion paints"), false);
     connect(a.coverage, &QAction::toggled, scene_, &DipScene::setShowCoverage);
     a.filmOnBody =
-        addAction("filmOnBody", QStringLiteral("film"), tr("Film on the Body &Only"),
-                  tr("At the end of the dip, hide the film that paints nothing"), none, {});
-    a.filmOnBody->setCheckable(true);
+        addToggle("filmOnBody", QStringLiteral("film-on-body"), tr("Film on the Body &Only"),
+                  tr("At the end of the dip, hide the film that paints nothing"), false);
     connect(a.filmOnBody, &QAction::toggled, this, [this](bool only) {
         scene_->setFilmExtent(only ? FilmExtent::OnBody : FilmExtent::Whole);
     });
-    a.measure = addAction("measure", QStringLiteral("measure"), tr("&Measure"),
-                          tr("Click two places on the body to measure the distance between them"),
-                          key("Ctrl+M"), {});
-    a.measure->setCheckable(true);
+    a.measure =
+        addToggle("measure", QStringLiteral("measure"), tr("&Measure"),
+                  tr("Click two places on the body to measure the distance between them"), false);
+    a.measure->setProperty("defaultShortcut", key("Ctrl+M"));
     connect(a.measure, &QAction::toggled, this, [this](bool on) {
         measuring_ = on;
         measured_.clear();
         view_->setMeasure({}, {});
     });
-    a.tour = addAction("tour", QStringLiteral("help"), tr("Quick &Tour"),
-                       tr("What is where, in six steps"), none, {});
-    a.guide = addAction("guide", QStringLiteral("report"), tr("User &Guide"),
-                        tr("How everything works"), QKeySequence::HelpContents, {});
-    a.preferences = addAction("preferences", QStringLiteral("preferences"), tr("&Preferences…"),
-                              tr("Units, language, look, shortcuts and solvers"),
-                              QKeySequence::Preferences, {});
-    a.preferences->setMenuRole(QAction::PreferencesRole);
-    a.about = addAction("about", {}, tr("&About Dipwright"), {}, none, {});
-    a.about->setMenuRole(QAction::AboutRole);
 }
 
-void MainWindow::fillFilmMenu() {
-    struct Look {
-        FilmLook look;
-        const char* name;
-        QString text;
-    };
-    const std::vector<Look> looks{{FilmLook::Lines, "filmLines", tr("&Lines every 10 mm")},
-                                  {FilmLook::Sheet, "filmSheet", tr("The &Sheet's Image")},
-                                  {FilmLook::Stretch, "filmStretch", tr("S&tretch")},
-                                  {FilmLook::Chessboard, "filmChessboard", tr("&Chessboard 17 mm")},
-                                  {FilmLook::Picture, "filmPicture", tr("A &Picture…")}};
+void MainWindow::makeFilmLookActions() {
     actions_->filmLook = new QActionGroup(this);
-    for (const Look& look : looks) {
-        QAction* action = addAction(look.name, {}, look.text, tr("What the film wears in the view"),
-                                    {}, [this, chosen = look.look] { setFilmLook(chosen); });
-        action->setCheckable(true);
-        action->setData(int(look.look));
+    const auto addLook = [this](const char* name, const QString& text, FilmLook look) {
+        QAction* action = addToggle(name, {}, text, tr("What the film wears in the view"), false);
         actions_->filmLook->addAction(action);
-    }
-    actions_->filmLook->actions().first()->setChecked(true);
+        connect(action, &QAction::triggered, this, [this, look] { setFilmLook(look); });
+        return action;
+    };
+    addLook("filmLines", tr("&Lines every 10 mm"), FilmLook::Lines)->setChecked(true);
+    addLook("filmSheet", tr("The &Sheet's Image"), FilmLook::Sheet);
+    addLook("filmStretch", tr("S&tretch"), FilmLook::Stretch);
+    addLook("filmChessboard", tr("&Chessboard of 17 mm"), FilmLook::Chessboard);
+    addLook("filmPicture", tr("A &Picture…"), FilmLook::Picture);
+}
+
+void MainWindow::makeHelpActions() {
+    Actions& a = *actions_;
+    a.tour = addAction("tour", QStringLiteral("help"), tr("Quick &Tour"),
+                       tr("What is where, in six steps"), {}, [this] { showTour(); });
+    a.guide =
+        addAction("guide", QStringLiteral("report"), tr("User &Guide"), tr("How everything works"),
+                  QKeySequence::HelpContents, [this] { showGuide(); });
+    a.about = addAction("about", {}, tr("&About Dipwright"), {}, {}, [this] { showAbout(); });
+    a.about->setMenuRole(QAction::AboutRole);
 }
 
 void MainWindow::makeMenus() {
@@ -338,10 +335,8 @@ void MainWindow::makeMenus() {
     view->addSeparator();
     view->addAction(a.parallel);
     view->addSeparator();
-    QMenu* film = view->addMenu(icon(QStringLiteral("film")), tr("&Film Wears"));
-    film->setObjectName(QStringLiteral("filmMenu"));
-    fillFilmMenu();
-    film->addActions(a.filmLook->actions());
+    filmMenu_ = view->addMenu(icon(QStringLiteral("film")), tr("Film &Wears"));
+    filmMenu_->addActions(a.filmLook->actions());
     view->addActions({a.filmOnBody, a.body, a.coverage, a.water, a.rings, a.measure});
 
     QMenu* dip = menuBar()->addMenu(tr("&Dip"));
@@ -384,7 +379,7 @@ void MainWindow::makeToolBars() {
     film->setToolTip(tr("What the film wears in the view"));
     film->setAccessibleName(tr("Film Wears"));
     film->setPopupMode(QToolButton::InstantPopup);
-    film->setMenu(findChild<QMenu*>(QStringLiteral("filmMenu")));
+    film->setMenu(filmMenu_);
     view->addWidget(film);
     view->addActions({a.filmOnBody, a.coverage, a.water, a.rings, a.measure});
 }

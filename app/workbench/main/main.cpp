@@ -1,5 +1,6 @@
 // The workbench: dipwright [FILE.dipw …]
 #include "document/Recovery.h"
+#include "main/Languages.h"
 #include "main/MainWindow.h"
 #include "main/Workbench.h"
 
@@ -18,6 +19,8 @@ int main(int argc, char* argv[]) {
     QApplication::setApplicationVersion(QStringLiteral(DIPWRIGHT_VERSION));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/dipwright.svg")));
     QApplication::setDesktopFileName(QStringLiteral("dipwright"));
+
+    dipwright::installLanguage(application, dipwright::loadPreferences().language);
 
     QCommandLineParser parser;
     parser.setApplicationDescription(

@@ -29,9 +29,13 @@ public:
         setFocusPolicy(Qt::StrongFocus);
         setKeyboardTracking(false);
         setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-        setMinimumWidth(64);
     }
-    QSize sizeHint() const override { return {96, QDoubleSpinBox::sizeHint().height()}; }
+    // Room for a usual value, not for the longest that the range allows.
+    QSize sizeHint() const override {
+        const QString usual = prefix() + QStringLiteral("-000.0") + suffix();
+        return {fontMetrics().horizontalAdvance(usual) + 30, QDoubleSpinBox::sizeHint().height()};
+    }
+    QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
     void wheelEvent(QWheelEvent* event) override {

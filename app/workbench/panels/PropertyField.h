@@ -21,7 +21,7 @@ struct PropertySpec {
     QStringList parts = {};            // short names where the value has several: "X", "Y"
     QMap<QString, QString> words = {}; // the schema's choices in the user's language
     QString absent = {};               // what no value means, where there may be none: "Elastic"
-    double whenPresent = 1;       // the value when the user asks for one
+    double whenPresent = 1;            // the value when the user asks for one
     std::function<bool(const Project&)> relevant = {}; // empty: always shown
 };
 

@@ -142,8 +142,8 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
             tr("%1 × %2 × %3")
                 .arg(shownLength(size.x(), lengthUnit_), shownLength(size.y(), lengthUnit_),
                      shownLength(size.z(), lengthUnit_)),
-            tr("%n triangle(s)", nullptr, int(model.mesh.triangles.size())),
-            tr("%1 cm³").arg(locale.toString(volume(model.mesh) / 1000, 'f', 1)),
+            tr("Triangles: %1").arg(locale.toString(qulonglong(model.mesh.triangles.size()))),
+            tr("Volume: %1 cm³").arg(locale.toString(volume(model.mesh) / 1000, 'f', 1)),
             isClosed(model.mesh) ? tr("Closed surface") : tr("Surface with openings")};
         for (const QImage& texture : model.textures) {
             lines.append(

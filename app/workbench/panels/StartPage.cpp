@@ -54,16 +54,17 @@ StartPage::StartPage(QWidget* parent)
     auto* logo = new QLabel;
     logo->setPixmap(QIcon(QStringLiteral(":/icons/dipwright.svg")).pixmap(96, 96));
     actions->addWidget(logo);
-    actions->addSpacing(8);
+    actions->addSpacing(4);
     actions->addWidget(title);
     actions->addWidget(subtitle);
-    actions->addSpacing(16);
+    actions->addSpacing(20);
     const auto addButton = [this, actions](const QString& text, const QString& help,
                                            const QString& iconName, void (StartPage::*asked)()) {
         auto* button = new QCommandLinkButton(text, help);
         button->setIcon(icon(iconName));
         button->setIconSize({28, 28});
         connect(button, &QCommandLinkButton::clicked, this, asked);
+        button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
         actions->addWidget(button);
     };
     addButton(tr("New Project…"), tr("Start from a textured model: OBJ, PLY, STL, glTF or 3MF."),
@@ -110,6 +111,7 @@ StartPage::StartPage(QWidget* parent)
     right->addWidget(recentTitle);
     right->addWidget(recentHint_);
     right->addWidget(recent_, 1);
+    right->addStretch();
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(48, 40, 32, 24);

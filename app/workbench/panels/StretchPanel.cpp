@@ -93,9 +93,12 @@ StretchPanel::StretchPanel(QWidget* parent)
     exportButton_->setPopupMode(QToolButton::InstantPopup);
     exportButton_->setAutoRaise(true);
     auto* menu = new QMenu(exportButton_);
-    menu->addAction(tr("Picture (PNG)…"), this, &StretchPanel::exportPictureAsked);
-    menu->addAction(tr("Table (CSV)…"), this, &StretchPanel::exportTableAsked);
-    menu->addAction(tr("Film (VTP)…"), this, &StretchPanel::exportFilmAsked);
+    const auto addExport = [this, menu](const QString& text, const QString& suffix) {
+        menu->addAction(text, this, [this, suffix] { emit exportAsked(suffix); });
+    };
+    addExport(tr("Picture (PNG)…"), QStringLiteral("png"));
+    addExport(tr("Table (CSV)…"), QStringLiteral("csv"));
+    addExport(tr("Film (VTP)…"), QStringLiteral("vtp"));
     exportButton_->setMenu(menu);
     top->addWidget(exportButton_);
     layout->addLayout(top);
@@ -142,10 +145,6 @@ void StretchPanel::setReading(std::shared_ptr<const FilmReading> reading) {
     redraw();
 }
 
-void StretchPanel::setLengthUnit(LengthUnit unit) {
-    unit_ = unit;
-}
-
 FilmQuantity StretchPanel::quantity() const {
     return FilmQuantity(quantityBox_->currentData().toInt());
 }
@@ -170,8 +169,9 @@ void StretchPanel::redraw() {
         return;
     }
     const std::vector<float>& values = reading_->values(quantity());
+    const std::vector<float> painted = reading_->paintedValues(quantity());
     if (automaticBox_->isChecked()) {
-        scale_ = automaticScale(scale_, values);
+        scale_ = automaticScale(scale_, painted);
         const QSignalBlocker quietLow(lowBox_), quietHigh(highBox_);
         lowBox_->setValue(scale_.low);
         highBox_->setValue(scale_.high);
@@ -184,11 +184,11 @@ void StretchPanel::redraw() {
     view_->setLines(isolineTick_->isChecked()
                         ? isolines(values, grid.columns, grid.rows, size, isolineStep(scale_))
                         : QList<QLineF>());
-    histogram_->setValues(values, scale_);
-    const Distribution spread = distribution(values);
+    histogram_->setValues(painted, scale_);
+    const Distribution spread = distribution(painted);
     const auto number = [this](double value) { return locale().toString(value, 'f', 3); };
     summary_->setText(
-        tr("Mean %1 · 95 % below %2 · largest %3")
+        tr("On the body: mean %1 · 95 % below %2 · largest %3")
             .arg(number(spread.mean), number(spread.percentile95), number(spread.maximum)));
     emit scaleChanged();
 }

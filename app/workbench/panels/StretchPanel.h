@@ -5,7 +5,6 @@
 #include "panels/HeatScale.h"
 #include "panels/Histogram.h"
 #include "panels/PictureView.h"
-#include "panels/Units.h"
 
 #include <QWidget>
 
@@ -26,7 +25,6 @@ public:
 
     // Null: nothing has been simulated yet.
     void setReading(std::shared_ptr<const FilmReading> reading);
-    void setLengthUnit(LengthUnit unit);
     FilmQuantity quantity() const;
     const HeatScale& scale() const { return scale_; }
     // The linked cursor; nullopt: nowhere.
@@ -36,9 +34,7 @@ signals:
     void scaleChanged(); // quantity, map, range or limit
     void hovered(Eigen::Vector2f rest);
     void hoverLeft();
-    void exportPictureAsked();
-    void exportTableAsked();
-    void exportFilmAsked();
+    void exportAsked(const QString& suffix); // "png", "csv" or "vtp"
 
 private:
     void makeScaleRow(QVBoxLayout& layout);
@@ -46,7 +42,6 @@ private:
 
     std::shared_ptr<const FilmReading> reading_;
     HeatScale scale_;
-    LengthUnit unit_ = LengthUnit::Millimetre;
     QComboBox* quantityBox_;
     QComboBox* mapBox_;
     QCheckBox* automaticBox_;

@@ -1,0 +1,101 @@
+#include "jobs/DipSession.h"
+
+namespace dipwright {
+
+DipSession::DipSession(JobRunner& jobs, const SolverRegistry& registry, QObject* parent)
+    : QObject(parent), jobs_(jobs), registry_(registry) {
+    connect(&jobs, &JobRunner::idle, this, [this] {
+        if (wanted_) {
+            run(mostPoints_);
+        }
+    });
+}
+
+void DipSession::setDocument(Document* document) {
+    cancel();
+    document_ = document;
+    outcome_ = {};
+    recordings_.clear();
+    if (document) {
+        connect(document, &Document::projectChanged, this, &DipSession::projectChanged);
+    }
+}
+
+// A result of another model has nothing to do with this one.
+void DipSession::projectChanged() {
+    if (outcome_.result && outcome_.result->project.model != document_->project().model) {
+        outcome_ = {};
+        recordings_.clear();
+        document_->setResult(nullptr);
+    }
+}
+
+void DipSession::run(std::size_t mostPoints) {
+    wanted_ = false;
+    mostPoints_ = mostPoints;
+    if (!document_ || document_->isFresh()) {
+        return;
+    }
+    if (jobs_.isBusy()) {
+        wanted_ = true;
+        if (running_) {
+            jobs_.cancelAll();
+        }
+        return;
+    }
+    running_ = true;
+    live_ = makeRecordings(document_->project(), mostPoints);
+    jobs_.start(std::make_unique<DipJob>(
+        document_->project(), registry_, document_->result(), live_,
+        [this](const DipOutcome& outcome) { takeOutcome(outcome); },
+        [this](bool cancelled, std::exception_ptr failure) {
+            running_ = false;
+            live_.clear();
+            emit stopped(cancelled ? nullptr : failure);
+        }));
+    emit started();
+}
+
+void DipSession::cancel() {
+    wanted_ = false;
+    jobs_.cancelAll();
+}
+
+void DipSession::takeOutcome(const DipOutcome& outcome) {
+    running_ = false;
+    // A dip that did not have to be computed again was not recorded again either.
+    for (std::size_t number = 0; number < live_.size(); ++number) {
+        if (live_[number]->size() == 0 && number < recordings_.size()) {
+            live_[number] = recordings_[number];
+        }
+    }
+    recordings_ = std::move(live_);
+    live_.clear();
+    if (!document_ || outcome.result->project.model != document_->project().model) {
+        recordings_.clear(); // the model was replaced on the way
+        emit stopped(nullptr);
+        return;
+    }
+    outcome_ = outcome;
+    document_->setResult(outcome.result);
+    emit finished();
+}
+
+std::shared_ptr<const FilmReading> DipSession::reading(std::size_t immersion) const {
+    return immersion < outcome_.readings.size() ? outcome_.readings[immersion] : nullptr;
+}
+
+std::shared_ptr<const DipRecording> DipSession::recording(std::size_t immersion) const {
+    return immersion < recordings_.size() ? recordings_[immersion] : nullptr;
+}
+
+std::shared_ptr<const DipRecording> DipSession::liveRecording() const {
+    for (std::size_t number = live_.size(); number-- > 0;) {
+        if (live_[number]->size() > 0) {
+            return live_[number];
+        }
+    }
+    return nullptr;
+}
+
+} // namespace dipwright

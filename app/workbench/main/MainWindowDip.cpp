@@ -1,0 +1,294 @@
+// The dip of a window's document, its results and what is read off them under the cursor.
+#include "base/Error.h"
+#include "jobs/FilmTable.h"
+#include "main/MainWindow.h"
+#include "main/MainWindowActions.h"
+#include "main/NewProjectDialog.h"
+#include "main/Workbench.h"
+#include "panels/LogPanel.h"
+#include "panels/ResultsPanel.h"
+#include "panels/StretchPanel.h"
+#include "panels/Timeline.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QLabel>
+#include <QSaveFile>
+#include <QStatusBar>
+
+namespace dipwright {
+
+namespace {
+
+constexpr std::size_t coarsePoints = 6000; // of the moving film, without a GPU
+constexpr std::size_t finePoints = 60000;
+
+} // namespace
+
+void MainWindow::selectImmersion(std::size_t number) {
+    if (number == immersion_ || number >= document_->project().immersions.size()) {
+        return;
+    }
+    immersion_ = number;
+    tree_->select({ProjectPart::Immersion, number});
+    scene_->setProject(document_->project(), immersion_);
+    showResults();
+}
+
+void MainWindow::projectChanged() {
+    const Project& project = document_->project();
+    if (immersion_ >= project.immersions.size()) {
+        immersion_ = 0;
+    }
+    scene_->setProject(project, immersion_);
+    if (!document_->isFresh(Stage::Dip, immersion_) && !session_.isRunning()) {
+        timeline_->setPosition(0); // the body as it is set up now
+    }
+    updateFreshness();
+    updateActions();
+    const bool again = actions_->live->isChecked() && document_->result() && !document_->isFresh();
+    if (again && !dragged_) {
+        updateTimer_.start();
+    }
+}
+
+void MainWindow::startDip() {
+    updateTimer_.stop();
+    const bool fine = view_->isUsable() && !view_->isSoftwareRendered();
+    session_.run(fine ? finePoints : coarsePoints);
+}
+
+void MainWindow::cancelJobs() {
+    updateTimer_.stop();
+    session_.cancel();
+    jobLabel_->setText(tr("Cancelling …"));
+}
+
+void MainWindow::showLiveFrame() {
+    const auto recording = session_.liveRecording();
+    const auto frame = recording ? recording->latest() : nullptr;
+    if (frame && frame.get() != shownFrame_) {
+        shownFrame_ = frame.get();
+        scene_->showFrame(*recording, *frame);
+        timeline_->setDepth(std::max(0.0, scene_->depth()), workbench_.preferences().unit);
+    }
+}
+
+void MainWindow::showResults() {
+    const auto reading = session_.reading(immersion_);
+    const auto recording = session_.recording(immersion_);
+    scene_->setResult(reading ? session_.outcome().result : nullptr, reading);
+    results_->setOutcome(session_.outcome(), immersion_);
+    const QSignalBlocker quiet(timeline_);
+    timeline_->setFrames(recording ? int(recording->size()) : 0);
+    timeline_->setPosition(document_->isFresh(Stage::Dip, immersion_) ? timeline_->frames() : 0);
+    showMoment(timeline_->position());
+    updateActions();
+}
+
+// Position 0 is before the dip, the last one its end with the whole film.
+void MainWindow::showMoment(int position) {
+    const auto recording = session_.recording(immersion_);
+    if (position > 0 && position < timeline_->frames()) {
+        scene_->showFrame(*recording, *recording->frame(std::size_t(position) - 1));
+    } else if (position > 0) {
+        scene_->showEnd();
+    } else {
+        scene_->showSetup();
+    }
+    timeline_->setDepth(std::max(0.0, scene_->depth()), workbench_.preferences().unit);
+    updateFreshness();
+}
+
+void MainWindow::updateFreshness() {
+    if (!document_->result() || session_.isRunning()) {
+        staleBanner_->hide();
+        return;
+    }
+    const Freshness fresh{document_->isFresh(Stage::Dip, immersion_),
+                          document_->isFresh(Stage::Texture, immersion_),
+                          document_->isFresh(Stage::Sheet, immersion_)};
+    results_->setFreshness(fresh);
+    staleBanner_->setText(fresh.dip
+                              ? tr("The sheet is out of date: it was made before the last changes.")
+                              : tr("The results are out of date: they were made before the last "
+                                   "changes."));
+    staleBanner_->setVisible(!fresh.sheet);
+}
+
+void MainWindow::setFilmLook(FilmLook look) {
+    if (look == FilmLook::Picture) {
+        const QString path =
+            QFileDialog::getOpenFileName(this, tr("Picture on the Film"), {}, pictureFileFilter());
+        filmPicture_ = QImage(path);
+    }
+    scene_->setHeat(results_->stretch().quantity(), results_->stretch().scale());
+    scene_->setFilmLook(look, filmPicture_);
+}
+
+void MainWindow::exportResults() {
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, tr("Export Results to a Folder"));
+    if (folder.isEmpty()) {
+        return;
+    }
+    jobs_.start(std::make_unique<ValueJob<bool>>(
+        tr("Writing the results"),
+        [result = document_->result(), folder](const Progress& progress) {
+            writeResults(result->project, *result, folder, progress);
+            return true;
+        },
+        [this, folder](bool) {
+            report(tr("Wrote the results to %1").arg(QDir::toNativeSeparators(folder)));
+            statusBar()->showMessage(
+                tr("Wrote the results to %1").arg(QDir::toNativeSeparators(folder)), 8000);
+        },
+        [this](std::exception_ptr failure) { reportFailure(tr("Export Results"), failure); }));
+    updateActions();
+}
+
+void MainWindow::exportSheet(bool pdf) {
+    const QString suffix = pdf ? QStringLiteral("pdf") : QStringLiteral("png");
+    const ImmersionResult& result = document_->result()->immersions[immersion_];
+    const QString name =
+        QStringLiteral("%1 %2.%3").arg(document_->title(), result.immersion.name, suffix);
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Save Sheet"), name, QStringLiteral("*.") + suffix);
+    if (path.isEmpty()) {
+        return;
+    }
+    try {
+        QSaveFile file(path);
+        if (!file.open(QIODevice::WriteOnly)) {
+            throw Error(tr("The file cannot be written: %1").arg(file.errorString()), path);
+        }
+        pdf ? writeSheetPdf(result.sheet, file) : writeSheetPng(result.sheet, file);
+        if (!file.commit()) {
+            throw Error(tr("The file cannot be written: %1").arg(file.errorString()), path);
+        }
+        report(tr("Wrote %1").arg(QDir::toNativeSeparators(path)));
+    } catch (const Error&) {
+        reportFailure(tr("Save Sheet"), std::current_exception());
+    }
+}
+
+void MainWindow::exportStretch(const QString& kind) {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export Stretch"),
+                                                      tr("stretch") + QLatin1Char('.') + kind,
+                                                      QStringLiteral("*.") + kind);
+    if (path.isEmpty()) {
+        return;
+    }
+    const ImmersionResult& result = session_.outcome().result->immersions[immersion_];
+    try {
+        if (kind == QLatin1String("vtp")) {
+            writeFilmVtp(*result.film, *result.contact, *result.body, path);
+        } else if (kind == QLatin1String("csv")) {
+            writeFilmTable(*session_.reading(immersion_), path);
+        } else if (!stretchMap(*result.film, *result.contact, 2400).save(path)) {
+            throw Error(tr("The picture cannot be written"), path);
+        }
+        report(tr("Wrote %1").arg(QDir::toNativeSeparators(path)));
+    } catch (const Error&) {
+        reportFailure(tr("Export Stretch"), std::current_exception());
+    }
+}
+
+void MainWindow::hoverRay(const ViewRay& ray) {
+    const auto worldToEnd = scene_->worldToEnd();
+    if (worldToEnd) {
+        const Eigen::Isometry3f toPose = worldToEnd->cast<float>();
+        showReading(
+            session_.reading(immersion_)->at(toPose * ray.origin, toPose.linear() * ray.direction));
+        return;
+    }
+    const auto point = document_ ? scene_->modelPoint(ray) : std::nullopt;
+    readingLabel_->setText(
+        point ? tr("Body at %1, %2, %3")
+                    .arg(shownLength(double(point->x()), workbench_.preferences().unit),
+                         shownLength(double(point->y()), workbench_.preferences().unit),
+                         shownLength(double(point->z()), workbench_.preferences().unit))
+              : QString());
+}
+
+void MainWindow::showReading(const std::optional<FilmReadingPoint>& point) {
+    results_->showReading(point);
+    if (!point) {
+        readingLabel_->clear();
+        view_->setMarker({});
+        return;
+    }
+    if (const auto worldToEnd = scene_->worldToEnd()) {
+        view_->setMarker(Eigen::Vector3f(worldToEnd->inverse().cast<float>() * point->place));
+    }
+    const solver::FilmGrid& grid = session_.reading(immersion_)->film().grid;
+    const FilmSettings& film = session_.outcome().result->project.film;
+    const LengthUnit unit = workbench_.preferences().unit;
+    const auto number = [this, &point](FilmQuantity quantity) {
+        return locale().toString(double(point->values[std::size_t(quantity)]), 'f', 3);
+    };
+    readingLabel_->setText(
+        tr("Sheet %1, %2 · %3 · stretch %4 · area %5 · %6 to %7")
+            .arg(shownLength((double(point->rest.x()) / grid.width + 0.5) * film.width.value(),
+                             unit),
+                 shownLength((double(point->rest.y()) / grid.depth + 0.5) * film.height.value(),
+                             unit),
+                 point->adhered ? tr("on the body") : tr("on the water"),
+                 number(FilmQuantity::Length), number(FilmQuantity::Area),
+                 number(FilmQuantity::Smaller), number(FilmQuantity::Larger)));
+}
+
+void MainWindow::measureAt(const ViewRay& ray) {
+    if (!measuring_) {
+        return;
+    }
+    const auto point = scene_->modelPoint(ray);
+    if (!point) {
+        return;
+    }
+    if (measured_.size() == 2) {
+        measured_.clear();
+    }
+    measured_.push_back(*point);
+    std::vector<Eigen::Vector3f> shown;
+    for (const Eigen::Vector3f& place : measured_) {
+        shown.push_back(scene_->toWorld(place));
+    }
+    const QString label = measured_.size() == 2
+                              ? shownLength(double((measured_[1] - measured_[0]).norm()),
+                                            workbench_.preferences().unit)
+                              : QString();
+    view_->setMeasure(shown, label);
+    statusBar()->showMessage(label.isEmpty() ? tr("Click the second place on the body")
+                                             : tr("Distance %1").arg(label));
+}
+
+void MainWindow::dragRotation(int axis, double degrees) {
+    if (!dragged_) {
+        dragged_ = document_->project().immersions[immersion_];
+    }
+    const auto angle = [this](int part) { return radians(dragged_->rotation[std::size_t(part)]); };
+    using Eigen::AngleAxisd, Eigen::Vector3d;
+    const Eigen::Matrix3d before =
+        (AngleAxisd(angle(2), Vector3d::UnitZ()) * AngleAxisd(angle(1), Vector3d::UnitY()) *
+         AngleAxisd(angle(0), Vector3d::UnitX()))
+            .toRotationMatrix();
+    const Eigen::Matrix3d after =
+        AngleAxisd(radians(Degrees(degrees)), Vector3d::Unit(axis)).toRotationMatrix() * before;
+    const Vector3d angles = after.eulerAngles(2, 1, 0) * 180 / pi; // about Z, Y, X
+    document_->edit(tr("Turn Body"), QStringLiteral("turn"), [&](Project& project) {
+        auto& rotation = project.immersions[immersion_].rotation;
+        for (int part = 0; part < 3; ++part) {
+            rotation[std::size_t(part)] = Degrees(std::round(angles[2 - part] * 10) / 10);
+        }
+    });
+}
+
+void MainWindow::finishRotation() {
+    dragged_.reset();
+    document_->endMerge();
+    projectChanged();
+}
+
+} // namespace dipwright

@@ -1,0 +1,185 @@
+#include "main/NewProjectDialog.h"
+
+#include "look/Icons.h"
+#include "panels/Units.h"
+#include "project/FilmSizes.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QToolButton>
+
+namespace dipwright {
+
+namespace {
+
+enum class Template { One, TopAndBottom, LeftAndRight, Paper };
+
+Immersion immersion(const QString& name, double aboutX, double aboutZ) {
+    Immersion made;
+    made.name = name;
+    made.rotation = {Degrees(aboutX), Degrees(0), Degrees(aboutZ)};
+    return made;
+}
+
+} // namespace
+
+QStringList pictureFilePatterns() {
+    return {QStringLiteral("*.png"), QStringLiteral("*.jpg"),  QStringLiteral("*.jpeg"),
+            QStringLiteral("*.bmp"), QStringLiteral("*.webp"), QStringLiteral("*.tif"),
+            QStringLiteral("*.tiff")};
+}
+
+QString modelFileFilter() {
+    return NewProjectDialog::tr("Models (%1)").arg(modelFilePatterns().join(QLatin1Char(' ')));
+}
+
+QString pictureFileFilter() {
+    return NewProjectDialog::tr("Pictures (%1)").arg(pictureFilePatterns().join(QLatin1Char(' ')));
+}
+
+QString projectFileFilter() {
+    return NewProjectDialog::tr("Dipwright projects (%1)").arg(QStringLiteral("*.dipw"));
+}
+
+NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& preferences,
+                                   QWidget* parent)
+    : QDialog(parent), lengthUnit_(preferences.unit), model_(new QLineEdit(model)),
+      texture_(new QLineEdit), byUnit_(new QRadioButton(tr("One unit of the file is"))),
+      unit_(new QComboBox), byEdge_(new QRadioButton(tr("The longest edge is"))),
+      edge_(new QDoubleSpinBox), film_(new QComboBox), template_(new QComboBox) {
+    setWindowTitle(tr("New Project"));
+    setObjectName(QStringLiteral("newProjectDialog"));
+    setMinimumWidth(540);
+    texture_->setPlaceholderText(tr("The model's own"));
+    for (const QString& name : filmSizeNames()) {
+        film_->addItem(name);
+    }
+    film_->setCurrentText(preferences.filmPreset);
+    film_->setToolTip(tr("The size in which the film comes and is printed."));
+    template_->addItem(tr("One dip"), int(Template::One));
+    template_->addItem(tr("Two dips: bottom and top"), int(Template::TopAndBottom));
+    template_->addItem(tr("Two dips: left and right"), int(Template::LeftAndRight));
+    template_->addItem(tr("One dip with the film model of 2020, to compare"), int(Template::Paper));
+    template_->setToolTip(tr("How often and from where the body is dipped. All of it can be "
+                             "changed later."));
+
+    auto* form = new QFormLayout;
+    form->setVerticalSpacing(10);
+    form->addRow(tr("&Model"), makeFileRow(model_, tr("Choose a Model"), modelFileFilter()));
+    form->addRow(tr("Te&xture"),
+                 makeFileRow(texture_, tr("Choose a Texture"), pictureFileFilter()));
+    form->addRow(tr("Size"), makeSizeRow());
+    form->addRow(tr("&Film"), film_);
+    form->addRow(tr("&Begin with"), template_);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    create_ = buttons->addButton(tr("Create"), QDialogButtonBox::AcceptRole);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addStretch();
+    layout->addSpacing(12);
+    layout->addWidget(buttons);
+    connect(model_, &QLineEdit::textChanged, this, &NewProjectDialog::updateButtons);
+    updateButtons();
+}
+
+QWidget* NewProjectDialog::makeFileRow(QLineEdit* line, const QString& title,
+                                       const QString& filter) {
+    auto* browse = new QToolButton;
+    browse->setIcon(icon(QStringLiteral("document-open")));
+    browse->setToolTip(title);
+    browse->setAccessibleName(title);
+    connect(browse, &QToolButton::clicked, this, [this, line, title, filter] {
+        const QString path = QFileDialog::getOpenFileName(
+            this, title, QFileInfo(model_->text()).absolutePath(), filter);
+        if (!path.isEmpty()) {
+            line->setText(path);
+        }
+    });
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(line, 1);
+    layout->addWidget(browse);
+    row->setFocusProxy(line);
+    return row;
+}
+
+QWidget* NewProjectDialog::makeSizeRow() {
+    unit_->addItem(tr("a millimetre"), 1.0);
+    unit_->addItem(tr("a centimetre"), 10.0);
+    unit_->addItem(tr("a metre"), 1000.0);
+    unit_->addItem(tr("an inch"), millimetresPerInch);
+    const double factor = shownPerStored(Unit::Length, lengthUnit_);
+    edge_->setRange(1 * factor, 3000 * factor);
+    edge_->setDecimals(unitDecimals(Unit::Length, lengthUnit_));
+    edge_->setSuffix(unitSuffix(Unit::Length, lengthUnit_));
+    edge_->setValue(90 * factor);
+    edge_->setEnabled(false);
+    edge_->setAccessibleName(tr("Longest edge"));
+    unit_->setAccessibleName(tr("Unit of the file"));
+    byUnit_->setChecked(true);
+    connect(byEdge_, &QRadioButton::toggled, edge_, &QWidget::setEnabled);
+    connect(byUnit_, &QRadioButton::toggled, unit_, &QWidget::setEnabled);
+    auto* box = new QWidget;
+    auto* grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->addWidget(byUnit_, 0, 0);
+    grid->addWidget(unit_, 0, 1);
+    grid->addWidget(byEdge_, 1, 0);
+    grid->addWidget(edge_, 1, 1);
+    grid->setColumnStretch(1, 1);
+    return box;
+}
+
+void NewProjectDialog::updateButtons() {
+    create_->setEnabled(QFileInfo(model_->text()).isFile());
+}
+
+QString NewProjectDialog::model() const {
+    return model_->text();
+}
+
+ImportOptions NewProjectDialog::importOptions() const {
+    ImportOptions options;
+    options.texture = texture_->text();
+    if (byEdge_->isChecked()) {
+        options.longestEdge =
+            Millimetres(edge_->value() / shownPerStored(Unit::Length, lengthUnit_));
+    } else {
+        options.unitMillimetres = unit_->currentData().toDouble();
+    }
+    return options;
+}
+
+std::function<void(Project&)> NewProjectDialog::completion() const {
+    return [film = film_->currentText(),
+            chosen = Template(template_->currentData().toInt())](Project& project) {
+        const QSizeF size = filmSize(film);
+        resizeFilm(project.film, Millimetres(size.width()), Millimetres(size.height()));
+        switch (chosen) {
+        case Template::One:
+            break;
+        case Template::TopAndBottom:
+            project.immersions = {immersion(tr("Bottom"), 0, 0), immersion(tr("Top"), 180, 0)};
+            break;
+        case Template::LeftAndRight:
+            project.immersions = {immersion(tr("Left"), 0, 90), immersion(tr("Right"), 0, -90)};
+            break;
+        case Template::Paper:
+            applyPreset(project, QStringLiteral("paper-2020"));
+            break;
+        }
+    };
+}
+
+} // namespace dipwright

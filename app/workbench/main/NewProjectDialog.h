@@ -1,0 +1,52 @@
+// What a new project needs: a model, its size, the film and how often it is dipped.
+#pragma once
+
+#include "document/Preferences.h"
+#include "model/ImportModel.h"
+#include "project/Project.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLineEdit;
+class QPushButton;
+class QRadioButton;
+
+namespace dipwright {
+
+class NewProjectDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    NewProjectDialog(const QString& model, const Preferences& preferences,
+                     QWidget* parent = nullptr);
+
+    QString model() const;
+    ImportOptions importOptions() const;
+    // Gives a project film, preset and immersions as chosen; outlives the dialog.
+    std::function<void(Project&)> completion() const;
+
+private:
+    QWidget* makeFileRow(QLineEdit* line, const QString& title, const QString& filter);
+    QWidget* makeSizeRow();
+    void updateButtons();
+
+    LengthUnit lengthUnit_;
+    QLineEdit* model_;
+    QLineEdit* texture_;
+    QRadioButton* byUnit_;
+    QComboBox* unit_;
+    QRadioButton* byEdge_;
+    QDoubleSpinBox* edge_;
+    QComboBox* film_;
+    QComboBox* template_;
+    QPushButton* create_;
+};
+
+QString modelFileFilter();
+QString pictureFileFilter();
+QString projectFileFilter();
+QStringList pictureFilePatterns();
+
+} // namespace dipwright

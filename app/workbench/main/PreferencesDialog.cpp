@@ -1,0 +1,138 @@
+#include "main/PreferencesDialog.h"
+
+#include "main/Languages.h"
+#include "panels/SolverPage.h"
+#include "project/FilmSizes.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace dipwright {
+
+PreferencesDialog::PreferencesDialog(const Preferences& preferences, const SolverRegistry& registry,
+                                     const QList<QAction*>& actions, QWidget* parent)
+    : QDialog(parent), preferences_(preferences), language_(new QComboBox), unit_(new QComboBox),
+      theme_(new QComboBox), navigation_(new QComboBox), film_(new QComboBox),
+      autosave_(new QSpinBox), live_(new QCheckBox(tr("Run again after each change"))),
+      shortcuts_(new QTreeWidget) {
+    setWindowTitle(tr("Preferences"));
+    setObjectName(QStringLiteral("preferencesDialog"));
+    auto* tabs = new QTabWidget;
+    tabs->addTab(makeGeneralPage(), tr("General"));
+    tabs->addTab(makeShortcutPage(actions), tr("Shortcuts"));
+    tabs->addTab(new SolverPage(registry), tr("Solvers"));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(tabs);
+    layout->addWidget(buttons);
+    resize(620, 480);
+}
+
+QWidget* PreferencesDialog::makeGeneralPage() {
+    language_->addItem(tr("As the system"), QString());
+    for (const Language& language : languages()) {
+        language_->addItem(language.name, language.code);
+    }
+    language_->setCurrentIndex(std::max(0, language_->findData(preferences_.language)));
+    unit_->addItems({tr("Millimetres"), tr("Inches")});
+    unit_->setCurrentIndex(int(preferences_.unit));
+    theme_->addItems({tr("As the system"), tr("Light"), tr("Dark")});
+    theme_->setCurrentIndex(int(preferences_.theme));
+    navigation_->addItems({tr("Turntable: up stays up"), tr("Trackball: turns freely")});
+    navigation_->setCurrentIndex(int(preferences_.navigation));
+    film_->addItems(filmSizeNames());
+    film_->setCurrentText(preferences_.filmPreset);
+    autosave_->setRange(1, 3600);
+    autosave_->setSuffix(tr(" s"));
+    autosave_->setValue(preferences_.autosaveSeconds);
+    autosave_->setToolTip(tr("How long after a change, at most, a copy is kept from which work is "
+                             "restored after a crash."));
+    live_->setChecked(preferences_.liveUpdate);
+    live_->setToolTip(tr("Once there is a result, a change starts a new run of what depends on "
+                         "it."));
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(16, 16, 16, 16);
+    form->setVerticalSpacing(10);
+    form->addRow(tr("&Language"), language_);
+    auto* hint = new QLabel(tr("A new language shows when the program is started again."));
+    hint->setForegroundRole(QPalette::PlaceholderText);
+    hint->setWordWrap(true);
+    form->addRow(QString(), hint);
+    form->addRow(tr("L&engths in"), unit_);
+    form->addRow(tr("T&heme"), theme_);
+    form->addRow(tr("&Navigation"), navigation_);
+    form->addRow(tr("&Film of new projects"), film_);
+    form->addRow(tr("&Recovery copy after"), autosave_);
+    form->addRow(QString(), live_);
+    return page;
+}
+
+QWidget* PreferencesDialog::makeShortcutPage(const QList<QAction*>& actions) {
+    shortcuts_->setHeaderLabels({tr("Command"), tr("Keys")});
+    shortcuts_->setRootIsDecorated(false);
+    shortcuts_->setAlternatingRowColors(true);
+    shortcuts_->setAccessibleName(tr("Shortcuts"));
+    shortcuts_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    shortcuts_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+    shortcuts_->header()->setStretchLastSection(false);
+    shortcuts_->header()->resizeSection(1, 200);
+    for (const QAction* action : actions) {
+        QString text = action->text();
+        text.remove(QLatin1Char('&'));
+        auto* item = new QTreeWidgetItem(shortcuts_, {text});
+        item->setIcon(0, action->icon());
+        auto* keys = new QKeySequenceEdit(action->shortcut());
+        keys->setAccessibleName(text);
+        const auto standard = action->property("defaultShortcut").value<QKeySequence>();
+        connect(keys, &QKeySequenceEdit::keySequenceChanged, this,
+                [this, name = action->objectName(), standard](const QKeySequence& sequence) {
+                    if (sequence == standard) {
+                        preferences_.shortcuts.remove(name);
+                    } else {
+                        preferences_.shortcuts[name] = sequence;
+                    }
+                });
+        shortcuts_->setItemWidget(item, 1, keys);
+    }
+    auto* reset = new QPushButton(tr("All Back to Standard"));
+    connect(reset, &QPushButton::clicked, this, [this, actions] {
+        for (int row = 0; row < shortcuts_->topLevelItemCount(); ++row) {
+            auto* keys = qobject_cast<QKeySequenceEdit*>(
+                shortcuts_->itemWidget(shortcuts_->topLevelItem(row), 1));
+            keys->setKeySequence(actions[row]->property("defaultShortcut").value<QKeySequence>());
+        }
+    });
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->addWidget(shortcuts_);
+    layout->addWidget(reset, 0, Qt::AlignLeft);
+    return page;
+}
+
+Preferences PreferencesDialog::preferences() const {
+    Preferences chosen = preferences_;
+    chosen.language = language_->currentData().toString();
+    chosen.unit = LengthUnit(unit_->currentIndex());
+    chosen.theme = ThemeChoice(theme_->currentIndex());
+    chosen.navigation = NavigationChoice(navigation_->currentIndex());
+    chosen.filmPreset = film_->currentText();
+    chosen.autosaveSeconds = autosave_->value();
+    chosen.liveUpdate = live_->isChecked();
+    return chosen;
+}
+
+} // namespace dipwright

@@ -1,0 +1,43 @@
+// The user's choices for the program: general, shortcuts, and the solvers found.
+#pragma once
+
+#include "document/Preferences.h"
+#include "solver/SolverRegistry.h"
+
+#include <QDialog>
+
+class QAction;
+class QCheckBox;
+class QComboBox;
+class QSpinBox;
+class QTabWidget;
+class QTreeWidget;
+
+namespace dipwright {
+
+class PreferencesDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    // `actions`: those whose shortcuts can be edited.
+    PreferencesDialog(const Preferences& preferences, const SolverRegistry& registry,
+                      const QList<QAction*>& actions, QWidget* parent = nullptr);
+
+    Preferences preferences() const;
+
+private:
+    QWidget* makeGeneralPage();
+    QWidget* makeShortcutPage(const QList<QAction*>& actions);
+
+    Preferences preferences_;
+    QComboBox* language_;
+    QComboBox* unit_;
+    QComboBox* theme_;
+    QComboBox* navigation_;
+    QComboBox* film_;
+    QSpinBox* autosave_;
+    QCheckBox* live_;
+    QTreeWidget* shortcuts_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,45 @@
+// The quick tour: the window's parts one after the other, each with a few words.
+#pragma once
+
+#include <QPointer>
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+
+namespace dipwright {
+
+struct TourStep {
+    QPointer<QWidget> target; // null: nothing in particular
+    QString title, text;
+};
+
+// Lies over its parent until the last step or Escape; deletes itself.
+class Tour : public QWidget {
+    Q_OBJECT
+
+public:
+    Tour(const std::vector<TourStep>& steps, QWidget* parent);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent*) override {} // nothing behind it is clicked
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void show(std::size_t step);
+    void place();
+    QRect targetRect() const;
+
+    std::vector<TourStep> steps_;
+    std::size_t step_ = 0;
+    QWidget* bubble_;
+    QLabel* title_;
+    QLabel* text_;
+    QLabel* count_;
+    QPushButton* back_;
+    QPushButton* next_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,55 @@
+// The results of the last dip in tabs: stretch, reverse texture, proof, sheet and report, with one
+// cursor that is shown in all of them.
+#pragma once
+
+#include "jobs/DipJob.h"
+#include "panels/Units.h"
+
+#include <QTabWidget>
+
+class QAction;
+
+namespace dipwright {
+
+class PicturePanel;
+class ReportPanel;
+class StretchPanel;
+
+// What of the shown immersion's results fits the project as it is.
+struct Freshness {
+    bool dip = true, texture = true, sheet = true;
+};
+
+class ResultsPanel : public QTabWidget {
+    Q_OBJECT
+
+public:
+    explicit ResultsPanel(QWidget* parent = nullptr);
+
+    void setOutcome(const DipOutcome& outcome, std::size_t immersion); // may hold none
+    void setLengthUnit(LengthUnit unit);
+    void setFreshness(const Freshness& freshness); // marks the tabs
+    void showReading(const std::optional<FilmReadingPoint>& point);
+    // Buttons over the pictures.
+    void addTextureAction(QAction* action);
+    void addSheetAction(QAction* action);
+    StretchPanel& stretch() { return *stretch_; }
+
+signals:
+    void hovered(Eigen::Vector2f rest); // a place on the floating film
+    void hoverLeft();
+
+private:
+    void hoverShare(double across, double down);
+
+    DipOutcome outcome_;
+    std::size_t immersion_ = 0;
+    LengthUnit unit_ = LengthUnit::Millimetre;
+    StretchPanel* stretch_;
+    PicturePanel* texture_;
+    PicturePanel* proof_;
+    PicturePanel* sheet_;
+    ReportPanel* report_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,17 @@
+// The solver plugins found: version and device, or why one cannot run here.
+#pragma once
+
+#include "solver/SolverRegistry.h"
+
+#include <QTreeWidget>
+
+namespace dipwright {
+
+class SolverPage : public QTreeWidget {
+    Q_OBJECT
+
+public:
+    explicit SolverPage(const SolverRegistry& registry, QWidget* parent = nullptr);
+};
+
+} // namespace dipwright

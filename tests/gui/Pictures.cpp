@@ -1,0 +1,145 @@
+// Makes pictures of the program's windows, for the guide, the README and for looking at the layout.
+#include "WindowDriver.h"
+#include "base/Error.h"
+#include "look/Theme.h"
+#include "main/Languages.h"
+#include "main/NewProjectDialog.h"
+#include "main/PreferencesDialog.h"
+#include "panels/GuideWindow.h"
+#include "panels/ProjectTree.h"
+#include "panels/Timeline.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QDir>
+#include <QTabWidget>
+
+using namespace dipwright;
+
+namespace {
+
+class Photographer {
+public:
+    Photographer(const QString& folder, const QString& prefix) : folder_(folder), prefix_(prefix) {
+        QDir().mkpath(folder);
+    }
+    void take(QWidget& widget, const QString& name) const {
+        QTest::qWait(300); // layouts, the view's picture
+        widget.grab().save(QStringLiteral("%1/%2%3.png").arg(folder_, prefix_, name));
+    }
+
+private:
+    QString folder_, prefix_;
+};
+
+void photographParts(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
+    auto* tree = driver.find<ProjectTree>("projectTree");
+    const std::vector<std::pair<ProjectPart, const char*>> parts{
+        {ProjectPart::Model, "model"},     {ProjectPart::Film, "film"},
+        {ProjectPart::Process, "process"}, {ProjectPart::Sheet, "sheet"},
+        {ProjectPart::Ink, "ink"},         {ProjectPart::Immersion, "immersion"}};
+    for (const auto& [part, name] : parts) {
+        tree->select({part, 0});
+        camera.take(window, QStringLiteral("part-%1").arg(QLatin1String(name)));
+    }
+}
+
+void photographResults(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
+    auto* results = driver.find<QTabWidget>("results");
+    for (int tab = 0; tab < results->count(); ++tab) {
+        results->setCurrentIndex(tab);
+        camera.take(window, QStringLiteral("result-%1").arg(tab));
+    }
+    results->setCurrentIndex(0);
+    window.view().look(ViewDirection::Oblique);
+    auto* timeline = window.findChild<Timeline*>();
+    timeline->setPosition(timeline->frames() / 2);
+    driver.trigger("filmStretch");
+    camera.take(window, QStringLiteral("dipping"));
+    timeline->setPosition(timeline->frames());
+    driver.trigger("filmSheet");
+    driver.trigger("filmOnBody");
+    camera.take(window, QStringLiteral("dipped"));
+    driver.trigger("filmOnBody");
+    driver.trigger("filmLines");
+}
+
+void photographDialogs(MainWindow& window, Workbench& workbench, const Photographer& camera) {
+    NewProjectDialog create({}, workbench.preferences());
+    create.show();
+    camera.take(create, QStringLiteral("new-project"));
+    PreferencesDialog preferences(workbench.preferences(), workbench.registry(), window.actions());
+    preferences.show();
+    auto* tabs = preferences.findChild<QTabWidget*>();
+    for (int tab = 0; tab < tabs->count(); ++tab) {
+        tabs->setCurrentIndex(tab);
+        camera.take(preferences, QStringLiteral("preferences-%1").arg(tab));
+    }
+    GuideWindow guide;
+    guide.show();
+    camera.take(guide, QStringLiteral("guide"));
+    window.showTour();
+    camera.take(window, QStringLiteral("tour"));
+    window.findChild<QWidget*>(QStringLiteral("tour"))->close();
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+    const QTemporaryDir home;
+    useOwnHome(home.path());
+    DipView::prepareSurfaceFormat();
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("dipwright"));
+    QApplication::setOrganizationName(QStringLiteral("Dipwright"));
+    QCommandLineParser parser;
+    parser.addOptions(
+        {{QStringLiteral("out"), {}, QStringLiteral("FOLDER")},
+         {QStringLiteral("prefix"), {}, QStringLiteral("TEXT")},
+         {QStringLiteral("size"), {}, QStringLiteral("WxH"), QStringLiteral("1280x800")},
+         {QStringLiteral("theme"), {}, QStringLiteral("light|dark")},
+         {QStringLiteral("language"), {}, QStringLiteral("CODE"), QStringLiteral("en")},
+         {QStringLiteral("only-window"), {}}});
+    parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
+    parser.process(application);
+    installLanguage(application, parser.value(QStringLiteral("language")));
+    const Photographer camera(parser.value(QStringLiteral("out")),
+                              parser.value(QStringLiteral("prefix")));
+    const QStringList size = parser.value(QStringLiteral("size")).split(QLatin1Char('x'));
+
+    Workbench workbench(home.path());
+    Preferences preferences = workbench.preferences();
+    preferences.theme = parser.value(QStringLiteral("theme")) == QLatin1String("dark")
+                            ? ThemeChoice::Dark
+                            : ThemeChoice::Light;
+    workbench.setPreferences(preferences);
+    MainWindow window(workbench);
+    window.resize(size[0].toInt(), size[1].toInt());
+    window.show();
+    WindowDriver driver(window);
+    const bool all = !parser.isSet(QStringLiteral("only-window"));
+    if (all) {
+        camera.take(window, QStringLiteral("start"));
+    }
+    if (!driver.open(parser.positionalArguments().value(0))) {
+        qWarning("The project could not be opened");
+        return 1;
+    }
+    if (all) {
+        photographParts(driver, window, camera);
+    }
+    if (!driver.run()) {
+        qWarning("The dip did not end");
+        return 1;
+    }
+    camera.take(window, QStringLiteral("window"));
+    if (all) {
+        photographResults(driver, window, camera);
+        photographDialogs(window, workbench, camera);
+        window.document()->edit(
+            {}, {}, [](Project& project) { project.immersions.front().rotation[1] = Degrees(20); });
+        window.cancelJobs();
+        camera.take(window, QStringLiteral("stale"));
+    }
+    return 0;
+}

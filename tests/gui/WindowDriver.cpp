@@ -1,0 +1,46 @@
+#include "WindowDriver.h"
+
+namespace dipwright {
+
+namespace {
+
+constexpr int patience = 120'000; // ms, for a slow machine; nothing is asserted about time
+
+} // namespace
+
+void useOwnHome(const QString& folder) {
+    const QByteArray home = folder.toLocal8Bit();
+    for (const char* variable :
+         {"HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME", "XDG_RUNTIME_DIR"}) {
+        qputenv(variable, home);
+    }
+    qputenv("LC_ALL", "C.UTF-8");
+}
+
+bool WindowDriver::open(const QString& path) {
+    QSignalSpy opened(&window_, &MainWindow::documentOpened);
+    window_.openProject(path);
+    return opened.wait(patience);
+}
+
+bool WindowDriver::create(const QString& model, const QString& texture, double longestEdge,
+                          const std::function<void(Project&)>& complete) {
+    ImportOptions options;
+    options.longestEdge = Millimetres(longestEdge);
+    options.texture = texture;
+    QSignalSpy opened(&window_, &MainWindow::documentOpened);
+    window_.importModelAsProject(model, options, complete);
+    return opened.wait(patience);
+}
+
+bool WindowDriver::run() {
+    QSignalSpy finished(&window_.session(), &DipSession::finished);
+    trigger("run");
+    return finished.wait(patience);
+}
+
+QAction* WindowDriver::action(const char* name) const {
+    return window_.findChild<QAction*>(QLatin1String(name));
+}
+
+} // namespace dipwright
