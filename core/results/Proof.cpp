@@ -212,38 +212,91 @@ private:
     std::vector<std::unique_ptr<PaintedFilm>> films_;
 };
 
-LinearColour pixelLight(const Scene& scene, const Camera& camera, float span, QSize tile, int x,
-                        int y) {
-    const float aspect = float(tile.width()) / float(tile.height());
-    LinearColour sum = LinearColour::Zero();
-    for (int j = 0; j < samplesAcross; ++j) {
-        for (int i = 0; i < samplesAcross; ++i) {
-            const float right =
-                (float(x) + (float(i) + 0.5f) / samplesAcross) / float(tile.width());
-            const float down =
-                (float(y) + (float(j) + 0.5f) / samplesAcross) / float(tile.height());
-            const LinearColour light =
-                scene.light(camera.ray(2 * right - 1, 1 - 2 * down, span, aspect), camera);
-            sum += light.min(1.0f); // before the mean, so that edges of highlights stay smooth
-        }
+// One view of the scene as light a pixel. Most pixels show light that hardly changes: one ray tells
+// theirs, and only where neighbours differ a pixel is worth many.
+class View {
+public:
+    View(const Scene& scene, const Camera& camera, float span, QSize size)
+        : scene_(scene), camera_(camera), span_(span), size_(size),
+          centres_(std::size_t(size.width()) * std::size_t(size.height())) {
+        tbb::parallel_for(0, size.height(), [&](int y) {
+            for (int x = 0; x < size.width(); ++x) {
+                centres_[index(x, y)] = encoded(sample(float(x) + 0.5f, float(y) + 0.5f));
+            }
+        });
     }
-    return sum / float(samplesAcross * samplesAcross);
-}
+
+    using Pixel = std::array<std::uint8_t, 3>;
+    Pixel pixel(int x, int y) const {
+        return isEven(x, y) ? centres_[index(x, y)] : encoded(meanLight(x, y));
+    }
+
+private:
+    std::size_t index(int x, int y) const {
+        return std::size_t(y) * std::size_t(size_.width()) + std::size_t(x);
+    }
+
+    static Pixel encoded(const LinearColour& light) {
+        return {encodedByte(light[0]), encodedByte(light[1]), encodedByte(light[2])};
+    }
+
+    // The light at a place of the view, in pixels.
+    LinearColour sample(float x, float y) const {
+        const float aspect = float(size_.width()) / float(size_.height());
+        const float right = x / float(size_.width());
+        const float down = y / float(size_.height());
+        return scene_.light(camera_.ray(2 * right - 1, 1 - 2 * down, span_, aspect), camera_)
+            .min(1.0f); // before any mean, so that edges of highlights stay smooth
+    }
+
+    LinearColour meanLight(int x, int y) const {
+        LinearColour sum = LinearColour::Zero();
+        for (int j = 0; j < samplesAcross; ++j) {
+            for (int i = 0; i < samplesAcross; ++i) {
+                sum += sample(float(x) + (float(i) + 0.5f) / samplesAcross,
+                              float(y) + (float(j) + 0.5f) / samplesAcross);
+            }
+        }
+        return sum / float(samplesAcross * samplesAcross);
+    }
+
+    bool isEven(int x, int y) const {
+        const Pixel& centre = centres_[index(x, y)];
+        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size_.height() - 1); ++j) {
+            for (int i = std::max(x - 1, 0); i <= std::min(x + 1, size_.width() - 1); ++i) {
+                const Pixel& other = centres_[index(i, j)];
+                for (std::size_t channel = 0; channel < 3; ++channel) {
+                    if (std::abs(int(centre[channel]) - int(other[channel])) > unseenStep) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return true;
+    }
+
+    static constexpr int unseenStep = 2; // of 255 between neighbours
+
+    const Scene& scene_;
+    const Camera& camera_;
+    float span_;
+    QSize size_;
+    std::vector<Pixel> centres_; // the light in the pixels' middles
+};
 
 void traceView(QImage& picture, const QRect& tile, const Scene& scene, const Camera& camera,
                float span, const Progress& progress) {
+    const View view(scene, camera, span, tile.size());
     uchar* bits = picture.bits();
     const qsizetype stride = picture.bytesPerLine();
     tbb::parallel_for(0, tile.height(), [&](int y) {
         if (progress.cancelSwitch.isCancelled()) {
             return;
         }
-        uchar* pixel = bits + (tile.y() + y) * stride + qsizetype(tile.x()) * 3;
-        for (int x = 0; x < tile.width(); ++x, pixel += 3) {
-            const LinearColour light = pixelLight(scene, camera, span, tile.size(), x, y);
-            for (int channel = 0; channel < 3; ++channel) {
-                pixel[channel] = encodedByte(light[channel]);
-            }
+        uchar* out = bits + (tile.y() + y) * stride + qsizetype(tile.x()) * 3;
+        for (int x = 0; x < tile.width(); ++x, out += 3) {
+            const View::Pixel pixel = view.pixel(x, y);
+            std::copy(pixel.begin(), pixel.end(), out);
         }
     });
     progress.cancelSwitch.throwIfCancelled();
