@@ -89,7 +89,9 @@ DIPWRIGHT_HOST_DEVICE FieldSample<Real> sampleField(const FieldGrid<Real>& field
     const Real alongX1 = mix(c101 - c001, c111 - c011, y.fraction);
     const Vector3<Real> gradient{mix(alongX0, alongX1, z.fraction),
                                  mix(c10 - c00, c11 - c01, z.fraction), c1 - c0};
-    const Real outside = length(Vector3<Real>{x.outside, y.outside, z.outside}) * field.spacing;
+    const Vector3<Real> beyond{x.outside, y.outside, z.outside};
+    const Real squared = dot(beyond, beyond); // nearly always 0, which needs no root
+    const Real outside = squared == Real(0) ? Real(0) : std::sqrt(squared) * field.spacing;
     return {mix(c0, c1, z.fraction) + outside, gradient * field.inverseSpacing, outside};
 }
 
@@ -102,15 +104,14 @@ DIPWRIGHT_HOST_DEVICE Real clearance(const FieldSample<Real>& sample) {
 }
 
 // `position` moved along ∇φ to where φ is `level` (Newton's method; a few steps, as φ is nearly
-// linear over a cell). Where the gradient vanishes the position stays.
+// linear over a cell). Where the gradient vanishes the position stays. `sample`: that at `position`.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE Vector3<Real> onLevel(const FieldGrid<Real>& field, Vector3<Real> position,
-                                            Real level) {
+                                            FieldSample<Real> sample, Real level) {
     const int steps = 8;
     const Real closeEnough = Real(1e-4) * field.spacing;
     const Real flattest = Real(0.25); // |∇φ|² is 1 but near ridges, where a step could go anywhere
     for (int step = 0; step < steps; ++step) {
-        const FieldSample<Real> sample = sampleField(field, position);
         const Real missing = level - sample.distance;
         if (std::abs(missing) <= closeEnough) {
             break;
@@ -118,8 +119,15 @@ DIPWRIGHT_HOST_DEVICE Vector3<Real> onLevel(const FieldGrid<Real>& field, Vector
         const Real steepness = dot(sample.gradient, sample.gradient);
         position =
             position + sample.gradient * (missing / (steepness > flattest ? steepness : flattest));
+        sample = sampleField(field, position);
     }
     return position;
+}
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE Vector3<Real> onLevel(const FieldGrid<Real>& field, Vector3<Real> position,
+                                            Real level) {
+    return onLevel(field, position, sampleField(field, position), level);
 }
 
 } // namespace dipwright::pbd
