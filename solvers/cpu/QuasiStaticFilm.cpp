@@ -26,15 +26,7 @@ public:
     }
 
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
-        for (std::size_t point = 0; point < points_; ++point) {
-            const pbd::Vector3<float> p = dip_->position(point);
-            positions[3 * point] = p.x;
-            positions[3 * point + 1] = p.y;
-            positions[3 * point + 2] = p.z;
-        }
-        for (std::size_t point = 0; point < states.size(); ++point) {
-            states[point] = dip_->state(point);
-        }
+        pbd::readFilm(*dip_, points_, positions, states);
     }
 
 private:

@@ -391,4 +391,19 @@ private:
     bool freeChanged_ = false; // free_ is newer than what the equilibrium knows
 };
 
+// FilmSolver::read for such a dip.
+template <typename Equilibrium>
+void readFilm(const QuasiStaticDip<Equilibrium>& dip, std::size_t points,
+              std::span<float> positions, std::span<solver::PointState> states) {
+    for (std::size_t point = 0; point < points; ++point) {
+        const auto p = dip.position(point);
+        positions[3 * point] = float(p.x);
+        positions[3 * point + 1] = float(p.y);
+        positions[3 * point + 2] = float(p.z);
+    }
+    for (std::size_t point = 0; point < states.size(); ++point) {
+        states[point] = dip.state(point);
+    }
+}
+
 } // namespace dipwright::pbd

@@ -1,8 +1,9 @@
 // The paper's film on the CPU (film-physics §1).
 
 #include "cpu/PaperFilm.h"
-#include "PlainPaperFilm.h"
+
 #include "TestFilm.h"
+#include "reference/PlainPaperFilm.h"
 #include "pbd/BodyFrame.h"
 
 #include <QTest>
@@ -106,7 +107,7 @@ void PaperFilmTest::followsThePaperStepByStep() {
     const SampledBody body = sphere(35, 96);
     auto setup = paperDip(body, -35, 31, 44, travel);
     setup.settings.lattice = lattice;
-    PlainPaperFilm plain(setup);
+    reference::PlainPaperFilm plain(setup);
     plain.dip();
     const Ending end = dipped(setup);
     double farthest = 0;

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace dipwright::test {
+namespace dipwright::reference {
 
 class PlainPaperFilm {
 public:
@@ -126,4 +126,4 @@ private:
     double descent_ = 0;
 };
 
-} // namespace dipwright::test
+} // namespace dipwright::reference

@@ -1,0 +1,243 @@
+#include "reference/PlaneEquilibrium.h"
+
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright::reference {
+
+using pbd::Matrix2;
+
+namespace {
+
+constexpr int maximumNewtonSteps = 40;
+
+} // namespace
+
+PlaneEquilibrium::PlaneEquilibrium(const solver::FilmGrid& grid) : grid_(grid) {
+    const Matrix2<double> rest{1 / grid.spacingX(), 0, 0, 1 / grid.spacingZ()};
+    for (int row = 0; row + 1 < grid.rows; ++row) {
+        for (int column = 0; column + 1 < grid.columns; ++column) {
+            const std::size_t lowerLeft =
+                std::size_t(row) * std::size_t(grid.columns) + std::size_t(column);
+            const std::size_t upperLeft = lowerLeft + std::size_t(grid.columns);
+            const std::size_t side = (row + column) % 2 == 0 ? 1 : 0; // first triangle: right edge
+            triangles_.push_back(
+                {lowerLeft, lowerLeft + 1, lowerLeft + side, upperLeft + side, rest});
+            triangles_.push_back(
+                {upperLeft, upperLeft + 1, lowerLeft + 1 - side, upperLeft + 1 - side, rest});
+        }
+    }
+    setFree(std::vector<float>(grid.pointCount(), 1.f));
+}
+
+void PlaneEquilibrium::setFree(const std::vector<float>& free) {
+    unknown_.assign(free.size(), -1);
+    unknowns_ = 0;
+    for (std::size_t point = 0; point < free.size(); ++point) {
+        if (free[point] > 0) {
+            unknown_[point] = unknowns_++;
+        }
+    }
+}
+
+PlaneEquilibrium::Triangle& PlaneEquilibrium::triangleOf(const Crossing& crossing) {
+    return triangles_[2 * std::size_t(crossing.cell) + crossing.second];
+}
+
+const PlaneEquilibrium::Triangle& PlaneEquilibrium::triangleOf(const Crossing& crossing) const {
+    return triangles_[2 * std::size_t(crossing.cell) + crossing.second];
+}
+
+Matrix2<double> PlaneEquilibrium::wholeGradient(const Triangle& triangle,
+                                                const PlaneVector& displacement) const {
+    Matrix2<double> edges{
+        grid_.spacingX() + displacement.x[triangle.right] - displacement.x[triangle.left],
+        displacement.x[triangle.upper] - displacement.x[triangle.lower],
+        displacement.z[triangle.right] - displacement.z[triangle.left],
+        grid_.spacingZ() + displacement.z[triangle.upper] - displacement.z[triangle.lower]};
+    if (triangle.crossing >= 0) {
+        const Crossing& crossing = crossing_[std::size_t(triangle.crossing)];
+        edges = {edges.a + crossing.hx, edges.b + crossing.vx, edges.c + crossing.hz,
+                 edges.d + crossing.vz};
+    }
+    return edges * triangle.inverseShape;
+}
+
+void PlaneEquilibrium::setCrossing(std::vector<Crossing> triangles,
+                                   const PlaneVector& displacement) {
+    for (const Crossing& crossing : crossing_) {
+        triangleOf(crossing).crossing = -1;
+    }
+    crossing_ = std::move(triangles);
+    anchors_.clear();
+    for (std::size_t k = 0; k < crossing_.size(); ++k) {
+        Triangle& triangle = triangleOf(crossing_[k]);
+        triangle.crossing = int(k);
+        anchors_.push_back(
+            pbd::crossingAnchor(crossing_[k], wholeGradient(triangle, displacement)));
+    }
+}
+
+void PlaneEquilibrium::moveCrossing(std::vector<Crossing> triangles) {
+    crossing_ = std::move(triangles);
+}
+
+bool PlaneEquilibrium::moves(const Triangle& triangle) const {
+    return unknown_[triangle.left] >= 0 || unknown_[triangle.right] >= 0 ||
+           unknown_[triangle.lower] >= 0 || unknown_[triangle.upper] >= 0;
+}
+
+// The gradient of the energy at the moving points, and its derivative when asked for. Returns the
+// root of the sum of squares of all edge forces of triangles that can move.
+double PlaneEquilibrium::assemble(const PlaneVector& displacement, Eigen::VectorXd& force,
+                                  Eigen::SparseMatrix<double>* jacobian) const {
+    force = Eigen::VectorXd::Zero(2 * unknowns_);
+    std::vector<Eigen::Triplet<double>> entries;
+    const double area = grid_.spacingX() * grid_.spacingZ() / 2;
+    double squares = 0;
+    for (const Triangle& triangle : triangles_) {
+        if (!moves(triangle)) {
+            continue;
+        }
+        const bool crosses = triangle.crossing >= 0;
+        const auto edgeForces = [&](const Matrix2<double>& P) -> std::array<double, 4> {
+            if (crosses) {
+                const pbd::EdgePair<double> f = pbd::crossingForces(
+                    crossing_[std::size_t(triangle.crossing)], P, triangle.inverseShape, area);
+                return {f.hx, f.hz, f.vx, f.vz};
+            }
+            const Matrix2<double>& B = triangle.inverseShape;
+            return {area * (P.a * B.a + P.b * B.b), area * (P.c * B.a + P.d * B.b),
+                    area * (P.a * B.c + P.b * B.d), area * (P.c * B.c + P.d * B.d)};
+        };
+        Matrix2<double> F = wholeGradient(triangle, displacement);
+        if (crosses) {
+            F = floatingGradient(anchors_[std::size_t(triangle.crossing)], F);
+        }
+        pbd::StressState<double> state;
+        const std::array<double, 4> f = edgeForces(stress(F, state));
+        squares += f[0] * f[0] + f[1] * f[1];
+        // Each entry: a point, the sign with which the edges' forces reach it, and which edge.
+        const std::array<std::size_t, 4> points{triangle.right, triangle.left, triangle.upper,
+                                                triangle.lower};
+        const auto sign = [](std::size_t end) { return end % 2 == 0 ? 1.0 : -1.0; };
+        for (std::size_t end = 0; end < 4; ++end) {
+            const int row = unknown_[points[end]];
+            if (row >= 0) {
+                force[2 * row] += sign(end) * f[2 * (end / 2)];
+                force[2 * row + 1] += sign(end) * f[2 * (end / 2) + 1];
+            }
+        }
+        if (!jacobian) {
+            continue;
+        }
+        for (std::size_t moved = 0; moved < 4; ++moved) {
+            const int column = unknown_[points[moved]];
+            for (int component = 0; column >= 0 && component < 2; ++component) {
+                const double change = sign(moved);
+                const bool horizontal = moved < 2, isX = component == 0;
+                const Matrix2<double> edges{
+                    horizontal && isX ? change : 0, !horizontal && isX ? change : 0,
+                    horizontal && !isX ? change : 0, !horizontal && !isX ? change : 0};
+                Matrix2<double> dF = edges * triangle.inverseShape;
+                if (crosses) {
+                    dF = floatingChange(anchors_[std::size_t(triangle.crossing)], dF);
+                }
+                const std::array<double, 4> df = edgeForces(stressDerivative(dF, state));
+                for (std::size_t end = 0; end < 4; ++end) {
+                    const int row = unknown_[points[end]];
+                    if (row >= 0) {
+                        for (int k = 0; k < 2; ++k) {
+                            entries.emplace_back(2 * row + k, 2 * column + component,
+                                                 sign(end) * df[2 * (end / 2) + std::size_t(k)]);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    if (jacobian) {
+        for (int i = 0; i < 2 * unknowns_; ++i) { // a point that nothing holds stays where it is
+            entries.emplace_back(i, i, 1e-9);
+        }
+        jacobian->resize(2 * unknowns_, 2 * unknowns_);
+        jacobian->setFromTriplets(entries.begin(), entries.end());
+    }
+    return std::sqrt(squares);
+}
+
+double PlaneEquilibrium::solve(PlaneVector& displacement, double residual) {
+    Eigen::VectorXd force;
+    Eigen::SparseMatrix<double> jacobian;
+    double ratio = 0;
+    for (int iteration = 0; iteration < maximumNewtonSteps && unknowns_ > 0; ++iteration) {
+        const double elastic = assemble(displacement, force, &jacobian);
+        ratio = elastic > 1e-9 ? force.norm() / elastic : 0;
+        if (ratio <= residual) {
+            break;
+        }
+        Eigen::SparseLU<Eigen::SparseMatrix<double>> factors;
+        factors.compute(jacobian);
+        const Eigen::VectorXd step = factors.solve(force);
+        const double longest = step.cwiseAbs().maxCoeff();
+        const double cell = std::max(grid_.spacingX(), grid_.spacingZ());
+        double length = std::min(1.0, 2 * cell / std::max(longest, 1e-30));
+        const PlaneVector start = displacement;
+        const double before = force.norm();
+        bool better = false;
+        for (int attempt = 0; attempt < 8 && !better; ++attempt, length /= 2) {
+            for (std::size_t point = 0; point < unknown_.size(); ++point) {
+                if (unknown_[point] >= 0) {
+                    displacement.x[point] = start.x[point] - length * step[2 * unknown_[point]];
+                    displacement.z[point] = start.z[point] - length * step[2 * unknown_[point] + 1];
+                }
+            }
+            assemble(displacement, force, nullptr);
+            better = force.norm() < before;
+        }
+        if (!better) {
+            displacement = start;
+            break;
+        }
+    }
+    return ratio;
+}
+
+std::vector<std::size_t> PlaneEquilibrium::tornCrossing(const PlaneVector& displacement,
+                                                        double limit) const {
+    std::vector<std::size_t> torn;
+    for (std::size_t k = 0; k < crossing_.size(); ++k) {
+        const Triangle& triangle = triangleOf(crossing_[k]);
+        // E = F·D: area against the flat film's
+        const Matrix2<double> E =
+            wholeGradient(triangle, displacement) * inverse(triangle.inverseShape);
+        const double area = (E.a * E.d - E.b * E.c) / (grid_.spacingX() * grid_.spacingZ());
+        if (!crossing_[k].released && area > limit) {
+            torn.push_back(k);
+        }
+    }
+    return torn;
+}
+
+void PlaneEquilibrium::relax(const PlaneVector& displacement, double keep) {
+    for (Triangle& triangle : triangles_) {
+        const Matrix2<double> whole = wholeGradient(triangle, displacement);
+        if (triangle.crossing < 0) {
+            if (keep < 1) {
+                triangle.inverseShape =
+                    pbd::relaxedInverseShape(triangle.inverseShape, whole, keep);
+            }
+            continue;
+        }
+        const Matrix2<double> floating =
+            floatingGradient(anchors_[std::size_t(triangle.crossing)], whole);
+        if (whole.a * whole.d - whole.b * whole.c > 0.01 &&
+            floating.a * floating.d - floating.b * floating.c > 0.01) {
+            triangle.inverseShape = pbd::relaxedInverseShape(
+                triangle.inverseShape * (inverse(whole) * floating), floating, keep);
+        }
+    }
+}
+
+} // namespace dipwright::reference

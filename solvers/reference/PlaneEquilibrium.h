@@ -1,0 +1,65 @@
+// The film in the water plane in equilibrium, the plain way: double precision, one triangle after
+// the other, Newton's method with the exact Jacobian and a direct sparse solver. Slow; the oracle
+// for the fast solvers. The same model (film-physics §2) and the same formulae (solvers/pbd).
+#pragma once
+
+#include "pbd/CrossingTriangle.h"
+
+#include <dipwright/FilmSolver.h>
+
+#include <Eigen/SparseCore>
+#include <array>
+#include <vector>
+
+namespace dipwright::reference {
+
+struct PlaneVector {
+    using Real = double;
+    std::vector<double> x, z;
+
+    PlaneVector() = default;
+    explicit PlaneVector(std::size_t points) : x(points), z(points) {}
+};
+
+// What pbd::QuasiStaticDip asks of an equilibrium.
+class PlaneEquilibrium {
+public:
+    using Vector = PlaneVector;
+    using Crossing = pbd::CrossingTriangle<double>;
+
+    explicit PlaneEquilibrium(const solver::FilmGrid& grid);
+
+    void setFree(const std::vector<float>& free);
+    void setCrossing(std::vector<Crossing> triangles, const PlaneVector& displacement);
+    void moveCrossing(std::vector<Crossing> triangles);
+    // Newton's method to `residual` (force left over elastic force). Returns what was reached.
+    double solve(PlaneVector& displacement, double residual);
+    std::vector<std::size_t> tornCrossing(const PlaneVector& displacement, double limit) const;
+    void relax(const PlaneVector& displacement, double keep);
+
+private:
+    // A triangle by its grid edges: the horizontal one from `left` to `right`, the vertical one
+    // from `lower` to `upper` (grid index); one corner belongs to both.
+    struct Triangle {
+        std::size_t left, right, lower, upper;
+        pbd::Matrix2<double> inverseShape;
+        int crossing = -1; // index into crossing_
+    };
+
+    Triangle& triangleOf(const Crossing& crossing);
+    const Triangle& triangleOf(const Crossing& crossing) const;
+    pbd::Matrix2<double> wholeGradient(const Triangle& triangle,
+                                       const PlaneVector& displacement) const;
+    bool moves(const Triangle& triangle) const;
+    double assemble(const PlaneVector& displacement, Eigen::VectorXd& force,
+                    Eigen::SparseMatrix<double>* jacobian) const;
+
+    solver::FilmGrid grid_;
+    std::vector<Triangle> triangles_; // first and second of every cell
+    std::vector<Crossing> crossing_;
+    std::vector<pbd::CrossingAnchor<double>> anchors_;
+    std::vector<int> unknown_; // of a point: its place among the moving points, or −1
+    int unknowns_ = 0;
+};
+
+} // namespace dipwright::reference

@@ -1,0 +1,244 @@
+// The production film on the CPU: against its closed forms, against the reference solver, and against
+// itself on finer grids, with shorter steps and with other numbers of threads.
+
+#include "cpu/QuasiStaticFilm.h"
+#include "dip/Dip.h"
+#include "geometry/Shapes.h"
+#include "project/ProjectStore.h"
+#include "reference/ReferenceFilm.h"
+#include "validation/PhysicsValidation.h"
+
+#include <QTest>
+#include <cmath>
+#include <cstring>
+
+using namespace dipwright;
+
+namespace {
+
+// The CPU's production film as a module of its own.
+class FilmModule : public solver::SolverModule {
+public:
+    const char* unavailableReason() const override { return nullptr; }
+    const char* device() const override { return "test"; }
+    std::unique_ptr<solver::FilmSolver> create() const override {
+        return cpu::makeQuasiStaticFilm();
+    }
+    bool runBatch(std::span<solver::BatchItem>, solver::CancelFunction, void*) const override {
+        return false;
+    }
+};
+
+struct Ending {
+    solver::DipSetup setup;
+    std::vector<float> positions;
+    std::vector<solver::PointState> states;
+    double descent = 0;
+
+    Eigen::Vector3d at(std::size_t point) const {
+        return {double(positions[3 * point]), double(positions[3 * point + 1]),
+                double(positions[3 * point + 2])};
+    }
+    bool adhered(std::size_t point) const { return states[point] == solver::PointState::Adhered; }
+};
+
+Ending dip(solver::FilmSolver& film, const solver::DipSetup& setup) {
+    Ending ending;
+    ending.setup = setup;
+    film.begin(setup);
+    solver::Progress progress;
+    while (!progress.finished) {
+        progress = film.advance(16);
+    }
+    ending.descent = progress.descent;
+    ending.positions.resize(3 * setup.film.pointCount());
+    ending.states.resize(setup.film.pointCount());
+    film.read(ending.positions, ending.states);
+    return ending;
+}
+
+Ending dipOnCpu(const solver::DipSetup& setup) {
+    return dip(*cpu::makeQuasiStaticFilm(), setup);
+}
+
+struct Body {
+    PosedBody posed;
+    DistanceField field;
+};
+
+Body bodyOf(TriangleMesh mesh) {
+    TexturedMesh model;
+    model.mesh = std::move(mesh);
+    model.materials.resize(1);
+    Body body;
+    body.posed = posedBody(model, Immersion{});
+    body.field = buildDistanceField(model.mesh, 128, {});
+    return body;
+}
+
+Body turtle() {
+    const Project project = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw"));
+    Body body;
+    body.posed = posedBody(*project.model, project.immersions.front());
+    body.field = buildDistanceField(project.model->mesh, 128, {});
+    return body;
+}
+
+// A film of `columns` points a side over 150 mm, to a depth in mm.
+solver::DipSetup squareDip(const Body& body, int columns, double depth) {
+    FilmSettings film;
+    film.width = film.height = Millimetres(150);
+    film.columns = film.rows = columns;
+    ProcessSettings process;
+    process.depth = Millimetres(depth);
+    return dipSetup(body.posed, body.field, Immersion{}, film, process);
+}
+
+// 95th percentile and largest distance between two films at points that both have on the body.
+// `every`: one point of the coarse film stands for that many steps of the fine one's grid.
+std::pair<double, double> difference(const Ending& coarse, const Ending& fine, int every) {
+    std::vector<double> distances;
+    const int columns = coarse.setup.film.columns, fineColumns = fine.setup.film.columns;
+    for (int row = 0; row < coarse.setup.film.rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            const auto point = std::size_t(row * columns + column);
+            const auto other = std::size_t(row * every * fineColumns + column * every);
+            if (coarse.adhered(point) && fine.adhered(other)) {
+                distances.push_back((coarse.at(point) - fine.at(other)).norm());
+            }
+        }
+    }
+    std::sort(distances.begin(), distances.end());
+    if (distances.size() < 50) {
+        return {1e9, 1e9};
+    }
+    return {distances[distances.size() * 95 / 100], distances.back()};
+}
+
+} // namespace
+
+class ProductionFilmTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void closedForms();
+    void followsTheReference_data();
+    void followsTheReference();
+    void finerGridAndShorterStepChangeLittle();
+    void sameBitsForAnyNumberOfThreads();
+    void nothingMovesBeforeContact();
+    void pinnedEdgesHold();
+    void doesNotHoldPastTheOverhang();
+};
+
+void ProductionFilmTest::closedForms() {
+    PhysicsOptions options;
+    options.resolutions = {15, 30};
+    for (const PhysicsResult& result : validatePhysics(FilmModule(), options, {})) {
+        qInfo("%s, %s, %d cells: rms %g, axis minus diagonal %g", qPrintable(result.body),
+              qPrintable(result.film), result.cells, result.rms, result.anisotropy);
+        QVERIFY2(result.passed(), qPrintable(result.body));
+        if (result.cells >= 30) {
+            QVERIFY2(std::abs(result.anisotropy) <= 0.002, qPrintable(result.body));
+        }
+    }
+}
+
+void ProductionFilmTest::followsTheReference_data() {
+    QTest::addColumn<int>("which");
+    QTest::newRow("sphere") << 0;
+    QTest::newRow("cone") << 1;
+    QTest::newRow("turtle") << 2;
+}
+
+void ProductionFilmTest::followsTheReference() {
+    QFETCH(int, which);
+    const Body body = which == 0   ? bodyOf(sphereMesh(35, 128, 256))
+                      : which == 1 ? bodyOf(coneMesh(pi / 4, 40, 256))
+                                   : turtle();
+    const solver::DipSetup setup = squareDip(body, 61, which == 2 ? 12 : 30);
+    const Ending fast = dipOnCpu(setup);
+    const Ending exact = dip(*reference::makeReferenceFilm(), setup);
+    int differing = 0;
+    for (std::size_t point = 0; point < fast.states.size(); ++point) {
+        differing += fast.states[point] != exact.states[point];
+    }
+    const auto [percentile95, largest] = difference(fast, exact, 1);
+    qInfo("95 %% within %g mm, all within %g mm, %d points adhered in one only", percentile95,
+          largest, differing);
+    QVERIFY(largest <= 0.02);
+    QVERIFY(differing <= 2); // points within a hair of touching when the dip ends
+}
+
+void ProductionFilmTest::finerGridAndShorterStepChangeLittle() {
+    const Body body = bodyOf(sphereMesh(35, 256, 512));
+    const solver::DipSetup setup = squareDip(body, 86, 30);
+    const Ending plain = dipOnCpu(setup);
+    const double spacing = difference(plain, dipOnCpu(squareDip(body, 171, 30)), 2).first;
+    solver::DipSetup shorter = setup;
+    shorter.settings.contactTravel /= 2;
+    const double step = difference(plain, dipOnCpu(shorter), 1).first;
+    qInfo("half the spacing: %g mm, half the step: %g mm (95 %%)", spacing, step);
+    QVERIFY(spacing < 0.15);
+    QVERIFY(step < 0.05);
+}
+
+void ProductionFilmTest::sameBitsForAnyNumberOfThreads() {
+    const Body body = bodyOf(sphereMesh(35, 64, 128));
+    solver::DipSetup setup = squareDip(body, 141, 20);
+    setup.settings.threads = 1;
+    const Ending one = dipOnCpu(setup);
+    for (const int threads : {2, 5}) {
+        setup.settings.threads = threads;
+        const Ending more = dipOnCpu(setup);
+        QVERIFY(one.states == more.states);
+        QCOMPARE(std::memcmp(one.positions.data(), more.positions.data(),
+                             one.positions.size() * sizeof(float)),
+                 0);
+    }
+}
+
+void ProductionFilmTest::nothingMovesBeforeContact() {
+    const Body body = bodyOf(sphereMesh(35, 64, 128));
+    solver::DipSetup setup = squareDip(body, 61, 10);
+    setup.motion.travel = 0.4; // the body's lowest point stands 0.5 mm over the water
+    const Ending ending = dipOnCpu(setup);
+    for (std::size_t point = 0; point < ending.states.size(); ++point) {
+        QVERIFY(ending.states[point] == solver::PointState::Free);
+        const double x = -75 + double(point % 61) * 2.5, z = -75 + double(point / 61) * 2.5;
+        QVERIFY((ending.at(point) - Eigen::Vector3d(x, 0, z)).norm() < 1e-5);
+    }
+}
+
+void ProductionFilmTest::pinnedEdgesHold() {
+    const Body body = bodyOf(sphereMesh(35, 64, 128));
+    solver::DipSetup setup = squareDip(body, 61, 30);
+    setup.pinned.assign(setup.film.pointCount(), 0);
+    for (std::size_t row = 0; row < 61; ++row) {
+        setup.pinned[row * 61] = 1; // the left side
+    }
+    const Ending ending = dipOnCpu(setup);
+    double rightMoved = 0;
+    for (std::size_t row = 0; row < 61; ++row) {
+        QVERIFY(std::abs(ending.at(row * 61).x() + 75) < 1e-4);
+        rightMoved = std::max(rightMoved, 75 - ending.at(row * 61 + 60).x());
+    }
+    QVERIFY(rightMoved > 0.5);
+}
+
+void ProductionFilmTest::doesNotHoldPastTheOverhang() {
+    const Body body = bodyOf(sphereMesh(35, 64, 128));
+    const Ending ending = dipOnCpu(squareDip(body, 91, 72)); // all of it under water
+    const double highest = 35 + 35 * std::sin(20 * pi / 180); // over the lowest point
+    int adhered = 0;
+    for (std::size_t point = 0; point < ending.states.size(); ++point) {
+        if (ending.adhered(point)) {
+            ++adhered;
+            QVERIFY(ending.at(point).y() - startHeight + ending.descent < highest + 0.3);
+        }
+    }
+    QVERIFY(adhered > 500);
+}
+
+QTEST_GUILESS_MAIN(ProductionFilmTest)
+#include "ProductionFilmTest.moc"
