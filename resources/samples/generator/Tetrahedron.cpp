@@ -14,7 +14,9 @@ constexpr double pixelsPerMillimetre = texturePixels / 128.0;
 
 // The picture's quarter of each face begins here, mm from the lower left corner.
 Eigen::Vector2d quarter(std::size_t face) {
-    return {2 + 64.0 * double(face % 2), 6 + 64.0 * double(face / 2)};
+    const auto column = double(face % 2);
+    const double row = face < 2 ? 0 : 1;
+    return {2 + 64 * column, 6 + 64 * row};
 }
 
 // Faces lie in their quarters with the first corner at the lower left.

@@ -18,6 +18,7 @@ struct Sample {
     QString name;
     TexturedMesh (*model)();
     std::vector<Immersion> immersions;
+    Degrees overhang{20};
 };
 
 Immersion immersion(const QString& name, double x, double y, double z) {
@@ -35,7 +36,8 @@ std::vector<Sample> allSamples() {
         {QStringLiteral("turtle"),
          samples::turtle,
          {immersion(QStringLiteral("Belly"), 0, 0, 0),
-          immersion(QStringLiteral("Shell"), 0, 0, 180)}},
+          immersion(QStringLiteral("Shell"), 0, 0, 180)},
+         Degrees(40)}, // film that clings, so that the two dips overlap round the flippers
     };
 }
 
@@ -53,6 +55,7 @@ void write(const Sample& sample, const QDir& folder) {
     project.date = QStringLiteral("2026-01-01"); // the same file whenever it is made
     applyPreset(project, QStringLiteral("production"));
     project.immersions = sample.immersions;
+    project.process.overhang = sample.overhang;
     project.model =
         std::make_shared<const TexturedMesh>(importModel(folder.filePath(source), {}, {}).model);
     project.modelSource.source = source;
