@@ -21,9 +21,9 @@ constexpr int paddingCells = 3;
 constexpr int exactCells = 5;
 constexpr int coarsestStride = 8;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("DistanceField", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::DistanceField)
+};
 
 std::size_t sampleIndex(const DistanceField& field, int i, int j, int k) {
     return (std::size_t(k) * std::size_t(field.size[1]) + std::size_t(j)) *
@@ -34,13 +34,14 @@ std::size_t sampleIndex(const DistanceField& field, int i, int j, int k) {
 // A cube of samples round the body, without distances.
 DistanceField cubeRound(const TriangleMesh& body, int resolution) {
     if (resolution < 64 || resolution > 512) {
-        throw Error(tr("The distance field's resolution is %1; choose 64 to 512").arg(resolution),
-                    QString());
+        throw Error(
+            Text::tr("The distance field's resolution is %1; choose 64 to 512").arg(resolution),
+            QString());
     }
     const BoundingBox box = boundingBox(body);
     const double edge = box.isEmpty() ? 0 : double(box.sizes().maxCoeff());
     if (!(edge > 0) || !std::isfinite(edge)) {
-        throw Error(tr("The body has no extent; choose a model with a surface"), QString());
+        throw Error(Text::tr("The body has no extent; choose a model with a surface"), QString());
     }
     DistanceField field;
     field.size.fill(resolution);
@@ -314,7 +315,7 @@ Eigen::Vector3d DistanceField::gradient(const Eigen::Vector3d& position) const {
 
 DistanceField buildDistanceField(const TriangleMesh& body, int resolution,
                                  const Progress& progress) {
-    const QString what = tr("Building the distance field");
+    const QString what = Text::tr("Building the distance field");
     progress(0, what);
     DistanceField field = cubeRound(body, resolution);
     const SurfaceQuery query(body);

@@ -137,10 +137,13 @@ void countCrossing(const RTCFilterFunctionNArguments* arguments) {
     arguments->valid[0] = 0;
 }
 
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::SurfaceQuery)
+};
+
 [[noreturn]] void throwNoMemory() {
-    throw Error(QCoreApplication::translate(
-                    "SurfaceQuery", "The mesh is too large for this computer's memory; reduce its "
-                                    "number of triangles"),
+    throw Error(Text::tr("The mesh is too large for this computer's memory; reduce its number of "
+                         "triangles"),
                 QString());
 }
 

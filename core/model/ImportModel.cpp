@@ -12,6 +12,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/ProgressHandler.hpp>
@@ -24,9 +25,9 @@ namespace dipwright {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("ImportModel", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
 
 // A file in memory, as assimp reads it.
 class FileStream : public Assimp::MemoryIOStream {
@@ -86,7 +87,7 @@ class ReadingProgress : public Assimp::ProgressHandler {
 public:
     explicit ReadingProgress(const Progress& progress) : progress_(progress) {}
     bool Update(float share) override {
-        progress_(std::clamp(double(share), 0.0, 1.0), tr("Reading the model"));
+        progress_(std::clamp(double(share), 0.0, 1.0), Text::tr("Reading the model"));
         return true;
     }
 
@@ -101,11 +102,12 @@ constexpr float maximumTextureCoordinate = 1e5F; // past it a float holds no pla
 void checkOptions(const ImportOptions& options) {
     const double edge = options.longestEdge.value_or(Millimetres(1)).value();
     if (!(edge > 0) || edge > maximumEdge) {
-        throw Error(tr("The model's size must be more than 0 and at most %1 mm").arg(maximumEdge),
-                    QString::number(edge));
+        throw Error(
+            Text::tr("The model's size must be more than 0 and at most %1 mm").arg(maximumEdge),
+            QString::number(edge));
     }
     if (!(options.unitMillimetres > 0) || !std::isfinite(options.unitMillimetres)) {
-        throw Error(tr("The model's unit must be a positive number of millimetres"),
+        throw Error(Text::tr("The model's unit must be a positive number of millimetres"),
                     QString::number(options.unitMillimetres));
     }
 }
@@ -113,16 +115,16 @@ void checkOptions(const ImportOptions& options) {
 void checkFile(const QString& path) {
     const QFileInfo file(path);
     if (!file.exists()) {
-        throw Error(tr("The model file does not exist; check its name"), path);
+        throw Error(Text::tr("The model file does not exist; check its name"), path);
     }
     if (file.isDir()) {
-        throw Error(tr("This is a folder; choose a model file in it"), path);
+        throw Error(Text::tr("This is a folder; choose a model file in it"), path);
     }
     if (!file.isReadable()) {
-        throw Error(tr("The model file cannot be read; check its permissions"), path);
+        throw Error(Text::tr("The model file cannot be read; check its permissions"), path);
     }
     if (file.size() == 0) {
-        throw Error(tr("The model file is empty; save it anew"), path);
+        throw Error(Text::tr("The model file is empty; save it anew"), path);
     }
 }
 
@@ -132,7 +134,8 @@ QImage replacementTexture(const QString& path) {
     }
     const auto bytes = readFile(path);
     if (!bytes) {
-        throw Error(tr("The texture file cannot be read; check its name and permissions"), path);
+        throw Error(Text::tr("The texture file cannot be read; check its name and permissions"),
+                    path);
     }
     return readTexture(*bytes, path);
 }
@@ -145,28 +148,31 @@ void checkPositions(const TriangleMesh& mesh, const QString& path) {
         }
     }
     if (bad > 0) {
-        throw Error(tr("%1 corners of the model's triangles are not numbers (NaN or infinite); "
-                       "repair the model and save it anew")
-                        .arg(bad),
-                    path);
+        throw Error(
+            Text::tr("%1 corners of the model's triangles are not numbers (NaN or infinite); "
+                     "repair the model and save it anew")
+                .arg(bad),
+            path);
     }
 }
 
 void repair(TexturedMesh& model, QStringList& repairs, const QString& path) {
     weldPositions(model.mesh);
     if (const std::size_t count = removeDegenerateTriangles(model); count > 0) {
-        repairs.push_back(tr("Removed %1 triangles without area").arg(count));
+        repairs.push_back(Text::tr("Removed %n triangle(s) without area", nullptr, int(count)));
     }
     if (model.mesh.triangles.empty()) {
-        throw Error(tr("None of the model's triangles has an area; choose another model"), path);
+        throw Error(Text::tr("None of the model's triangles has an area; choose another model"),
+                    path);
     }
     if (const std::size_t count = orientTriangles(model); count > 0) {
-        repairs.push_back(
-            tr("Turned %1 triangles that faced the other way than their neighbours").arg(count));
+        repairs.push_back(Text::tr("Turned %n triangle(s) that faced the other way than their "
+                                   "neighbours",
+                                   nullptr, int(count)));
     }
-    if (isClosed(model.mesh) && volume(model.mesh) < 0) {
-        turnInsideOut(model);
-        repairs.push_back(tr("Turned the surface, which was inside out"));
+    if (const std::size_t count = turnInsideOutParts(model); count > 0) {
+        repairs.push_back(
+            Text::tr("Turned %n part(s) of the surface that were inside out", nullptr, int(count)));
     }
 }
 
@@ -174,12 +180,12 @@ void scale(TriangleMesh& mesh, const ImportOptions& options, const QString& path
     const BoundingBox box = boundingBox(mesh);
     const double edge = (box.max().cast<double>() - box.min().cast<double>()).maxCoeff();
     if (edge == 0) {
-        throw Error(tr("The model has no extent; choose another model"), path);
+        throw Error(Text::tr("The model has no extent; choose another model"), path);
     }
     const double factor =
         options.longestEdge ? options.longestEdge->value() / edge : options.unitMillimetres;
     if (edge * factor > maximumEdge) {
-        throw Error(tr("The model's longest edge would be %1 mm; give the size it is to have")
+        throw Error(Text::tr("The model's longest edge would be %1 mm; give the size it is to have")
                         .arg(edge * factor),
                     path);
     }
@@ -187,8 +193,9 @@ void scale(TriangleMesh& mesh, const ImportOptions& options, const QString& path
         position = (position.cast<double>() * factor).cast<float>();
     }
     if (!boundingBox(mesh).sizes().allFinite()) {
-        throw Error(tr("The model lies too far from its origin; move it there and save it anew"),
-                    path);
+        throw Error(
+            Text::tr("The model lies too far from its origin; move it there and save it anew"),
+            path);
     }
 }
 
@@ -198,13 +205,15 @@ void describe(const TexturedMesh& model, ImportReport& report) {
     report.volume = volume(model.mesh);
     report.box = boundingBox(model.mesh);
     if (!report.closed) {
-        report.warnings.push_back(tr("The mesh is not closed: what is inside is judged by most of "
-                                     "the directions from which it is seen"));
+        report.warnings.push_back(
+            Text::tr("The mesh is not closed: what is inside is judged by most of "
+                     "the directions from which it is seen"));
     }
     if (const float edge = report.box.sizes().maxCoeff(); edge < 1) {
-        report.warnings.push_back(tr("The model's longest edge is only %1 mm; if its file is not "
-                                     "in millimetres, give the size it is to have")
-                                      .arg(double(edge)));
+        report.warnings.push_back(
+            Text::tr("The model's longest edge is only %1 mm; if its file is not "
+                     "in millimetres, give the size it is to have")
+                .arg(double(edge)));
     }
 }
 
@@ -221,8 +230,9 @@ void dropUselessTextures(TexturedMesh& model, QStringList& warnings) {
     if (model.textures.empty() || hasAnyTextureCoordinates(model)) {
         return;
     }
-    warnings.push_back(tr("The model has no texture coordinates, so its texture cannot be placed "
-                          "and is not used; its materials' colours are"));
+    warnings.push_back(
+        Text::tr("The model has no texture coordinates, so its texture cannot be placed "
+                 "and is not used; its materials' colours are"));
     model.textures.clear();
     for (Material& material : model.materials) {
         material.texture = -1;
@@ -236,7 +246,8 @@ TexturedMesh readByAssimp(const ModelSource& source, QStringList& warnings,
     ReadingProgress reading(readingPart);
     Assimp::Importer importer;
     for (const char* format : {"ply", "3mf"}) { // which it would try on files of other names too
-        importer.UnregisterLoader(importer.GetImporter(format));
+        const std::unique_ptr<Assimp::BaseImporter> unused(importer.GetImporter(format));
+        importer.UnregisterLoader(unused.get());
     }
     auto* files = new ModelFileSystem(absolutePath, source.folder);
     importer.SetIOHandler(files); // takes it over
@@ -249,7 +260,7 @@ TexturedMesh readByAssimp(const ModelSource& source, QStringList& warnings,
         source.throwDamaged(QString::fromUtf8(importer.GetErrorString()).simplified());
     }
     for (const QString& name : files->missing()) {
-        warnings.push_back(tr("The file %1, which the model names, was not found").arg(name));
+        warnings.push_back(Text::tr("The file %1, which the model names, was not found").arg(name));
     }
     const QString suffix = QFileInfo(source.path).suffix().toLower();
     const bool isGltf = suffix == QStringLiteral("gltf") || suffix == QStringLiteral("glb");
@@ -266,7 +277,7 @@ TexturedMesh readTriangles(const ModelSource& source, QStringList& warnings,
     if (!isPly && suffix != QStringLiteral("3mf")) {
         return readByAssimp(source, warnings, progress);
     }
-    progress(0, tr("Reading the model"));
+    progress(0, Text::tr("Reading the model"));
     const auto bytes = readFile(source.path);
     if (!bytes) {
         source.throwDamaged(file.errorString());
@@ -287,9 +298,10 @@ void dropUnusableCoordinates(TexturedMesh& model, QStringList& warnings) {
         }
     }
     if (dropped > 0) {
-        warnings.push_back(tr("%1 texture coordinates are too large to be used; their triangles "
-                              "show the material's colour")
-                               .arg(dropped));
+        warnings.push_back(
+            Text::tr("%1 texture coordinates are too large to be used; their triangles "
+                     "show the material's colour")
+                .arg(dropped));
     }
 }
 
@@ -311,21 +323,21 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
 
     model = readTriangles(source, report.warnings, progress.part(0, 0.7));
     if (model.mesh.triangles.empty()) {
-        throw Error(tr("The model has no triangles; save it with its surface"), path);
+        throw Error(Text::tr("The model has no triangles; save it with its surface"), path);
     }
     if (!texture.isNull()) {
         replaceTextures(model, texture);
     }
-    progress(0.7, tr("Checking the model"));
+    progress(0.7, Text::tr("Checking the model"));
     checkPositions(model.mesh, path);
     dropUnusableCoordinates(model, report.warnings);
     repair(model, report.repairs, path);
     scale(model.mesh, options, path);
     dropUselessTextures(model, report.warnings);
-    progress(0.9, tr("Finding the texture's charts"));
+    progress(0.9, Text::tr("Finding the texture's charts"));
     model.chart = findCharts(model);
     describe(model, report);
-    progress(1, tr("Checking the model"));
+    progress(1, Text::tr("Checking the model"));
     return result;
 }
 
@@ -336,7 +348,7 @@ ImportedModel importModel(const QString& path, const ImportOptions& options,
     try {
         return import(path, options, progress);
     } catch (const std::bad_alloc&) {
-        throw Error(tr("The model needs more memory than there is; reduce it"), path);
+        throw Error(Text::tr("The model needs more memory than there is; reduce it"), path);
     }
 }
 

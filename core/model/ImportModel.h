@@ -34,8 +34,9 @@ struct ImportedModel {
 
 // Reads `path` (OBJ+MTL, PLY, STL, glTF/GLB, 3MF and what else assimp knows) with textures beside
 // it or embedded. Repairs: duplicate positions welded, degenerate triangles dropped, unset normals
-// recomputed, inside-out closed meshes turned. Refuses with Error: unreadable, no triangles,
-// coordinates that are not finite, no extent, textures over 32,768 pixels a side or unreadable.
+// recomputed, turned triangles and inside-out closed parts turned back. Refuses with Error:
+// unreadable, no triangles, coordinates that are not finite, no extent, textures over 32,768 pixels
+// a side or unreadable.
 ImportedModel importModel(const QString& path, const ImportOptions& options,
                           const Progress& progress);
 

@@ -1,5 +1,7 @@
 #include "model/MeshRepair.h"
 
+#include "geometry/SurfaceQuery.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -80,9 +82,11 @@ void turn(TexturedMesh& mesh, std::size_t triangle) {
 struct Piece {
     std::vector<std::uint32_t> triangles, against;
     bool isOrientable = true;
+    bool isClosed = true;
 };
 
-// `sense` holds what is known of each triangle: 0 unknown, 1 as its piece's first, −1 against it.
+// The piece that holds the triangle `first`. `sense` holds what is known of each triangle: 0
+// unknown, 1 as its piece's first, −1 against it.
 Piece gatherPiece(const TriangleMesh& mesh, const std::vector<std::uint32_t>& opposite,
                   std::uint32_t first, std::vector<std::int8_t>& sense) {
     Piece piece;
@@ -95,6 +99,7 @@ Piece gatherPiece(const TriangleMesh& mesh, const std::vector<std::uint32_t>& op
         }
         for (std::uint32_t edge = 3 * triangle; edge < 3 * triangle + 3; ++edge) {
             if (opposite[edge] == noEdge) {
+                piece.isClosed = false;
                 continue;
             }
             const std::uint32_t other = opposite[edge] / 3;
@@ -110,6 +115,30 @@ Piece gatherPiece(const TriangleMesh& mesh, const std::vector<std::uint32_t>& op
         }
     }
     return piece;
+}
+
+double enclosedVolume(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+    const auto corner = [&](std::uint32_t triangle, int i) -> Eigen::Vector3d {
+        return mesh.positions[mesh.triangles[triangle][i]].cast<double>();
+    };
+    const Eigen::Vector3d origin = corner(triangles.front(), 0);
+    double sixfold = 0;
+    for (const std::uint32_t t : triangles) {
+        const Eigen::Vector3d a = corner(t, 0) - origin, b = corner(t, 1) - origin;
+        sixfold += a.dot(b.cross(corner(t, 2) - origin));
+    }
+    return sixfold / 6;
+}
+
+// Whether some fifty places spread over the piece lie inside the body of `query`.
+bool isInside(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& piece) {
+    const std::size_t step = 1 + piece.triangles.size() / 50;
+    for (std::size_t i = 0; i < piece.triangles.size(); i += step) {
+        if (!query.isInside(mesh.positions[mesh.triangles[piece.triangles[i]][0]])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 } // namespace
@@ -179,10 +208,40 @@ std::size_t orientTriangles(TexturedMesh& mesh) {
     return toTurn.size();
 }
 
-void turnInsideOut(TexturedMesh& mesh) {
-    for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
-        turn(mesh, t);
+std::size_t turnInsideOutParts(TexturedMesh& mesh) {
+    const auto opposite = oppositeEdges(mesh.mesh);
+    std::vector<std::int8_t> sense(mesh.mesh.triangles.size(), 0);
+    std::vector<Piece> insideOut;
+    TriangleMesh solid;
+    for (std::uint32_t first = 0; first < sense.size(); ++first) {
+        if (sense[first] != 0) {
+            continue;
+        }
+        Piece piece = gatherPiece(mesh.mesh, opposite, first, sense);
+        if (piece.isClosed && enclosedVolume(mesh.mesh, piece.triangles) < 0) {
+            insideOut.push_back(std::move(piece));
+            continue;
+        }
+        for (const std::uint32_t triangle : piece.triangles) {
+            solid.triangles.push_back(mesh.mesh.triangles[triangle]);
+        }
     }
+    if (insideOut.empty()) {
+        return 0;
+    }
+    solid.positions = mesh.mesh.positions;
+    const SurfaceQuery query(solid);
+    std::size_t turned = 0;
+    for (const Piece& piece : insideOut) {
+        if (isInside(query, mesh.mesh, piece)) {
+            continue;
+        }
+        ++turned;
+        for (const std::uint32_t triangle : piece.triangles) {
+            turn(mesh, triangle);
+        }
+    }
+    return turned;
 }
 
 } // namespace dipwright

@@ -18,7 +18,8 @@ std::size_t removeDegenerateTriangles(TexturedMesh& mesh);
 // strip) nothing is turned.
 std::size_t orientTriangles(TexturedMesh& mesh);
 
-// Turns all triangles round.
-void turnInsideOut(TexturedMesh& mesh);
+// Turns closed parts that are inside out, so that they enclose a positive volume; returns how many.
+// A part that lies inside others is a cavity of theirs and stays.
+std::size_t turnInsideOutParts(TexturedMesh& mesh);
 
 } // namespace dipwright

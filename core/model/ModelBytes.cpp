@@ -24,9 +24,9 @@ namespace {
 constexpr char signature[8] = {'D', 'W', 'M', 'O', 'D', 'E', 'L', '\0'};
 constexpr quint32 formatVersion = 1;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("ModelFile", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ModelFile)
+};
 
 QByteArray asPng(const QImage& image) {
     QByteArray bytes;
@@ -35,7 +35,7 @@ QByteArray asPng(const QImage& image) {
     QImageWriter writer(&buffer, "png");
     writer.setCompression(30); // zlib's level 3: twice as fast as its own choice, 10 % larger
     if (!writer.write(image)) {
-        throw Error(tr("A texture cannot be stored as PNG: %1").arg(writer.errorString()),
+        throw Error(Text::tr("A texture cannot be stored as PNG: %1").arg(writer.errorString()),
                     QString());
     }
     return bytes;
@@ -87,7 +87,7 @@ public:
 private:
     void require(bool condition) const {
         if (!condition || stream_.status() != QDataStream::Ok) {
-            throw Error(tr("The stored model is damaged; import the model again"), where_);
+            throw Error(Text::tr("The stored model is damaged; import the model again"), where_);
         }
     }
 
@@ -96,11 +96,12 @@ private:
         stream_.readRawData(found, sizeof(found));
         require(std::equal(std::begin(found), std::end(found), std::begin(signature)));
         if (const auto version = readNumber<quint32>(); version != formatVersion) {
-            throw Error(tr("The stored model has format version %1 and this program reads version "
-                           "%2; use a newer program")
-                            .arg(version)
-                            .arg(formatVersion),
-                        where_);
+            throw Error(
+                Text::tr("The stored model has format version %1 and this program reads version "
+                         "%2; use a newer program")
+                    .arg(version)
+                    .arg(formatVersion),
+                where_);
         }
     }
 

@@ -9,9 +9,9 @@ namespace dipwright {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("ImportModel", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
 
 } // namespace
 
@@ -19,8 +19,8 @@ QImage ModelSource::readPicture(const QString& name, QStringList& warnings) cons
     const QString found = folder.find(name);
     const auto bytes = found.isEmpty() ? std::nullopt : readFile(found);
     if (!bytes) {
-        warnings.push_back(tr("The texture %1 was not found beside the model; its material's "
-                              "colour is used instead")
+        warnings.push_back(Text::tr("The texture %1 was not found beside the model; its material's "
+                                    "colour is used instead")
                                .arg(name));
         return QImage();
     }
@@ -28,14 +28,15 @@ QImage ModelSource::readPicture(const QString& name, QStringList& warnings) cons
 }
 
 void ModelSource::throwDamaged(const QString& reason) const {
-    throw Error(tr("The model cannot be read: %1; save it anew, or as OBJ, PLY, STL, glTF or 3MF")
-                    .arg(reason),
-                path);
+    throw Error(
+        Text::tr("The model cannot be read: %1; save it anew, or as OBJ, PLY, STL, glTF or 3MF")
+            .arg(reason),
+        path);
 }
 
 void ModelSource::checkTriangleCount(std::size_t count) const {
     if (count > maximumModelTriangles) {
-        throw Error(tr("The model has more than %1 million triangles; reduce it")
+        throw Error(Text::tr("The model has more than %1 million triangles; reduce it")
                         .arg(maximumModelTriangles / 1'000'000),
                     path);
     }

@@ -10,9 +10,9 @@ namespace dipwright {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("ImportModel", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
 
 enum class Encoding { Ascii, LittleEndian, BigEndian };
 enum class Type { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
@@ -83,7 +83,7 @@ public:
     qsizetype bytesLeft() const { return rest_.size(); }
 
 private:
-    [[noreturn]] void throwEnded() const { source_.throwDamaged(tr("it ends too early")); }
+    [[noreturn]] void throwEnded() const { source_.throwDamaged(Text::tr("it ends too early")); }
 
     double word() {
         const auto isSpace = [](char byte) {
@@ -97,7 +97,7 @@ private:
         bool isNumber = false;
         const double value = QByteArrayView(begin, end).toDouble(&isNumber);
         if (!isNumber) {
-            source_.throwDamaged(tr("there is a word where a number should be"));
+            source_.throwDamaged(Text::tr("there is a word where a number should be"));
         }
         rest_ = QByteArrayView(end, rest_.end());
         return value;
@@ -171,7 +171,7 @@ private:
 
     void readHeader() {
         if (scanner_.line() != "ply") {
-            source_.throwDamaged(tr("it is not a PLY file"));
+            source_.throwDamaged(Text::tr("it is not a PLY file"));
         }
         for (QByteArrayView line = scanner_.line(); line != "end_header"; line = scanner_.line()) {
             const QByteArray text = line.toByteArray().simplified();
@@ -194,7 +194,8 @@ private:
         } else if (name == "binary_big_endian") {
             header_.encoding = Encoding::BigEndian;
         } else if (name != "ascii") {
-            source_.throwDamaged(tr("its PLY format %1 is unknown").arg(QString::fromUtf8(name)));
+            source_.throwDamaged(
+                Text::tr("its PLY format %1 is unknown").arg(QString::fromUtf8(name)));
         }
     }
 
@@ -203,7 +204,7 @@ private:
         const auto type = typeNamed(words.value(isList ? 3 : 1));
         const auto countType = typeNamed(words.value(2));
         if (!type || (isList && !countType) || header_.elements.empty()) {
-            source_.throwDamaged(tr("its header is not understood"));
+            source_.throwDamaged(Text::tr("its header is not understood"));
         }
         Property property{words.value(isList ? 4 : 2), *type, std::nullopt};
         if (isList) {
@@ -237,7 +238,7 @@ private:
             if (property.countType) {
                 count = scanner_.number(header_.encoding, *property.countType);
                 if (!(count >= 0) || count > double(scanner_.bytesLeft())) {
-                    source_.throwDamaged(tr("it ends too early"));
+                    source_.throwDamaged(Text::tr("it ends too early"));
                 }
             }
             row[i].resize(std::size_t(count));
@@ -273,7 +274,7 @@ private:
             return values.empty() ? std::nanf("") : float(values[0]);
         };
         if (x < 0 || y < 0 || z < 0) {
-            source_.throwDamaged(tr("its points have no x, y and z"));
+            source_.throwDamaged(Text::tr("its points have no x, y and z"));
         }
         forEachRow(element, [&](const Row& row) {
             model_.mesh.positions.emplace_back(value(row, x), value(row, y), value(row, z));
@@ -288,7 +289,7 @@ private:
         const int coordinates = element.find({"texcoord"});
         const int picture = element.find({"texnumber"});
         if (corners < 0) {
-            source_.throwDamaged(tr("its faces have no corners"));
+            source_.throwDamaged(Text::tr("its faces have no corners"));
         }
         forEachRow(element, [&](const Row& row) {
             const auto& numbers = row[std::size_t(picture < 0 ? corners : picture)];
@@ -324,7 +325,7 @@ private:
     }
 
     [[noreturn]] void throwUnknownPoint() const {
-        source_.throwDamaged(tr("a face names a point that is not there"));
+        source_.throwDamaged(Text::tr("a face names a point that is not there"));
     }
 
     void finish() {
@@ -341,8 +342,9 @@ private:
             }
         }
         if (hasColours_ && header_.pictures.empty()) {
-            warnings_.push_back(tr("The colours of the model's points are not used; bake them into "
-                                   "a texture to print them"));
+            warnings_.push_back(
+                Text::tr("The colours of the model's points are not used; bake them into "
+                         "a texture to print them"));
         }
     }
 

@@ -14,9 +14,9 @@ namespace dipwright {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("ImportModel", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
 
 int colourByte(float value, bool linear) {
     const float light = std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 0.0F;
@@ -45,7 +45,7 @@ public:
             return known->second;
         }
         if (model_.materials.size() > 0xffff) {
-            source_.throwDamaged(tr("it has more than 65,536 materials"));
+            source_.throwDamaged(Text::tr("it has more than 65,536 materials"));
         }
         const Found found{std::uint16_t(model_.materials.size()), read(sceneMaterial)};
         return found_.emplace(sceneMaterial, found).first->second;
@@ -95,7 +95,8 @@ private:
     QImage readPicture(const aiString& name) {
         const QString shownName = QString::fromUtf8(name.C_Str());
         if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.C_Str())) {
-            return readEmbedded(*embedded, tr("texture %1 in %2").arg(shownName, source_.path));
+            return readEmbedded(*embedded,
+                                Text::tr("texture %1 in %2").arg(shownName, source_.path));
         }
         return source_.readPicture(shownName, warnings_);
     }
@@ -144,8 +145,9 @@ public:
         model_.material.reserve(total_);
         readNode(*scene_.mRootNode, aiMatrix4x4());
         if (hasColours_) {
-            warnings_.push_back(tr("The colours of the model's points are not used; bake them into "
-                                   "a texture to print them"));
+            warnings_.push_back(
+                Text::tr("The colours of the model's points are not used; bake them into "
+                         "a texture to print them"));
         }
     }
 
@@ -165,7 +167,7 @@ private:
         const aiMatrix4x4 transform = parent * node.mTransformation;
         for (unsigned m = 0; m < node.mNumMeshes; ++m) {
             progress_(double(model_.mesh.triangles.size()) / double(total_ + 1),
-                      tr("Reading triangles"));
+                      Text::tr("Reading triangles"));
             readMesh(*scene_.mMeshes[node.mMeshes[m]], transform);
         }
         for (unsigned child = 0; child < node.mNumChildren; ++child) {
@@ -206,7 +208,7 @@ private:
         auto& uv = model_.textureCoordinates.emplace_back(noCoordinates());
         for (int corner = 0; corner < 3; ++corner) {
             if (corners[corner] >= mesh.mNumVertices) {
-                source_.throwDamaged(tr("a triangle names a point that is not there"));
+                source_.throwDamaged(Text::tr("a triangle names a point that is not there"));
             }
             triangle[corner] = firstPosition + corners[corner];
             if (coordinates) {

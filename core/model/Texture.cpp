@@ -13,9 +13,9 @@ namespace dipwright {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("Texture", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Texture)
+};
 
 // A picture that only states a gamma near 2.2 means sRGB, as every program shows it.
 bool isAsGoodAsSRgb(const QColorSpace& space) {
@@ -29,10 +29,10 @@ bool isAsGoodAsSRgb(const QColorSpace& space) {
 
 void checkTextureSize(const QSize& size, const QString& where) {
     if (size.isEmpty()) {
-        throw Error(tr("The texture has no pixels; choose another picture"), where);
+        throw Error(Text::tr("The texture has no pixels; choose another picture"), where);
     }
     if (size.width() > maximumTextureSide || size.height() > maximumTextureSide) {
-        throw Error(tr("The texture has %1 × %2 pixels; make it %3 pixels a side at the most")
+        throw Error(Text::tr("The texture has %1 × %2 pixels; make it %3 pixels a side at the most")
                         .arg(size.width())
                         .arg(size.height())
                         .arg(maximumTextureSide),
@@ -60,15 +60,16 @@ QImage readTexture(const QByteArray& bytes, const QString& where) {
     QImageReader reader(&buffer);
     reader.setDecideFormatFromContent(true);
     if (!reader.canRead()) {
-        throw Error(tr("The texture is not a picture that can be read; save it as PNG or JPEG"),
-                    where);
+        throw Error(
+            Text::tr("The texture is not a picture that can be read; save it as PNG or JPEG"),
+            where);
     }
     if (const QSize size = reader.size(); size.isValid()) {
         checkTextureSize(size, where);
     }
     QImage image = reader.read();
     if (image.isNull()) {
-        throw Error(tr("The texture is damaged: %1; save it anew").arg(reader.errorString()),
+        throw Error(Text::tr("The texture is damaged: %1; save it anew").arg(reader.errorString()),
                     where);
     }
     checkTextureSize(image.size(), where);

@@ -19,9 +19,9 @@ namespace {
 constexpr qint64 maximumEntryBytes = qint64(2) << 30;
 constexpr int maximumDepth = 32;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("ImportModel", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
 
 // The files in the package, by their names in it.
 class Package {
@@ -30,7 +30,7 @@ public:
         buffer_.setData(bytes);
         zip_.setIoDevice(&buffer_);
         if (!zip_.open(QuaZip::mdUnzip)) {
-            source.throwDamaged(tr("it is not a 3MF package"));
+            source.throwDamaged(Text::tr("it is not a 3MF package"));
         }
     }
 
@@ -42,7 +42,7 @@ public:
             return std::nullopt;
         }
         if (info.isEncrypted() || info.uncompressedSize > quint64(maximumEntryBytes)) {
-            source_.throwDamaged(tr("%1 in it is encrypted or too large").arg(path));
+            source_.throwDamaged(Text::tr("%1 in it is encrypted or too large").arg(path));
         }
         QuaZipFile file(&zip_);
         QByteArray bytes;
@@ -51,7 +51,7 @@ public:
             file.close(); // tells whether the checksum is right
         }
         if (file.getZipError() != UNZ_OK || quint64(bytes.size()) != info.uncompressedSize) {
-            source_.throwDamaged(tr("%1 in it is damaged").arg(path));
+            source_.throwDamaged(Text::tr("%1 in it is damaged").arg(path));
         }
         return bytes;
     }
@@ -125,7 +125,7 @@ public:
             }
         }
         if (xml_.hasError()) {
-            source_.throwDamaged(tr("%1 in it: %2").arg(name_, xml_.errorString()));
+            source_.throwDamaged(Text::tr("%1 in it: %2").arg(name_, xml_.errorString()));
         }
         return std::move(part_);
     }
@@ -179,7 +179,7 @@ private:
         for (std::size_t i = 0; i < 3; ++i) {
             const int corner = integer(corners[i]);
             if (corner < 0 || std::size_t(corner) >= object().positions.size()) {
-                source_.throwDamaged(tr("a triangle names a point that is not there"));
+                source_.throwDamaged(Text::tr("a triangle names a point that is not there"));
             }
             triangle.corners[i] = std::uint32_t(corner);
             triangle.properties[i] = first < 0 ? objectProperty_ : integer(properties[i], first);
@@ -202,14 +202,14 @@ private:
 
     Object& object() {
         if (!openObject_) {
-            source_.throwDamaged(tr("its elements are out of order"));
+            source_.throwDamaged(Text::tr("its elements are out of order"));
         }
         return *openObject_;
     }
 
     PropertyGroup& group() {
         if (!openGroup_) {
-            source_.throwDamaged(tr("its elements are out of order"));
+            source_.throwDamaged(Text::tr("its elements are out of order"));
         }
         return *openGroup_;
     }
@@ -228,7 +228,7 @@ private:
         bool isNumber = false;
         const double value = text(name).toDouble(&isNumber);
         if (!isNumber) {
-            source_.throwDamaged(tr("there is no number where one should be"));
+            source_.throwDamaged(Text::tr("there is no number where one should be"));
         }
         return value;
     }
@@ -237,7 +237,7 @@ private:
         bool isNumber = false;
         const int value = text(name).toInt(&isNumber);
         if (!isNumber && !otherwise) {
-            source_.throwDamaged(tr("there is no number where one should be"));
+            source_.throwDamaged(Text::tr("there is no number where one should be"));
         }
         return isNumber ? value : *otherwise;
     }
@@ -294,7 +294,7 @@ private:
         }
         const auto bytes = package_.find(name);
         if (!bytes) {
-            source_.throwDamaged(tr("%1 is not in it").arg(name));
+            source_.throwDamaged(Text::tr("%1 is not in it").arg(name));
         }
         return parts_.emplace(name, PartReader(*bytes, name, source_, cancelSwitch_).read())
             .first->second;
@@ -304,7 +304,7 @@ private:
         const auto& objects = part(placement.part).objects;
         const auto found = objects.find(placement.object);
         if (found == objects.end()) {
-            source_.throwDamaged(tr("it places an object that is not there"));
+            source_.throwDamaged(Text::tr("it places an object that is not there"));
         }
         return found->second;
     }
@@ -318,7 +318,7 @@ private:
             return known->second;
         }
         if (depth > maximumDepth) {
-            source_.throwDamaged(tr("an object holds itself"));
+            source_.throwDamaged(Text::tr("an object holds itself"));
         }
         const Object& placed = object(placement);
         std::size_t count = placed.isSupport ? 0 : placed.triangles.size();
@@ -392,7 +392,7 @@ private:
             return known->second;
         }
         if (model_.materials.size() > 0xffff) {
-            source_.throwDamaged(tr("it has more than 65,536 materials"));
+            source_.throwDamaged(Text::tr("it has more than 65,536 materials"));
         }
         Material material =
             isPlain ? group->materials[std::size_t(triangle.properties[0])] : Material();
@@ -412,11 +412,12 @@ private:
         if (const auto bytes = package_.find(name)) {
             index = int(model_.textures.size());
             model_.textures.push_back(
-                readTexture(*bytes, tr("texture %1 in %2").arg(name, source_.path)));
+                readTexture(*bytes, Text::tr("texture %1 in %2").arg(name, source_.path)));
         } else {
-            warnings_.push_back(tr("The texture %1 is not in the model's package; its material's "
-                                   "colour is used instead")
-                                    .arg(name));
+            warnings_.push_back(
+                Text::tr("The texture %1 is not in the model's package; its material's "
+                         "colour is used instead")
+                    .arg(name));
         }
         return textures_.emplace(name, index).first->second;
     }

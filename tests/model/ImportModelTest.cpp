@@ -162,11 +162,13 @@ private Q_SLOTS:
     void stlIsWeldedAndClosed();
     void degenerateTrianglesAreRemoved();
     void insideOutIsTurned();
+    void insideOutPartIsTurnedButACavityIsNot();
     void turnedNeighboursAreTurnedBack();
     void openMeshIsAWarning();
     void mirroredNodeKeepsItsOutside();
     void aMillionTrianglesAreClosed();
 
+    void pathsOfEveryLanguageWork();
     void refusals_data();
     void refusals();
     void textureRefusals_data();
@@ -481,7 +483,7 @@ void ImportModelTest::degenerateTrianglesAreRemoved() {
     const auto [model, report] = import(write(QStringLiteral("degenerate.obj"), text));
     QCOMPARE(report.triangles, std::size_t(12));
     QVERIFY(report.closed);
-    QCOMPARE(report.repairs, QStringList(QStringLiteral("Removed 3 triangles without area")));
+    QCOMPARE(report.repairs, QStringList(QStringLiteral("Removed 3 triangle(s) without area")));
     QCOMPARE(model.textureCoordinates.size(), std::size_t(12));
     QCOMPARE(model.material.size(), std::size_t(12));
 }
@@ -494,6 +496,23 @@ void ImportModelTest::insideOutIsTurned() {
     const auto report = import(write(QStringLiteral("inside.stl"), stl(sphere))).report;
     QVERIFY(report.volume > 0);
     QCOMPARE(report.repairs.size(), 1);
+}
+
+void ImportModelTest::insideOutPartIsTurnedButACavityIsNot() {
+    const auto importBoth = [&](const TriangleMesh& outer, TriangleMesh inner) {
+        for (auto& triangle : inner.triangles) {
+            std::swap(triangle[0], triangle[1]);
+        }
+        QByteArray text = stl(outer) + stl(inner);
+        text.replace("endsolid body\nsolid body\n", "");
+        return import(write(QStringLiteral("parts.stl"), text)).report;
+    };
+    const auto cavity = importBoth(boxMesh({20, 20, 20}), boxMesh({10, 10, 10}));
+    QVERIFY(std::abs(cavity.volume - 7000) < 0.1);
+    QVERIFY(cavity.repairs.isEmpty());
+    const auto crossing = importBoth(boxMesh({20, 20, 20}), boxMesh({10, 10, 40}));
+    QVERIFY(std::abs(crossing.volume - 12000) < 0.1);
+    QCOMPARE(crossing.repairs.size(), 1);
 }
 
 void ImportModelTest::turnedNeighboursAreTurnedBack() {
@@ -540,6 +559,17 @@ void ImportModelTest::aMillionTrianglesAreClosed() {
     QVERIFY(report.triangles > 1'000'000);
     QVERIFY(report.closed);
     QCOMPARE(model.mesh.positions.size(), sphere.positions.size());
+}
+
+void ImportModelTest::pathsOfEveryLanguageWork() {
+    const QString folder = QStringLiteral("Schildkröte 亀 №1");
+    QDir(folder_.path()).mkpath(folder);
+    write(folder + QStringLiteral("/häute.png"), png(quarters()));
+    write(folder + QStringLiteral("/ö.mtl"), "newmtl skin\r\nmap_Kd häute.png\r\n");
+    const auto [model, report] = import(
+        write(folder + QStringLiteral("/亀.obj"), cubeObj("mtllib ö.mtl\r\nusemtl skin\r\n")));
+    QVERIFY2(report.warnings.isEmpty(), qPrintable(report.warnings.join(u'|')));
+    QCOMPARE(model.textures.size(), std::size_t(1));
 }
 
 void ImportModelTest::refusals_data() {
