@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "sheet/PdfDocument.h"
+#include "sheet/Sheet.h"
 #include "sheet/SheetInk.h"
 
 #include <QCoreApplication>
@@ -117,9 +118,10 @@ void paintCalibrationPage(QPainter& painter, const CalibrationPage& page) {
 void writeCalibrationPdf(const CalibrationPage& page, QIODevice& device) {
     PdfSettings settings;
     settings.title = Text::tr("Calibration of the printer's scale");
-    settings.scaleX = page.scaleX;
-    settings.scaleY = page.scaleY;
-    const auto paint = [&](QPainter& painter) { paintCalibrationPage(painter, page); };
+    const auto paint = [&](QPainter& painter) {
+        correctScale(painter, page.paper, {page.scaleX, page.scaleY});
+        paintCalibrationPage(painter, page);
+    };
     const QByteArray pdf = pdfDocument({{page.paper, paint}}, settings);
     if (device.write(pdf) != pdf.size()) {
         throw Error(

@@ -42,12 +42,8 @@ QByteArray drawnPdf(const std::vector<PdfPage>& pages, const PdfSettings& settin
             writer.newPage();
         }
         const double unit = dotsPerInch / millimetresPerInch;
-        const QPointF middle(page.size.width() / 2, page.size.height() / 2);
         painter.resetTransform();
         painter.scale(unit, unit);
-        painter.translate(middle);
-        painter.scale(1 / settings.scaleX, 1 / settings.scaleY);
-        painter.translate(-middle);
         page.paint(painter);
     }
     painter.end();

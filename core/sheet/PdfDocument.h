@@ -21,8 +21,7 @@ struct PdfPage {
 
 struct PdfSettings {
     QString title;
-    double scaleX = 1, scaleY = 1; // every page is drawn smaller by these about its middle
-    QByteArray outputProfile;      // an RGB ICC profile; empty: sRGB
+    QByteArray outputProfile; // an RGB ICC profile; empty: sRGB
     QString outputName = QStringLiteral("sRGB IEC61966-2.1");
 };
 

@@ -52,4 +52,23 @@ void paintSheet(QPainter& painter, const Sheet& sheet) {
     painter.restore();
 }
 
+void correctScale(QPainter& painter, QSizeF paper, const PrintCorrection& correction) {
+    const QPointF middle(paper.width() / 2, paper.height() / 2);
+    painter.translate(middle);
+    painter.scale(1 / correction.scaleX, 1 / correction.scaleY);
+    painter.translate(-middle);
+}
+
+void paintCorrectedSheet(QPainter& painter, const Sheet& sheet, const PrintCorrection& correction) {
+    const QSizeF page = pageSize(sheet);
+    painter.save();
+    correctScale(painter, correction.acrossPaper ? page.transposed() : page, correction);
+    if (correction.acrossPaper) {
+        painter.translate(page.height(), 0);
+        painter.rotate(90);
+    }
+    paintSheet(painter, sheet);
+    painter.restore();
+}
+
 } // namespace dipwright

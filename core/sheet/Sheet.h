@@ -65,7 +65,15 @@ struct PrintCorrection {
     // middle, and comes out true.
     double scaleX = 1, scaleY = 1;
     const PrinterColour* colour = nullptr; // not owned; null: sRGB
+    // The page lies across the paper, its upper left corner in the paper's upper right one.
+    bool acrossPaper = false;
 };
+
+// Makes a painter whose unit is the millimetre and whose origin is the paper's upper left corner
+// draw smaller by the correction's scales.
+void correctScale(QPainter& painter, QSizeF paper, const PrintCorrection& correction);
+// Draws the page onto the paper, in sRGB.
+void paintCorrectedSheet(QPainter& painter, const Sheet& sheet, const PrintCorrection& correction);
 
 // PDF at true size, the image stored without loss, viewers asked not to scale, with the colour's
 // space as output intent. A colour in CMYK is refused: PDF pages are written in RGB, TIFF takes it.

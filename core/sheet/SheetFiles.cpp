@@ -127,8 +127,6 @@ void writeSheetPng(const Sheet& sheet, QIODevice& device) {
 PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction) {
     PreparedSheet prepared{sheet, {}};
     prepared.settings.title = sheet.job.project.simplified();
-    prepared.settings.scaleX = correction.scaleX;
-    prepared.settings.scaleY = correction.scaleY;
     if (correction.colour) {
         if (correction.colour->isCmyk()) {
             throw Error(
@@ -145,8 +143,12 @@ PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correctio
 
 void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction) {
     const PreparedSheet prepared = preparedSheet(sheet, correction);
-    const auto paint = [&](QPainter& painter) { paintSheet(painter, prepared.sheet); };
-    const QByteArray pdf = pdfDocument({{pageSize(sheet), paint}}, prepared.settings);
+    const auto paint = [&](QPainter& painter) {
+        paintCorrectedSheet(painter, prepared.sheet, correction);
+    };
+    const QSizeF page = pageSize(sheet);
+    const QSizeF paper = correction.acrossPaper ? page.transposed() : page;
+    const QByteArray pdf = pdfDocument({{paper, paint}}, prepared.settings);
     if (device.write(pdf) != pdf.size()) {
         throw Error(Text::tr("The sheet's PDF cannot be written: %1").arg(device.errorString()),
                     QStringLiteral("sheet.pdf"));

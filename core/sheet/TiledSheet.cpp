@@ -95,34 +95,36 @@ std::vector<QRectF> sheetTiles(const Sheet& sheet, const TileSettings& settings)
     return tiles;
 }
 
+void paintTile(QPainter& painter, const Sheet& sheet, const TileSettings& settings, int index) {
+    const TileGrid grid = tileGrid(sheet, settings);
+    const QRectF tile = sheetTiles(sheet, settings).at(std::size_t(index));
+    const QRectF inner = QRectF({0, 0}, settings.paper).marginsRemoved(settings.margins);
+    painter.save();
+    painter.setClipRect(inner);
+    painter.translate(inner.topLeft() - tile.topLeft());
+    paintSheet(painter, sheet);
+    painter.restore();
+    painter.save();
+    paintCutLines(painter, inner, grid, index, settings.overlap);
+    const QString label = Text::tr("%1 · row %2 of %3, column %4 of %5 · cut along the dashes")
+                              .arg(sheet.job.immersion.simplified())
+                              .arg(index / grid.columns + 1)
+                              .arg(grid.rows)
+                              .arg(index % grid.columns + 1)
+                              .arg(grid.columns);
+    SheetInk(painter, true).text({inner.left() + 6, inner.bottom() - 1}, 2.2, label);
+    painter.restore();
+}
+
 void writeTiledPdf(const Sheet& sheet, const TileSettings& settings, QIODevice& device,
                    const PrintCorrection& correction) {
-    const TileGrid grid = tileGrid(sheet, settings);
-    const std::vector<QRectF> tiles = sheetTiles(sheet, settings);
     const PreparedSheet prepared = preparedSheet(sheet, correction);
-    const QRectF inner = QRectF({0, 0}, settings.paper).marginsRemoved(settings.margins);
     std::vector<PdfPage> pages;
-    for (int index = 0; index < int(tiles.size()); ++index) {
-        const QRectF tile = tiles[std::size_t(index)];
-        pages.push_back(
-            {settings.paper, [&, tile, index](QPainter& painter) {
-                 painter.save();
-                 painter.setClipRect(inner);
-                 painter.translate(inner.topLeft() - tile.topLeft());
-                 paintSheet(painter, prepared.sheet);
-                 painter.restore();
-                 painter.save();
-                 paintCutLines(painter, inner, grid, index, settings.overlap);
-                 const QString label =
-                     Text::tr("%1 · row %2 of %3, column %4 of %5 · cut along the dashes")
-                         .arg(sheet.job.immersion.simplified())
-                         .arg(index / grid.columns + 1)
-                         .arg(grid.rows)
-                         .arg(index % grid.columns + 1)
-                         .arg(grid.columns);
-                 SheetInk(painter, true).text({inner.left() + 6, inner.bottom() - 1}, 2.2, label);
-                 painter.restore();
-             }});
+    for (int index = 0; index < int(sheetTiles(sheet, settings).size()); ++index) {
+        pages.push_back({settings.paper, [&, index](QPainter& painter) {
+                             correctScale(painter, settings.paper, correction);
+                             paintTile(painter, prepared.sheet, settings, index);
+                         }});
     }
     const QByteArray pdf = pdfDocument(pages, prepared.settings);
     if (device.write(pdf) != pdf.size()) {

@@ -18,8 +18,11 @@ struct TileSettings {
 // Throws Error when the paper leaves no more than the overlap, or more than 400 pieces were needed.
 std::vector<QRectF> sheetTiles(const Sheet& sheet, const TileSettings& settings);
 
-// PDF with a page for each piece: the piece within the margins, cut lines where the next one joins,
-// and which piece it is. Same bytes for the same sheet. Throws Error.
+// Draws one piece onto its paper: the piece within the margins, cut lines where the next one joins,
+// and which piece it is. A painter in mm, origin the paper's upper left corner.
+void paintTile(QPainter& painter, const Sheet& sheet, const TileSettings& settings, int index);
+
+// PDF with a page for each piece. Same bytes for the same sheet. Throws Error.
 void writeTiledPdf(const Sheet& sheet, const TileSettings& settings, QIODevice& device,
                    const PrintCorrection& correction = {});
 

@@ -1,4 +1,6 @@
 // Printers that stretch, and paper that is too small: corrected scales, calibration pages, tiles.
+#include "PaperMeasure.h"
+
 #include "sheet/CalibrationPage.h"
 #include "sheet/TiledSheet.h"
 
@@ -6,7 +8,6 @@
 #include "sheet/SheetLayout.h"
 
 #include <QBuffer>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -32,29 +33,10 @@ Sheet patchSheet(Millimetres width = Millimetres(210), Millimetres height = Mill
     return sheet;
 }
 
-QByteArray tool(const QString& program, const QStringList& arguments) {
-    QProcess process;
-    process.start(program, arguments);
-    return process.waitForFinished(60000) && process.exitCode() == 0
-               ? process.readAllStandardOutput()
-               : QByteArray();
-}
-
-// Middles of the dark runs along a row or column of pixels, in mm.
-std::vector<double> ticks(const QImage& grey, bool across, int at) {
-    std::vector<double> found;
-    double weight = 0;
-    double sum = 0;
-    const int length = across ? grey.width() : grey.height();
-    for (int i = 0; i < length; ++i) {
-        const int dark = 255 - qGray(across ? grey.pixel(i, at) : grey.pixel(at, i));
-        if (dark > 5) {
-            weight += dark;
-            sum += dark * (i + 0.5);
-        } else if (weight > 0) {
-            found.push_back(sum / weight / pixelsPerMm);
-            weight = sum = 0;
-        }
+std::vector<double> ticks(const QImage& grey, bool alongRow, int at) {
+    std::vector<double> found = darkMiddles(grey, alongRow, at);
+    for (double& tick : found) {
+        tick /= pixelsPerMm;
     }
     return found;
 }
@@ -76,16 +58,8 @@ class SheetScaleTest : public QObject {
         return file.fileName();
     }
 
-    QImage rendered(const QString& path, const QRectF& box, int page = 1) {
-        const QRect pixels =
-            QTransform::fromScale(pixelsPerMm, pixelsPerMm).mapRect(box).toAlignedRect();
-        const QString base = folder_.filePath("part");
-        tool("pdftoppm",
-             {"-r", QString::number(dpi), "-f", QString::number(page), "-l", QString::number(page),
-              "-gray", "-png", "-singlefile", "-x", QString::number(pixels.x()), "-y",
-              QString::number(pixels.y()), "-W", QString::number(pixels.width()), "-H",
-              QString::number(pixels.height()), path, base});
-        return QImage(base + ".png").convertToFormat(QImage::Format_Grayscale8);
+    static QImage rendered(const QString& path, const QRectF& box, int page = 1) {
+        return renderedPage(path, dpi, box, page);
     }
 
 private slots:
@@ -148,7 +122,7 @@ void SheetScaleTest::calibrationPageMeasuresWhatItSays() {
     page.printer = QStringLiteral("Canon imagePROGRAF");
     const QString path =
         saved("calibrate.pdf", [&](QIODevice& device) { writeCalibrationPdf(page, device); });
-    const QString words = QString::fromUtf8(tool("pdftotext", {"-layout", path, "-"}));
+    const QString words = pdfWords(path);
     const CalibrationLengths lengths = calibrationLengths(page);
     QVERIFY(words.contains("Canon imagePROGRAF"));
     QVERIFY(words.contains(QString::number(lengths.x.value())));
@@ -220,10 +194,10 @@ void SheetScaleTest::tiledPdfHasAPageForEachPiece() {
     const Sheet sheet = patchSheet(Millimetres(300), Millimetres(280));
     const QString path = saved(
         "tiles.pdf", [&](QIODevice& device) { writeTiledPdf(sheet, TileSettings{}, device); });
-    const QByteArray info = tool("pdfinfo", {path});
+    const QByteArray info = output("pdfinfo", {path});
     QVERIFY(info.contains("Pages:           2"));
     QVERIFY(info.contains("A4"));
-    QVERIFY(tool("pdftotext", {"-f", "2", path, "-"}).contains("column 2 of 2"));
+    QVERIFY(pdfWords(path, 2).contains("column 2 of 2"));
     // The patch reaches from 38.1 mm to 261.9 mm of the sheet; the second piece starts at 190 mm.
     const std::vector<double> patch = ticks(rendered(path, QRectF(0, 100, 210, 1), 2), true, 10);
     QCOMPARE(patch.size(), std::size_t(1));

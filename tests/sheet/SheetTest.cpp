@@ -1,4 +1,6 @@
 // The sheet as a user meets it: measured on the finished PDF and PNG with the tools of poppler.
+#include "PaperMeasure.h"
+
 #include "sheet/Sheet.h"
 #include "sheet/SheetLayout.h"
 
@@ -6,9 +8,6 @@
 
 #include <QBuffer>
 #include <QColorSpace>
-#include <QImageReader>
-#include <QProcess>
-#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -67,39 +66,6 @@ QByteArray pdfOf(const Sheet& sheet) {
     return buffer.data();
 }
 
-// Runs a tool on a PDF and gives its standard output.
-QByteArray tool(const QString& program, const QStringList& arguments) {
-    QProcess process;
-    process.start(program, arguments);
-    if (!process.waitForFinished(60000) || process.exitCode() != 0) {
-        qWarning() << program << arguments << process.errorString()
-                   << process.readAllStandardError();
-        return {};
-    }
-    return process.readAllStandardOutput();
-}
-
-// Away from what is printed along the page's edges: where the row passes from light to dark or
-// back, in pixels, to a fraction by the share of light in the pixels between.
-std::vector<double> edges(const QImage& grey, int row, int margin) {
-    std::vector<double> found;
-    const uchar* line = grey.constScanLine(row);
-    int start = margin; // the last pixel that is all light or all dark
-    double light = 0;   // in the pixels since
-    for (int x = margin; x < grey.width() - margin; ++x) {
-        if (line[x] > 5 && line[x] < 250) {
-            light += line[x] / 255.0;
-            continue;
-        }
-        if ((line[x] < 128) != (line[start] < 128)) {
-            found.push_back(start + 1 + (line[x] < 128 ? light : x - start - 1 - light));
-        }
-        start = x;
-        light = 0;
-    }
-    return found;
-}
-
 } // namespace
 
 class SheetTest : public QObject {
@@ -116,32 +82,7 @@ class SheetTest : public QObject {
         return file.fileName();
     }
 
-    QSizeF pdfPage(const QString& path) {
-        const QString info = QString::fromUtf8(tool("pdfinfo", {path}));
-        const auto match = QRegularExpression("Page size: *([0-9.]+) x ([0-9.]+) pts").match(info);
-        return {match.captured(1).toDouble() / 72 * 25.4, match.captured(2).toDouble() / 72 * 25.4};
-    }
-
-    // The page in grey, or the part of it in `box` (mm).
-    QImage rendered(const QString& path, int dpi, const QRectF& box = {}) {
-        const QString base = folder_.filePath("page");
-        const QRect pixels =
-            QTransform::fromScale(dpi / millimetresPerInch, dpi / millimetresPerInch)
-                .mapRect(box)
-                .toAlignedRect();
-        tool("pdftoppm",
-             {"-r", QString::number(dpi), "-gray", "-png", "-singlefile", "-x",
-              QString::number(pixels.x()), "-y", QString::number(pixels.y()), "-W",
-              QString::number(pixels.width()), "-H", QString::number(pixels.height()), path, base});
-        const QImage image(base + ".png");
-        if (image.isNull()) {
-            qFatal("%s cannot be rendered", qPrintable(path));
-        }
-        return image.convertToFormat(QImage::Format_Grayscale8);
-    }
-
 private slots:
-    void initTestCase() { QImageReader::setAllocationLimit(1024); } // MB, a page at 600 dpi
     void a4HasExactlyTheseManyPixels();
     void imagesPastTheLimitAreRefused();
     void pngCarriesResolutionAndProfile();
@@ -194,7 +135,7 @@ void SheetTest::pngCarriesResolutionAndProfile() {
 void SheetTest::squaresMeasureSeventeenMillimetres() {
     const QString path = save(pdfOf(chessSheet()), "chess.pdf");
     constexpr int dpi = 600;
-    const QImage page = rendered(path, dpi);
+    const QImage page = renderedPage(path, dpi);
     const QImage turned = page.transformed(QTransform().rotate(90));
     for (const QImage* image : {&page, &turned}) {
         // Through the middle of a row of squares.
@@ -211,7 +152,7 @@ void SheetTest::squaresMeasureSeventeenMillimetres() {
 void SheetTest::imageInPdfIsBitExact() {
     const Sheet sheet = patchSheet();
     const QString path = save(pdfOf(sheet), "patch.pdf");
-    tool("pdfimages", {"-png", path, folder_.filePath("image")});
+    output("pdfimages", {"-png", path, folder_.filePath("image")});
     QImage image(folder_.filePath("image-000.png"));
     QVERIFY(!image.isNull());
     image.setColorSpace(QColorSpace::SRgb); // PDF says it once, by the output intent
@@ -226,27 +167,18 @@ void SheetTest::rulerMeasuresAHundredMillimetres() {
     const QString path = save(pdfOf(sheet), "ruler.pdf");
     constexpr int dpi = 1200;
     const QRectF box = layout.ruler->box();
-    const QImage strip = rendered(path, dpi, box);
+    const QImage strip = renderedPage(path, dpi, box);
     const double millimetre = dpi / millimetresPerInch;
     // Just above the base line every tick is a dark run; its middle is the millimetre.
-    const uchar* line = strip.constScanLine(strip.height() - int(0.6 * millimetre));
-    std::vector<double> ticks;
-    for (int x = 0; x < strip.width(); ++x) {
-        double weight = 0;
-        double sum = 0;
-        for (; x < strip.width() && line[x] < 250; ++x) {
-            weight += 255 - line[x];
-            sum += (255 - line[x]) * (x + 0.5);
-        }
-        if (weight > 0) {
-            ticks.push_back(sum / weight / millimetre);
-        }
+    std::vector<double> ticks = darkMiddles(strip, true, strip.height() - int(0.6 * millimetre));
+    for (double& tick : ticks) {
+        tick /= millimetre;
     }
     QCOMPARE(ticks.size(), std::size_t(101));
     QVERIFY2(std::abs(ticks.back() - ticks.front() - 100) < 0.01,
              qPrintable(QString::number(ticks.back() - ticks.front())));
     QVERIFY(std::abs(ticks[50] - ticks[0] - 50) < 0.01);
-    QVERIFY(tool("pdftotext", {path, "-"}).contains("100 mm"));
+    QVERIFY(output("pdftotext", {path, "-"}).contains("100 mm"));
 }
 
 void SheetTest::marksStandInTheCorners() {
@@ -254,7 +186,7 @@ void SheetTest::marksStandInTheCorners() {
     QCOMPARE(layout.marks.size(), std::size_t(4));
     QCOMPARE(layout.marks[0].centre, QPointF(6, 6));
     QCOMPARE(layout.marks[3].centre, QPointF(204, 291));
-    const QImage page = rendered(save(pdfOf(patchSheet()), "marks.pdf"), 600);
+    const QImage page = renderedPage(save(pdfOf(patchSheet()), "marks.pdf"), 600);
     const double millimetre = 600 / millimetresPerInch;
     for (const SheetMark& mark : layout.marks) {
         const QPointF arm = (mark.centre - QPointF(0, 2.5)) * millimetre;
@@ -271,8 +203,7 @@ void SheetTest::marksStandInTheCorners() {
 void SheetTest::jobLineCanBeRead() {
     Sheet sheet = patchSheet();
     sheet.job.project = QStringLiteral("Zürich Straße\nNo. 5");
-    const QString text =
-        QString::fromUtf8(tool("pdftotext", {"-layout", save(pdfOf(sheet), "job.pdf"), "-"}));
+    const QString text = pdfWords(save(pdfOf(sheet), "job.pdf"));
     for (const QString& part : {QStringLiteral("Zürich Straße No. 5"), QStringLiteral("Top"),
                                 QStringLiteral("2026-03-01"), QStringLiteral("A4 210 × 297 mm"),
                                 QStringLiteral("1:1, swell 1 × 1"), QStringLiteral("3fa9c2d1")}) {
@@ -284,8 +215,8 @@ void SheetTest::partsCanBeSwitchedOff() {
     Sheet sheet = patchSheet();
     sheet.settings.marks = sheet.settings.ruler = sheet.settings.jobLine = false;
     const QString path = save(pdfOf(sheet), "bare.pdf");
-    QVERIFY(tool("pdftotext", {path, "-"}).trimmed().isEmpty());
-    const QImage page = rendered(path, 100);
+    QVERIFY(output("pdftotext", {path, "-"}).trimmed().isEmpty());
+    const QImage page = renderedPage(path, 100);
     for (int y = 0; y < 300; ++y) {
         for (int x = 0; x < page.width(); ++x) {
             QVERIFY(qGray(page.pixel(x, y)) > 250);
@@ -309,7 +240,7 @@ void SheetTest::partsStandOnPaintOnlyWhereItIsEverywhere() {
     const SheetLayout layout = sheetLayout(sheet);
     QVERIFY(layout.jobLine && layout.ruler);
     QVERIFY(layout.jobLine->overPaint && layout.ruler->overPaint);
-    const QByteArray text = tool("pdftotext", {save(pdfOf(sheet), "full.pdf"), "-"});
+    const QByteArray text = output("pdftotext", {save(pdfOf(sheet), "full.pdf"), "-"});
     QVERIFY(text.contains("Turtle") && text.contains("100 mm"));
 }
 
@@ -398,10 +329,10 @@ void SheetTest::sameSheetGivesTheSameBytes() {
 
 void SheetTest::viewersAreAskedNotToScale() {
     const QString path = save(pdfOf(patchSheet()), "prefs.pdf");
-    const QByteArray json = tool("qpdf", {"--json", path});
+    const QByteArray json = output("qpdf", {"--json", path});
     QVERIFY(json.contains("\"/PrintScaling\": \"/None\""));
     QVERIFY(json.contains("/OutputIntent"));
-    QVERIFY(!tool("qpdf", {"--check", path}).isEmpty());
+    QVERIFY(!output("qpdf", {"--check", path}).isEmpty());
 }
 
 void SheetTest::unwritableDeviceIsAnError() {

@@ -1,0 +1,254 @@
+// Printing through CUPS and IPP: the one file that knows them.
+#include "printing/PrintSystem.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <cups/cups.h>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
+};
+
+struct FreeDest {
+    void operator()(cups_dest_t* dest) const { cupsFreeDests(1, dest); }
+};
+using Dest = std::unique_ptr<cups_dest_t, FreeDest>;
+
+struct FreeInfo {
+    void operator()(cups_dinfo_t* info) const { cupsFreeDestInfo(info); }
+};
+using DestInfo = std::unique_ptr<cups_dinfo_t, FreeInfo>;
+
+struct FreeMessage {
+    void operator()(ipp_t* message) const { ippDelete(message); }
+};
+using Message = std::unique_ptr<ipp_t, FreeMessage>;
+
+// Options of a job, freed with it.
+class Options {
+public:
+    ~Options() { cupsFreeOptions(count_, options_); }
+    void add(const char* name, const QByteArray& value) {
+        count_ = cupsAddOption(name, value.constData(), count_, &options_);
+    }
+    int count() const { return count_; }
+    cups_option_t* data() const { return options_; }
+
+private:
+    int count_ = 0;
+    cups_option_t* options_ = nullptr;
+};
+
+QString lastMessage() {
+    return QString::fromUtf8(cupsLastErrorString());
+}
+
+Dest namedDest(const QString& name) {
+    return Dest(cupsGetNamedDest(CUPS_HTTP_DEFAULT, name.toUtf8().constData(), nullptr));
+}
+
+QString option(const Dest& dest, const char* name) {
+    return QString::fromUtf8(cupsGetOption(name, dest->num_options, dest->options));
+}
+
+// The words that people should read among "none", "paused", "media-empty-error" …
+QString readableReasons(const QString& reasons) {
+    QStringList words;
+    for (QString reason : reasons.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+        if (reason != QLatin1String("none") && !reason.startsWith(QLatin1String("cups-"))) {
+            words << reason.replace(QLatin1Char('-'), QLatin1Char(' '));
+        }
+    }
+    return words.join(QStringLiteral(", "));
+}
+
+PrinterState stateOf(const QString& state) {
+    return state == QLatin1String("5")   ? PrinterState::Stopped
+           : state == QLatin1String("4") ? PrinterState::Printing
+                                         : PrinterState::Idle;
+}
+
+// CUPS counts in hundredths of a millimetre.
+PrinterMedia mediaOf(const cups_size_t& size) {
+    return {
+        QString::fromUtf8(size.media), QSizeF(size.width / 100.0, size.length / 100.0),
+        QMarginsF(size.left / 100.0, size.top / 100.0, size.right / 100.0, size.bottom / 100.0)};
+}
+
+void addMedia(std::vector<PrinterMedia>& media, cups_dest_t* dest, cups_dinfo_t* info,
+              unsigned flags) {
+    const int count = cupsGetDestMediaCount(CUPS_HTTP_DEFAULT, dest, info, flags);
+    for (int index = 0; index < count; ++index) {
+        cups_size_t size{};
+        if (cupsGetDestMediaByIndex(CUPS_HTTP_DEFAULT, dest, info, index, flags, &size)) {
+            media.push_back(mediaOf(size));
+        }
+    }
+}
+
+// A printer that tells what is loaded has only that ready.
+void markReady(std::vector<PrinterMedia>& media, cups_dest_t* dest, cups_dinfo_t* info) {
+    std::vector<PrinterMedia> loaded;
+    addMedia(loaded, dest, info, CUPS_MEDIA_FLAGS_READY);
+    if (loaded.empty()) {
+        return;
+    }
+    for (PrinterMedia& one : media) {
+        one.ready = std::any_of(loaded.begin(), loaded.end(),
+                                [&](const PrinterMedia& other) { return other.size == one.size; });
+    }
+}
+
+// Printers that cannot do colour say so by print-color-mode, older queues by their type.
+bool printsColour(const Dest& dest, cups_dinfo_t* info) {
+    if (cupsCheckDestSupported(CUPS_HTTP_DEFAULT, dest.get(), info, CUPS_PRINT_COLOR_MODE,
+                               nullptr)) {
+        return cupsCheckDestSupported(CUPS_HTTP_DEFAULT, dest.get(), info, CUPS_PRINT_COLOR_MODE,
+                                      CUPS_PRINT_COLOR_MODE_COLOR) != 0;
+    }
+    return (option(dest, "printer-type").toUInt() & CUPS_PRINTER_COLOR) != 0;
+}
+
+JobStatus statusOf(ipp_t* answer) {
+    const auto text = [&](const char* name, ipp_tag_t tag) {
+        ipp_attribute_t* attribute = ippFindAttribute(answer, name, tag);
+        return attribute ? QString::fromUtf8(ippGetString(attribute, 0, nullptr)) : QString();
+    };
+    ipp_attribute_t* state = ippFindAttribute(answer, "job-state", IPP_TAG_ENUM);
+    const QString message = text("job-printer-state-message", IPP_TAG_TEXT);
+    const QString reason =
+        message.isEmpty() ? readableReasons(text("job-state-reasons", IPP_TAG_KEYWORD)) : message;
+    switch (state ? ippGetInteger(state, 0) : 0) {
+    case IPP_JSTATE_HELD:
+        return {JobState::Held, reason};
+    case IPP_JSTATE_PROCESSING:
+        return {JobState::Printing, reason};
+    case IPP_JSTATE_STOPPED:
+        return {JobState::Stopped, reason};
+    case IPP_JSTATE_CANCELED:
+        return {JobState::Cancelled, reason};
+    case IPP_JSTATE_ABORTED:
+        return {JobState::Failed, reason};
+    case IPP_JSTATE_COMPLETED:
+        return {JobState::Printed, reason};
+    default:
+        return {JobState::Waiting, reason};
+    }
+}
+
+class CupsPrintSystem : public PrintSystem {
+public:
+    QStringList printers() override {
+        cups_dest_t* dests = nullptr;
+        const int count = cupsGetDests2(CUPS_HTTP_DEFAULT, &dests);
+        QStringList names;
+        for (int i = 0; i < count; ++i) {
+            if (!dests[i].instance) {
+                names << QString::fromUtf8(dests[i].name);
+            }
+        }
+        cupsFreeDests(count, dests);
+        names.sort();
+        return names;
+    }
+
+    std::optional<PrinterInfo> printer(const QString& name) override {
+        const Dest dest = namedDest(name);
+        if (!dest) {
+            return std::nullopt;
+        }
+        PrinterInfo info;
+        info.name = name;
+        info.description = option(dest, "printer-info");
+        info.isDefault = dest->is_default != 0;
+        info.state = stateOf(option(dest, "printer-state"));
+        info.stateReason = readableReasons(option(dest, "printer-state-reasons"));
+        info.acceptsJobs = option(dest, "printer-is-accepting-jobs") != QLatin1String("false");
+        const DestInfo details(cupsCopyDestInfo(CUPS_HTTP_DEFAULT, dest.get()));
+        if (!details) {
+            throw Error(Text::tr("The printer does not say what it can do: %1").arg(lastMessage()),
+                        name);
+        }
+        info.printsColour = printsColour(dest, details.get());
+        addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_BORDERLESS);
+        addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_DEFAULT);
+        markReady(info.media, dest.get(), details.get());
+        return info;
+    }
+
+    PrintJob submit(const PrintTask& task) override {
+        const Dest dest = namedDest(task.printer);
+        const DestInfo info(dest ? cupsCopyDestInfo(CUPS_HTTP_DEFAULT, dest.get()) : nullptr);
+        Options options;
+        options.add(CUPS_MEDIA, task.media.name.toUtf8());
+        options.add("print-scaling", "none");
+        options.add(CUPS_COPIES, QByteArray::number(task.copies));
+        int id = 0;
+        const QByteArray title = task.title.toUtf8();
+        if (!info ||
+            cupsCreateDestJob(CUPS_HTTP_DEFAULT, dest.get(), info.get(), &id, title.constData(),
+                              options.count(), options.data()) > IPP_STATUS_OK_CONFLICTING) {
+            throw Error(Text::tr("The printer does not take the job: %1").arg(lastMessage()),
+                        task.printer);
+        }
+        const PrintJob job{task.printer, id};
+        const bool sent =
+            cupsStartDestDocument(CUPS_HTTP_DEFAULT, dest.get(), info.get(), id, title.constData(),
+                                  CUPS_FORMAT_PDF, 0, nullptr, 1) == HTTP_STATUS_CONTINUE &&
+            cupsWriteRequestData(CUPS_HTTP_DEFAULT, task.pdf.constData(),
+                                 std::size_t(task.pdf.size())) == HTTP_STATUS_CONTINUE;
+        if (cupsFinishDestDocument(CUPS_HTTP_DEFAULT, dest.get(), info.get()) >
+                IPP_STATUS_OK_CONFLICTING ||
+            !sent) {
+            const QString message = lastMessage();
+            cancel(job);
+            throw Error(Text::tr("The sheet could not be sent to the printer: %1").arg(message),
+                        task.printer);
+        }
+        return job;
+    }
+
+    JobStatus status(const PrintJob& job) override {
+        ipp_t* request = jobRequest(IPP_OP_GET_JOB_ATTRIBUTES, job);
+        const char* const wanted[] = {"job-state", "job-state-reasons",
+                                      "job-printer-state-message"};
+        ippAddStrings(request, IPP_TAG_OPERATION, IPP_TAG_KEYWORD, "requested-attributes", 3,
+                      nullptr, wanted);
+        const Message answer(cupsDoRequest(CUPS_HTTP_DEFAULT, request, "/"));
+        if (!answer || ippGetStatusCode(answer.get()) > IPP_STATUS_OK_CONFLICTING) {
+            throw Error(Text::tr("The print system does not tell what became of the job: %1")
+                            .arg(lastMessage()),
+                        job.printer);
+        }
+        return statusOf(answer.get());
+    }
+
+    void cancel(const PrintJob& job) override {
+        const Message answer(
+            cupsDoRequest(CUPS_HTTP_DEFAULT, jobRequest(IPP_OP_CANCEL_JOB, job), "/"));
+    }
+
+private:
+    // Consumed by cupsDoRequest.
+    static ipp_t* jobRequest(ipp_op_t operation, const PrintJob& job) {
+        ipp_t* request = ippNewRequest(operation);
+        const QByteArray uri = QByteArray("ipp://localhost/jobs/") + QByteArray::number(job.id);
+        ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_URI, "job-uri", nullptr, uri.constData());
+        ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_NAME, "requesting-user-name", nullptr,
+                     cupsUser());
+        return request;
+    }
+};
+
+} // namespace
+
+std::unique_ptr<PrintSystem> cupsPrintSystem() {
+    return std::make_unique<CupsPrintSystem>();
+}
+
+} // namespace dipwright

@@ -1,0 +1,381 @@
+#include "printing/PrintService.h"
+
+#include "base/Error.h"
+#include "sheet/SheetLayout.h"
+#include "sheet/TiledSheet.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QThread>
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
+};
+
+constexpr double sameSize = 0.6; // mm: sizes in whole points differ by as much
+
+QString plain(double millimetres) {
+    return QString::number(millimetres, 'g', 5);
+}
+
+QString plain(QSizeF size) {
+    return Text::tr("%1 × %2 mm").arg(plain(size.width()), plain(size.height()));
+}
+
+bool isSame(QSizeF a, QSizeF b) {
+    return std::abs(a.width() - b.width()) <= sameSize &&
+           std::abs(a.height() - b.height()) <= sameSize;
+}
+
+bool holds(QSizeF paper, QSizeF page) {
+    return page.width() <= paper.width() + sameSize && page.height() <= paper.height() + sameSize;
+}
+
+double widest(const QMarginsF& margins) {
+    return std::max({margins.left(), margins.top(), margins.right(), margins.bottom()});
+}
+
+PrinterInfo readyPrinter(PrintSystem& system, const QString& name) {
+    const std::optional<PrinterInfo> printer = system.printer(name);
+    if (!printer) {
+        const QStringList names = system.printers();
+        throw Error(
+            names.isEmpty()
+                ? Text::tr("There is no such printer, and no other; set one up in the system first")
+                : Text::tr("There is no such printer, there are: %1")
+                      .arg(names.join(QStringLiteral(", "))),
+            name);
+    }
+    const QString reason = printer->stateReason.isEmpty()
+                               ? QString()
+                               : QStringLiteral(" (%1)").arg(printer->stateReason);
+    if (printer->state == PrinterState::Stopped) {
+        throw Error(Text::tr("The printer is stopped%1; start it again in the system's settings")
+                        .arg(reason),
+                    name);
+    }
+    if (!printer->acceptsJobs) {
+        throw Error(
+            Text::tr("The printer takes no jobs at the moment%1; let it in the system's settings")
+                .arg(reason),
+            name);
+    }
+    return *printer;
+}
+
+// Of several media of one size the one that is printed on farthest.
+const PrinterMedia* mediaOfSize(const std::vector<PrinterMedia>& media, QSizeF size) {
+    const PrinterMedia* best = nullptr;
+    for (const PrinterMedia& one : media) {
+        if (isSame(one.size, size) && (!best || widest(one.margins) < widest(best->margins))) {
+            best = &one;
+        }
+    }
+    return best;
+}
+
+QString sizeNames(const std::vector<PrinterMedia>& media) {
+    QStringList names;
+    for (const PrinterMedia& one : media) {
+        names << plain(one.size);
+    }
+    names.removeDuplicates();
+    constexpr int most = 8;
+    if (names.size() > most) {
+        names = names.mid(0, most) << QStringLiteral("…");
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+struct PaperChoice {
+    PrinterMedia media;
+    bool turned = false; // the page lies across the paper
+};
+
+PaperChoice paperFor(const PrinterInfo& printer, QSizeF page) {
+    for (const bool turned : {false, true}) {
+        if (const PrinterMedia* media =
+                mediaOfSize(printer.media, turned ? page.transposed() : page)) {
+            return {*media, turned};
+        }
+    }
+    const bool someHolds =
+        std::any_of(printer.media.begin(), printer.media.end(), [&](const PrinterMedia& media) {
+            return holds(media.size, page) || holds(media.size, page.transposed());
+        });
+    throw Error(
+        someHolds
+            ? Text::tr(
+                  "The printer has no paper of %1; set the sheet's paper to one that it has: %2")
+                  .arg(plain(page), sizeNames(printer.media))
+            : Text::tr("The sheet of %1 is larger than every paper of the printer (%2); make it "
+                       "smaller or print it in tiles")
+                  .arg(plain(page), sizeNames(printer.media)),
+        printer.name);
+}
+
+const PrinterMedia& tilePaper(const PrinterInfo& printer, const QString& name) {
+    const PrinterMedia* best = nullptr;
+    for (const PrinterMedia& media : printer.media) {
+        const double area = media.size.width() * media.size.height();
+        const bool larger = !best || area > best->size.width() * best->size.height();
+        if (name.isEmpty() ? larger && media.ready : media.name == name) {
+            best = &media;
+        }
+    }
+    if (!best) {
+        throw Error(name.isEmpty() ? Text::tr("The printer names no paper to print pieces on")
+                                   : Text::tr("The printer has no paper named %1").arg(name),
+                    printer.name);
+    }
+    return *best;
+}
+
+bool isColoured(const QImage& image) {
+    const QImage pixels = image.convertToFormat(QImage::Format_RGBA8888);
+    for (int y = 0; y < pixels.height(); ++y) {
+        const uchar* pixel = pixels.constScanLine(y);
+        for (int x = 0; x < pixels.width(); ++x, pixel += 4) {
+            if (pixel[3] != 0 && (pixel[0] != pixel[1] || pixel[1] != pixel[2])) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+// The part of the page, in mm, that has ink of the film image.
+QRectF paintedBox(const Sheet& sheet) {
+    const QImage image = sheet.image.convertToFormat(QImage::Format_RGBA8888);
+    QRect box;
+    for (int y = 0; y < image.height(); ++y) {
+        const uchar* pixel = image.constScanLine(y);
+        int first = -1;
+        int last = -1;
+        for (int x = 0; x < image.width(); ++x, pixel += 4) {
+            if (pixel[3] != 0 && (pixel[0] & pixel[1] & pixel[2]) != 255) {
+                first = first < 0 ? x : first;
+                last = x;
+            }
+        }
+        if (first >= 0) {
+            box |= QRect(QPoint(first, y), QPoint(last, y));
+        }
+    }
+    const QSizeF film(sheet.filmWidth.value(), sheet.filmHeight.value());
+    const QSizeF page = pageSize(sheet);
+    const QPointF corner((page.width() - film.width()) / 2, (page.height() - film.height()) / 2);
+    const double x = film.width() / image.width();
+    const double y = film.height() / image.height();
+    return box.isEmpty() ? QRectF()
+                         : QRectF(corner + QPointF(box.x() * x, box.y() * y),
+                                  QSizeF(box.width() * x, box.height() * y));
+}
+
+QMarginsF larger(const QMarginsF& a, const QMarginsF& b) {
+    return {std::max(a.left(), b.left()), std::max(a.top(), b.top()),
+            std::max(a.right(), b.right()), std::max(a.bottom(), b.bottom())};
+}
+
+// What the printer cannot reach, by its own word and by the profile's measurement.
+QMarginsF unreachable(const PrinterMedia& media, const PrintRequest& request) {
+    if (!request.profile) {
+        return media.margins;
+    }
+    const auto& m = request.profile->margins;
+    return larger(media.margins, {m[0].value(), m[1].value(), m[2].value(), m[3].value()});
+}
+
+void checkReach(const Sheet& sheet, const PaperChoice& paper, const QMarginsF& margins,
+                const QString& printer, QStringList& warnings, bool accept) {
+    const QSizeF page = pageSize(sheet);
+    // The page's left edge is the paper's top edge where it lies across, see turned().
+    const QMarginsF onPage =
+        paper.turned ? QMarginsF(margins.top(), margins.right(), margins.bottom(), margins.left())
+                     : margins;
+    const QRectF reach = QRectF({0, 0}, page).marginsRemoved(onPage);
+    const QRectF painted = paintedBox(sheet);
+    if (painted.isEmpty() || reach.adjusted(-0.05, -0.05, 0.05, 0.05).contains(painted)) {
+        return;
+    }
+    const QString lost =
+        Text::tr("The printer does not reach the outer %1 mm of the paper, and the sheet has "
+                 "colour there")
+            .arg(plain(widest(margins)));
+    if (!accept) {
+        throw Error(
+            Text::tr("%1; choose larger or borderless paper, or accept that it is lost").arg(lost),
+            printer);
+    }
+    warnings << lost;
+}
+
+void checkColour(const PrinterInfo& printer, const Sheet& sheet, const PrintRequest& request,
+                 QStringList& warnings) {
+    if (printer.printsColour || !isColoured(sheet.image)) {
+        return;
+    }
+    if (!request.acceptMonochrome) {
+        throw Error(
+            Text::tr("The printer prints in grey only, and the sheet is coloured; choose a colour "
+                     "printer, or accept grey"),
+            printer.name);
+    }
+    warnings << Text::tr("The printer prints the coloured sheet in grey");
+}
+
+void checkLoaded(const PrinterInfo& printer, const PrinterMedia& media, const PrintRequest& request,
+                 QStringList& warnings) {
+    if (media.ready) {
+        return;
+    }
+    const QString sentence =
+        Text::tr("The printer has no paper of %1 loaded").arg(plain(media.size));
+    if (!request.acceptOtherPaper) {
+        throw Error(Text::tr("%1; load it, or choose other paper").arg(sentence), printer.name);
+    }
+    warnings << sentence;
+}
+
+template <typename Write>
+QByteArray bytesOf(Write write) {
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    write(buffer);
+    return buffer.data();
+}
+
+void fillTiled(PrintTask& task, const Sheet& sheet, const QMarginsF& margins,
+               const PrintCorrection& correction) {
+    TileSettings settings;
+    settings.paper = task.media.size;
+    settings.margins = larger(margins, {5, 5, 5, 5});
+    task.pages = int(sheetTiles(sheet, settings).size());
+    task.pdf =
+        bytesOf([&](QIODevice& device) { writeTiledPdf(sheet, settings, device, correction); });
+    const PrintCorrection scales{correction.scaleX, correction.scaleY};
+    task.paint = [sheet, settings, scales](QPainter& painter, int page) {
+        correctScale(painter, settings.paper, scales);
+        paintTile(painter, sheet, settings, page);
+    };
+}
+
+void fillWhole(PrintTask& task, const Sheet& sheet, bool turned, PrintCorrection correction) {
+    correction.acrossPaper = turned;
+    task.pdf = bytesOf([&](QIODevice& device) { writeSheetPdf(sheet, device, correction); });
+    correction.colour = nullptr;
+    task.paint = [sheet, correction](QPainter& painter, int) {
+        paintCorrectedSheet(painter, sheet, correction);
+    };
+}
+
+QString stateText(const JobStatus& status) {
+    switch (status.state) {
+    case JobState::Printing:
+        return Text::tr("Printing");
+    case JobState::Held:
+        return Text::tr("Held in the printer's queue");
+    default:
+        return Text::tr("Waiting in the printer's queue");
+    }
+}
+
+// The state that a job ends in, or nothing while it goes on.
+std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const JobStatus& status) {
+    const QString reason =
+        status.reason.isEmpty() ? Text::tr("it does not say why") : status.reason;
+    switch (status.state) {
+    case JobState::Printed:
+    case JobState::HandedOver:
+        return status.state;
+    case JobState::Cancelled:
+        throw Error(Text::tr("The job was cancelled at the printer"), job.printer);
+    case JobState::Failed:
+        throw Error(Text::tr("The printer gave the job up: %1").arg(reason), job.printer);
+    case JobState::Stopped:
+        system.cancel(job);
+        throw Error(
+            Text::tr(
+                "The printer stopped in the middle of the job: %1; the rest is cancelled, print "
+                "the sheet anew")
+                .arg(reason),
+            job.printer);
+    case JobState::Waiting:
+    case JobState::Held:
+    case JobState::Printing:
+        break;
+    }
+    const std::optional<PrinterInfo> printer = system.printer(job.printer);
+    if (printer && printer->state == PrinterState::Stopped) {
+        system.cancel(job);
+        throw Error(
+            Text::tr(
+                "The printer has stopped: %1; the job is cancelled, start the printer and print "
+                "the sheet anew")
+                .arg(printer->stateReason.isEmpty() ? reason : printer->stateReason),
+            job.printer);
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintRequest& request) {
+    PrintPlan plan;
+    plan.printer = readyPrinter(system, request.printer);
+    checkColour(plan.printer, original, request, plan.warnings);
+    PaperChoice paper = request.tile
+                            ? PaperChoice{tilePaper(plan.printer, request.tilePaper), false}
+                            : paperFor(plan.printer, pageSize(original));
+    checkLoaded(plan.printer, paper.media, request, plan.warnings);
+    const QMarginsF margins = unreachable(paper.media, request);
+    Sheet sheet = original;
+    std::unique_ptr<PrinterColour> colour;
+    PrintCorrection correction;
+    if (request.profile) {
+        const PrinterProfile& profile = *request.profile;
+        correction.scaleX = profile.scaleX;
+        correction.scaleY = profile.scaleY;
+        if (!profile.iccProfile.isEmpty()) {
+            colour = std::make_unique<PrinterColour>(profile.iccProfile, profile.intent,
+                                                     profile.blackPoint, profile.name);
+            correction.colour = colour.get();
+        }
+    }
+    plan.task.printer = request.printer;
+    plan.task.title =
+        QStringLiteral("%1 – %2").arg(sheet.job.project, sheet.job.immersion).simplified();
+    plan.task.copies = request.copies;
+    plan.task.media = paper.media;
+    if (request.tile) {
+        fillTiled(plan.task, sheet, margins, correction);
+    } else {
+        checkReach(sheet, paper, margins, request.printer, plan.warnings, request.acceptClipping);
+        sheet.clearance = std::max(sheet.clearance, Millimetres(widest(margins)));
+        fillWhole(plan.task, sheet, paper.turned, correction);
+    }
+    return plan;
+}
+
+JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress) {
+    constexpr unsigned long pause = 200; // milliseconds
+    try {
+        for (;;) {
+            const JobStatus status = system.status(job);
+            if (const auto end = endOf(system, job, status)) {
+                return *end;
+            }
+            progress(status.state == JobState::Printing ? 0.5 : 0.1, stateText(status));
+            QThread::msleep(pause);
+        }
+    } catch (const Cancelled&) {
+        system.cancel(job);
+        throw;
+    }
+}
+
+} // namespace dipwright

@@ -1,0 +1,45 @@
+// Printing sheets at true size: everything is judged before anything is sent, and a job is followed
+// until it is on paper.
+#pragma once
+
+#include "base/Progress.h"
+#include "printing/PrintSystem.h"
+#include "project/Profiles.h"
+#include "sheet/Sheet.h"
+
+#include <QStringList>
+
+namespace dipwright {
+
+struct PrintRequest {
+    QString printer;
+    int copies = 1;
+    // Scales, margins and colours of the printer; none: true scale and sRGB.
+    std::optional<PrinterProfile> profile;
+    bool tile = false;             // cut a sheet that is larger than the paper into pieces
+    QString tilePaper;             // name of the media for the pieces; empty: the printer's largest
+    bool acceptMonochrome = false; // print a coloured sheet in grey
+    bool acceptClipping = false;   // lose what lies where the printer does not reach
+    bool acceptOtherPaper = false; // the paper is not loaded, as far as the printer knows
+};
+
+// What will be sent, and what to say about it beforehand.
+struct PrintPlan {
+    PrinterInfo printer;
+    PrintTask task;
+    QStringList warnings;
+};
+
+// Judges and prepares one sheet. Throws Error, one sentence that says what to do, when the printer
+// is unknown, stopped or refuses jobs; has no such paper, or not loaded; prints grey only; does not
+// reach colour near the sheet's edge; when the sheet is larger than every paper of the printer and
+// is not to be tiled; and when the profile's colours are not for PDF. Nothing is sent.
+PrintPlan planPrint(PrintSystem& system, const Sheet& sheet, const PrintRequest& request);
+
+// Follows a job that was submitted until it is printed ("HandedOver" where the system cannot tell),
+// asking a few times a second. Throws Error when it fails, is cancelled by somebody else, or when
+// the printer stops: the job is then cancelled, so that it does not come out unasked later.
+// Cancelled by `progress`: cancels the job and throws Cancelled.
+JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress);
+
+} // namespace dipwright
