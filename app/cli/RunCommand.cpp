@@ -30,9 +30,8 @@ QString number(double value, int decimals) {
 }
 
 void printSummary(const JobResult& result, QTextStream& out) {
-    const QJsonObject summary = report(result.project, result);
     out << QStringLiteral("Solver: %1 %2 on %3\n")
-               .arg(result.solver.name, result.solver.version, result.device);
+               .arg(result.solver.name, result.solver.version, result.solver.device);
     for (const QString& note : result.notes) {
         out << note << '\n';
     }

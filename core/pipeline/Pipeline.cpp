@@ -5,7 +5,6 @@
 #include "pipeline/JobSheet.h"
 #include "pipeline/TotalCoverage.h"
 #include "texture/Chessboard.h"
-#include "texture/Chessboard.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -67,7 +66,7 @@ private:
     }
 
     void chooseSolver(const QString& id) {
-        result_.device = QString::fromUtf8(registry_.module(id).device());
+        registry_.module(id); // loads it, or throws the reason why it cannot run
         result_.solver = registry_.info(id);
     }
 
@@ -140,13 +139,13 @@ private:
     // Puts the best CPU solver in the place of a GPU solver that failed; false if there is none.
     bool fallBackFrom(const Error& error) {
         const QString failed = result_.solver.name;
-        if (result_.solver.device != QLatin1String("gpu")) {
+        if (result_.solver.deviceKind != QLatin1String("gpu")) {
             return false;
         }
         const SolverInfo* best = nullptr;
         const std::vector<SolverInfo> solvers = registry_.solvers();
         for (const SolverInfo& solver : solvers) {
-            if (solver.available && solver.device == QLatin1String("cpu") &&
+            if (solver.available && solver.deviceKind == QLatin1String("cpu") &&
                 (!best || solver.priority > best->priority)) {
                 best = &solver;
             }

@@ -6,7 +6,6 @@
 #include "results/Results.h"
 #include "solver/SolverRegistry.h"
 #include "texture/Registration.h"
-#include "texture/Registration.h"
 
 namespace dipwright {
 
@@ -34,7 +33,6 @@ struct JobResult {
     Project project;                            // what was computed
     JobOptions options;                         // and how, without the observer
     SolverInfo solver;                          // that did it
-    QString device;                             // in words
     std::shared_ptr<const DistanceField> field; // null when no dip needed it
     std::vector<ImmersionResult> immersions;
     double coverageTotal = 0; // share of the body's surface that any immersion paints

@@ -61,7 +61,7 @@ QJsonObject report(const Project& project, const JobResult& result) {
     return {{"version", 1},
             {"project", project.name},
             {"solver", QJsonObject{{"id", result.solver.id},
-                                   {"device", result.device},
+                                   {"device", result.solver.device},
                                    {"version", result.solver.version}}},
             {"immersions", immersions},
             {"coverage_total", result.coverageTotal},

@@ -89,7 +89,7 @@ void readMetadata(SolverInfo& info) {
     info.id = id;
     info.name = requiredText(metadata, "name");
     info.version = requiredText(metadata, "version");
-    info.device = requiredText(metadata, "device");
+    info.deviceKind = info.device = requiredText(metadata, "device");
     info.vendor = requiredText(metadata, "vendor");
     info.priority = metadata[QLatin1String("priority")].toInt();
     requireInterfaceVersion(metadata);

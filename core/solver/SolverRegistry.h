@@ -17,7 +17,9 @@
 namespace dipwright {
 
 struct SolverInfo {
-    QString id, name, version, device, vendor;
+    QString id, name, version, vendor;
+    QString deviceKind; // "cpu" or "gpu", as the description says
+    QString device;     // in words once the module is loaded, until then the kind
     QString modulePath, metadataPath;
     int priority = 0; // "auto" takes the available one with the highest
     bool available = false;

@@ -115,7 +115,7 @@ void MainWindow::connectPanels() {
             report(note);
             statusBar()->showMessage(note, 15000);
         }
-        report(tr("Simulated with %1 on %2").arg(result.solver.name, result.device));
+        report(tr("Simulated with %1 on %2").arg(result.solver.name, result.solver.device));
         showResults();
     });
     connect(&session_, &DipSession::stopped, this, [this](std::exception_ptr failure) {
