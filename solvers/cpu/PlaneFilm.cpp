@@ -7,6 +7,8 @@
 
 namespace dipwright::cpu {
 
+using pbd::edgeForces;
+using pbd::gradientOf;
 using pbd::Matrix2;
 using pbd::StressState;
 
@@ -32,25 +34,9 @@ struct StatePointers {
     const float *cosine, *sine, *turn;
 };
 
-// The two triangles of cell i in a row of cells whose first cell has parity `parity`: the first
-// takes the lower horizontal edge and the right vertical edge in an even cell, the left one in an
-// odd cell.
-struct CellEdges {
-    float hx, hz, vx, vz;
-};
-
-inline Matrix2<float> gradientOf(const CellEdges& edge, const Matrix2<float>& inverseShape) {
-    return Matrix2<float>{edge.hx, edge.vx, edge.hz, edge.vz} * inverseShape;
-}
-
-// Stress back to forces on the two edges: area · P · inverseShapeᵀ.
-inline CellEdges edgeForces(const Matrix2<float>& P, const Matrix2<float>& inverseShape,
-                            float area) {
-    return {area * (P.a * inverseShape.a + P.b * inverseShape.b),
-            area * (P.c * inverseShape.a + P.d * inverseShape.b),
-            area * (P.a * inverseShape.c + P.b * inverseShape.d),
-            area * (P.c * inverseShape.c + P.d * inverseShape.d)};
-}
+// The edges of one triangle of a cell: the first triangle takes the lower horizontal edge, and the
+// right vertical edge in an even cell, the left one in an odd cell.
+using CellEdges = pbd::EdgePair<float>;
 
 template <bool crept>
 inline Matrix2<float> shapeAt(const ShapePointers& shape, const Matrix2<float>& common,

@@ -29,7 +29,7 @@ struct BodyFrame {
 
 // The frame when the body has come down by `descent` mm.
 template <typename Real>
-BodyFrame<Real> bodyFrame(const solver::BodyMotion& motion, double descent) {
+DIPWRIGHT_HOST_DEVICE BodyFrame<Real> bodyFrame(const solver::BodyMotion& motion, double descent) {
     const auto& r = motion.rotation;
     BodyFrame<Real> frame;
     for (int row = 0; row < 3; ++row) {

@@ -17,9 +17,7 @@
 // of first order in the spacing.
 #pragma once
 
-#include "pbd/PlaneStress.h"
-
-#include <cstdint>
+#include "pbd/FilmTriangle.h"
 
 namespace dipwright::pbd {
 
@@ -86,13 +84,7 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> floatingGradient(const CrossingAnchor
     return {start.a + change.a, start.b + change.b, start.c + change.c, start.d + change.d};
 }
 
-// Forces on the horizontal and the vertical edge of a triangle (from lower to higher grid index),
-// as a gradient: the higher end gets +, the lower end −.
-template <typename Real>
-struct EdgePair {
-    Real hx{}, hz{}, vx{}, vz{};
-};
-
+// Forces on the edges of a crossing triangle.
 // `P` the stress, `inverseShape` the inverse of the rest shape, `area` the triangle's weight.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline EdgePair<Real>

@@ -104,7 +104,8 @@ DIPWRIGHT_HOST_DEVICE Real clearance(const FieldSample<Real>& sample) {
 }
 
 // `position` moved along ∇φ to where φ is `level` (Newton's method; a few steps, as φ is nearly
-// linear over a cell). Where the gradient vanishes the position stays. `sample`: that at `position`.
+// linear over a cell). Where the gradient vanishes the position stays. `sample`: that at
+// `position`.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE Vector3<Real> onLevel(const FieldGrid<Real>& field, Vector3<Real> position,
                                             FieldSample<Real> sample, Real level) {

@@ -8,8 +8,7 @@
 // surface on the way adhere when and where it met it.
 #pragma once
 
-#include "pbd/ContactPath.h"
-#include "pbd/CrossingTriangle.h"
+#include "pbd/FilmContact.h"
 
 #include <dipwright/FilmSolver.h>
 
@@ -30,11 +29,14 @@ public:
     using Real = typename Vector::Real;
 
     explicit QuasiStaticDip(const solver::DipSetup& setup)
-        : grid_(setup.film), field_(fieldGrid<Real>(setup.field)), motion_(setup.motion),
-          settings_(setup.settings), equilibrium_(setup.film), displacement_(grid_.pointCount()),
-          before_(grid_.pointCount()), states_(grid_.pointCount(), solver::PointState::Free),
-          attached_(grid_.pointCount()), free_(grid_.pointCount(), 1.f),
-          clearance_(grid_.pointCount(), Real(0)), holding_(trianglesPerPoint(grid_)),
+        : grid_(setup.film),
+          settings_(setup.settings), body_{fieldGrid<Real>(setup.field), setup.motion,
+                                           Real(settings_.contactDistance),
+                                           Real(std::sin(settings_.overhang))},
+          equilibrium_(setup.film), displacement_(grid_.pointCount()), before_(grid_.pointCount()),
+          states_(grid_.pointCount(), solver::PointState::Free), attached_(grid_.pointCount()),
+          free_(grid_.pointCount(), 1.f), clearance_(grid_.pointCount(), Real(0)),
+          holding_(trianglesPerPoint(grid_)),
           released_(2 * std::size_t(grid_.columns - 1) * std::size_t(grid_.rows - 1), 0) {
         for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
             free_[point] = setup.pinned[point] ? 0.f : 1.f;
@@ -52,21 +54,14 @@ public:
     // World position of a point.
     Vector3<Real> position(std::size_t point) const {
         return states_[point] != solver::PointState::Free
-                   ? bodyFrame<Real>(motion_, descent_).toWorld(attached_[point])
+                   ? bodyFrame<Real>(body_.motion, descent_).toWorld(attached_[point])
                    : planePosition(displacement_, point);
     }
     solver::PointState state(std::size_t point) const { return states_[point]; }
     const Equilibrium& equilibrium() const { return equilibrium_; }
 
 private:
-    // Grid columns and rows of a triangle's corners: the two ends of its horizontal edge, and the
-    // third corner, which shares its vertical edge with one of them.
-    struct TriangleCorners {
-        std::size_t left, right, third;
-        bool thirdOnRight, thirdAbove; // above: in the next row
-    };
-
-    bool finished() const { return descent_ >= motion_.travel; }
+    bool finished() const { return descent_ >= body_.motion.travel; }
     Real cell() const { return Real(std::min(grid_.spacingX(), grid_.spacingZ())); }
 
     Vector3<Real> rest(std::size_t point) const {
@@ -79,8 +74,8 @@ private:
     }
 
     void step() {
-        const double increment = std::min(nextIncrement(), motion_.travel - descent_);
-        const BodyFrame<Real> frame = bodyFrame<Real>(motion_, descent_ + increment);
+        const double increment = std::min(nextIncrement(), body_.motion.travel - descent_);
+        const BodyFrame<Real> frame = bodyFrame<Real>(body_.motion, descent_ + increment);
         predict(increment);
         if (anyAdhered_) {
             const std::vector<CrossingTriangle<Real>> crossing = crossingTriangles(frame);
@@ -111,7 +106,7 @@ private:
 
     // The share of its stress that the film keeps over a step.
     double keptStress(double increment) const {
-        const double time = increment / motion_.speed;
+        const double time = increment / body_.motion.speed;
         return settings_.relaxationTime > 0 ? std::exp(-time / settings_.relaxationTime) : 0.0;
     }
 
@@ -125,11 +120,12 @@ private:
     }
 
     double nearestClearance() const {
-        const BodyFrame<Real> frame = bodyFrame<Real>(motion_, descent_);
+        const BodyFrame<Real> frame = bodyFrame<Real>(body_.motion, descent_);
         Real nearest = cell();
         for (std::size_t point = 0; point < states_.size(); ++point) {
             const Real distance =
-                sampleField(field_, frame.toBody(planePosition(displacement_, point))).distance;
+                sampleField(body_.field, frame.toBody(planePosition(displacement_, point)))
+                    .distance;
             nearest = std::min(nearest, distance - Real(settings_.contactDistance));
         }
         return double(nearest);
@@ -151,19 +147,6 @@ private:
         }
     }
 
-    TriangleCorners corners(int column, int row, bool second) const {
-        return corners(grid_, column, row, second);
-    }
-    static TriangleCorners corners(const solver::FilmGrid& grid, int column, int row, bool second) {
-        const bool even = (column + row) % 2 == 0;
-        const bool onRight = even != second;
-        const std::size_t columns = std::size_t(grid.columns);
-        const std::size_t lower = std::size_t(row) * columns + std::size_t(column);
-        const std::size_t base = second ? lower + columns : lower;
-        const std::size_t other = (second ? lower : lower + columns) + (onRight ? 1 : 0);
-        return {base, base + 1, other, onRight, !second};
-    }
-
     // Takes a triangle out of the film for good. A free point that no triangle holds any more stays
     // where it is: nothing says where it should go.
     void release(std::uint32_t cellIndex, bool second) {
@@ -173,8 +156,9 @@ private:
         }
         released = 1;
         const int cells = grid_.columns - 1;
-        const TriangleCorners c = corners(int(cellIndex) % cells, int(cellIndex) / cells, second);
-        for (const std::size_t point : {c.left, c.right, c.third}) {
+        const TriangleCorners triangle =
+            triangleCorners(grid_.columns, int(cellIndex) % cells, int(cellIndex) / cells, second);
+        for (const std::uint32_t point : triangle.points) {
             if (--holding_[point] == 0 && free_[point] > 0) {
                 free_[point] = 0.f;
                 freeChanged_ = true;
@@ -188,8 +172,9 @@ private:
         for (int row = 0; row + 1 < grid.rows; ++row) {
             for (int column = 0; column + 1 < grid.columns; ++column) {
                 for (const bool second : {false, true}) {
-                    const TriangleCorners c = corners(grid, column, row, second);
-                    for (const std::size_t point : {c.left, c.right, c.third}) {
+                    const TriangleCorners triangle =
+                        triangleCorners(grid.columns, column, row, second);
+                    for (const std::uint32_t point : triangle.points) {
                         ++counts[point];
                     }
                 }
@@ -227,97 +212,39 @@ private:
 
     void unfoldTriangle(int column, int row, bool second, const BodyFrame<Real>& frame,
                         std::vector<CrossingTriangle<Real>>& crossing) {
-        const TriangleCorners c = corners(column, row, second);
-        const std::size_t points[3] = {c.left, c.right, c.third};
-        Vector3<Real> adhered, free;
-        int adheredCount = 0;
-        bool released = false;
-        for (const std::size_t point : points) {
-            released = released || states_[point] == solver::PointState::Trapped;
-            if (states_[point] != solver::PointState::Free) {
-                adhered = adhered + frame.toWorld(attached_[point]);
-                ++adheredCount;
-            } else {
-                free = free + planePosition(displacement_, point);
-            }
+        const TriangleCorners triangle = triangleCorners(grid_.columns, column, row, second);
+        CrossingCorner<Real> corners[3];
+        int heldCount = 0;
+        bool turnsUp = false;
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t point = triangle.points[k];
+            const bool isFree = states_[point] == solver::PointState::Free;
+            corners[k] = {isFree, planePosition(displacement_, point),
+                          isFree ? Vector3<Real>{} : frame.toWorld(attached_[point])};
+            heldCount += isFree ? 0 : 1;
+            turnsUp = turnsUp || states_[point] == solver::PointState::Trapped;
         }
-        if (adheredCount == 0 || adheredCount == 3) {
+        if (heldCount == 0 || heldCount == 3) {
             return;
         }
         const std::uint32_t cellIndex =
             std::uint32_t(row) * std::uint32_t(grid_.columns - 1) + std::uint32_t(column);
-        const Real contactDistance = Real(settings_.contactDistance);
-        const ContactLine<Real> line = contactLine(field_, frame, contactDistance, cell(),
-                                                   adhered * (Real(1) / Real(adheredCount)),
-                                                   free * (Real(1) / Real(3 - adheredCount)));
-        const bool turnsUp = released || line.upwards > Real(std::sin(settings_.overhang));
-        released = turnsUp || released_[2 * std::size_t(cellIndex) + second] != 0;
+        UnfoldedTriangle<Real> unfolded = unfoldedTriangle(body_, frame, cell(), triangle, corners);
+        turnsUp = turnsUp || unfolded.line.upwards > body_.steepestHeld;
         if (turnsUp) { // the softened film stays on the water where it is
             release(cellIndex, second);
-            for (const std::size_t point : points) {
+            for (const std::uint32_t point : triangle.points) {
                 freeChanged_ = freeChanged_ || free_[point] > 0;
                 free_[point] = 0.f;
             }
         }
-        if (!released) {
-            steepness_ = std::min(steepness_, line.steepness);
+        unfolded.crossing.cell = cellIndex;
+        unfolded.crossing.released = released_[2 * std::size_t(cellIndex) + second] != 0;
+        if (!unfolded.crossing.released) {
+            steepness_ = std::min(steepness_, unfolded.line.steepness);
             driven_ = true;
         }
-        Vector3<Real> offset[3];
-        Real distance[3]; // from the contact line: along the surface, or across the water
-        for (int k = 0; k < 3; ++k) {
-            const Vector3<Real> plane = planePosition(displacement_, points[k]);
-            distance[k] = Real(0);
-            if (!line.found) {
-                continue;
-            }
-            if (states_[points[k]] != solver::PointState::Free) {
-                const Unfolded<Real> place = unfolded(field_, frame, contactDistance, cell(), line,
-                                                      frame.toWorld(attached_[points[k]]));
-                offset[k] = place.position - plane;
-                distance[k] = place.path;
-            } else {
-                distance[k] = std::max(dot(plane - line.place, line.outwards), Real(0));
-            }
-        }
-        const int shared = c.thirdOnRight ? 1 : 0, end = 1 - shared;
-        const auto isFree = [&](int k) { return states_[points[k]] == solver::PointState::Free; };
-        const auto share = [&](int k, int l) {
-            if (isFree(k) == isFree(l)) {
-                return isFree(k) ? Real(1) : Real(0);
-            }
-            const Real floating = isFree(k) ? distance[k] : distance[l];
-            const Real all = distance[k] + distance[l];
-            return all > Real(1e-6) * cell() ? floating / all : Real(1);
-        };
-        const Vector3<Real> horizontal = offset[1] - offset[0];
-        const Vector3<Real> vertical =
-            c.thirdAbove ? offset[2] - offset[shared] : offset[shared] - offset[2];
-        CrossingTriangle<Real> triangle;
-        triangle.cell = cellIndex;
-        triangle.second = second;
-        triangle.thirdOnRight = c.thirdOnRight;
-        triangle.released = released;
-        triangle.hx = horizontal.x;
-        triangle.hz = horizontal.z;
-        triangle.vx = vertical.x;
-        triangle.vz = vertical.z;
-        triangle.horizontalShare = share(shared, end);
-        triangle.verticalShare = share(shared, 2);
-        triangle.diagonalShare = share(end, 2);
-        triangle.sharedFree = isFree(shared);
-        triangle.horizontalFree = isFree(end);
-        triangle.verticalFree = isFree(2);
-        triangle.normalX = line.outwards.x;
-        triangle.normalZ = line.outwards.z;
-        Real floating(0), laid(0);
-        for (int k = 0; k < 3; ++k) {
-            isFree(k) ? floating += distance[k] / Real(3 - adheredCount)
-                      : laid += distance[k] / Real(adheredCount);
-        }
-        triangle.floating =
-            floating + laid > Real(1e-6) * cell() ? floating / (floating + laid) : Real(1);
-        crossing.push_back(triangle);
+        crossing.push_back(unfolded.crossing);
     }
 
     // Free points within the contact distance at the end of the step. A point far from the body is
@@ -335,8 +262,9 @@ private:
                 continue;
             }
             const Real distance =
-                sampleField(field_, frame.toBody(planePosition(displacement_, point))).distance -
-                Real(settings_.contactDistance);
+                sampleField(body_.field, frame.toBody(planePosition(displacement_, point)))
+                    .distance -
+                body_.contactDistance;
             if (distance <= Real(0)) {
                 touching.push_back(point);
             } else {
@@ -347,34 +275,18 @@ private:
         return touching;
     }
 
-    // The point sticks at the moment in the step, and at the place, at which it met the surface.
     void adhere(std::size_t point, double increment) {
         const Vector3<Real> start = planePosition(before_, point);
         const Vector3<Real> way = planePosition(displacement_, point) - start;
-        Real early(0), late(1);
-        const auto attachment = [&](Real share) {
-            return bodyFrame<Real>(motion_, descent_ + increment * double(share))
-                .toBody(start + way * share);
-        };
-        for (int iteration = 0; iteration < 24; ++iteration) {
-            const Real middle = (early + late) / Real(2);
-            const Real distance = sampleField(field_, attachment(middle)).distance;
-            (distance > Real(settings_.contactDistance) ? early : late) = middle;
-        }
-        attached_[point] = attachment(late);
-        const Vector3<Real> gradient =
-            bodyFrame<Real>(motion_, 0)
-                .directionToWorld(sampleField(field_, attached_[point]).gradient);
-        states_[point] = gradient.y > Real(std::sin(settings_.overhang)) * length(gradient)
-                             ? solver::PointState::Trapped
-                             : solver::PointState::Adhered;
+        const Attachment<Real> met = attachment(body_, descent_, increment, start, way);
+        attached_[point] = met.place;
+        states_[point] = met.holds ? solver::PointState::Adhered : solver::PointState::Trapped;
         free_[point] = 0.f;
     }
 
     solver::FilmGrid grid_;
-    FieldGrid<Real> field_;
-    solver::BodyMotion motion_;
     solver::Settings settings_;
+    ContactBody<Real> body_;
     Equilibrium equilibrium_;
     Vector displacement_, before_; // from rest, now and a step ago
     std::vector<solver::PointState> states_;
