@@ -64,7 +64,7 @@ struct FilmOnBody::Data {
     }
     // The film on the side of the body where `place` is.
     ClosestPoint filmOver(const Eigen::Vector3f& place, const Eigen::Vector3f& outward) const {
-        const ClosestPoint nearest = query.closest(place, reach);
+        ClosestPoint nearest = query.closest(place, reach);
         if (fits(nearest.point, outward)) {
             return nearest;
         }

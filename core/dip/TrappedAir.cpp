@@ -111,7 +111,7 @@ private:
 // height. The water's levels are gone through from the top down: what is open stays open for all
 // levels below.
 std::vector<std::uint8_t> openAir(const SpaceGrid& grid) {
-    const Eigen::Vector3i size = grid.size();
+    const Eigen::Vector3i& size = grid.size();
     const auto outside = std::uint32_t(grid.count());
     UnionFind air(grid.count() + 1);
     std::vector<std::uint8_t> open(grid.count(), 0);

@@ -13,7 +13,8 @@ void forEachPiece(std::uint32_t triangle, int pieces, const Visit& visit) {
             // In a row, pieces that point to the first corner and pieces upside down take turns.
             const bool upright = place % 2 == 0;
             const float depth = float(row) + (upright ? 2.0f : 1.0f) / 3;
-            const float across = float(place / 2) + (upright ? 1.0f : 2.0f) / 3;
+            const int before = place / 2; // pieces of the same kind
+            const float across = float(before) + (upright ? 1.0f : 2.0f) / 3;
             const auto count = float(pieces);
             visit(SurfacePoint{triangle,
                                {1 - depth / count, (depth - across) / count, across / count}});

@@ -8,10 +8,10 @@
 namespace dipwright {
 
 Eigen::Vector2f restPosition(const solver::FilmGrid& grid, std::size_t point) {
-    const auto column = double(point % std::size_t(grid.columns));
-    const auto row = double(point / std::size_t(grid.columns));
-    return {float(column * grid.spacingX() - grid.width / 2),
-            float(row * grid.spacingZ() - grid.depth / 2)};
+    const std::size_t column = point % std::size_t(grid.columns);
+    const std::size_t row = point / std::size_t(grid.columns);
+    return {float(double(column) * grid.spacingX() - grid.width / 2),
+            float(double(row) * grid.spacingZ() - grid.depth / 2)};
 }
 
 std::vector<FilmTriangle> filmTriangles(const solver::FilmGrid& grid) {

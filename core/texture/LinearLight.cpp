@@ -44,7 +44,7 @@ const std::array<float, 256>& linearTable() {
 
 std::uint8_t encodedByte(float linear) {
     static const std::array<std::uint8_t, encodingSteps + 1> table = makeEncodingTable();
-    return table[std::size_t(std::clamp(linear, 0.0f, 1.0f) * encodingSteps + 0.5f)];
+    return table[std::size_t(std::lrint(std::clamp(linear, 0.0f, 1.0f) * encodingSteps))];
 }
 
 LinearColour linearColour(const QColor& colour) {

@@ -55,7 +55,8 @@ std::vector<SurfacePoint> evenSamples(const TriangleMesh& mesh, double step) {
     double v = 0.5;
     for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         area += triangleArea(mesh, triangle);
-        for (; area >= step; area -= step) {
+        while (area >= step) {
+            area -= step;
             u = std::fmod(u + 0.7548776662466927, 1.0);
             v = std::fmod(v + 0.5698402909980532, 1.0);
             const double root = std::sqrt(u);

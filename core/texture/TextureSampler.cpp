@@ -113,7 +113,7 @@ TextureSampler::Level TextureSampler::halved(const Level& level) const {
             std::array<std::uint16_t, 4>& texel = half.texels[row * columns.size() + column];
             for (int channel = 0; channel < 3; ++channel) {
                 texel[std::size_t(channel)] =
-                    std::uint16_t(std::min(sum[channel], 1.0f) * fullLight + 0.5f);
+                    std::uint16_t(std::lrint(std::min(sum[channel], 1.0f) * fullLight));
             }
         }
     });
@@ -189,7 +189,7 @@ LinearColour TextureSampler::bilinear(const Level& level, const Eigen::Vector2f&
 LinearColour TextureSampler::trilinear(const Eigen::Vector2f& coordinate, float level) const {
     const auto finer = std::size_t(level);
     const float between = level - float(finer);
-    const LinearColour colour = bilinear(levels_[finer], coordinate);
+    LinearColour colour = bilinear(levels_[finer], coordinate);
     if (between == 0) {
         return colour;
     }
