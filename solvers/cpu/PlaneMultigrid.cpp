@@ -7,14 +7,9 @@
 
 namespace dipwright::cpu {
 
-namespace {
+namespace multigrid = pbd::multigrid;
 
-// Smoothing takes care of the part of the spectrum (of diagonal⁻¹·stiffness) between these.
-constexpr double largestEigenvalue = 2.15;
-constexpr double smallestSmoothed = 0.22;
-constexpr int smoothingDegree = 3;
-constexpr int coarsestDegree = 24;
-constexpr int coarsestPoints = 6;
+namespace {
 
 struct StencilRow {
     const float *below, *here, *above;
@@ -54,36 +49,6 @@ void subtractRow(std::size_t count, const float* a, const float* b, float* out) 
     }
 }
 
-// The stiffness of one cell with both ways to cut it taken by half, as in PlaneStress.h at rest:
-// nodes (0,0), (1,0), (0,1), (1,1), x and z of each.
-std::array<std::array<float, 8>, 8> cellStiffness(double hx, double hz) {
-    std::array<std::array<double, 8>, 8> sum{};
-    for (int horizontal = 0; horizontal < 2; ++horizontal) {
-        for (int vertical = 0; vertical < 2; ++vertical) {
-            std::array<double, 8> a{}, b{}, c{}, d{}; // F − 1 from the nodes
-            const int h0 = 2 * horizontal, h1 = h0 + 1, v0 = vertical, v1 = vertical + 2;
-            a[std::size_t(2 * h1)] += 1 / hx, a[std::size_t(2 * h0)] -= 1 / hx;
-            c[std::size_t(2 * h1 + 1)] += 1 / hx, c[std::size_t(2 * h0 + 1)] -= 1 / hx;
-            b[std::size_t(2 * v1)] += 1 / hz, b[std::size_t(2 * v0)] -= 1 / hz;
-            d[std::size_t(2 * v1 + 1)] += 1 / hz, d[std::size_t(2 * v0 + 1)] -= 1 / hz;
-            for (std::size_t m = 0; m < 8; ++m) {
-                for (std::size_t n = 0; n < 8; ++n) {
-                    sum[m][n] += hx * hz / 4 *
-                                 (3 * a[m] * a[n] + 3 * d[m] * d[n] + a[m] * d[n] + d[m] * a[n] +
-                                  (b[m] + c[m]) * (b[n] + c[n]));
-                }
-            }
-        }
-    }
-    std::array<std::array<float, 8>, 8> result{};
-    for (std::size_t m = 0; m < 8; ++m) {
-        for (std::size_t n = 0; n < 8; ++n) {
-            result[m][n] = float(sum[m][n]);
-        }
-    }
-    return result;
-}
-
 } // namespace
 
 PlaneMultigrid::Level PlaneMultigrid::makeLevel(int columns, int rows, double width, double depth) {
@@ -91,11 +56,8 @@ PlaneMultigrid::Level PlaneMultigrid::makeLevel(int columns, int rows, double wi
     level.columns = columns;
     level.rows = rows;
     const double hx = width / (columns - 1), hz = depth / (rows - 1);
-    level.xx = float(3 * hz / hx);
-    level.xz = float(hx / hz);
-    level.zx = float(hz / hx);
-    level.zz = float(3 * hx / hz);
-    level.cell = cellStiffness(hx, hz);
+    level.stencil = multigrid::stencil(hx, hz);
+    level.cell = multigrid::cellStiffness(hx, hz);
     const std::size_t points = std::size_t(columns) * std::size_t(rows);
     level.free.assign(points, 1.f);
     level.diagonal = level.right = level.result = level.residual = level.direction =
@@ -103,24 +65,14 @@ PlaneMultigrid::Level PlaneMultigrid::makeLevel(int columns, int rows, double wi
     return level;
 }
 
-PlaneMultigrid::Axis PlaneMultigrid::makeAxis(int fine, int coarse) {
-    Axis axis;
-    for (int i = 0; i < fine; ++i) {
-        const double place = double(i) * (coarse - 1) / (fine - 1);
-        const int first = std::min(int(place), coarse - 2);
-        axis.first.push_back(first);
-        axis.weight.push_back(float(place - first));
-    }
-    return axis;
-}
-
 PlaneMultigrid::PlaneMultigrid(const solver::FilmGrid& grid) {
     int columns = grid.columns, rows = grid.rows;
     levels_.push_back(makeLevel(columns, rows, grid.width, grid.depth));
-    while (std::min(columns, rows) > coarsestPoints) {
-        const int coarseColumns = (columns + 1) / 2, coarseRows = (rows + 1) / 2;
-        levels_.back().toCoarseColumns = makeAxis(columns, coarseColumns);
-        levels_.back().toCoarseRows = makeAxis(rows, coarseRows);
+    while (!multigrid::isCoarsest(columns, rows)) {
+        const int coarseColumns = multigrid::coarser(columns),
+                  coarseRows = multigrid::coarser(rows);
+        levels_.back().toCoarseColumns = multigrid::interpolation(columns, coarseColumns);
+        levels_.back().toCoarseRows = multigrid::interpolation(rows, coarseRows);
         columns = coarseColumns;
         rows = coarseRows;
         levels_.push_back(makeLevel(columns, rows, grid.width, grid.depth));
@@ -207,8 +159,10 @@ void PlaneMultigrid::applyStiffness(const Level& level, const PlaneVector& v, Pl
             const StencilRow x{&v.x[at(0, j - 1)], &v.x[at(0, j)], &v.x[at(0, j + 1)]};
             const StencilRow z{&v.z[at(0, j - 1)], &v.z[at(0, j)], &v.z[at(0, j + 1)]};
             const float* free = &level.free[at(0, j)];
-            stencilRow(std::size_t(columns), x, z, level.xx, level.xz, free, &result.x[at(0, j)]);
-            stencilRow(std::size_t(columns), z, x, level.zx, level.zz, free, &result.z[at(0, j)]);
+            stencilRow(std::size_t(columns), x, z, level.stencil.xx, level.stencil.xz, free,
+                       &result.x[at(0, j)]);
+            stencilRow(std::size_t(columns), z, x, level.stencil.zx, level.stencil.zz, free,
+                       &result.z[at(0, j)]);
             borderPoint(0, j);
             borderPoint(columns - 1, j);
         }
@@ -218,21 +172,13 @@ void PlaneMultigrid::applyStiffness(const Level& level, const PlaneVector& v, Pl
 // Chebyshev iteration on the level's `result` for its `right`.
 void PlaneMultigrid::smooth(Level& level, int degree, bool fromZero) {
     const std::size_t width = std::size_t(level.columns);
-    const double centre = (largestEigenvalue + smallestSmoothed) / 2;
-    const double radius = (largestEigenvalue - smallestSmoothed) / 2;
-    double rho = radius / centre;
+    const std::vector<multigrid::ChebyshevStep> steps = multigrid::chebyshev(degree);
     for (int k = 0; k < degree; ++k) {
         const bool trivial = fromZero && k == 0; // the residual is the right side
         if (!trivial) {
             applyStiffness(level, level.result, level.residual);
         }
-        double keep = 0, gain = 1 / centre;
-        if (k > 0) {
-            const double next = 1 / (2 * centre / radius - rho);
-            keep = next * rho;
-            gain = 2 * next / radius;
-            rho = next;
-        }
+        const multigrid::ChebyshevStep step = steps[std::size_t(k)];
         forRowBands(level.rows, level.columns, [&](int begin, int end) {
             const std::size_t first = std::size_t(begin) * width;
             const std::size_t count = std::size_t(end - begin) * width;
@@ -250,7 +196,7 @@ void PlaneMultigrid::smooth(Level& level, int degree, bool fromZero) {
                 if (k == 0) {
                     std::fill_n(pick(level.direction), count, 0.f);
                 }
-                chebyshevRow(count, float(keep), float(gain), pick(level.diagonal),
+                chebyshevRow(count, step.keep, step.gain, pick(level.diagonal),
                              pick(level.residual), pick(level.direction), pick(level.result));
             }
         });
@@ -259,8 +205,8 @@ void PlaneMultigrid::smooth(Level& level, int degree, bool fromZero) {
 
 // The residual of `fine` to the right side of `coarse`, by the transpose of the interpolation.
 void PlaneMultigrid::restrictResidual(const Level& fine, Level& coarse) {
-    const Axis& columns = fine.toCoarseColumns;
-    const Axis& rows = fine.toCoarseRows;
+    const multigrid::Interpolation& columns = fine.toCoarseColumns;
+    const multigrid::Interpolation& rows = fine.toCoarseRows;
     const std::size_t fineWidth = std::size_t(fine.columns);
     const std::size_t coarseWidth = std::size_t(coarse.columns);
     forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
@@ -302,8 +248,8 @@ void PlaneMultigrid::restrictResidual(const Level& fine, Level& coarse) {
 }
 
 void PlaneMultigrid::addCorrection(const Level& coarse, Level& fine) {
-    const Axis& columns = fine.toCoarseColumns;
-    const Axis& rows = fine.toCoarseRows;
+    const multigrid::Interpolation& columns = fine.toCoarseColumns;
+    const multigrid::Interpolation& rows = fine.toCoarseRows;
     const std::size_t fineWidth = std::size_t(fine.columns);
     const std::size_t coarseWidth = std::size_t(coarse.columns);
     forRowBands(fine.rows, fine.columns, [&](int begin, int end) {
@@ -333,10 +279,10 @@ void PlaneMultigrid::addCorrection(const Level& coarse, Level& fine) {
 void PlaneMultigrid::cycle(std::size_t index) {
     Level& level = levels_[index];
     if (index + 1 == levels_.size()) {
-        smooth(level, coarsestDegree, true);
+        smooth(level, multigrid::coarsestDegree, true);
         return;
     }
-    smooth(level, smoothingDegree, true);
+    smooth(level, multigrid::smoothingDegree, true);
     applyStiffness(level, level.result, level.residual);
     const std::size_t width = std::size_t(level.columns);
     forRowBands(level.rows, level.columns, [&](int begin, int end) {
@@ -350,7 +296,7 @@ void PlaneMultigrid::cycle(std::size_t index) {
     restrictResidual(level, levels_[index + 1]);
     cycle(index + 1);
     addCorrection(levels_[index + 1], level);
-    smooth(level, smoothingDegree, false);
+    smooth(level, multigrid::smoothingDegree, false);
 }
 
 void PlaneMultigrid::apply(const PlaneVector& right, PlaneVector& result) {

@@ -8,10 +8,10 @@
 #pragma once
 
 #include "cpu/PlaneVector.h"
+#include "pbd/PlaneGrid.h"
 
 #include <dipwright/FilmSolver.h>
 
-#include <array>
 #include <cstdint>
 
 namespace dipwright::cpu {
@@ -27,23 +27,17 @@ public:
     void apply(const PlaneVector& right, PlaneVector& result);
 
 private:
-    struct Axis { // interpolation along one axis: fine point i from coarse points first and first +
-                  // 1
-        std::vector<int> first;
-        std::vector<float> weight; // of first + 1
-    };
     struct Level {
         int columns = 0, rows = 0;
-        float xx = 0, xz = 0, zx = 0, zz = 0;       // stencil weights along X and Z of x and z
-        std::array<std::array<float, 8>, 8> cell{}; // stiffness of one cell, for the border
+        pbd::multigrid::Stencil stencil;    // inside the film
+        pbd::multigrid::CellStiffness cell; // for the border
         std::vector<float> free;
         PlaneVector diagonal; // 1 / diagonal, 0 where held
         PlaneVector right, result, residual, direction;
-        Axis toCoarseColumns, toCoarseRows;
+        pbd::multigrid::Interpolation toCoarseColumns, toCoarseRows;
     };
 
     static Level makeLevel(int columns, int rows, double width, double depth);
-    static Axis makeAxis(int fine, int coarse);
     static void holdCoarse(const Level& fine, Level& coarse);
     static void setDiagonal(Level& level);
     static void applyStiffness(const Level& level, const PlaneVector& v, PlaneVector& result);
