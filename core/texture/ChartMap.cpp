@@ -58,15 +58,19 @@ std::pair<double, double> crossing(const std::array<Eigen::Vector2d, 3>& corners
 
 } // namespace
 
+bool textureRepeats(const TexturedMesh& model, int texture) {
+    constexpr float rounding = 1e-4f;
+    const std::vector<std::uint32_t> triangles = trianglesWith(model, texture);
+    return std::any_of(triangles.begin(), triangles.end(), [&](std::uint32_t triangle) {
+        const auto& corners = model.textureCoordinates[triangle];
+        return std::any_of(corners.begin(), corners.end(), [](const Eigen::Vector2f& corner) {
+            return corner.minCoeff() < -rounding || corner.maxCoeff() > 1 + rounding;
+        });
+    });
+}
+
 std::unique_ptr<ChartMap> ChartMap::of(const TexturedMesh& model, int texture) {
     const std::vector<std::uint32_t> triangles = trianglesWith(model, texture);
-    for (const std::uint32_t triangle : triangles) {
-        for (const Eigen::Vector2f& corner : model.textureCoordinates[triangle]) {
-            if (corner.minCoeff() < 0 || corner.maxCoeff() > 1) {
-                return nullptr;
-            }
-        }
-    }
     if (triangles.empty() || isOneChartOnAll(model, triangles)) {
         return nullptr;
     }

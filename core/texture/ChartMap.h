@@ -8,10 +8,13 @@
 
 namespace dipwright {
 
+// Whether any triangle's coordinates on a texture lie outside [0, 1] by more than rounding.
+bool textureRepeats(const TexturedMesh& model, int texture);
+
 class ChartMap {
 public:
-    // Null where there is nothing to keep apart: one chart covers the whole texture, or coordinates
-    // repeat outside [0, 1], as of tiles, which are made to fit on each other.
+    // Of a texture that does not repeat; tiles are made to fit on each other and need none. Null
+    // where there is nothing to keep apart, because one chart covers the whole texture.
     static std::unique_ptr<ChartMap> of(const TexturedMesh& model, int texture);
 
     // Whether the texel with its middle in `chart` may be seen there; texels are numbered row by

@@ -3,8 +3,8 @@
 #include "base/Error.h"
 #include "texture/AreaStretch.h"
 #include "texture/Bleed.h"
+#include "texture/BodyColours.h"
 #include "texture/ReverseMap.h"
-#include "texture/TextureSampler.h"
 
 #include <QCoreApplication>
 
@@ -35,70 +35,16 @@ struct CellPlaces {
     std::vector<float> share;    // a pixel each: 0 … 1 along its cell
     std::vector<int> firstPixel; // a cell each, and one more: the first pixel of the next
 
-    CellPlaces(int pixels, int cells) : firstPixel(std::size_t(cells) + 1, pixels) {
+    CellPlaces(int pixels, int cells) {
         share.reserve(std::size_t(pixels));
-        for (int pixel = pixels - 1; pixel >= 0; --pixel) {
+        for (int pixel = 0; pixel < pixels; ++pixel) {
             const double place = (pixel + 0.5) * cells / pixels;
             const int cell = std::min(int(place), cells - 1);
-            std::fill(firstPixel.begin(), firstPixel.begin() + cell + 1, pixel);
             share.push_back(float(place - cell));
+            firstPixel.resize(std::max(firstPixel.size(), std::size_t(cell) + 1), pixel);
         }
-        std::reverse(share.begin(), share.end());
-        for (std::size_t cell = 0; cell + 1 < firstPixel.size(); ++cell) {
-            firstPixel[cell] = std::min(firstPixel[cell], firstPixel[cell + 1]);
-        }
+        firstPixel.resize(std::size_t(cells) + 1, pixels);
     }
-};
-
-bool repeats(const TexturedMesh& model, int texture) {
-    for (std::size_t triangle = 0; triangle < model.textureCoordinates.size(); ++triangle) {
-        if (model.materials[model.material[triangle]].texture != texture) {
-            continue;
-        }
-        for (const Eigen::Vector2f& corner : model.textureCoordinates[triangle]) {
-            if (corner.minCoeff() < 0 || corner.maxCoeff() > 1) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-// A texture of the body with what keeps its charts apart.
-struct BodyTexture {
-    TextureSampler sampler;
-    std::unique_ptr<ChartMap> charts; // null: nothing to keep apart
-
-    BodyTexture(const TexturedMesh& model, int texture)
-        : sampler(model.textures[std::size_t(texture)], repeats(model, texture)),
-          charts(ChartMap::of(model, texture)) {}
-};
-
-// Reads colours off a body's materials and textures.
-class BodyColours {
-public:
-    explicit BodyColours(const TexturedMesh& model) : model_(model) {
-        for (std::size_t texture = 0; texture < model.textures.size(); ++texture) {
-            textures_.emplace_back(model, int(texture));
-        }
-        for (const Material& material : model.materials) {
-            plain_.push_back(linearColour(material.colour));
-        }
-    }
-    // Null where the body triangle has a plain colour.
-    const BodyTexture* texture(std::uint32_t bodyTriangle) const {
-        const int texture = model_.materials[model_.material[bodyTriangle]].texture;
-        const bool textured = texture >= 0 && model_.hasTextureCoordinates(bodyTriangle);
-        return textured ? &textures_[std::size_t(texture)] : nullptr;
-    }
-    const LinearColour& plain(std::uint32_t bodyTriangle) const {
-        return plain_[model_.material[bodyTriangle]];
-    }
-
-private:
-    const TexturedMesh& model_;
-    std::vector<BodyTexture> textures_;
-    std::vector<LinearColour> plain_;
 };
 
 class FilmPainter {

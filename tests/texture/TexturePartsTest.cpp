@@ -75,7 +75,7 @@ private Q_SLOTS:
     void edgesDoNotWrapUnlessTheTextureRepeats();
     void seeThroughTexelsShowTheWhiteBody();
     void filtersStayInTheirChart();
-    void wholeChartsNeedNoMap();
+    void wholeChartsAndTilesNeedNoMap();
     void bleedTakesTheNearestColour();
     void bleedEndsAtItsRadius();
     void chessSquaresMeetInTheMiddle();
@@ -238,7 +238,7 @@ void TexturePartsTest::filtersStayInTheirChart() {
     QVERIFY(!sampler.isWithin(atTheBorder, steps, *charts, model.chart[0]));
 }
 
-void TexturePartsTest::wholeChartsNeedNoMap() {
+void TexturePartsTest::wholeChartsAndTilesNeedNoMap() {
     TexturedMesh whole = atlas(filled(8, 8, Qt::red));
     addChart(whole, 0, 0, 1, 1);
     whole.chart = findCharts(whole);
@@ -246,7 +246,8 @@ void TexturePartsTest::wholeChartsNeedNoMap() {
     TexturedMesh tiled = atlas(filled(8, 8, Qt::red));
     addChart(tiled, 0, 0, 3, 0.5f);
     tiled.chart = findCharts(tiled);
-    QVERIFY(!ChartMap::of(tiled, 0));
+    QVERIFY(textureRepeats(tiled, 0));
+    QVERIFY(!textureRepeats(whole, 0));
 }
 
 void TexturePartsTest::bleedTakesTheNearestColour() {
