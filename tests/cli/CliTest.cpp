@@ -70,9 +70,11 @@ private slots:
                                   "--immersion", "name=Top,rotation=0;30;0,offset=2;-3",
                                   "--immersion", "name=Bottom,rotation=180;0;0"});
         QVERIFY2(made.exitCode == 0, made.err);
+        const Outcome single = cli({"new", path("single.dipw"), "--model", path("ball.obj")});
+        QVERIFY2(single.exitCode == 0, single.err);
         const Outcome done = run({"--out", path("out")});
         QVERIFY2(done.exitCode == 0, done.err);
-        summary_ = done.out;
+        summary_ = done;
     }
 
     void everyHelpAndTheVersionAreThere() {
@@ -102,7 +104,7 @@ private slots:
         }
         expected.sort();
         QCOMPARE(filesBelow(path("out")), expected);
-        QVERIFY(summary_.contains("Top") && summary_.contains("Bottom"));
+        QVERIFY(summary_.out.contains("Top") && summary_.out.contains("Bottom"));
     }
 
     void theSheetHasItsSizeItsResolutionAndItsProfile() {
@@ -181,8 +183,10 @@ private slots:
     }
 
     void theSameProjectGivesTheSameBytesOnAnyNumberOfThreads() {
-        QVERIFY(run({"--out", path("one"), "--threads", "1"}).exitCode == 0);
-        QVERIFY(run({"--out", path("two"), "--threads", "2"}).exitCode == 0);
+        const Outcome one = run({"--out", path("one"), "--threads", "1", "--quiet"});
+        QCOMPARE(one.exitCode, 0);
+        QVERIFY2(one.err.isEmpty(), one.err);
+        QCOMPARE(run({"--out", path("two"), "--threads", "2"}).exitCode, 0);
         for (const QString& file : filesBelow(path("out"))) {
             if (file != "report.json") { // which holds the seconds it took
                 QVERIFY2(bytesOf(path("one/" + file)) == bytesOf(path("out/" + file)),
@@ -191,6 +195,10 @@ private slots:
                          qPrintable(file));
             }
         }
+    }
+
+    void progressIsPlainLines() {
+        QVERIFY(summary_.err.contains(" %  ") && !summary_.err.contains('\r'));
     }
 
     void settingsHoldForTheRun() {
@@ -208,38 +216,35 @@ private slots:
     }
 
     void theStandardSheetIsA4At300Dpi() {
-        const Outcome done = cli({"run", path("ball.dipw"), "--out", path("a4"), "--set",
-                                  "film.points=31x43", "--set", "body.sdf_resolution=64"});
+        const Outcome done =
+            cli({"run", path("single.dipw"), "--out", path("a4"), "--set", "film.points=31x43",
+                 "--set", "body.sdf_resolution=64", "--film-image", path("ball.png")});
         QVERIFY2(done.exitCode == 0, done.err);
         const QImage sheet(path("a4/immersion-1/sheet.png"));
         QCOMPARE(sheet.size(), QSize(2480, 3508));
         QCOMPARE(sheet.dotsPerMeterX(), 11811);
+        // The picture is stretched over all of the film: its corner is the sheet's.
+        const QImage picture(path("ball.png"));
+        QCOMPARE(sheet.pixel(0, 0), picture.convertToFormat(sheet.format()).pixel(0, 0));
     }
 
-    void aPictureOrTheChessboardGoesOnTheFilm() {
-        QVERIFY(run({"--out", path("chess"), "--film-image", "chessboard"}).exitCode == 0);
-        const QImage chess(path("chess/immersion-1/sheet.png"));
-        const QRgb middle = chess.pixel(chess.width() / 2 + 30, chess.height() / 2 + 30);
-        const QRgb beside = chess.pixel(chess.width() / 2 - 30, chess.height() / 2 + 30);
-        QVERIFY(qGray(middle) != qGray(beside));
-        QVERIFY(bytesOf(path("chess/proof.png")) != bytesOf(path("out/proof.png")));
-        QVERIFY(run({"--out", path("picture"), "--film-image", path("ball.png")}).exitCode == 0);
-        QVERIFY(!QImage(path("picture/immersion-1/sheet.png")).isNull());
-    }
-
-    void laterResultsReplaceEarlierOnesAndNothingElse() {
-        QVERIFY(run({"--out", path("again")}).exitCode == 0);
-        QFile note(path("again/note.txt"));
+    void theChessboardReplacesEarlierResultsAndNothingElse() {
+        QFile note(path("two/note.txt"));
         QVERIFY(note.open(QIODevice::WriteOnly));
         note.close();
-        QVERIFY(cli({"new", path("single.dipw"), "--model", path("ball.obj")}).exitCode == 0);
-        QVERIFY(cli(QStringList{"run", path("single.dipw"), "--out", path("again")} + quickly)
-                    .exitCode == 0);
-        const QStringList files = filesBelow(path("again"));
+        const Outcome done = cli(QStringList{"run", path("single.dipw"), "--out", path("two"),
+                                             "--film-image", "chessboard"} +
+                                 quickly);
+        QVERIFY2(done.exitCode == 0, done.err);
+        const QStringList files = filesBelow(path("two"));
         QVERIFY(files.contains("note.txt"));
         QVERIFY(files.contains("immersion-1/sheet.png"));
         QVERIFY(files.filter("immersion-2").isEmpty());
         QCOMPARE(files.size(), 8);
+        const QImage chess(path("two/immersion-1/sheet.png"));
+        const int middle = chess.width() / 2;
+        QVERIFY(qGray(chess.pixel(middle + 30, middle + 30)) !=
+                qGray(chess.pixel(middle - 30, middle + 30)));
     }
 
     void infoTellsWhatIsInside() {
@@ -322,14 +327,6 @@ private slots:
         QVERIFY(row["steps_per_second"].toDouble() > 0);
     }
 
-    void progressIsPlainLinesOrNothing() {
-        const Outcome told = run({"--out", path("told")});
-        QVERIFY(told.err.contains(" %  ") && !told.err.contains('\r'));
-        const Outcome quiet = run({"--out", path("quiet"), "--quiet"});
-        QCOMPARE(quiet.exitCode, 0);
-        QVERIFY2(quiet.err.isEmpty(), quiet.err);
-    }
-
 #ifdef Q_OS_UNIX
     void aRequestToTerminateLeavesNothingBehind() {
         QProcess process;
@@ -363,7 +360,7 @@ private:
     }
 
     QTemporaryDir folder_;
-    QByteArray summary_;
+    Outcome summary_;
 };
 
 QTEST_GUILESS_MAIN(CliTest)
