@@ -10,7 +10,7 @@ namespace dipwright::cpu {
 
 namespace {
 
-constexpr int maximumNewtonSteps = 8;
+constexpr int maximumNewtonSteps = 12;
 constexpr int maximumConjugateSteps = 40;
 constexpr int maximumShortenings = 6;
 
@@ -44,7 +44,7 @@ FilmEquilibrium::FilmEquilibrium(const solver::FilmGrid& grid)
     : film_(grid), multigrid_(grid), free_(grid.pointCount(), 1.f), gradient_(grid.pointCount()),
       step_(grid.pointCount()), residual_(grid.pointCount()), preconditioned_(grid.pointCount()),
       direction_(grid.pointCount()), product_(grid.pointCount()), start_(grid.pointCount()),
-      longestStep_(2 * std::max(grid.spacingX(), grid.spacingZ())) {}
+      best_(grid.pointCount()), longestStep_(2 * std::max(grid.spacingX(), grid.spacingZ())) {}
 
 void FilmEquilibrium::setFree(const std::vector<float>& free) {
     free_ = free;
@@ -110,8 +110,9 @@ double FilmEquilibrium::force(const PlaneVector& displacement, double& elastic) 
     return std::sqrt(dot(gradient_, gradient_));
 }
 
-// Adds step_ to `displacement`, shortened until the forces do not grow. Returns the force then, and
-// leaves `displacement` as it was if no length helps.
+// Adds step_ to `displacement`, shortened until the forces shrink. Where no length helps, the whole
+// step is taken all the same: the forces may have to grow on the way past a crease. Returns the
+// force then.
 double FilmEquilibrium::advance(PlaneVector& displacement, double before, double& elastic) {
     float longest = 0;
     for (std::size_t point = 0; point < step_.size(); ++point) {
@@ -120,20 +121,22 @@ double FilmEquilibrium::advance(PlaneVector& displacement, double before, double
     if (!std::isfinite(longest)) {
         return before;
     }
-    double length = std::min(1.0, longestStep_ / std::max(double(longest), 1e-30));
     start_ = displacement;
-    for (int attempt = 0; attempt < maximumShortenings; ++attempt) {
+    const auto tryLength = [&](double length) {
         displacement = start_;
         addScaled(displacement.size(), float(length), step_.x.data(), displacement.x.data());
         addScaled(displacement.size(), float(length), step_.z.data(), displacement.z.data());
-        const double after = force(displacement, elastic);
+        return force(displacement, elastic);
+    };
+    const double whole = std::min(1.0, longestStep_ / std::max(double(longest), 1e-30));
+    double length = whole;
+    for (int attempt = 0; attempt < maximumShortenings; ++attempt, length /= 2) {
+        const double after = tryLength(length);
         if (after <= before * (1 - 0.1 * length)) {
             return after;
         }
-        length /= 2;
     }
-    displacement = start_;
-    return before;
+    return tryLength(whole);
 }
 
 double FilmEquilibrium::solve(PlaneVector& displacement, double residual) {
@@ -141,20 +144,24 @@ double FilmEquilibrium::solve(PlaneVector& displacement, double residual) {
     // Below this the film is flat and whole to the precision of its numbers.
     const double floor = 1e-6 * std::sqrt(double(displacement.size()));
     double elastic = 0, now = force(displacement, elastic);
+    double best = now, bestElastic = elastic;
+    best_ = displacement;
     for (int iteration = 0; iteration < maximumNewtonSteps; ++iteration) {
         const double allowed = std::max(residual * elastic, floor);
         if (now <= allowed) {
-            break;
+            return elastic > 0 ? now / elastic : 0;
         }
         ++work_.newtonSteps;
         conjugateGradients(std::max(0.5 * allowed, 0.02 * now));
-        const double before = now;
-        now = advance(displacement, before, elastic);
-        if (!(now < before)) {
-            break;
+        now = advance(displacement, now, elastic);
+        if (now < best) {
+            best = now;
+            bestElastic = elastic;
+            best_ = displacement;
         }
     }
-    return elastic > 0 ? now / elastic : 0;
+    displacement = best_;
+    return bestElastic > 0 ? best / bestElastic : 0;
 }
 
 } // namespace dipwright::cpu

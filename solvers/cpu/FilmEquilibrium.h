@@ -50,7 +50,7 @@ private:
     PlaneFilm film_;
     PlaneMultigrid multigrid_;
     std::vector<float> free_;
-    PlaneVector gradient_, step_, residual_, preconditioned_, direction_, product_, start_;
+    PlaneVector gradient_, step_, residual_, preconditioned_, direction_, product_, start_, best_;
     double longestStep_; // mm that a point moves at most in one Newton step
     Work work_;
 };

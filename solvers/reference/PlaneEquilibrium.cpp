@@ -185,20 +185,23 @@ double PlaneEquilibrium::solve(PlaneVector& displacement, double residual) {
         double length = std::min(1.0, 2 * cell / std::max(longest, 1e-30));
         const PlaneVector start = displacement;
         const double before = force.norm();
-        bool better = false;
-        for (int attempt = 0; attempt < 8 && !better; ++attempt, length /= 2) {
+        const double whole = length;
+        const auto take = [&](double share) {
             for (std::size_t point = 0; point < unknown_.size(); ++point) {
                 if (unknown_[point] >= 0) {
-                    displacement.x[point] = start.x[point] - length * step[2 * unknown_[point]];
-                    displacement.z[point] = start.z[point] - length * step[2 * unknown_[point] + 1];
+                    displacement.x[point] = start.x[point] - share * step[2 * unknown_[point]];
+                    displacement.z[point] = start.z[point] - share * step[2 * unknown_[point] + 1];
                 }
             }
             assemble(displacement, force, nullptr);
-            better = force.norm() < before;
+            return force.norm();
+        };
+        bool better = false;
+        for (int attempt = 0; attempt < 8 && !better; ++attempt, length /= 2) {
+            better = take(length) < before;
         }
-        if (!better) {
-            displacement = start;
-            break;
+        if (!better) { // the forces may have to grow on the way past a crease
+            take(whole);
         }
     }
     return ratio;
