@@ -7,7 +7,6 @@
 #include "RotationRings.h"
 #include "TankActors.h"
 #include "VtkConversions.h"
-#include "base/Units.h"
 
 #include <QLabel>
 #include <QMouseEvent>
@@ -243,10 +242,7 @@ bool DipView::isParallelProjection() const {
 }
 
 void DipView::look(ViewDirection direction) {
-    struct Angles {
-        double azimuth, elevation;
-    };
-    const Angles angles = [direction]() -> Angles {
+    const CameraAngles angles = [direction]() -> CameraAngles {
         switch (direction) {
         case ViewDirection::Front:
             return {0, 0};
@@ -256,24 +252,16 @@ void DipView::look(ViewDirection direction) {
             return {-90, 0};
         case ViewDirection::Right:
             return {90, 0};
-        // Not quite 90°: the camera's upward direction stays defined.
         case ViewDirection::Top:
-            return {0, 89.5};
+            return {0, 90};
         case ViewDirection::Bottom:
-            return {0, -89.5};
+            return {0, -90};
         case ViewDirection::Oblique:
             break;
         }
         return {30, 28};
     }();
-    const Eigen::Vector3d towards =
-        (Eigen::AngleAxisd(radians(Degrees(angles.azimuth)), Eigen::Vector3d::UnitY()) *
-         Eigen::AngleAxisd(radians(Degrees(-angles.elevation)), Eigen::Vector3d::UnitX())) *
-        Eigen::Vector3d::UnitZ();
-    vtkCamera* camera = scene_->renderer->GetActiveCamera();
-    camera->SetFocalPoint(0, 0, 0);
-    camera->SetPosition(towards.x(), towards.y(), towards.z());
-    camera->SetViewUp(0, 1, 0);
+    setCameraAngles(*scene_->renderer->GetActiveCamera(), angles);
     fit();
 }
 

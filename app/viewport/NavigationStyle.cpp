@@ -1,8 +1,9 @@
 #include "NavigationStyle.h"
 
+#include "base/Units.h"
+
 #include <algorithm>
 #include <cmath>
-#include <vtkCamera.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
@@ -15,10 +16,33 @@ vtkStandardNewMacro(NavigationStyle);
 namespace {
 
 constexpr double degreesPerPixel = 0.4;
-constexpr double steepest =
-    89.5; // looking straight down the axis would leave the turntable undefined
 
 } // namespace
+
+CameraAngles cameraAngles(vtkCamera& camera) {
+    const Eigen::Vector3d from = -Eigen::Vector3d(camera.GetDirectionOfProjection());
+    const Eigen::Vector3d up(camera.GetViewUp());
+    // The picture's upward direction and the one towards the camera span the vertical plane: seen
+    // from straight above, only the former tells the azimuth.
+    const Eigen::Vector3d level = std::abs(from.y()) < 0.99 ? from
+                                  : from.y() > 0            ? Eigen::Vector3d(-up)
+                                                            : up;
+    return {std::atan2(level.x(), level.z()) * 180 / pi,
+            std::asin(std::clamp(from.y(), -1.0, 1.0)) * 180 / pi};
+}
+
+void setCameraAngles(vtkCamera& camera, CameraAngles angles) {
+    const double azimuth = radians(Degrees(angles.azimuth));
+    const double elevation = radians(Degrees(angles.elevation));
+    const Eigen::Vector3d level(std::sin(azimuth), 0, std::cos(azimuth));
+    const Eigen::Vector3d upright = Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d from = std::cos(elevation) * level + std::sin(elevation) * upright;
+    const Eigen::Vector3d up = std::cos(elevation) * upright - std::sin(elevation) * level;
+    const Eigen::Vector3d position =
+        Eigen::Vector3d(camera.GetFocalPoint()) + camera.GetDistance() * from;
+    camera.SetPosition(position.data());
+    camera.SetViewUp(up.data());
+}
 
 void NavigationStyle::Rotate() {
     if (navigation_ == Navigation::Trackball) {
@@ -36,17 +60,15 @@ void NavigationStyle::turn(double rightPixels, double upPixels) {
         return;
     }
     vtkCamera* camera = CurrentRenderer->GetActiveCamera();
-    camera->Azimuth(-rightPixels * degreesPerPixel);
+    const double right = rightPixels * degreesPerPixel, up = upPixels * degreesPerPixel;
     if (navigation_ == Navigation::Trackball) {
-        camera->Elevation(-upPixels * degreesPerPixel);
+        camera->Azimuth(-right);
+        camera->Elevation(-up);
         camera->OrthogonalizeViewUp();
     } else {
-        const double* direction = camera->GetDirectionOfProjection();
-        const double height = std::asin(std::clamp(-direction[1], -1.0, 1.0)) * 180 / vtkMath::Pi();
-        const double target = std::clamp(height - upPixels * degreesPerPixel, -steepest, steepest);
-        camera->SetViewUp(0, 1, 0);
-        camera->Elevation(target - height);
-        camera->SetViewUp(0, 1, 0);
+        const CameraAngles now = cameraAngles(*camera);
+        setCameraAngles(*camera,
+                        {now.azimuth - right, std::clamp(now.elevation - up, -90.0, 90.0)});
     }
     CurrentRenderer->ResetCameraClippingRange();
     CurrentRenderer->UpdateLightsGeometryToFollowCamera();

@@ -3,9 +3,19 @@
 
 #include "DipView.h"
 
+#include <vtkCamera.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 
 namespace dipwright {
+
+// Where a camera looks from, in degrees: azimuth 0 is the front (+Z), 90 the right (+X); elevation
+// 90 is straight above. Above and below, the azimuth says which way is up in the picture.
+struct CameraAngles {
+    double azimuth = 0, elevation = 0;
+};
+CameraAngles cameraAngles(vtkCamera& camera);
+// Keeps focal point and distance; up stays up.
+void setCameraAngles(vtkCamera& camera, CameraAngles angles);
 
 class NavigationStyle : public vtkInteractorStyleTrackballCamera {
 public:

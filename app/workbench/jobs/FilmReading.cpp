@@ -2,6 +2,8 @@
 
 #include "dip/PaintedStretch.h"
 
+#include "dip/PaintedStretch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -59,14 +61,7 @@ FilmReading::FilmReading(const ImmersionResult& result)
 }
 
 std::vector<float> FilmReading::paintedValues(FilmQuantity quantity) const {
-    std::vector<std::uint8_t> painted(film_->positions.size(), 0);
-    for (std::size_t triangle = 0; triangle < mesh_.triangles.size(); ++triangle) {
-        if (contact_->painted[triangle]) {
-            for (const std::uint32_t point : mesh_.triangles[triangle]) {
-                painted[point] = 1;
-            }
-        }
-    }
+    const std::vector<std::uint8_t> painted = paintedPoints(*film_, *contact_);
     std::vector<float> kept;
     for (std::size_t point = 0; point < painted.size(); ++point) {
         if (painted[point]) {

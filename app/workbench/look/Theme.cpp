@@ -1,7 +1,9 @@
 #include "look/Theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QProxyStyle>
+#include <QStyleOption>
 #include <QStyleFactory>
 
 namespace dipwright {
@@ -19,6 +21,23 @@ public:
         }
         return QProxyStyle::styleHint(hint, option, widget, data);
     }
+    // On a dark window Fusion's own outlines can hardly be seen.
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        const bool box = element == PE_IndicatorCheckBox;
+        const bool dot = element == PE_IndicatorRadioButton;
+        if ((!box && !dot) || !isDark()) {
+            return;
+        }
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(QPen(option->palette.color(QPalette::PlaceholderText), 1));
+        painter->setBrush(Qt::NoBrush);
+        const QRectF frame = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+        box ? painter->drawRect(frame) : painter->drawEllipse(frame);
+        painter->restore();
+    }
 };
 
 struct Colours {
@@ -27,7 +46,7 @@ struct Colours {
 
 Colours coloursOf(bool dark) {
     if (dark) {
-        return {0x2a2d33, 0x1f2227, 0x262a30, 0xe6e8eb, 0x9aa1ab,
+        return {0x30343b, 0x1d2025, 0x23272c, 0xe6e8eb, 0x9aa1ab,
                 0x363a42, 0x6cb6f5, 0x1f6fb2, 0xffffff, 0x4a4f58};
     }
     return {0xf2f3f5, 0xffffff, 0xf6f8fa, 0x1b1f24, 0x5c6570,

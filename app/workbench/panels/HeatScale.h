@@ -14,7 +14,7 @@ namespace dipwright {
 struct HeatScale {
     QString map = QStringLiteral("viridis");
     double low = 1, high = 2;
-    std::optional<double> limit; // values over it are shown in the warning colour
+    std::optional<double> limit = {}; // values over it are shown in the warning colour
 
     QRgb colour(double value) const;
     bool operator==(const HeatScale&) const = default;

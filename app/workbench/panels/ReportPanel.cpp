@@ -97,7 +97,7 @@ void ReportPanel::setResult(std::shared_ptr<const JobResult> result, LengthUnit 
     Table whole;
     whole.row(tr("Body painted altogether"), percent(result->coverageTotal));
     whole.row(tr("Solver"), result->solver.name);
-    whole.row(tr("Device"), result->device);
+    whole.row(tr("Device"), result->solver.device);
     QString html = whole.html();
     for (const QString& note : result->notes) {
         html += QStringLiteral("<p><b>%1</b></p>").arg(note.toHtmlEscaped());

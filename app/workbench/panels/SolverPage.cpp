@@ -17,8 +17,7 @@ SolverPage::SolverPage(const SolverRegistry& registry, QWidget* parent) : QTreeW
         auto* item = new QTreeWidgetItem(this, {solver.name, solver.version});
         item->setIcon(0,
                       icon(solver.available ? QStringLiteral("done") : QStringLiteral("warning")));
-        item->setText(2, solver.available ? QString::fromUtf8(registry.module(solver.id).device())
-                                          : solver.reason);
+        item->setText(2, solver.available ? solver.device : solver.reason);
         for (int column = 0; column < columnCount(); ++column) {
             item->setToolTip(column, tr("%1 by %2\n%3")
                                          .arg(solver.id, solver.vendor,

@@ -1,0 +1,111 @@
+// The program is killed in the middle of editing; the next start gives the work back.
+//
+// Run with --edit FOLDER MODEL, this program is the one that gets killed: it edits an untitled
+// project and says so when its recovery copy is on the disk.
+#include "WindowDriver.h"
+#include "document/Recovery.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <cstdio>
+
+using namespace dipwright;
+
+namespace {
+
+int editUntilKilled(const QString& folder, const QString& model) {
+    Workbench workbench(folder);
+    Preferences preferences = workbench.preferences();
+    preferences.autosaveSeconds = 1;
+    workbench.setPreferences(preferences);
+    MainWindow window(workbench);
+    window.show();
+    WindowDriver driver(window);
+    if (!driver.create(model, {}, 90, {})) {
+        return 1;
+    }
+    window.document()->edit(QStringLiteral("Width"), {},
+                            [](Project& project) { project.film.swellX = 1.125; });
+    const QDir copies(folder);
+    while (copies.entryList({QStringLiteral("*.dipw")}).isEmpty()) {
+        QTest::qWait(50);
+    }
+    std::puts("kept");
+    std::fflush(stdout);
+    return QApplication::exec();
+}
+
+} // namespace
+
+class CrashTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void workIsRestoredAfterAKill() {
+        const QTemporaryDir folder;
+        const QString model = QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/spot_triangulated.obj");
+        QProcess editor;
+        editor.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        editor.start(QApplication::applicationFilePath(),
+                     {QStringLiteral("--edit"), folder.path(), model});
+        QVERIFY(editor.waitForStarted());
+        QByteArray said;
+        while (!said.contains("kept") && editor.waitForReadyRead(120'000)) {
+            said += editor.readAllStandardOutput();
+        }
+        QVERIFY(said.contains("kept"));
+        // While it lives, its copy is its own.
+        QVERIFY(findRecoveredDocuments(folder.path()).empty());
+        editor.kill();
+        QVERIFY(editor.waitForFinished());
+        QCOMPARE(editor.exitStatus(), QProcess::CrashExit);
+
+        Workbench workbench(folder.path());
+        QTimer answer;
+        connect(&answer, &QTimer::timeout, this, [] {
+            for (QWidget* widget : QApplication::topLevelWidgets()) {
+                auto* box = qobject_cast<QMessageBox*>(widget);
+                if (box && box->objectName() == QLatin1String("recoveryQuestion")) {
+                    box->defaultButton()->click();
+                }
+            }
+        });
+        answer.start(20);
+        workbench.offerRecovery();
+        answer.stop();
+        MainWindow* restored = nullptr;
+        for (QWidget* widget : QApplication::topLevelWidgets()) {
+            if (auto* window = qobject_cast<MainWindow*>(widget)) {
+                restored = window;
+            }
+        }
+        QVERIFY(restored != nullptr);
+        QTRY_VERIFY(restored->document() != nullptr);
+        QCOMPARE(restored->document()->project().film.swellX, 1.125);
+        QVERIFY(restored->document()->isModified());
+        QVERIFY(restored->document()->path().isEmpty());
+        // It is kept again under the restored document; the crash's own copy is gone.
+        QTRY_COMPARE(QDir(folder.path()).entryList({QStringLiteral("*.dipw")}).size(), 1);
+        QVERIFY(findRecoveredDocuments(folder.path()).empty());
+        delete restored;
+    }
+};
+
+int main(int argc, char* argv[]) {
+    const QTemporaryDir home;
+    useOwnHome(home.path());
+    DipView::prepareSurfaceFormat();
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("dipwright"));
+    QApplication::setOrganizationName(QStringLiteral("Dipwright"));
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.value(1) == QLatin1String("--edit")) {
+        return editUntilKilled(arguments.value(2), arguments.value(3));
+    }
+    CrashTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "CrashTest.moc"

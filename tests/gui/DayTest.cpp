@@ -1,0 +1,302 @@
+// A whole day with the real window: new, run, scrub, read, change, undo, save, close, reopen, and
+// the files that cannot be opened.
+#include "WindowDriver.h"
+#include "base/Error.h"
+#include "panels/PictureView.h"
+#include "panels/ProjectTree.h"
+#include "panels/Timeline.h"
+#include "project/Archive.h"
+#include "project/ProjectStore.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QJsonDocument>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSlider>
+#include <QTabWidget>
+
+using namespace dipwright;
+
+namespace {
+
+const QString models = QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/");
+
+// A coarse film, to be quick; two immersions.
+void makeCoarse(Project& project) {
+    project.film.columns = 40;
+    project.film.rows = 56;
+    project.fieldResolution = 64;
+    project.sheet.resolution = DotsPerInch(100);
+    project.immersions = {Immersion{}, Immersion{}};
+    project.immersions[0].name = QStringLiteral("Bottom");
+    project.immersions[1].name = QStringLiteral("Top");
+    project.immersions[1].rotation[0] = Degrees(180);
+}
+
+void writeNewerProject(const QString& original, const QString& path) {
+    ArchiveReader reader(original);
+    QJsonObject json =
+        QJsonDocument::fromJson(reader.read(QStringLiteral("project.json"))).object();
+    json[QStringLiteral("version")] = 99;
+    ArchiveWriter writer;
+    writer.add(QStringLiteral("mimetype"), reader.read(QStringLiteral("mimetype")),
+               ArchiveWriter::Packing::Stored);
+    writer.add(QStringLiteral("project.json"), QJsonDocument(json).toJson(),
+               ArchiveWriter::Packing::Deflated);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(writer.finish());
+}
+
+QMessageBox* shownMessage(const char* name) {
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+        auto* box = qobject_cast<QMessageBox*>(widget);
+        if (box && box->isVisible() && box->objectName() == QLatin1String(name)) {
+            return box;
+        }
+    }
+    return nullptr;
+}
+
+void answerWhenAsked(const char* name, QMessageBox::StandardButton answer) {
+    auto* timer = new QTimer(qApp);
+    QObject::connect(timer, &QTimer::timeout, qApp, [timer, name, answer] {
+        if (QMessageBox* box = shownMessage(name)) {
+            timer->deleteLater();
+            box->button(answer)->click();
+        }
+    });
+    timer->start(20);
+}
+
+} // namespace
+
+class DayTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY2(QFile::exists(models + QStringLiteral("spot_triangulated.obj")),
+                 "The model spot is missing beside the repository");
+        workbench_ = std::make_unique<Workbench>(folder_.filePath(QStringLiteral("recovery")));
+        Preferences preferences = workbench_->preferences();
+        preferences.liveUpdate = false;
+        workbench_->setPreferences(preferences);
+    }
+    void cleanupTestCase() { workbench_.reset(); }
+
+    void wholeDay() {
+        auto window = std::make_unique<MainWindow>(*workbench_);
+        window->show();
+        WindowDriver driver(*window);
+        QVERIFY(!driver.action("run")->isEnabled()); // there is nothing to run
+
+        // New, from a model.
+        QVERIFY(driver.create(models + QStringLiteral("spot_triangulated.obj"),
+                              models + QStringLiteral("spot_texture.png"), 90, makeCoarse));
+        Document& document = *window->document();
+        QCOMPARE(document.project().immersions.size(), std::size_t(2));
+        QVERIFY(window->isWindowModified());
+
+        // Run both immersions.
+        QVERIFY(driver.run());
+        QVERIFY(document.isFresh());
+        const QImage sheet = document.result()->immersions[0].sheet.image;
+        const QImage otherSheet = document.result()->immersions[1].sheet.image;
+        QVERIFY(!sheet.isNull() && sheet != otherSheet);
+
+        scrub(*window);
+        readValue(*window, driver);
+        changeAndUndo(*window, driver);
+        switchImmersion(*window, driver);
+
+        // Save, close, reopen: the same sheets, bit for bit.
+        const QString path = folder_.filePath(QStringLiteral("spot.dipw"));
+        window->saveAsFile(path);
+        QVERIFY(!window->isWindowModified());
+        QVERIFY(window->close());
+        window.reset();
+
+        auto again = std::make_unique<MainWindow>(*workbench_);
+        again->show();
+        WindowDriver driverAgain(*again);
+        QVERIFY(driverAgain.open(path));
+        QVERIFY(driverAgain.run());
+        QCOMPARE(again->document()->result()->immersions[0].sheet.image, sheet);
+        QCOMPARE(again->document()->result()->immersions[1].sheet.image, otherSheet);
+        QVERIFY(again->close());
+    }
+
+    void cancellingKeepsTheWindowUsable() {
+        MainWindow window(*workbench_);
+        window.show();
+        WindowDriver driver(window);
+        QVERIFY(driver.create(models + QStringLiteral("spot_triangulated.obj"), {}, 90,
+                              [](Project& project) { makeCoarse(project); }));
+        QSignalSpy stopped(&window.session(), &DipSession::stopped);
+        driver.trigger("run");
+        QVERIFY(window.session().isRunning());
+        QVERIFY(driver.action("cancel")->isEnabled());
+        driver.trigger("cancel");
+        QVERIFY(stopped.wait(60'000));
+        QVERIFY(!window.document()->result());
+        QVERIFY(driver.run()); // and now to the end
+        answerWhenAsked("closeQuestion", QMessageBox::Discard);
+        QVERIFY(window.close());
+    }
+
+    void closingAsksForUnsavedChanges() {
+        MainWindow window(*workbench_);
+        window.show();
+        WindowDriver driver(window);
+        QVERIFY(driver.open(folder_.filePath(QStringLiteral("spot.dipw"))));
+        QVERIFY(window.close()); // nothing to ask
+        window.show();
+        window.document()->edit({}, {}, [](Project& project) { project.name.append(u'!'); });
+        answerWhenAsked("closeQuestion", QMessageBox::Cancel);
+        QVERIFY(!window.close());
+        answerWhenAsked("closeQuestion", QMessageBox::Save);
+        QVERIFY(window.close());
+        QCOMPARE(loadProject(window.document()->path()).name, QStringLiteral("spot_triangulated!"));
+    }
+
+    void filesThatCannotBeOpenedSayWhy_data() {
+        QTest::addColumn<QByteArray>("content");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("not a project") << QByteArray("This is a letter.");
+        QFile whole(folder_.filePath(QStringLiteral("spot.dipw")));
+        QVERIFY(whole.open(QIODevice::ReadOnly));
+        const QByteArray bytes = whole.readAll();
+        QTest::newRow("truncated") << bytes.left(bytes.size() / 2);
+    }
+    void filesThatCannotBeOpenedSayWhy() {
+        QFETCH(QByteArray, content);
+        const QString path = folder_.filePath(QStringLiteral("damaged.dipw"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+        file.close();
+        MainWindow window(*workbench_);
+        window.show();
+        window.openProject(path);
+        QTRY_VERIFY(shownMessage("failure") != nullptr);
+        QVERIFY(shownMessage("failure")->text().contains(QStringLiteral("damaged.dipw")));
+        QVERIFY(window.document() == nullptr);
+        shownMessage("failure")->accept();
+    }
+
+    void aNewerFileNamesBothVersions() {
+        const QString path = folder_.filePath(QStringLiteral("newer.dipw"));
+        writeNewerProject(folder_.filePath(QStringLiteral("spot.dipw")), path);
+        MainWindow window(*workbench_);
+        window.show();
+        window.openProject(path);
+        QTRY_VERIFY(shownMessage("failure") != nullptr);
+        QVERIFY(shownMessage("failure")->text().contains(QStringLiteral("99")));
+        shownMessage("failure")->accept();
+    }
+
+    void aMissingFileSaysSo() {
+        MainWindow window(*workbench_);
+        window.show();
+        window.openProject(folder_.filePath(QStringLiteral("nowhere.dipw")));
+        QTRY_VERIFY(shownMessage("failure") != nullptr);
+        shownMessage("failure")->accept();
+    }
+
+    void aDroppedPictureBecomesTheTexture() {
+        MainWindow window(*workbench_);
+        window.show();
+        WindowDriver driver(window);
+        QVERIFY(driver.open(folder_.filePath(QStringLiteral("spot.dipw"))));
+        QImage picture(64, 64, QImage::Format_RGB32);
+        picture.fill(Qt::darkGreen);
+        const QString path = folder_.filePath(QStringLiteral("green.png"));
+        QVERIFY(picture.save(path));
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&window, &drop);
+        QTRY_COMPARE(window.document()->project().model->textures.at(0).size(), QSize(64, 64));
+        QCOMPARE(window.document()->project().immersions.size(), std::size_t(2));
+        driver.trigger("undo");
+        QVERIFY(window.document()->project().model->textures.at(0).size() != QSize(64, 64));
+        QVERIFY(!window.document()->isModified());
+    }
+
+private:
+    void scrub(MainWindow& window) {
+        auto* timeline = window.findChild<Timeline*>();
+        QVERIFY(timeline->frames() > 2);
+        const QImage end = window.view().picture();
+        timeline->setPosition(timeline->frames() / 2);
+        const QImage middle = window.view().picture();
+        QVERIFY(middle != end);
+        timeline->setPosition(0);
+        QVERIFY(window.view().picture() != middle);
+        timeline->setPosition(timeline->frames());
+        QCOMPARE(window.view().picture(), end);
+    }
+
+    // The stretch under the cursor, in the flat film and in the view.
+    void readValue(MainWindow& window, const WindowDriver& driver) {
+        auto* map = driver.find<PictureView>("stretchMap");
+        auto* reading = driver.find<QLabel>("reading");
+        QVERIFY(reading->text().isEmpty());
+        QTest::mouseMove(map, map->rect().center());
+        QTRY_VERIFY(reading->text().contains(QStringLiteral("stretch")));
+        const QImage marked = window.view().picture();
+        QTest::mouseMove(map, QPoint(2, 2)); // beside the film
+        QTRY_VERIFY(reading->text().isEmpty());
+        QVERIFY(window.view().picture() != marked); // the linked cursor is gone
+    }
+
+    void changeAndUndo(MainWindow& window, const WindowDriver& driver) {
+        Document& document = *window.document();
+        auto* tree = driver.find<ProjectTree>("projectTree");
+        tree->select({ProjectPart::Ink, 0});
+        auto* limit = driver.find<QDoubleSpinBox>("ink.limit");
+        QVERIFY(limit != nullptr);
+        limit->setValue(1.25);
+        QCOMPARE(document.project().ink.limit, 1.25);
+        QVERIFY(driver.find<QLabel>("staleBanner")->isVisible());
+        QVERIFY(document.isFresh(Stage::Dip, 0));
+        QVERIFY(!document.isFresh(Stage::Sheet, 0));
+        driver.trigger("undo");
+        QVERIFY(document.project().ink.limit != 1.25);
+        QVERIFY(document.isFresh());
+        QVERIFY(!driver.find<QLabel>("staleBanner")->isVisible());
+        driver.trigger("redo");
+        QCOMPARE(document.project().ink.limit, 1.25);
+        QCOMPARE(driver.find<QDoubleSpinBox>("ink.limit")->value(), 1.25);
+        driver.trigger("undo");
+    }
+
+    void switchImmersion(MainWindow& window, const WindowDriver& driver) {
+        const QImage first = driver.find<PictureView>("stretchMap")->picture();
+        window.selectImmersion(1);
+        QVERIFY(driver.find<PictureView>("stretchMap")->picture() != first);
+        window.selectImmersion(0);
+        QCOMPARE(driver.find<PictureView>("stretchMap")->picture(), first);
+    }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<Workbench> workbench_;
+};
+
+int main(int argc, char* argv[]) {
+    const QTemporaryDir home;
+    useOwnHome(home.path());
+    DipView::prepareSurfaceFormat();
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("dipwright"));
+    QApplication::setOrganizationName(QStringLiteral("Dipwright"));
+    DayTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "DayTest.moc"

@@ -1,0 +1,239 @@
+// The document without a window: undo, freshness, file, lock and recovery.
+#include "document/Document.h"
+#include "document/FileLock.h"
+#include "document/ProjectValue.h"
+#include "document/RecentProjects.h"
+#include "document/Recovery.h"
+#include "geometry/Shapes.h"
+#include "project/ProjectStore.h"
+#include "project/Schema.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace dipwright;
+
+namespace {
+
+Project boxProject() {
+    auto model = std::make_shared<TexturedMesh>();
+    model->mesh = boxMesh({30, 20, 40});
+    const std::size_t count = model->mesh.triangles.size();
+    model->textureCoordinates.resize(count);
+    for (auto& corners : model->textureCoordinates) {
+        corners.fill(Eigen::Vector2f::Constant(std::numeric_limits<float>::quiet_NaN()));
+    }
+    model->material.resize(count, 0);
+    model->materials.resize(1);
+    model->chart = findCharts(*model);
+    Project project;
+    project.name = QStringLiteral("Box");
+    project.date = QStringLiteral("2026-01-02");
+    project.model = model;
+    return project;
+}
+
+void setWidth(Document& document, const char* key, double width) {
+    document.edit(QStringLiteral("Width"), QLatin1String(key),
+                  [width](Project& project) { project.film.width = Millimetres(width); });
+}
+
+double width(const Document& document) {
+    return document.project().film.width.value();
+}
+
+} // namespace
+
+class DocumentTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+
+    void undoGivesBackTheValueAndRedoTakesItAgain() {
+        Document document(boxProject());
+        setWidth(document, "", 100);
+        document.undoStack().undo();
+        QCOMPARE(width(document), 210);
+        document.undoStack().redo();
+        QCOMPARE(width(document), 100);
+    }
+
+    void aDraggedSliderIsOneStep() {
+        Document document(boxProject());
+        for (const double value : {200.0, 190.0, 180.0}) {
+            setWidth(document, "width", value);
+        }
+        QCOMPARE(document.undoStack().count(), 1);
+        document.endMerge();
+        setWidth(document, "width", 170);
+        QCOMPARE(document.undoStack().count(), 2);
+        document.undoStack().undo();
+        QCOMPARE(width(document), 180);
+        document.undoStack().undo();
+        QCOMPARE(width(document), 210);
+    }
+
+    void aChangeOfNothingIsNoStep() {
+        Document document(boxProject());
+        QSignalSpy changed(&document, &Document::projectChanged);
+        setWidth(document, "", 210);
+        QCOMPARE(document.undoStack().count(), 0);
+        QCOMPARE(changed.count(), 0);
+    }
+
+    void aDragBackToWhereItBeganIsNoStep() {
+        Document document(boxProject());
+        setWidth(document, "width", 200);
+        setWidth(document, "width", 210);
+        QCOMPARE(document.undoStack().count(), 0);
+        QCOMPARE(width(document), 210);
+    }
+
+    void aRefusedChangeLeavesTheProjectAsItWas() {
+        Document document(boxProject());
+        const Project before = document.project();
+        QVERIFY_EXCEPTION_THROWN(document.edit({}, {},
+                                               [](Project& project) {
+                                                   setValueAt(project, QStringLiteral("film.swell"),
+                                                              QJsonValue(9));
+                                               }),
+                                 std::exception);
+        QVERIFY(document.project() == before);
+        QCOMPARE(document.undoStack().count(), 0);
+    }
+
+    void everyValueOfTheSchemaCanBeReadAndWritten() {
+        Project project = boxProject();
+        for (const auto& field : projectFields()) {
+            const QJsonValue value = valueAt(project, field.path);
+            QVERIFY2(!value.isUndefined(), qPrintable(field.path));
+            setValueAt(project, field.path, value);
+        }
+        setValueAt(project, QStringLiteral("immersions[0].name"), QStringLiteral("Bow"));
+        QCOMPARE(project.immersions[0].name, QStringLiteral("Bow"));
+        QVERIFY(valueAt(project, QStringLiteral("immersions[1].name")).isUndefined());
+    }
+
+    void onlyWhatDependsOnAChangeGoesOutOfDate_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<bool>("dip");
+        QTest::addColumn<bool>("texture");
+        QTest::addColumn<bool>("sheet");
+        QTest::newRow("turn") << "immersions[0].rotation_deg"
+                              << "0;10;0" << true << true << true;
+        QTest::newRow("film") << "film.swell"
+                              << "1.1x1.1" << true << true << true;
+        QTest::newRow("ink") << "ink.limit"
+                             << "1.5" << false << true << true;
+        QTest::newRow("bleed") << "sheet.bleed_mm"
+                               << "4" << false << true << true;
+        QTest::newRow("marks") << "sheet.marks"
+                               << "false" << false << false << true;
+        QTest::newRow("name") << "immersions[0].name"
+                              << "Bow" << false << false << true;
+        QTest::newRow("other immersion") << "immersions[1].offset_mm"
+                                         << "3;4" << false << false << false;
+    }
+    void onlyWhatDependsOnAChangeGoesOutOfDate() {
+        QFETCH(QString, path);
+        QFETCH(QString, value);
+        Project before = boxProject();
+        before.immersions.push_back(Immersion{});
+        Project now = before;
+        setByPath(now, path, value);
+        QTEST(dependsOnChange(Stage::Dip, 0, before, now), "dip");
+        QTEST(dependsOnChange(Stage::Texture, 0, before, now), "texture");
+        QTEST(dependsOnChange(Stage::Sheet, 0, before, now), "sheet");
+    }
+
+    void savingMakesTheDocumentUnmodified() {
+        const QTemporaryDir folder;
+        Document document(boxProject());
+        QVERIFY(document.isModified()); // it has no file
+        document.saveAs(folder.filePath(QStringLiteral("box.dipw")));
+        QVERIFY(!document.isModified());
+        QCOMPARE(document.title(), QStringLiteral("box"));
+        setWidth(document, "", 100);
+        QVERIFY(document.isModified());
+        document.undoStack().undo();
+        QVERIFY(!document.isModified());
+    }
+
+    void aFileThatCannotBeWrittenLeavesTheDocumentModified() {
+        Document document(boxProject());
+        QVERIFY_EXCEPTION_THROWN(document.saveAs(QStringLiteral("/no/such/folder/box.dipw")),
+                                 std::exception);
+        QVERIFY(document.isModified());
+        QVERIFY(document.path().isEmpty());
+    }
+
+    void anOpenProjectIsLocked() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("box.dipw"));
+        FileLock mine, other;
+        QVERIFY(mine.acquire(path).acquired);
+        const LockState state = other.acquire(path);
+        QVERIFY(!state.acquired);
+        QCOMPARE(state.process, QCoreApplication::applicationPid());
+        QVERIFY(mine.acquire({}).acquired); // lets go
+        QVERIFY(other.acquire(path).acquired);
+    }
+
+    void aLockLeftByACrashIsTakenOver() {
+        const QTemporaryDir folder;
+        QFile stale(folder.filePath(QStringLiteral(".~lock.box.dipw")));
+        QVERIFY(stale.open(QIODevice::WriteOnly));
+        // What QLockFile leaves behind: process, program and machine.
+        stale.write("2147483000\ndipwright\n" + QSysInfo::machineHostName().toLocal8Bit() + "\n");
+        stale.close();
+        FileLock lock;
+        QVERIFY(lock.acquire(folder.filePath(QStringLiteral("box.dipw"))).acquired);
+    }
+
+    void unsavedWorkIsFoundAfterACrashAndOnlyThen() {
+        const QTemporaryDir folder;
+        Document document(boxProject());
+        {
+            AutoSaver saver(document, folder.path());
+            setWidth(document, "", 123);
+            saver.keepNow();
+            QVERIFY(findRecoveredDocuments(folder.path()).empty()); // it is open, here
+        }
+        const auto found = findRecoveredDocuments(folder.path()); // as after a crash
+        QCOMPARE(found.size(), std::size_t(1));
+        QCOMPARE(found[0].name, QStringLiteral("Box"));
+        QVERIFY(found[0].original.isEmpty());
+        QCOMPARE(loadProject(found[0].copy).film.width.value(), 123);
+        discardRecovered(found[0]);
+        QVERIFY(findRecoveredDocuments(folder.path()).empty());
+    }
+
+    void savingRemovesTheRecoveryCopy() {
+        const QTemporaryDir folder;
+        Document document(boxProject());
+        {
+            AutoSaver saver(document, folder.filePath(QStringLiteral("recovery")));
+            saver.keepNow();
+            document.saveAs(folder.filePath(QStringLiteral("box.dipw")));
+        }
+        QVERIFY(findRecoveredDocuments(folder.filePath(QStringLiteral("recovery"))).empty());
+    }
+
+    void recentProjectsKeepTheLastFirst() {
+        addRecentProject(QStringLiteral("/a/one.dipw"));
+        addRecentProject(QStringLiteral("/a/two.dipw"));
+        addRecentProject(QStringLiteral("/a/one.dipw"));
+        QCOMPARE(recentProjects().mid(0, 2),
+                 QStringList({QStringLiteral("/a/one.dipw"), QStringLiteral("/a/two.dipw")}));
+        forgetRecentProject(QStringLiteral("/a/one.dipw"));
+        QVERIFY(!recentProjects().contains(QStringLiteral("/a/one.dipw")));
+    }
+};
+
+QTEST_GUILESS_MAIN(DocumentTest)
+#include "DocumentTest.moc"

@@ -1,0 +1,169 @@
+// Jobs and recordings without a window.
+#include "base/Error.h"
+#include "jobs/DipRecording.h"
+#include "jobs/JobRunner.h"
+
+#include <QSemaphore>
+#include <QSignalSpy>
+#include <QTest>
+#include <QThread>
+
+using namespace dipwright;
+
+namespace {
+
+class ProbeJob : public Job {
+public:
+    struct Log {
+        QThread* processed = nullptr;
+        QThread* finalized = nullptr;
+        bool cancelled = false;
+        QString failure;
+        int order = 0;
+    };
+    ProbeJob(Log& log, std::function<void(const Progress&)> work)
+        : log_(log), work_(std::move(work)) {}
+    QString title() const override { return QStringLiteral("Probing"); }
+    void process(const Progress& progress) override {
+        log_.processed = QThread::currentThread();
+        work_(progress);
+    }
+    void finalize(bool cancelled, std::exception_ptr failure) override {
+        static int count = 0;
+        log_.order = ++count;
+        log_.finalized = QThread::currentThread();
+        log_.cancelled = cancelled;
+        try {
+            if (failure) {
+                std::rethrow_exception(failure);
+            }
+        } catch (const Error& error) {
+            log_.failure = error.message();
+        }
+    }
+
+private:
+    Log& log_;
+    std::function<void(const Progress&)> work_;
+};
+
+FilmFrame frameAt(std::vector<float>& positions, double descent) {
+    return {positions, {}, descent, std::int64_t(descent)};
+}
+
+} // namespace
+
+class JobTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void worksOnAnotherThreadAndEndsOnThisOne() {
+        ProbeJob::Log log;
+        JobRunner runner;
+        QSignalSpy idle(&runner, &JobRunner::idle);
+        runner.start(std::make_unique<ProbeJob>(log, [](const Progress&) {}));
+        QVERIFY(runner.isBusy());
+        QVERIFY(idle.wait());
+        QVERIFY(log.processed != QThread::currentThread());
+        QCOMPARE(log.finalized, QThread::currentThread());
+        QVERIFY(!log.cancelled);
+        QVERIFY(!runner.isBusy());
+    }
+
+    void oneAfterTheOther() {
+        ProbeJob::Log first, second;
+        JobRunner runner;
+        QSignalSpy idle(&runner, &JobRunner::idle);
+        runner.start(std::make_unique<ProbeJob>(first, [](const Progress&) {}));
+        runner.start(std::make_unique<ProbeJob>(second, [](const Progress&) {}));
+        QVERIFY(idle.wait());
+        QVERIFY(first.order < second.order);
+        QCOMPARE(idle.count(), 1);
+    }
+
+    void aFailureReachesTheEnd() {
+        ProbeJob::Log log;
+        JobRunner runner;
+        QSignalSpy idle(&runner, &JobRunner::idle);
+        runner.start(std::make_unique<ProbeJob>(log, [](const Progress&) {
+            throw Error(QStringLiteral("The tank is empty"), QStringLiteral("tank"));
+        }));
+        QVERIFY(idle.wait());
+        QCOMPARE(log.failure, QStringLiteral("The tank is empty"));
+    }
+
+    void cancellingStopsWhatRunsAndWhatWaits() {
+        ProbeJob::Log running, waiting;
+        bool waitingBegan = false;
+        QSemaphore begun;
+        JobRunner runner;
+        QSignalSpy idle(&runner, &JobRunner::idle);
+        runner.start(std::make_unique<ProbeJob>(running, [&](const Progress& progress) {
+            begun.release();
+            while (true) {
+                progress(0.5, QStringLiteral("busy"));
+            }
+        }));
+        runner.start(
+            std::make_unique<ProbeJob>(waiting, [&](const Progress&) { waitingBegan = true; }));
+        begun.acquire();
+        runner.cancelAll();
+        QVERIFY(idle.wait());
+        QVERIFY(running.cancelled);
+        QVERIFY(waiting.cancelled);
+        QVERIFY(!waitingBegan);
+    }
+
+    void aRunnerThatGoesAwayWaitsForItsWork() {
+        ProbeJob::Log log;
+        QSemaphore begun;
+        {
+            JobRunner runner;
+            runner.start(std::make_unique<ProbeJob>(log, [&](const Progress& progress) {
+                begun.release();
+                while (true) {
+                    progress.cancelSwitch.throwIfCancelled();
+                }
+            }));
+            begun.acquire();
+        }
+        QVERIFY(log.processed != nullptr);
+        QVERIFY(log.finalized == nullptr);
+    }
+
+    void aThinnedFilmKeepsItsBorder() {
+        const solver::FilmGrid grid{280, 396, 210, 297};
+        const ThinnedFilm film = thinFilm(grid, 6000);
+        QCOMPARE(film.points.size(), std::size_t(film.columns) * std::size_t(film.rows));
+        QVERIFY(film.points.size() < 7000);
+        QCOMPARE(film.points.front(), 0u);
+        QCOMPARE(film.points.back(), std::uint32_t(280 * 396 - 1));
+        QCOMPARE(film.points[std::size_t(film.columns) - 1], 279u);
+    }
+
+    void aSmallFilmIsNotThinned() {
+        const solver::FilmGrid grid{8, 9, 210, 297};
+        QCOMPARE(thinFilm(grid, 6000).points.size(), std::size_t(72));
+    }
+
+    void aLongRecordingStaysShortAndKeepsItsEnds() {
+        const solver::FilmGrid grid{8, 8, 100, 100};
+        std::vector<float> positions(8 * 8 * 3, 0);
+        DipRecording recording({}, grid, 1000, 50);
+        for (int number = 0; number < 1234; ++number) {
+            positions[1] = float(number);
+            recording.add(frameAt(positions, number));
+        }
+        QVERIFY(recording.size() <= 51);
+        QVERIFY(recording.size() >= 25);
+        QCOMPARE(recording.frame(0)->descent, 0);
+        QCOMPARE(recording.latest()->descent, 1233);
+        QCOMPARE(recording.latest()->positions[1], 1233.0f);
+        for (std::size_t number = 1; number < recording.size(); ++number) {
+            QVERIFY(recording.frame(number)->descent > recording.frame(number - 1)->descent);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(JobTest)
+#include "JobTest.moc"

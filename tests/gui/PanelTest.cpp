@@ -1,0 +1,198 @@
+// The panels by themselves: fields, heat scale, isolines and the picture view.
+#include "document/ProjectValue.h"
+#include "look/Theme.h"
+#include "panels/HeatScale.h"
+#include "panels/PictureView.h"
+#include "panels/PropertyField.h"
+#include "panels/PropertySpecs.h"
+#include "project/Schema.h"
+
+#include <QApplication>
+#include <QDoubleSpinBox>
+#include <QJsonArray>
+#include <QScreen>
+#include <QSet>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace dipwright;
+
+namespace {
+
+std::vector<PropertySpec> allSpecs() {
+    std::vector<PropertySpec> all;
+    for (const ProjectPart part :
+         {ProjectPart::Project, ProjectPart::Model, ProjectPart::Film, ProjectPart::Process,
+          ProjectPart::Immersion, ProjectPart::Sheet, ProjectPart::Ink}) {
+        for (const PropertySection& section : propertySections({part, 0})) {
+            all.insert(all.end(), section.specs.begin(), section.specs.end());
+        }
+    }
+    return all;
+}
+
+// Relative luminance of WCAG 2.
+double luminance(const QColor& colour) {
+    const auto linear = [](double value) {
+        return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+double contrast(const QColor& a, const QColor& b) {
+    const double lighter = std::max(luminance(a), luminance(b));
+    const double darker = std::min(luminance(a), luminance(b));
+    return (lighter + 0.05) / (darker + 0.05);
+}
+
+} // namespace
+
+class PanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyValueThatTheUserSetsHasAField() {
+        QSet<QString> shown;
+        for (const PropertySpec& spec : allSpecs()) {
+            QVERIFY2(!spec.label.isEmpty() && !spec.help.isEmpty(), qPrintable(spec.path));
+            valueRule(spec.path); // throws for a path that is none
+            shown.insert(spec.path);
+        }
+        const QSet<QString> elsewhere{
+            QStringLiteral("model.source"),   QStringLiteral("model.texture_source"),
+            QStringLiteral("model.unit_mm"),  QStringLiteral("model.sha256"),
+            QStringLiteral("process.solver"), // a list of its own
+        };
+        for (const auto& field : projectFields()) {
+            QVERIFY2(shown.contains(field.path) || elsewhere.contains(field.path),
+                     qPrintable(field.path));
+        }
+    }
+
+    void aFieldTellsWhatWasTyped() {
+        PropertySpec spec;
+        for (const PropertySpec& candidate : allSpecs()) {
+            if (candidate.path == QLatin1String("film.size_mm")) {
+                spec = candidate;
+            }
+        }
+        const std::unique_ptr<PropertyField> field(
+            PropertyField::make(spec, valueRule(spec.path), LengthUnit::Inch, nullptr));
+        QSignalSpy edited(field.get(), &PropertyField::edited);
+        field->show(QJsonArray{254.0, 297.0});
+        QCOMPARE(edited.count(), 0);
+        auto* width = field->findChildren<QDoubleSpinBox*>().at(0);
+        QCOMPARE(width->value(), 10.0); // inches
+        QCOMPARE(width->suffix(), QStringLiteral(" in"));
+        width->setValue(11);
+        QCOMPARE(edited.count(), 1);
+        const QJsonArray told = edited[0][0].toJsonValue().toArray();
+        QCOMPARE(told.at(0).toDouble(), 279.4);
+        QCOMPARE(told.at(1).toDouble(), 297.0); // not rounded by being shown in inches
+    }
+
+    void fieldsAreNamedForThoseWhoCannotSeeThem() {
+        for (const PropertySpec& spec : allSpecs()) {
+            const std::unique_ptr<PropertyField> field(
+                PropertyField::make(spec, valueRule(spec.path), LengthUnit::Millimetre, nullptr));
+            for (const QWidget* editor : field->findChildren<QWidget*>(spec.path)) {
+                QVERIFY2(!editor->accessibleName().isEmpty(), qPrintable(spec.path));
+                QVERIFY2(!editor->whatsThis().isEmpty(), qPrintable(spec.path));
+            }
+        }
+    }
+
+    void textCanBeReadInBothThemes() {
+        for (const bool dark : {false, true}) {
+            const QPalette palette = themePalette(dark);
+            const std::vector<std::pair<QPalette::ColorRole, QPalette::ColorRole>> pairs{
+                {QPalette::WindowText, QPalette::Window},
+                {QPalette::Text, QPalette::Base},
+                {QPalette::Text, QPalette::AlternateBase},
+                {QPalette::ButtonText, QPalette::Button},
+                {QPalette::HighlightedText, QPalette::Highlight},
+                {QPalette::PlaceholderText, QPalette::Base},
+                {QPalette::PlaceholderText, QPalette::Window},
+                {QPalette::Link, QPalette::Base},
+                {QPalette::ToolTipText, QPalette::ToolTipBase}};
+            for (const auto& [text, ground] : pairs) {
+                const double ratio = contrast(palette.color(text), palette.color(ground));
+                QVERIFY2(ratio >= 4.5, qPrintable(QStringLiteral("%1 on %2, dark %3: %4")
+                                                      .arg(text)
+                                                      .arg(ground)
+                                                      .arg(dark)
+                                                      .arg(ratio)));
+            }
+        }
+    }
+
+    void valuesOverTheLimitAreMarked() {
+        HeatScale scale{.map = QStringLiteral("lagoon"), .low = 1, .high = 2, .limit = 1.3};
+        const QRgb marked = scale.colour(1.31);
+        QVERIFY(marked != scale.colour(1.29));
+        QCOMPARE(marked, scale.colour(1.9));
+        scale.limit.reset();
+        QVERIFY(scale.colour(1.31) != marked);
+    }
+
+    void theHeatPictureShowsColumnsAcrossAndRowsDown() {
+        const HeatScale scale{.map = QStringLiteral("grey"), .low = 0, .high = 3};
+        // Two columns, two rows: 0 1 / 2 3.
+        const QImage picture = heatPicture({0, 1, 2, 3}, 2, 2, {40, 60}, scale);
+        QCOMPARE(picture.size(), QSize(40, 60));
+        QVERIFY(qGray(picture.pixel(39, 0)) > qGray(picture.pixel(0, 0)));
+        QVERIFY(qGray(picture.pixel(0, 59)) > qGray(picture.pixel(39, 0)));
+    }
+
+    void isolinesOfASlopeAreStraight() {
+        std::vector<float> values;
+        for (int row = 0; row < 11; ++row) {
+            for (int column = 0; column < 11; ++column) {
+                values.push_back(float(column));
+            }
+        }
+        const QList<QLineF> lines = isolines(values, 11, 11, {100, 200}, 2.5);
+        QVERIFY(!lines.isEmpty());
+        for (const QLineF& line : lines) {
+            QVERIFY(std::abs(line.x1() - line.x2()) < 1e-9);
+            QVERIFY(std::abs(std::remainder(line.x1(), 25)) < 1e-9); // a value of 2.5 is at 25 mm
+        }
+    }
+
+    void automaticRangeHoldsNearlyAllValues() {
+        std::vector<float> values(1000, 1.0f);
+        values[0] = 50; // a torn point
+        for (std::size_t entry = 1; entry < 500; ++entry) {
+            values[entry] = 1.0f + float(entry) / 1000;
+        }
+        const HeatScale scale = automaticScale({}, values);
+        QCOMPARE(scale.low, 1.0);
+        QVERIFY(scale.high > 1.45 && scale.high < 1.6);
+    }
+
+    void thePictureTellsTheMillimetreUnderTheCursor() {
+        PictureView view;
+        view.resize(400, 400);
+        QImage picture(200, 100, QImage::Format_RGB32);
+        view.setPicture(picture, {100, 50});
+        view.show();
+        QSignalSpy hovered(&view, &PictureView::hovered);
+        QTest::mouseMove(&view, QPoint(200, 200));
+        QTRY_VERIFY(!hovered.isEmpty());
+        const QPointF place = hovered.last()[0].toPointF();
+        QVERIFY(std::abs(place.x() - 50) < 0.5);
+        QVERIFY(std::abs(place.y() - 25) < 0.5);
+    }
+
+    void trueSizeIsAMillimetreAMillimetre() {
+        PictureView view;
+        view.resize(400, 400);
+        view.setPicture(QImage(100, 100, QImage::Format_RGB32), {100, 100});
+        view.zoomToTrueSize();
+        QCOMPARE(view.zoom(), view.screen()->physicalDotsPerInch() / 25.4);
+    }
+};
+
+QTEST_MAIN(PanelTest)
+#include "PanelTest.moc"

@@ -1,0 +1,205 @@
+// The 3D view with a real OpenGL context: what is drawn, the camera, rays and rings.
+#include "WindowDriver.h"
+#include "geometry/Shapes.h"
+#include "look/Theme.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+
+using namespace dipwright;
+
+namespace {
+
+std::shared_ptr<TexturedMesh> redSphere() {
+    auto model = std::make_shared<TexturedMesh>();
+    model->mesh = sphereMesh(30, 24, 48);
+    const std::size_t count = model->mesh.triangles.size();
+    model->textureCoordinates.resize(count);
+    for (auto& corners : model->textureCoordinates) {
+        corners.fill(Eigen::Vector2f::Constant(std::numeric_limits<float>::quiet_NaN()));
+    }
+    model->material.resize(count, 0);
+    model->materials = {Material{QStringLiteral("red"), QColor(220, 30, 30), -1}};
+    model->chart.resize(count, 0);
+    return model;
+}
+
+bool isReddish(QRgb pixel) {
+    return qRed(pixel) > 2 * qGreen(pixel) && qRed(pixel) > 60;
+}
+
+// Without the upper right corner, where the cube of directions has a red ball for X.
+int countReddish(const QImage& picture) {
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width() * 3 / 4; ++x) {
+            count += isReddish(picture.pixel(x, y));
+        }
+    }
+    return count;
+}
+
+} // namespace
+
+class ViewTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        view_ = std::make_unique<DipView>();
+        if (!view_->isUsable()) {
+            if (qEnvironmentVariableIsSet("CI")) {
+                QFAIL("No OpenGL context can be made here; tests of the view need one");
+            }
+            QSKIP("No OpenGL context can be made here");
+        }
+        view_->resize(480, 360);
+        view_->setColours(viewColours(false));
+        view_->setTank({210, 297}, 60);
+        view_->setBody(redSphere());
+        Eigen::Isometry3d lifted = Eigen::Isometry3d::Identity();
+        lifted.translation() = Eigen::Vector3d(0, 30, 0);
+        view_->setBodyTransform(lifted);
+        view_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+        view_->picture();
+    }
+    void cleanup() { view_.reset(); }
+
+    void theBodyIsDrawn() {
+        const int red = countReddish(view_->picture());
+        QVERIFY2(red > 500, qPrintable(QString::number(red)));
+        view_->setBodyVisible(false);
+        QCOMPARE(countReddish(view_->picture()), 0);
+    }
+
+    void theFilmIsDrawnWhereItLies() {
+        view_->setBodyVisible(false);
+        view_->look(ViewDirection::Top);
+        QImage half(2, 1, QImage::Format_RGB32); // left half red, right half green
+        half.setPixel(0, 0, qRgb(230, 0, 0));
+        half.setPixel(1, 0, qRgb(0, 200, 0));
+        view_->setFilm({{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 2, 1}, {1, 2, 3}}},
+                       std::vector<float>{-100, 0, -140, 100, 0, -140, -100, 0, 140, 100, 0, 140});
+        view_->setFilmPicture(half.scaled(64, 64));
+        const QImage picture = view_->picture();
+        const auto at = [&](float x, float z) {
+            return picture.pixel(view_->positionOf({x, 0, z}).toPoint());
+        };
+        QVERIFY(isReddish(at(-60, 0)));
+        QVERIFY(!isReddish(at(60, 0)));
+        QVERIFY(qGreen(at(60, 0)) > 80);
+    }
+
+    void filmPointsCanBeColoured() {
+        view_->setBodyVisible(false);
+        view_->look(ViewDirection::Top);
+        view_->setFilm({{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 2, 1}, {1, 2, 3}}},
+                       std::vector<float>{-100, 0, -140, 100, 0, -140, -100, 0, 140, 100, 0, 140});
+        view_->setFilmColours(std::vector<QRgb>(4, qRgb(230, 0, 0)));
+        QVERIFY(countReddish(view_->picture()) > 5000);
+        view_->setFilmColours({});
+        QCOMPARE(countReddish(view_->picture()), 0);
+    }
+
+    void theTopViewHasXToTheRightAndZDownwards() {
+        view_->look(ViewDirection::Top);
+        view_->picture();
+        const QPointF middle = view_->positionOf({0, 0, 0});
+        QVERIFY(view_->positionOf({50, 0, 0}).x() > middle.x() + 10);
+        QVERIFY(view_->positionOf({0, 0, 50}).y() > middle.y() + 10);
+    }
+
+    void aRayGoesBackToTheNamedPlace() {
+        const Eigen::Vector3f place(20, 5, -30);
+        const ViewRay ray = view_->rayAt(view_->positionOf(place));
+        const Eigen::Vector3f beside =
+            (place - ray.origin) - ray.direction * ray.direction.dot(place - ray.origin);
+        QVERIFY(beside.norm() < 0.1f);
+    }
+
+    void draggingTurnsTheCameraAndTheTurntableStaysUpright() {
+        const QPointF before = view_->positionOf({50, 0, 0});
+        drag({240, 300}, {300, 280});
+        const QPointF after = view_->positionOf({50, 0, 0});
+        QVERIFY(QLineF(before, after).length() > 5);
+        // Upright: a vertical line is shown vertical.
+        const QPointF low = view_->positionOf({0, 0, 0}), high = view_->positionOf({0, 60, 0});
+        QVERIFY(std::abs(low.x() - high.x()) < 1.5);
+        QVERIFY(high.y() < low.y());
+    }
+
+    void arrowKeysTurnTheCameraToo() {
+        const QPointF before = view_->positionOf({50, 0, 0});
+        QTest::keyClick(view_.get(), Qt::Key_Left);
+        QVERIFY(QLineF(before, view_->positionOf({50, 0, 0})).length() > 2);
+    }
+
+    void lettersAreNotShortcutsOfTheLibrary() {
+        const QImage before = view_->picture();
+        QWidget* inner = view_->findChild<QWidget*>();
+        for (const Qt::Key key : {Qt::Key_W, Qt::Key_3, Qt::Key_R, Qt::Key_S, Qt::Key_F}) {
+            QTest::keyClick(inner, key);
+        }
+        QCOMPARE(view_->picture(), before);
+    }
+
+    void aRingTurnsTheBody() {
+        view_->look(ViewDirection::Top);
+        view_->setRotationRings(true, {0, 30, 0}, 60);
+        view_->picture();
+        QSignalSpy dragged(view_.get(), &DipView::rotationDragged);
+        QSignalSpy finished(view_.get(), &DipView::rotationFinished);
+        // A quarter along the ring round Y, which is seen as a circle from above.
+        const QPointF from = view_->positionOf({60, 30, 0});
+        const QPointF to = view_->positionOf({0, 30, -60});
+        drag(from.toPoint(), to.toPoint());
+        QCOMPARE(finished.count(), 1);
+        QVERIFY(!dragged.isEmpty());
+        QCOMPARE(dragged.last()[0].toInt(), 1);
+        QVERIFY(std::abs(dragged.last()[1].toDouble() - 90) < 3);
+    }
+
+    void aClickIsNoDrag() {
+        QSignalSpy clicked(view_.get(), &DipView::clicked);
+        QWidget* inner = view_->findChild<QWidget*>();
+        QTest::mouseClick(inner, Qt::LeftButton, {}, {240, 180});
+        QCOMPARE(clicked.count(), 1);
+        drag({240, 180}, {280, 200});
+        QCOMPARE(clicked.count(), 1);
+    }
+
+    void parallelProjectionShowsEqualLengthsEqual() {
+        view_->look(ViewDirection::Top);
+        view_->setParallelProjection(true);
+        view_->picture();
+        const double low =
+            QLineF(view_->positionOf({0, 0, 0}), view_->positionOf({50, 0, 0})).length();
+        const double high =
+            QLineF(view_->positionOf({0, 60, 0}), view_->positionOf({50, 60, 0})).length();
+        QVERIFY(std::abs(low - high) < 0.5);
+    }
+
+private:
+    void drag(QPoint from, QPoint to) {
+        QWidget* inner = view_->findChild<QWidget*>();
+        QTest::mousePress(inner, Qt::LeftButton, {}, from);
+        for (int step = 1; step <= 4; ++step) {
+            const QPoint place = from + (to - from) * step / 4;
+            QMouseEvent move(QEvent::MouseMove, place, inner->mapToGlobal(place), Qt::NoButton,
+                             Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(inner, &move);
+        }
+        QTest::mouseRelease(inner, Qt::LeftButton, {}, to);
+    }
+
+    std::unique_ptr<DipView> view_;
+};
+
+int main(int argc, char* argv[]) {
+    DipView::prepareSurfaceFormat();
+    QApplication application(argc, argv);
+    ViewTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "ViewTest.moc"
