@@ -29,11 +29,6 @@ Setting parsedSetting(const QString& text) {
     return {text.left(equals).trimmed(), text.mid(equals + 1).trimmed()};
 }
 
-// Without the command's own name, which the parser counts as one.
-QStringList positionalArguments(const QCommandLineParser& parser) {
-    return parser.positionalArguments().mid(1);
-}
-
 [[noreturn]] void throwTooMany(const QString& argument) {
     throw UsageError(QStringLiteral("There is one argument too many, see --help"), argument);
 }
@@ -41,7 +36,7 @@ QStringList positionalArguments(const QCommandLineParser& parser) {
 } // namespace
 
 QString positionalArgument(const QCommandLineParser& parser, const QString& name) {
-    const QStringList arguments = positionalArguments(parser);
+    const QStringList arguments = parser.positionalArguments();
     if (arguments.isEmpty()) {
         throw UsageError(QStringLiteral("%1 is missing, see --help").arg(name),
                          QStringLiteral("command line"));
@@ -53,7 +48,7 @@ QString positionalArgument(const QCommandLineParser& parser, const QString& name
 }
 
 void requireNoPositionalArgument(const QCommandLineParser& parser) {
-    if (const QStringList arguments = positionalArguments(parser); !arguments.isEmpty()) {
+    if (const QStringList arguments = parser.positionalArguments(); !arguments.isEmpty()) {
         throwTooMany(arguments.first());
     }
 }

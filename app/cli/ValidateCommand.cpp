@@ -65,9 +65,9 @@ public:
     }
     void declare(QCommandLineParser& parser) const override {
         declareProject(parser);
-        parser.addOption({physicsOption,
-                          QStringLiteral("Compares the film with its closed forms instead; takes "
-                                         "no project.")});
+        parser.addOption(
+            {physicsOption, QStringLiteral("Compares the film with its closed forms instead; takes "
+                                           "no project.")});
         parser.addOption({jsonOption, QStringLiteral("With --physics: prints JSON.")});
         parser.addOption({solverOption, QStringLiteral("With --physics: the solver to judge."),
                           QStringLiteral("ID")});

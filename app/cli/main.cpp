@@ -28,17 +28,26 @@ void printHelp(const std::vector<std::unique_ptr<Command>>& commands, QTextStrea
            "Exit codes: 0 done, 1 the job failed, 2 wrong usage.\n";
 }
 
+// The parser's own text, with the command where a user types it.
+QString commandHelp(const QCommandLineParser& parser, const QString& name) {
+    const QString text = parser.helpText();
+    const auto end = text.indexOf(QLatin1Char('\n'));
+    const QString usage = text.left(end).section(QStringLiteral("[options]"), 1);
+    return QStringLiteral("Usage: dipwright-cli %1 [options]%2%3\n")
+        .arg(name, usage, text.mid(end).trimmed().prepend(QStringLiteral("\n\n")));
+}
+
+// `arguments`: the program and what follows the command.
 void runCommand(const Command& command, const QStringList& arguments, Console& console) {
     QCommandLineParser parser;
     parser.setApplicationDescription(command.summary());
-    parser.addPositionalArgument(command.name(), QStringLiteral("This command."));
     parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("This help.")});
     parser.addOption(
         {{QStringLiteral("q"), QStringLiteral("quiet")}, QStringLiteral("Shows no progress.")});
     command.declare(parser);
     const bool understood = parser.parse(arguments);
     if (parser.isSet(QStringLiteral("help"))) {
-        console.out() << parser.helpText();
+        console.out() << commandHelp(parser, command.name());
         return;
     }
     if (!understood) {
@@ -61,7 +70,9 @@ void run(const QStringList& arguments, Console& console) {
     }
     for (const auto& command : commands) {
         if (first == command->name()) {
-            runCommand(*command, arguments, console);
+            QStringList rest = arguments;
+            rest.removeAt(1);
+            runCommand(*command, rest, console);
             return;
         }
     }
