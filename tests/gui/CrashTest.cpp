@@ -4,6 +4,7 @@
 // project and says so when its recovery copy is on the disk.
 #include "WindowDriver.h"
 #include "document/Recovery.h"
+#include "project/ProjectStore.h"
 
 #include <QApplication>
 #include <QDir>
@@ -15,6 +16,14 @@
 using namespace dipwright;
 
 namespace {
+
+constexpr double editedSwell = 1.125;
+
+bool isKept(const QString& folder) {
+    const QDir copies(folder, QStringLiteral("*.dipw"));
+    return copies.count() == 1 &&
+           loadProject(copies.filePath(copies[0])).film.swellX == editedSwell;
+}
 
 int editUntilKilled(const QString& folder, const QString& model) {
     Workbench workbench(folder);
@@ -28,9 +37,8 @@ int editUntilKilled(const QString& folder, const QString& model) {
         return 1;
     }
     window.document()->edit(QStringLiteral("Width"), {},
-                            [](Project& project) { project.film.swellX = 1.125; });
-    const QDir copies(folder);
-    while (copies.entryList({QStringLiteral("*.dipw")}).isEmpty()) {
+                            [](Project& project) { project.film.swellX = editedSwell; });
+    while (!isKept(folder)) {
         QTest::qWait(50);
     }
     std::puts("kept");
@@ -84,7 +92,7 @@ private slots:
         }
         QVERIFY(restored != nullptr);
         QTRY_VERIFY(restored->document() != nullptr);
-        QCOMPARE(restored->document()->project().film.swellX, 1.125);
+        QCOMPARE(restored->document()->project().film.swellX, editedSwell);
         QVERIFY(restored->document()->isModified());
         QVERIFY(restored->document()->path().isEmpty());
         // It is kept again under the restored document; the crash's own copy is gone.

@@ -28,10 +28,10 @@ const QString models = QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/");
 
 // A coarse film, to be quick; two immersions.
 void makeCoarse(Project& project) {
-    project.film.columns = 40;
-    project.film.rows = 56;
+    project.film.columns = 28;
+    project.film.rows = 40;
     project.fieldResolution = 64;
-    project.sheet.resolution = DotsPerInch(100);
+    project.sheet.resolution = DotsPerInch(72);
     project.immersions = {Immersion{}, Immersion{}};
     project.immersions[0].name = QStringLiteral("Bottom");
     project.immersions[1].name = QStringLiteral("Top");
@@ -220,6 +220,10 @@ private slots:
         QVERIFY(picture.save(path));
         QMimeData data;
         data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton,
+                              Qt::NoModifier);
+        QApplication::sendEvent(&window, &enter);
+        QVERIFY(enter.isAccepted());
         QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&window, &drop);
         QTRY_COMPARE(window.document()->project().model->textures.at(0).size(), QSize(64, 64));
@@ -248,7 +252,8 @@ private:
         auto* map = driver.find<PictureView>("stretchMap");
         auto* reading = driver.find<QLabel>("reading");
         QVERIFY(reading->text().isEmpty());
-        QTest::mouseMove(map, map->rect().center());
+        // In the upper part of the sheet, where the film stays on the water and is seen.
+        QTest::mouseMove(map, QPoint(map->width() / 2, map->height() / 5));
         QTRY_VERIFY(reading->text().contains(QStringLiteral("stretch")));
         const QImage marked = window.view().picture();
         QTest::mouseMove(map, QPoint(2, 2)); // beside the film

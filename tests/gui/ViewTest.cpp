@@ -151,8 +151,9 @@ private slots:
         QSignalSpy dragged(view_.get(), &DipView::rotationDragged);
         QSignalSpy finished(view_.get(), &DipView::rotationFinished);
         // A quarter along the ring round Y, which is seen as a circle from above.
-        const QPointF from = view_->positionOf({60, 30, 0});
-        const QPointF to = view_->positionOf({0, 30, -60});
+        const float diagonal = 60 * std::sqrt(0.5f);
+        const QPointF from = view_->positionOf({diagonal, 30, diagonal});
+        const QPointF to = view_->positionOf({diagonal, 30, -diagonal});
         drag(from.toPoint(), to.toPoint());
         QCOMPARE(finished.count(), 1);
         QVERIFY(!dragged.isEmpty());
