@@ -135,13 +135,13 @@ void SheetTest::pngCarriesResolutionAndProfile() {
 void SheetTest::squaresMeasureSeventeenMillimetres() {
     const QString path = save(pdfOf(chessSheet()), "chess.pdf");
     constexpr int dpi = 600;
-    const QImage page = renderedPage(path, dpi);
-    const QImage turned = page.transformed(QTransform().rotate(90));
-    for (const QImage* image : {&page, &turned}) {
-        // Through the middle of a row of squares.
-        const std::vector<double> found = edges(*image, image->height() / 2 + 200, 300);
+    const double millimetre = dpi / millimetresPerInch;
+    // Through the middle of a row of squares, and of a column, away from the marks.
+    const QImage row = renderedPage(path, dpi, QRectF(15, 157, 180, 1));
+    const QImage column = renderedPage(path, dpi, QRectF(113.5, 15, 1, 267));
+    for (const QImage& strip : {row, column.transformed(QTransform().rotate(90))}) {
+        const std::vector<double> found = edges(strip, strip.height() / 2, 0);
         QVERIFY2(found.size() >= 11, qPrintable(QString::number(found.size())));
-        const double millimetre = dpi / millimetresPerInch;
         for (std::size_t i = 1; i < found.size(); ++i) {
             const double square = (found[i] - found[i - 1]) / millimetre;
             QVERIFY2(std::abs(square - 17) < 0.02, qPrintable(QString::number(square)));
@@ -186,17 +186,21 @@ void SheetTest::marksStandInTheCorners() {
     QCOMPARE(layout.marks.size(), std::size_t(4));
     QCOMPARE(layout.marks[0].centre, QPointF(6, 6));
     QCOMPARE(layout.marks[3].centre, QPointF(204, 291));
-    const QImage page = renderedPage(save(pdfOf(patchSheet()), "marks.pdf"), 600);
-    const double millimetre = 600 / millimetresPerInch;
+    const QString path = save(pdfOf(patchSheet()), "marks.pdf");
+    constexpr int dpi = 600;
     for (const SheetMark& mark : layout.marks) {
-        const QPointF arm = (mark.centre - QPointF(0, 2.5)) * millimetre;
-        QVERIFY(qGray(page.pixel(arm.toPoint())) < 128 ||
-                qGray(page.pixel(int(arm.x()), int(arm.y()))) < 128);
+        const QImage arm =
+            renderedPage(path, dpi, QRectF(mark.centre - QPointF(1, 2.8), QSizeF(2, 0.6)));
+        const std::vector<double> found = darkMiddles(arm, true, arm.height() / 2);
+        QCOMPARE(found.size(), std::size_t(1));
+        QVERIFY(std::abs(found[0] / dpi * millimetresPerInch - 1) < 0.05);
     }
-    // Nothing within 3 mm of the page's edge.
-    for (int x = 0; x < page.width(); ++x) {
-        QCOMPARE(qGray(page.pixel(x, int(2.9 * millimetre))), 255);
-        QCOMPARE(qGray(page.pixel(x, page.height() - int(2.9 * millimetre))), 255);
+    for (const QRectF& edge : {QRectF(0, 0, 210, 2.7), QRectF(0, 297 - 2.7, 210, 2.7),
+                               QRectF(0, 0, 2.7, 297), QRectF(210 - 2.7, 0, 2.7, 297)}) {
+        const QImage strip = renderedPage(path, 150, edge);
+        for (int y = 0; y < strip.height(); ++y) {
+            QVERIFY(darkMiddles(strip, true, y).empty());
+        }
     }
 }
 

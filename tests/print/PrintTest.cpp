@@ -1,0 +1,363 @@
+// Sheets through a real print system to real (software) printers: what arrives is measured.
+#include "PaperMeasure.h"
+#include "PrivateCups.h"
+
+#include "base/Error.h"
+#include "printing/PrintService.h"
+
+#include <QColorSpace>
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+// 17 mm squares over an A4 film, with a coloured one in the middle.
+Sheet chessSheet(const QString& immersion, QSizeF film = {210, 297}) {
+    Sheet sheet;
+    sheet.filmWidth = Millimetres(film.width());
+    sheet.filmHeight = Millimetres(film.height());
+    sheet.image = QImage(sheetPixels(sheet.filmWidth, sheet.filmHeight, sheet.settings.resolution),
+                         QImage::Format_RGBA8888);
+    sheet.image.fill(Qt::transparent);
+    QPainter painter(&sheet.image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(sheet.image.width() / film.width(), sheet.image.height() / film.height());
+    painter.translate(film.width() / 2, film.height() / 2);
+    for (int row = -5; row < 5; ++row) {
+        for (int column = -5; column < 5; ++column) {
+            if ((row + column) % 2 == 0) {
+                const bool middle = row == 0 && column == 0;
+                painter.fillRect(QRectF(17 * column, 17 * row, 17, 17),
+                                 middle ? QColor(200, 20, 60) : QColor(0, 0, 0));
+            }
+        }
+    }
+    sheet.job = {QStringLiteral("Turtle"),     immersion,
+                 QStringLiteral("2026-03-01"), QStringLiteral("A4 210 × 297 mm"),
+                 QStringLiteral("1:1"),        QStringLiteral("3fa9c2d1")};
+    return sheet;
+}
+
+// Widths of the squares along a line across the page, or heights along one down it: off the middle,
+// where the red square is, and away from the marks.
+std::vector<double> squares(const QString& path, bool across) {
+    constexpr int dpi = 600;
+    const QSizeF page = pdfPage(path);
+    const double off = 2.5 * 17;
+    const QRectF line = across ? QRectF(15, page.height() / 2 + off, page.width() - 30, 1)
+                               : QRectF(page.width() / 2 + off, 15, 1, page.height() - 30);
+    QImage strip = renderedPage(path, dpi, line);
+    if (!across) {
+        strip = strip.transformed(QTransform().rotate(90));
+    }
+    const std::vector<double> found = edges(strip, strip.height() / 2, 0);
+    std::vector<double> sizes;
+    for (std::size_t i = 1; i < found.size(); ++i) {
+        sizes.push_back((found[i] - found[i - 1]) / dpi * millimetresPerInch);
+    }
+    return sizes;
+}
+
+void verifySquares(const QString& path, bool across, double size, double tolerance = 0.02) {
+    const std::vector<double> found = squares(path, across);
+    QVERIFY2(found.size() >= 8, qPrintable(QString::number(found.size())));
+    for (const double one : found) {
+        QVERIFY2(std::abs(one - size) <= tolerance, qPrintable(QString::number(one)));
+    }
+}
+
+QString refusal(PrintSystem& system, const Sheet& sheet, const PrintRequest& request) {
+    try {
+        planPrint(system, sheet, request);
+    } catch (const Error& error) {
+        return error.sentence();
+    }
+    return {};
+}
+
+PrintRequest to(const QString& printer) {
+    PrintRequest request;
+    request.printer = printer;
+    return request;
+}
+
+} // namespace
+
+class PrintTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<PrivateCups> cups_;
+    std::unique_ptr<PrintSystem> system_;
+
+    JobState print(const Sheet& sheet, const PrintRequest& request) {
+        return followJob(*system_, system_->submit(planPrint(*system_, sheet, request).task), {});
+    }
+    int receivedBy(const QString& printer) const { return int(cups_->received(printer).size()); }
+
+private slots:
+    void initTestCase();
+    void printersAreListed();
+    void printerSaysWhatItCanDo();
+    void twoSheetsArriveInOrderAndTrue();
+    void imageArrivesWithoutLoss();
+    void scaleOfThePrinterIsTakenOut();
+    void wideSheetLiesAcrossThePaper();
+    void copiesAreAskedFor();
+    void largeSheetArrivesInPieces();
+    void marksStayInReachOfThePrinter();
+    void unknownPrinterIsRefused();
+    void stoppedPrinterIsRefused();
+    void printerThatTakesNoJobsIsRefused();
+    void wrongPaperIsRefused();
+    void paperThatIsTooSmallIsRefused();
+    void colourOutOfReachIsRefused();
+    void greyPrinterIsRefusedForColour();
+    void nothingWasPrintedByRefusals();
+    void cancelledJobIsNotPrinted();
+    void jobOnAStoppedPrinterEndsWithItsReason();
+    void portableRouteIsTrueAsWell();
+};
+
+void PrintTest::initTestCase() {
+    cups_ = std::make_unique<PrivateCups>();
+    QVERIFY2(cups_->problem().isEmpty(), qPrintable(cups_->problem()));
+    const TestMedia a4{"iso_a4_210x297mm", 210, 297, 0};
+    const TestMedia a4Margins{"iso_a4_210x297mm", 210, 297, 6.35};
+    const TestMedia letter{"na_letter_8.5x11in", 215.9, 279.4, 6.35};
+    QVERIFY(cups_->add({"pigment", true, {a4, a4Margins, letter}}));
+    QVERIFY(cups_->add({"office", true, {a4Margins}}));
+    QVERIFY(cups_->add({"grey", false, {a4}}));
+    QVERIFY(cups_->add({"refusing", true, {letter}})); // refuses in one way or another
+    system_ = cupsPrintSystem();
+    QVERIFY2(system_, "built without CUPS");
+}
+
+void PrintTest::printersAreListed() {
+    QCOMPARE(system_->printers(), QStringList({"grey", "office", "pigment", "refusing"}));
+    QVERIFY(!system_->printer("nosuch"));
+}
+
+void PrintTest::printerSaysWhatItCanDo() {
+    const auto pigment = system_->printer("pigment");
+    QVERIFY(pigment);
+    QCOMPARE(pigment->state, PrinterState::Idle);
+    QVERIFY(pigment->acceptsJobs);
+    QVERIFY(pigment->printsColour);
+    const auto isA4 = [](const PrinterMedia& media) {
+        return std::abs(media.size.width() - 210) < 0.1 &&
+               std::abs(media.size.height() - 297) < 0.1;
+    };
+    const auto borderless = [&](const PrinterMedia& media) {
+        return isA4(media) && media.margins == QMarginsF(0, 0, 0, 0);
+    };
+    QVERIFY(std::any_of(pigment->media.begin(), pigment->media.end(), borderless));
+    const auto office = system_->printer("office");
+    QVERIFY(office);
+    QVERIFY(std::none_of(office->media.begin(), office->media.end(), borderless));
+    QVERIFY(std::any_of(office->media.begin(), office->media.end(), isA4));
+    QVERIFY(!system_->printer("grey")->printsColour);
+}
+
+void PrintTest::twoSheetsArriveInOrderAndTrue() {
+    const int before = receivedBy("pigment");
+    for (const char* immersion : {"Top", "Bottom"}) {
+        QCOMPARE(print(chessSheet(immersion), to("pigment")), JobState::Printed);
+    }
+    const QStringList papers = cups_->received("pigment").mid(before);
+    QCOMPARE(papers.size(), 2);
+    QVERIFY(pdfWords(papers[0]).contains("Top"));
+    QVERIFY(pdfWords(papers[1]).contains("Bottom"));
+    for (const QString& paper : papers) {
+        const QSizeF page = pdfPage(paper);
+        QVERIFY(std::abs(page.width() - 210) < 0.02 && std::abs(page.height() - 297) < 0.02);
+        verifySquares(paper, true, 17);
+        verifySquares(paper, false, 17);
+        QVERIFY(pdfWords(paper).contains("100 mm"));
+        // The registration mark's upper arm, 6 mm from the corner's edges.
+        const QImage corner = renderedPage(paper, 600, QRectF(5, 3.2, 2, 0.6));
+        QVERIFY(!darkMiddles(corner, true, corner.height() / 2).empty());
+        QVERIFY(std::abs(darkMiddles(corner, true, corner.height() / 2)[0] / 600 * 25.4 - 1) < 0.1);
+    }
+}
+
+void PrintTest::imageArrivesWithoutLoss() {
+    const Sheet sheet = chessSheet("Top");
+    QCOMPARE(print(sheet, to("pigment")), JobState::Printed);
+    const QTemporaryDir folder;
+    output("pdfimages", {"-png", cups_->received("pigment").last(), folder.filePath("image")});
+    const QImage image(folder.filePath("image-000.png"));
+    QCOMPARE(image.size(), sheet.image.size());
+    QImage sent = flattened(sheet.image);
+    sent.setColorSpace(QColorSpace());
+    QCOMPARE(image.convertToFormat(QImage::Format_RGB888), sent);
+}
+
+void PrintTest::scaleOfThePrinterIsTakenOut() {
+    PrintRequest request = to("pigment");
+    request.profile.emplace();
+    request.profile->name = "Measured";
+    request.profile->scaleX = 1.004;
+    request.profile->scaleY = 0.997;
+    QCOMPARE(print(chessSheet("Top"), request), JobState::Printed);
+    // What arrives is off by just as much the other way.
+    verifySquares(cups_->received("pigment").last(), true, 17 / 1.004);
+    verifySquares(cups_->received("pigment").last(), false, 17 / 0.997);
+}
+
+void PrintTest::wideSheetLiesAcrossThePaper() {
+    QCOMPARE(print(chessSheet("Top", {297, 210}), to("pigment")), JobState::Printed);
+    const QString paper = cups_->received("pigment").last();
+    QVERIFY(std::abs(pdfPage(paper).width() - 210) < 0.02);
+    verifySquares(paper, true, 17);
+    verifySquares(paper, false, 17);
+}
+
+void PrintTest::copiesAreAskedFor() {
+    const int before = receivedBy("pigment");
+    PrintRequest request = to("pigment");
+    request.copies = 2;
+    QCOMPARE(print(chessSheet("Top"), request), JobState::Printed);
+    int pages = 0;
+    for (const QString& paper : cups_->received("pigment").mid(before)) {
+        const QByteArray info = output("pdfinfo", {paper});
+        pages += info.mid(info.indexOf("Pages:") + 6, 20).simplified().split(' ').first().toInt();
+    }
+    // The queue copies the pages, or the printer is told to.
+    QVERIFY(pages == 2 || (pages == 1 && system_->printer("pigment")));
+}
+
+void PrintTest::largeSheetArrivesInPieces() {
+    PrintRequest request = to("office");
+    request.tile = true;
+    const Sheet sheet = chessSheet("Top", {297, 420});
+    QVERIFY(refusal(*system_, sheet, to("office")).contains("larger than every paper"));
+    QCOMPARE(print(sheet, request), JobState::Printed);
+    const QString paper = cups_->received("office").last();
+    QVERIFY(output("pdfinfo", {paper}).contains("Pages:           4"));
+    QVERIFY(pdfWords(paper, 4).contains("row 2 of 2, column 2 of 2"));
+}
+
+void PrintTest::marksStayInReachOfThePrinter() {
+    QCOMPARE(print(chessSheet("Top"), to("office")), JobState::Printed);
+    const QString paper = cups_->received("office").last();
+    for (const QRectF& edge : {QRectF(0, 0, 210, 6.2), QRectF(0, 297 - 6.2, 210, 6.2)}) {
+        const QImage strip = renderedPage(paper, 150, edge);
+        for (int y = 0; y < strip.height(); ++y) {
+            QVERIFY(darkMiddles(strip, true, y).empty());
+        }
+    }
+    QVERIFY(pdfWords(cups_->received("office").last()).contains("100 mm"));
+}
+
+void PrintTest::unknownPrinterIsRefused() {
+    const QString sentence = refusal(*system_, chessSheet("Top"), to("nosuch"));
+    QVERIFY2(sentence.contains("no such printer") && sentence.contains("pigment"),
+             qPrintable(sentence));
+}
+
+void PrintTest::stoppedPrinterIsRefused() {
+    QVERIFY(cups_->command("cupsdisable", {"-r", "out of ink", "refusing"}));
+    const QString sentence = refusal(*system_, chessSheet("Top"), to("refusing"));
+    QVERIFY2(sentence.contains("stopped") && sentence.contains("refusing"), qPrintable(sentence));
+    QVERIFY(cups_->command("cupsenable", {"refusing"}));
+}
+
+void PrintTest::printerThatTakesNoJobsIsRefused() {
+    QVERIFY(cups_->command("cupsreject", {"refusing"}));
+    const QString sentence = refusal(*system_, chessSheet("Top"), to("refusing"));
+    QVERIFY2(sentence.contains("takes no jobs"), qPrintable(sentence));
+    QVERIFY(cups_->command("cupsaccept", {"refusing"}));
+}
+
+void PrintTest::wrongPaperIsRefused() {
+    // A sheet of 200 × 260 mm would lie on Letter paper, but nowhere on it for certain.
+    const QString sentence = refusal(*system_, chessSheet("Top", {200, 260}), to("refusing"));
+    QVERIFY2(sentence.contains("no paper of 200 × 260 mm") && sentence.contains("215.9"),
+             qPrintable(sentence));
+}
+
+void PrintTest::paperThatIsTooSmallIsRefused() {
+    const QString sentence = refusal(*system_, chessSheet("Top"), to("refusing"));
+    QVERIFY2(sentence.contains("larger than every paper"), qPrintable(sentence));
+}
+
+void PrintTest::colourOutOfReachIsRefused() {
+    Sheet sheet = chessSheet("Top");
+    sheet.image.fill(Qt::darkGreen);
+    const QString sentence = refusal(*system_, sheet, to("office"));
+    QVERIFY2(sentence.contains("6.35 mm"), qPrintable(sentence));
+    PrintRequest request = to("office");
+    request.acceptClipping = true;
+    QCOMPARE(planPrint(*system_, sheet, request).warnings.size(), 1);
+    QVERIFY(planPrint(*system_, sheet, to("pigment")).warnings.isEmpty());
+}
+
+void PrintTest::greyPrinterIsRefusedForColour() {
+    const Sheet coloured = chessSheet("Top");
+    const QString sentence = refusal(*system_, coloured, to("grey"));
+    QVERIFY2(sentence.contains("grey only"), qPrintable(sentence));
+    PrintRequest request = to("grey");
+    request.acceptMonochrome = true;
+    QCOMPARE(planPrint(*system_, coloured, request).warnings.size(), 1);
+    Sheet black = coloured;
+    black.image = coloured.image.convertToFormat(QImage::Format_Grayscale8);
+    QVERIFY(planPrint(*system_, black, to("grey")).warnings.isEmpty());
+}
+
+void PrintTest::nothingWasPrintedByRefusals() {
+    QCOMPARE(receivedBy("refusing"), 0);
+    QCOMPARE(receivedBy("grey"), 0);
+}
+
+void PrintTest::cancelledJobIsNotPrinted() {
+    const PrintTask task = planPrint(*system_, chessSheet("Top"), to("pigment")).task;
+    const int before = receivedBy("pigment");
+    QVERIFY(cups_->command("cupsdisable", {"--hold", "pigment"}));
+    const PrintJob job = system_->submit(task);
+    Progress progress;
+    progress.cancelSwitch.cancel();
+    // A held queue is no stopped printer's fault, but waits: the user gives up.
+    QVERIFY_EXCEPTION_THROWN(followJob(*system_, job, progress), std::exception);
+    QCOMPARE(system_->status(job).state, JobState::Cancelled);
+    QVERIFY(cups_->command("cupsenable", {"--release", "pigment"}));
+    QCOMPARE(print(chessSheet("After"), to("pigment")), JobState::Printed);
+    QCOMPARE(receivedBy("pigment"), before + 1);
+    QVERIFY(pdfWords(cups_->received("pigment").last()).contains("After"));
+}
+
+void PrintTest::jobOnAStoppedPrinterEndsWithItsReason() {
+    const PrintTask task = planPrint(*system_, chessSheet("Top"), to("office")).task;
+    const int before = receivedBy("office");
+    QVERIFY(cups_->command("cupsdisable", {"-r", "out of ink", "office"}));
+    const PrintJob job = system_->submit(task);
+    try {
+        followJob(*system_, job, {});
+        QFAIL("a stopped printer printed");
+    } catch (const Error& error) {
+        QVERIFY2(error.sentence().contains("stopped"), qPrintable(error.sentence()));
+    }
+    QCOMPARE(system_->status(job).state, JobState::Cancelled);
+    QVERIFY(cups_->command("cupsenable", {"office"}));
+    QCOMPARE(receivedBy("office"), before);
+}
+
+void PrintTest::portableRouteIsTrueAsWell() {
+    const auto portable = qtPrintSystem();
+    QVERIFY2(portable, "built without Qt's printing");
+    QVERIFY(portable->printers().contains("pigment"));
+    QVERIFY(!portable->printer("nosuch"));
+    QVERIFY(refusal(*portable, chessSheet("Top"), to("nosuch")).contains("no such printer"));
+    const int before = receivedBy("pigment");
+    const PrintPlan plan = planPrint(*portable, chessSheet("Portable"), to("pigment"));
+    QCOMPARE(followJob(*portable, portable->submit(plan.task), {}), JobState::HandedOver);
+    QTRY_COMPARE_WITH_TIMEOUT(receivedBy("pigment"), before + 1, 30000);
+    // A document that is still arriving is no PDF yet.
+    const QString paper = cups_->received("pigment").last();
+    QTRY_VERIFY_WITH_TIMEOUT(!output("pdfinfo", {paper}).isEmpty(), 30000);
+    verifySquares(paper, true, 17);
+    verifySquares(paper, false, 17);
+}
+
+QTEST_MAIN(PrintTest)
+#include "PrintTest.moc"

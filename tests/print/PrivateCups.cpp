@@ -1,0 +1,204 @@
+#include "PrivateCups.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QTcpServer>
+#include <QTcpSocket>
+#include <QtTest>
+
+namespace dipwright {
+namespace {
+
+constexpr int patience = 20000; // milliseconds, on a machine that is busy with other tests
+
+// System programs stand outside an ordinary user's path.
+QString programPath(const QString& name) {
+    const QString found = QStandardPaths::findExecutable(name);
+    return found.isEmpty()
+               ? QStandardPaths::findExecutable(name, {"/usr/sbin", "/sbin", "/usr/local/sbin"})
+               : found;
+}
+
+quint16 freePort() {
+    QTcpServer server;
+    server.listen(QHostAddress::LocalHost);
+    return server.serverPort();
+}
+
+bool answers(quint16 port) {
+    QTcpSocket socket;
+    socket.connectToHost(QHostAddress::LocalHost, port);
+    return socket.waitForConnected(200);
+}
+
+QByteArray collection(const TestMedia& media) {
+    const QByteArray margin = QByteArray::number(int(media.margin * 100));
+    QByteArray text = "{ MEMBER collection media-size { MEMBER integer x-dimension " +
+                      QByteArray::number(int(media.width * 100)) + " MEMBER integer y-dimension " +
+                      QByteArray::number(int(media.height * 100)) + " }";
+    for (const char* side : {"bottom", "left", "right", "top"}) {
+        text += " MEMBER integer media-" + QByteArray(side) + "-margin " + margin;
+    }
+    return text + " }";
+}
+
+QByteArray attributes(const TestPrinter& printer) {
+    QByteArrayList keywords;
+    QByteArrayList sizes;
+    QByteArrayList collections;
+    QByteArrayList margins;
+    for (const TestMedia& media : printer.media) {
+        keywords << '"' + media.keyword.toUtf8() + '"';
+        sizes << "{ MEMBER integer x-dimension " + QByteArray::number(int(media.width * 100)) +
+                     " MEMBER integer y-dimension " + QByteArray::number(int(media.height * 100)) +
+                     " }";
+        collections << collection(media);
+        margins << QByteArray::number(int(media.margin * 100));
+    }
+    QByteArray text = "ATTR keyword media-supported " + keywords.join(',') +
+                      "\nATTR keyword media-default " + keywords.front() +
+                      "\nATTR keyword media-ready " + keywords.front() +
+                      "\nATTR collection media-size-supported " + sizes.join(',') +
+                      "\nATTR collection media-col-database " + collections.join(',') +
+                      "\nATTR collection media-col-default " + collections.front() +
+                      "\nATTR collection media-col-ready " + collections.front() + '\n';
+    for (const char* side : {"bottom", "left", "right", "top"}) {
+        text += "ATTR integer media-" + QByteArray(side) + "-margin-supported " +
+                margins.join(',') + '\n';
+    }
+    text += printer.colour
+                ? "ATTR boolean color-supported true\n"
+                  "ATTR keyword print-color-mode-supported \"auto\",\"color\",\"monochrome\"\n"
+                  "ATTR keyword print-color-mode-default color\n"
+                  "ATTR keyword pwg-raster-document-type-supported \"sgray_8\",\"srgb_8\"\n"
+                  "ATTR keyword urf-supported \"CP1\",\"RS300\",\"SRGB24\",\"V1.4\",\"W8\"\n"
+                : "ATTR boolean color-supported false\n"
+                  "ATTR keyword print-color-mode-supported \"auto\",\"monochrome\"\n"
+                  "ATTR keyword print-color-mode-default monochrome\n"
+                  "ATTR keyword pwg-raster-document-type-supported \"sgray_8\"\n"
+                  "ATTR keyword urf-supported \"CP1\",\"RS300\",\"V1.4\",\"W8\"\n";
+    return text +
+           "ATTR keyword print-scaling-supported \"auto\",\"auto-fit\",\"fill\",\"fit\",\"none\"\n"
+           "ATTR mimeMediaType document-format-supported "
+           "\"application/octet-stream\",\"application/pdf\",\"image/pwg-raster\"\n";
+}
+
+} // namespace
+
+PrivateCups::PrivateCups() {
+    // A scheduler that was started as root works as another user.
+    QFile::setPermissions(folder_.path(), QFile::Permissions(0x7755));
+    for (const char* name : {"root", "spool", "cache", "state", "log", "tmp"}) {
+        QDir().mkpath(folder_.filePath(name));
+    }
+    QFile::setPermissions(folder_.filePath("tmp"), QFile::Permissions(0x7777));
+    if (startBus()) {
+        startScheduler();
+    }
+}
+
+PrivateCups::~PrivateCups() {
+    for (auto& [name, device] : devices_) {
+        device.process->terminate();
+        device.process->waitForFinished(patience);
+    }
+    for (QProcess* process : {&scheduler_, &bus_}) {
+        process->terminate();
+        process->waitForFinished(patience);
+    }
+}
+
+bool PrivateCups::write(const QString& name, const QByteArray& text) const {
+    QFile file(folder_.filePath(name));
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+}
+
+bool PrivateCups::startBus() {
+    const QByteArray address = "unix:path=" + path("bus");
+    bus_.start(programPath("dbus-daemon"),
+               {"--session", "--nofork", "--nopidfile", "--address=" + QString::fromUtf8(address)});
+    qputenv("DBUS_SYSTEM_BUS_ADDRESS", address);
+    if (!bus_.waitForStarted() ||
+        !QTest::qWaitFor([&] { return QFileInfo::exists(folder_.filePath("bus")); }, patience)) {
+        problem_ = "dbus-daemon does not start: " + bus_.errorString();
+        return false;
+    }
+    return true;
+}
+
+bool PrivateCups::startScheduler() {
+    write("cupsd.conf",
+          "LogLevel warn\nListen " + path("socket") +
+              "\nBrowsing Off\nWebInterface No\nDefaultAuthType None\nErrorPolicy stop-printer\n"
+              "<Location />\nOrder allow,deny\nAllow all\n</Location>\n"
+              "<Policy default>\nJobPrivateAccess all\nJobPrivateValues none\n"
+              "SubscriptionPrivateAccess all\nSubscriptionPrivateValues none\n"
+              "<Limit All>\nOrder deny,allow\n</Limit>\n</Policy>\n");
+    write("cups-files.conf", "ServerRoot " + path("root") + "\nRequestRoot " + path("spool") +
+                                 "\nCacheDir " + path("cache") + "\nStateDir " + path("state") +
+                                 "\nTempDir " + path("tmp") + "\nAccessLog " + path("log/access") +
+                                 "\nErrorLog " + path("log/error") + "\nPageLog " +
+                                 path("log/page") + "\nUser lp\nGroup lp\nSystemGroup lpadmin\n");
+    scheduler_.setStandardErrorFile(folder_.filePath("log/cupsd"));
+    scheduler_.start(programPath("cupsd"), {"-f", "-c", folder_.filePath("cupsd.conf"), "-s",
+                                            folder_.filePath("cups-files.conf")});
+    qputenv("CUPS_SERVER", path("socket"));
+    const auto runs = [&] { return command("lpstat", {"-r"}); };
+    if (!scheduler_.waitForStarted() || !QTest::qWaitFor(runs, patience)) {
+        problem_ = "cupsd does not start: " + scheduler_.errorString();
+        return false;
+    }
+    return true;
+}
+
+bool PrivateCups::command(const QString& program, const QStringList& arguments) const {
+    QProcess process;
+    process.start(programPath(program), arguments);
+    return process.waitForFinished(patience) && process.exitStatus() == QProcess::NormalExit &&
+           process.exitCode() == 0;
+}
+
+bool PrivateCups::add(const TestPrinter& printer) {
+    Device device;
+    device.folder = folder_.filePath("device-" + printer.name);
+    QDir().mkpath(device.folder);
+    const QString description = "attributes-" + printer.name;
+    write(description, attributes(printer));
+    const quint16 port = freePort();
+    // Without a command of its own the printer plays at being slow, for some ten seconds a job.
+    device.process = std::make_unique<QProcess>();
+    device.process->setStandardOutputFile(QProcess::nullDevice());
+    device.process->setStandardErrorFile(QProcess::nullDevice());
+    device.process->start(programPath("ippeveprinter"),
+                          {"-r", "off", "-k", "-c", programPath("true"), "-d", device.folder, "-p",
+                           QString::number(port), "-a", folder_.filePath(description),
+                           printer.name});
+    if (!device.process->waitForStarted() ||
+        !QTest::qWaitFor([&] { return answers(port); }, patience)) {
+        return false;
+    }
+    devices_[printer.name] = std::move(device);
+    // lpadmin comes back before the printer was asked what it can do.
+    const QString ppd = folder_.filePath("root/ppd/" + printer.name + ".ppd");
+    return command("lpadmin",
+                   {"-p", printer.name, "-E", "-v",
+                    QString("ipp://localhost:%1/ipp/print").arg(port), "-m", "everywhere"}) &&
+           QTest::qWaitFor([&] { return QFileInfo::exists(ppd); }, patience);
+}
+
+QStringList PrivateCups::received(const QString& printer) const {
+    const QDir folder(devices_.at(printer).folder);
+    // "1-Top.pdf": by the printer's own job numbers. Its logs lie beside them.
+    QFileInfoList files = folder.entryInfoList({"*.pdf"}, QDir::Files);
+    std::sort(files.begin(), files.end(), [](const QFileInfo& a, const QFileInfo& b) {
+        return a.fileName().section('-', 0, 0).toInt() < b.fileName().section('-', 0, 0).toInt();
+    });
+    QStringList paths;
+    for (const QFileInfo& file : files) {
+        paths << file.filePath();
+    }
+    return paths;
+}
+
+} // namespace dipwright

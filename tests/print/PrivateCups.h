@@ -1,0 +1,57 @@
+// A print system of the test's own: a CUPS scheduler with its own folders and socket, real IPP
+// printers in software behind it (ippeveprinter), and the message bus that those ask for. Nothing
+// of the machine's is touched, and everything ends with the object.
+#pragma once
+
+#include <QProcess>
+#include <QTemporaryDir>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace dipwright {
+
+struct TestMedia {
+    QString keyword; // "iso_a4_210x297mm"
+    double width = 210, height = 297;
+    double margin = 0; // mm, all round
+};
+
+struct TestPrinter {
+    QString name;
+    bool colour = true;
+    std::vector<TestMedia> media{{"iso_a4_210x297mm", 210, 297, 0}};
+};
+
+class PrivateCups {
+public:
+    // Starts the scheduler; `problem()` says what went wrong.
+    PrivateCups();
+    ~PrivateCups();
+    QString problem() const { return problem_; }
+
+    // A printer and its queue, ready to print.
+    bool add(const TestPrinter& printer);
+    // Runs one of CUPS's own commands, "cupsdisable office".
+    bool command(const QString& program, const QStringList& arguments) const;
+    // The documents that a printer has got, in the order of its jobs.
+    QStringList received(const QString& printer) const;
+
+private:
+    struct Device {
+        std::unique_ptr<QProcess> process;
+        QString folder;
+    };
+    bool startBus();
+    bool startScheduler();
+    bool write(const QString& name, const QByteArray& text) const;
+    QByteArray path(const QString& name) const { return folder_.filePath(name).toUtf8(); }
+
+    QTemporaryDir folder_;
+    QProcess bus_;
+    QProcess scheduler_;
+    std::map<QString, Device> devices_;
+    QString problem_;
+};
+
+} // namespace dipwright
