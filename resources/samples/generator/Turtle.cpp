@@ -1,385 +1,75 @@
 #include "ImplicitSurface.h"
 #include "Painting.h"
 #include "Samples.h"
+#include "TurtlePaint.h"
+#include "TurtleShape.h"
 #include "Unwrap.h"
 
-#include <cmath>
-
 namespace dipwright::samples {
-
-namespace {
 
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-// The turtle is drawn level: each part is an ellipsoid about a centre in the plane y = 0, higher
-// above it than below. So the outline lies in that plane, and above and below it the surface is a
-// landscape without overhangs, which film can reach. At the end it is bent (see lift).
-struct Part {
-    Vector2f centre; // x, z
-    float turned;    // radians from the Z axis towards the X axis
-    float along;     // radii
-    float across;
-    float above;
-    float below;
-};
+namespace {
 
-// Nearly the distance from the part's surface.
-float distance(const Part& part, const Vector3f& place) {
-    const Vector2f offset = Vector2f(place.x(), place.z()) - part.centre;
-    const float sine = std::sin(part.turned);
-    const float cosine = std::cos(part.turned);
-    const Vector3f own(offset.x() * cosine - offset.y() * sine, place.y(),
-                       offset.x() * sine + offset.y() * cosine);
-    const Vector3f radii(part.across, own.y() > 0 ? part.above : part.below, part.along);
-    const float level = own.cwiseQuotient(radii).norm();
-    const float steepness = own.cwiseQuotient(radii.cwiseProduct(radii)).norm();
-    return steepness > 0 ? level * (level - 1) / steepness : -radii.minCoeff();
-}
+using Piece = std::vector<std::uint32_t>;                 // triangles
+using Coordinates = std::vector<std::array<Vector2f, 3>>; // a triangle's corners each
 
-// The smaller of two distances, rounded off where they are less than `radius` apart.
-float smoothMinimum(float a, float b, float radius) {
-    const float blend = std::max(radius - std::abs(a - b), 0.0F) / radius;
-    return std::min(a, b) - blend * blend * radius / 4;
-}
-
-const Part shell{{0, -3}, 0, 33.5F, 23, 21.5F, 11};
-const std::array<Part, 8> limbs{{
-    {{0, 30}, 0, 13, 7, 7.5F, 7},        // neck
-    {{0, 44}, 0, 12.5F, 9.5F, 10, 8},    // head
-    {{0, -37}, 0, 15, 4, 4, 4},          // tail
-    {{18, 20}, 1.3F, 14, 8, 6, 5.5F},    // fore flipper: arm
-    {{27, 16}, 2.1F, 12.5F, 6, 5, 4.5F}, // and hand
-    {{17, -33}, 2.25F, 14, 6, 5, 4.5F},  // hind flipper
-    {{0, -24}, 1.5708F, 15, 8, 6, 6},    // hips
-    {{0, 20}, 1.5708F, 16, 8, 7, 6},     // shoulders
-}};
-
-Vector3f mirrored(const Vector3f& place) {
-    return {std::abs(place.x()), place.y(), place.z()};
-}
-
-float shellDistance(const Vector3f& place) {
-    return distance(shell, place);
-}
-
-float limbDistance(const Vector3f& place) {
-    float result = distance(limbs[0], mirrored(place));
-    for (std::size_t i = 1; i < limbs.size(); ++i) {
-        result = smoothMinimum(result, distance(limbs[i], mirrored(place)), 8);
-    }
-    return result;
-}
-
-float turtleField(const Vector3f& place) {
-    return smoothMinimum(shellDistance(place), limbDistance(place), 8);
-}
-
-float smoothStep(float from, float to, float value) {
-    const float t = std::clamp((value - from) / (to - from), 0.0F, 1.0F);
-    return t * t * (3 - 2 * t);
-}
-
-// How far a place is raised at the end: the head looks up, the flippers hang down.
-float lift(const Vector3f& place) {
-    return 3.5F * smoothStep(26, 52, place.z()) - 4.5F * smoothStep(17, 36, std::abs(place.x())) -
-           2.5F * smoothStep(-30, -50, place.z()) * smoothStep(4, 16, std::abs(place.x()));
-}
-
-// --- Painting ---------------------------------------------------------------------------------
-
-struct Colour {
-    float red, green, blue;
-};
-
-Colour mixed(const Colour& a, const Colour& b, float share) {
-    return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
-            a.blue + share * (b.blue - a.blue)};
-}
-
-constexpr Colour outline{52, 44, 30};
-
-QRgb pixel(const Colour& colour) {
-    const auto byte = [](float value) { return int(std::lround(value)); };
-    return qRgb(byte(colour.red), byte(colour.green), byte(colour.blue));
-}
-
-// 0 … 1, the same for the same numbers.
-float scattered(int x, int y, int z) {
-    auto bits = std::uint32_t(x) * 0x9e3779b1U ^ std::uint32_t(y) * 0x85ebca6bU ^
-                std::uint32_t(z) * 0xc2b2ae35U;
-    bits = (bits ^ (bits >> 15)) * 0x2c1b3c6dU;
-    bits = (bits ^ (bits >> 12)) * 0x297a2d39U;
-    return float((bits ^ (bits >> 15)) >> 8) / float(1 << 24);
-}
-
-// The nearest of some seeds, and how far it is to the border of its cell.
-struct CellPlace {
-    std::size_t seed = 0;
-    float toSeed = 0;   // mm
-    float toBorder = 0; // mm
-};
-
-CellPlace cellPlace(const std::vector<Vector3f>& seeds, const Vector3f& place) {
-    CellPlace result;
-    result.toSeed = std::numeric_limits<float>::infinity();
-    for (std::size_t i = 0; i < seeds.size(); ++i) {
-        const float length = (seeds[i] - place).norm();
-        if (length < result.toSeed) {
-            result.toSeed = length;
-            result.seed = i;
-        }
-    }
-    result.toBorder = std::numeric_limits<float>::infinity();
-    for (std::size_t i = 0; i < seeds.size(); ++i) {
-        if (i != result.seed) {
-            const Vector3f across = seeds[i] - seeds[result.seed];
-            const Vector3f middle = (seeds[i] + seeds[result.seed]) / 2;
-            result.toBorder = std::min(result.toBorder, across.dot(middle - place) / across.norm());
-        }
-    }
-    return result;
-}
-
-// On the shell above or below the point (x, z) of its plan.
-Vector3f onShell(float x, float z, bool above) {
-    const Vector2f offset((x - shell.centre.x()) / shell.across,
-                          (z - shell.centre.y()) / shell.along);
-    const float height = std::sqrt(std::max(0.0F, 1 - offset.squaredNorm()));
-    return {x, height * (above ? shell.above : -shell.below), z};
-}
-
-// Plates of the shell: down the back, beside it, and round the rim.
-std::vector<Vector3f> backPlates() {
-    std::vector<Vector3f> seeds;
-    for (const float z : {23.5F, 11.5F, -3.0F, -17.5F, -30.0F}) {
-        seeds.push_back(onShell(0, z, true));
-    }
-    for (const auto& [x, z] : {std::pair(13.5F, 18.5F), std::pair(17.0F, 4.5F),
-                               std::pair(17.0F, -10.5F), std::pair(12.5F, -24.5F)}) {
-        seeds.push_back(onShell(x, z, true));
-        seeds.push_back(onShell(-x, z, true));
-    }
-    return seeds;
-}
-
-std::vector<Vector3f> bellyPlates() {
-    std::vector<Vector3f> seeds;
-    for (const float z : {22.0F, 12.0F, 1.0F, -10.5F, -21.5F, -31.0F}) {
-        const float x = z > 15 || z < -25 ? 5.0F : 8.0F;
-        seeds.push_back(onShell(x, z, false));
-        seeds.push_back(onShell(-x, z, false));
-    }
-    return seeds;
-}
-
-// Round the rim, counted from the tail: where on it, and how far to the next border, mm.
-struct RimPlace {
-    int plate;
-    float toBorder;
-};
-
-RimPlace rimPlace(const Vector3f& place) {
-    constexpr float count = 24;
-    const float angle =
-        std::atan2(place.x() / shell.across, (place.z() - shell.centre.y()) / shell.along);
-    const float turns = angle / (2 * 3.14159265F) * count + count / 2;
-    const float within = turns - std::floor(turns);
-    const float length = 2 * 3.14159265F * 30 / count;
-    return {int(std::floor(turns)), std::min(within, 1 - within) * length};
-}
-
-// A plate: amber in the middle, darker outwards, with growth rings and a dark border.
-Colour plateColour(float toSeed, float toBorder, float size, float shade) {
-    const Colour amber{222, 158 + 14 * shade, 74};
-    const Colour moss{104 + 14 * shade, 104, 44};
-    const float outwards = smoothStep(0.05F, 0.85F, toSeed / (toSeed + toBorder + 0.15F * size));
-    Colour colour = mixed(amber, moss, outwards);
-    for (const float ring : {1.9F, 3.3F}) {
-        const float line = 1 - smoothStep(0.12F, 0.3F, std::abs(toBorder - ring));
-        colour = mixed(colour, outline, 0.28F * line);
-    }
-    return mixed(outline, colour, smoothStep(0.45F, 0.75F, toBorder));
-}
-
-Colour rimColour(const Vector3f& place) {
-    const RimPlace rim = rimPlace(place);
-    const Colour light{206, 150, 76};
-    const Colour dark{116, 106, 48};
-    const Colour plate = rim.plate % 2 == 0 ? light : mixed(light, dark, 0.55F);
-    return mixed(outline, plate, smoothStep(0.35F, 0.6F, rim.toBorder));
-}
-
-constexpr float rimTop = 5;    // mm above the outline
-constexpr float rimBottom = 3; // mm below it
-
-Colour shellColour(const Vector3f& place) {
-    static const std::vector<Vector3f> back = backPlates();
-    static const std::vector<Vector3f> belly = bellyPlates();
-    const bool above = place.y() > 0;
-    const float inwards = above ? place.y() - rimTop : -place.y() - rimBottom;
-    const float edge = smoothStep(0.35F, 0.65F, std::abs(inwards));
-    if (inwards < 0) {
-        return mixed(outline, rimColour(place), edge);
-    }
-    const CellPlace cell = cellPlace(above ? back : belly, place);
-    if (above) {
-        const float toBorder = std::min(cell.toBorder, inwards);
-        return mixed(outline,
-                     plateColour(cell.toSeed, toBorder, 9, scattered(int(cell.seed), 1, 7)), edge);
-    }
-    const Colour cream{241, 221, 160};
-    const Colour straw{226, 194, 116};
-    Colour colour = mixed(straw, cream, smoothStep(0.5F, 5, std::min(cell.toBorder, inwards)));
-    colour = mixed({150, 112, 58}, colour, smoothStep(0.25F, 0.5F, cell.toBorder));
-    return mixed(outline, colour, edge);
-}
-
-// Dark scales with light skin between them, over the whole body without regard to its charts.
-Colour skinColour(const Vector3f& place) {
-    constexpr float scale = 4.6F; // mm
-    const Vector3f own = mirrored(place) / scale;
-    const Eigen::Vector3i home = own.array().floor().cast<int>();
-    std::vector<Vector3f> seeds;
-    seeds.reserve(27);
-    for (int i = 0; i < 27; ++i) {
-        const Eigen::Vector3i cell = home + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-        const Vector3f jitter(scattered(cell.x(), cell.y(), cell.z()),
-                              scattered(cell.y(), cell.z(), cell.x() + 91),
-                              scattered(cell.z(), cell.x() + 57, cell.y()));
-        seeds.push_back(cell.cast<float>() + 0.15F * Vector3f::Ones() + 0.7F * jitter);
-    }
-    const CellPlace cell = cellPlace(seeds, own);
-    const Colour skin{196, 206, 142};
-    const Colour scaleColour =
-        mixed({62, 112, 82}, {88, 138, 92}, scattered(int(100 * seeds[cell.seed].x()), 3, 5));
-    // Below, the skin is pale and the scales fade away.
-    const float below = smoothStep(0.5F, -3.5F, place.y());
-    const float isScale = smoothStep(0.35F, 0.65F, cell.toBorder * scale);
-    return mixed(mixed(skin, scaleColour, isScale * (1 - 0.85F * below)), {226, 222, 176},
-                 0.6F * below);
-}
-
-// The place on the surface near `place`.
-Vector3f onSurface(Vector3f place) {
-    for (int round = 0; round < 4; ++round) {
-        const Vector3f gradient = slope(turtleField, place);
-        place -= turtleField(place) / gradient.squaredNorm() * gradient;
-    }
-    return place;
-}
-
-// Draws over `colour` where the place is on the head.
-Colour withFace(Colour colour, const Vector3f& place) {
-    static const Vector3f eye = onSurface({8, 4.4F, 47});
-    static const Vector3f glint = onSurface(eye + Vector3f(0, 1.0F, 0.7F));
-    const float fromEye = (mirrored(place) - eye).norm();
-    const float fromGlint = (mirrored(place) - glint).norm();
-    colour = mixed({236, 222, 150}, colour, smoothStep(2.9F, 3.2F, fromEye));
-    colour = mixed({24, 22, 20}, colour, smoothStep(2.3F, 2.5F, fromEye));
-    colour = mixed({255, 255, 255}, colour, smoothStep(0.75F, 0.95F, fromGlint));
-    // The mouth runs round the snout above the outline, up at its corners.
-    const float line = 1.1F + 0.04F * std::pow(std::max(52 - place.z(), 0.0F), 2.0F);
-    const float toEnd = std::max(place.z() - 46.5F, 0.0F);
-    const float toMouth = std::abs(place.y() - line);
-    return mixed({44, 52, 40}, colour,
-                 std::max(smoothStep(0.25F, 0.45F, toMouth), 1 - smoothStep(0, 0.5F, toEnd)));
-}
-
-// The maker's mark for the belly: 1 where ink is. Right side up for who looks from below, head up.
-QImage makersMark() {
-    QImage image(1000, 1000, QImage::Format_Grayscale8);
-    image.fill(Qt::black);
-    QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(Qt::white, 42));
-    painter.drawEllipse(QPointF(500, 500), 455, 455);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(Qt::white);
-    paintLetters(painter, QPointF(510, 500), 480, QStringLiteral("D"));
-    return image;
-}
-
-Colour withMark(const Colour& colour, const Vector3f& place) {
-    static const QImage mark = makersMark();
-    constexpr float size = 22; // mm
-    const Vector2f centre(0, 1);
-    const int x = int((0.5F + (place.x() - centre.x()) / size) * float(mark.width()));
-    const int y = int((0.5F - (place.z() - centre.y()) / size) * float(mark.height()));
-    if (place.y() > -rimBottom - 2 || !mark.valid(x, y)) {
-        return colour;
-    }
-    return mixed(colour, {46, 84, 84}, float(qGray(mark.pixel(x, y))) / 255);
-}
-
-// Shell where the shell is the nearer part, with a dark line of even width round it.
-float toShellEdge(const Vector3f& place) {
-    const Field difference = [](const Vector3f& at) {
-        return shellDistance(at) - limbDistance(at);
-    };
-    const float value = difference(place);
-    return std::abs(value) > 3 ? value : value / slope(difference, place).norm();
-}
-
-QRgb turtleColour(const Vector3f& place) {
-    const float toEdge = toShellEdge(place);
-    const Colour colour =
-        toEdge < 0 ? withMark(shellColour(place), place) : withFace(skinColour(place), place);
-    return pixel(mixed(outline, colour, smoothStep(0.3F, 0.6F, std::abs(toEdge))));
-}
-
-// --- Charts -----------------------------------------------------------------------------------
-
-struct Charts {
-    std::array<std::vector<std::uint32_t>, 2> pieces; // triangles: above, below
-};
-
-// `level`: the positions before the turtle is bent.
-Charts chartsOf(const TriangleMesh& mesh, const std::vector<Vector3f>& level) {
-    Charts charts;
+// The triangles above and below the outline; `level` are the positions before the turtle is bent.
+std::array<Piece, 2> halves(const TriangleMesh& mesh, const std::vector<Vector3f>& level) {
+    std::array<Piece, 2> pieces;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         float height = 0;
         for (const std::uint32_t corner : mesh.triangles[t]) {
             height += level[corner].y();
         }
-        charts.pieces[height > 0 ? 0 : 1].push_back(t);
+        pieces[height > 0 ? 0 : 1].push_back(t);
     }
-    return charts;
+    return pieces;
 }
 
-// Both charts side by side in the picture, at one scale, head up.
-std::vector<std::array<Vector2f, 3>> turtleCoordinates(const TriangleMesh& mesh,
-                                                       const Charts& charts) {
-    std::vector<std::array<Vector2f, 3>> result(mesh.triangles.size());
+// One half laid flat, head up, as seen from outside: from below, left and right change places.
+std::vector<Vector2f> flatHalf(const TriangleMesh& mesh, const Piece& piece, bool fromAbove) {
+    std::vector<Vector2f> plan;
+    plan.reserve(mesh.positions.size());
+    for (const Vector3f& place : mesh.positions) {
+        plan.emplace_back(fromAbove ? -place.x() : place.x(), place.z());
+    }
+    return unwrap(mesh, piece, std::move(plan));
+}
+
+Eigen::AlignedBox2f extent(const TriangleMesh& mesh, const Piece& piece,
+                           const std::vector<Vector2f>& flat) {
+    Eigen::AlignedBox2f box;
+    for (const std::uint32_t t : piece) {
+        for (const std::uint32_t corner : mesh.triangles[t]) {
+            box.extend(flat[corner]);
+        }
+    }
+    return box;
+}
+
+// Both halves side by side in the picture, at one scale.
+Coordinates turtleCoordinates(const TriangleMesh& mesh, const std::array<Piece, 2>& pieces) {
     constexpr float margin = 3; // mm
-    float left = margin;
+    Coordinates result(mesh.triangles.size());
+    Vector2f corner(margin, margin);
     float tallest = 0;
-    for (std::size_t side = 0; side < 2; ++side) {
-        std::vector<Vector2f> flat;
-        for (const Vector3f& place : mesh.positions) {
-            // Seen from outside: from below, left and right change places.
-            flat.emplace_back(side == 0 ? -place.x() : place.x(), place.z());
-        }
-        flat = unwrap(mesh, charts.pieces[side], std::move(flat));
-        Eigen::AlignedBox2f box;
-        for (const std::uint32_t t : charts.pieces[side]) {
-            for (const std::uint32_t corner : mesh.triangles[t]) {
-                box.extend(flat[corner]);
+    for (std::size_t half = 0; half < pieces.size(); ++half) {
+        const std::vector<Vector2f> flat = flatHalf(mesh, pieces[half], half == 0);
+        const Eigen::AlignedBox2f box = extent(mesh, pieces[half], flat);
+        for (const std::uint32_t t : pieces[half]) {
+            for (int i = 0; i < 3; ++i) {
+                result[t][i] = flat[mesh.triangles[t][i]] - box.min() + corner;
             }
         }
-        for (const std::uint32_t t : charts.pieces[side]) {
-            for (int corner = 0; corner < 3; ++corner) {
-                result[t][corner] =
-                    flat[mesh.triangles[t][corner]] - box.min() + Vector2f(left, margin);
-            }
-        }
-        left += box.sizes().x() + margin;
+        corner.x() += box.sizes().x() + margin;
         tallest = std::max(tallest, box.sizes().y() + 2 * margin);
     }
-    const float side = std::max(left, tallest);
+    const float side = std::max(corner.x(), tallest);
     for (auto& corners : result) {
-        for (Vector2f& corner : corners) {
-            corner /= side;
+        for (Vector2f& place : corners) {
+            place /= side;
         }
     }
     return result;
@@ -397,7 +87,7 @@ TexturedMesh turtle() {
         place.y() += lift(place);
         place = place.cwiseProduct(Vector3f(75 / size.x(), 1, 110 / size.z()));
     }
-    auto coordinates = turtleCoordinates(mesh, chartsOf(mesh, level));
+    Coordinates coordinates = turtleCoordinates(mesh, halves(mesh, level));
     const QImage texture = bakeTexture(mesh, coordinates, level, turtleColour);
     return textured(std::move(mesh), std::move(coordinates), texture);
 }
