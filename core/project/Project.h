@@ -33,7 +33,7 @@ struct Project {
     SheetSettings sheet;
     InkSettings ink;
     ProjectProfiles profiles; // that it was made with, by content
-    QJsonObject unknown; // keys this version does not know; they survive a save
+    QJsonObject unknown;      // keys this version does not know; they survive a save
 
     bool operator==(const Project&) const = default;
 };
