@@ -3,16 +3,13 @@
 #include "cpu/RowMath.h"
 #include "cpu/RowParallel.h"
 #include "cpu/SimdClones.h"
+#include "pbd/NewtonLimits.h"
 
 #include <cmath>
 
 namespace dipwright::cpu {
 
 namespace {
-
-constexpr int maximumNewtonSteps = 12;
-constexpr int maximumConjugateSteps = 40;
-constexpr int maximumShortenings = 6;
 
 DIPWRIGHT_SIMD_CLONES
 void addScaled(std::size_t count, float factor, const float* a, float* out) {
@@ -75,7 +72,7 @@ void FilmEquilibrium::conjugateGradients(double tolerance) {
     residual_ = gradient_;
     double before = 0;
     const double start = std::sqrt(dot(residual_, residual_));
-    for (int iteration = 0; iteration < maximumConjugateSteps; ++iteration) {
+    for (int iteration = 0; iteration < pbd::maximumConjugateSteps; ++iteration) {
         ++work_.conjugateSteps;
         multigrid_.apply(residual_, preconditioned_);
         const double now = dot(residual_, preconditioned_);
@@ -130,7 +127,7 @@ double FilmEquilibrium::advance(PlaneVector& displacement, double before, double
     };
     const double whole = std::min(1.0, longestStep_ / std::max(double(longest), 1e-30));
     double length = whole;
-    for (int attempt = 0; attempt < maximumShortenings; ++attempt, length /= 2) {
+    for (int attempt = 0; attempt < pbd::maximumShortenings; ++attempt, length /= 2) {
         const double after = tryLength(length);
         if (after <= before * (1 - 0.1 * length)) {
             return after;
@@ -146,7 +143,7 @@ double FilmEquilibrium::solve(PlaneVector& displacement, double residual) {
     double elastic = 0, now = force(displacement, elastic);
     double best = now, bestElastic = elastic;
     best_ = displacement;
-    for (int iteration = 0; iteration < maximumNewtonSteps; ++iteration) {
+    for (int iteration = 0; iteration < pbd::maximumNewtonSteps; ++iteration) {
         const double allowed = std::max(residual * elastic, floor);
         if (now <= allowed) {
             return elastic > 0 ? now / elastic : 0;

@@ -201,11 +201,6 @@ void gatherForces(int columns, int rows, PlaneVector& result, const CellRow& cel
     });
 }
 
-CellEdges withOffset(const CellEdges& edges, const PlaneFilm::Crossing& triangle) {
-    return {edges.hx + triangle.hx, edges.hz + triangle.hz, edges.vx + triangle.vx,
-            edges.vz + triangle.vz};
-}
-
 void putForces(EdgeForces& forces, std::size_t cell, const PlaneFilm::Crossing& triangle,
                const pbd::EdgePair<float>& force) {
     forces.array(triangle.second ? secondX : firstX)[cell] = force.hx;
@@ -259,9 +254,9 @@ Matrix2<float> PlaneFilm::wholeGradient(const Crossing& triangle,
     const RowOfPoints points =
         rowOfPoints(displacement, std::size_t(columns_), int(triangle.cell / cells));
     const CellEdges edges =
-        withOffset(cellEdges(points, triangle.cell % cells, triangle.second, triangle.thirdOnRight,
-                             1 / inverseX_, 1 / inverseZ_),
-                   triangle);
+        pbd::unfoldedEdges(cellEdges(points, triangle.cell % cells, triangle.second,
+                                     triangle.thirdOnRight, 1 / inverseX_, 1 / inverseZ_),
+                           triangle);
     return gradientOf(edges, inverseShape(triangle.cell, triangle.second));
 }
 
@@ -287,9 +282,9 @@ std::vector<std::size_t> PlaneFilm::tornCrossing(const PlaneVector& displacement
         const RowOfPoints points =
             rowOfPoints(displacement, std::size_t(columns_), int(triangle.cell / cells));
         const CellEdges e =
-            withOffset(cellEdges(points, triangle.cell % cells, triangle.second,
-                                 triangle.thirdOnRight, 1 / inverseX_, 1 / inverseZ_),
-                       triangle);
+            pbd::unfoldedEdges(cellEdges(points, triangle.cell % cells, triangle.second,
+                                         triangle.thirdOnRight, 1 / inverseX_, 1 / inverseZ_),
+                               triangle);
         const double area = double(e.hx * e.vz - e.hz * e.vx) * double(inverseX_ * inverseZ_);
         if (!triangle.released && area > limit) {
             torn.push_back(k);
@@ -415,20 +410,12 @@ void PlaneFilm::hessian(const PlaneVector& direction, PlaneVector& result) const
 }
 
 void PlaneFilm::relax(const PlaneVector& displacement, double keep) {
-    // With edges E = F_whole·D, the rest shape for which all of a crossing triangle has the
-    // gradient F of its floating part is F⁻¹·E.
     std::vector<Matrix2<float>> shapes;
     shapes.reserve(crossing_.size());
     for (std::size_t k = 0; k < crossing_.size(); ++k) {
-        const Crossing& triangle = crossing_[k];
-        const Matrix2<float> whole = wholeGradient(triangle, displacement);
-        const Matrix2<float> floating = floatingGradient(anchors_[k], whole);
-        const Matrix2<float> shape = inverseShape(triangle.cell, triangle.second);
-        const bool sound = whole.a * whole.d - whole.b * whole.c > 0.01f &&
-                           floating.a * floating.d - floating.b * floating.c > 0.01f;
-        shapes.push_back(sound ? pbd::relaxedInverseShape(shape * (inverse(whole) * floating),
-                                                          floating, float(keep))
-                               : shape);
+        shapes.push_back(pbd::relaxedCrossingShape(
+            anchors_[k], wholeGradient(crossing_[k], displacement),
+            inverseShape(crossing_[k].cell, crossing_[k].second), float(keep)));
     }
     if (keep < 1) {
         relaxAll(displacement, float(keep));

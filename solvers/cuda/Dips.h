@@ -36,4 +36,8 @@ std::unique_ptr<Dips> makePaperDips(const Device& device, Setups setups);
 // How many dips like this one fit on the device at the same time.
 std::size_t paperDipsAtOnce(const Device& device, const solver::DipSetup& setup);
 
+// The production film (film-physics §2): Lattice::Isotropic on Support::Water.
+std::unique_ptr<Dips> makeQuasiStaticDips(const Device& device, Setups setups);
+std::size_t quasiStaticDipsAtOnce(const Device& device, const solver::DipSetup& setup);
+
 } // namespace dipwright::cuda

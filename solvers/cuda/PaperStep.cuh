@@ -13,6 +13,7 @@
 #pragma once
 
 #include "cuda/PaperTiles.h"
+#include "cuda/Tiles.h"
 #include "pbd/BodyFrame.h"
 #include "pbd/FieldSampling.h"
 

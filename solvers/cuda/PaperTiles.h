@@ -22,11 +22,6 @@ struct PaperTiles {
     constexpr int count() const { return across * down; }
 };
 
-// First column (or row) of tile `index` of `count` over `points`; the end of the one before it.
-constexpr int tileStart(int points, int count, int index) {
-    return int(static_cast<long long>(points) * index / count);
-}
-
 // The cut into strips of `stripRows` with the most tiles up to `maximumTiles`, or nothing when the
 // film needs more than these.
 std::optional<PaperTiles> paperTiles(const solver::FilmGrid& film, int iterations, int stripRows,

@@ -84,6 +84,28 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> floatingGradient(const CrossingAnchor
     return {start.a + change.a, start.b + change.b, start.c + change.c, start.d + change.d};
 }
 
+// A crossing triangle's edges with its held corners unfolded.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline EdgePair<Real> unfoldedEdges(const EdgePair<Real>& edges,
+                                                          const CrossingTriangle<Real>& triangle) {
+    return {edges.hx + triangle.hx, edges.hz + triangle.hz, edges.vx + triangle.vx,
+            edges.vz + triangle.vz};
+}
+
+// The inverse rest shape of a triangle after a step in which it crossed the contact line: for which
+// all of it has the gradient F of its floating part (with edges E = F_whole·D that is F⁻¹·E), its
+// stretch decayed by `keep`.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
+relaxedCrossingShape(const CrossingAnchor<Real>& anchor, const Matrix2<Real>& whole,
+                     const Matrix2<Real>& inverseShape, Real keep) {
+    const Matrix2<Real> floating = floatingGradient(anchor, whole);
+    const bool sound = whole.a * whole.d - whole.b * whole.c > Real(0.01) &&
+                       floating.a * floating.d - floating.b * floating.c > Real(0.01);
+    return sound ? relaxedInverseShape(inverseShape * (inverse(whole) * floating), floating, keep)
+                 : inverseShape;
+}
+
 // Forces on the edges of a crossing triangle.
 // `P` the stress, `inverseShape` the inverse of the rest shape, `area` the triangle's weight.
 template <typename Real>

@@ -1,15 +1,24 @@
 // The films on the GPU: steps per second of the paper's film, whole dips of the production film,
 // and how far they end from the CPU's.
 //
-//   cuda_film_bench [paper] [production] [batch=N] [dips=N] [check] [COLUMNSxROWS …]
+//   cuda_film_bench paper|production [batch=N] [dips=N] [check] [elastic|viscous]
+//   [sphere|cone|FIELD]
+//                   [COLUMNSxROWS …]
+//
+// FIELD: a file of "nx ny nz x y z spacing lowest height" in text, an end of line, and the samples
+// as floats.
 
 #include "cpu/PaperFilm.h"
+#include "cpu/QuasiStaticFilm.h"
 #include "cuda/Dips.h"
 #include "solvers/TestFilm.h"
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <string>
 #include <string_view>
 
 using namespace dipwright;
@@ -17,10 +26,45 @@ using namespace dipwright::test;
 
 namespace {
 
+// A body, its lowest point and its height in its own coordinates.
+struct Body {
+    SampledBody sampled;
+    double lowest = 0, height = 0;
+};
+
+Body bodyOf(const std::string& name) {
+    if (name == "sphere") {
+        return {sphere(35, 128), -35, 70};
+    }
+    if (name == "cone") { // of 45 degrees, its tip down
+        return {sampledBody(96, 128,
+                            [](double x, double y, double z) {
+                                const double side = (std::hypot(x, z) - (y + 25)) * std::sqrt(0.5);
+                                return std::max(side, y - 20);
+                            }),
+                -25, 45};
+    }
+    Body body;
+    solver::FieldView& view = body.sampled.view;
+    std::ifstream file(name, std::ios::binary);
+    file >> view.size[0] >> view.size[1] >> view.size[2] >> view.origin[0] >> view.origin[1] >>
+        view.origin[2] >> view.spacing >> body.lowest >> body.height;
+    file.ignore();
+    body.sampled.distance.resize(std::size_t(view.size[0]) * std::size_t(view.size[1]) *
+                                 std::size_t(view.size[2]));
+    file.read(reinterpret_cast<char*>(body.sampled.distance.data()),
+              std::streamsize(body.sampled.distance.size() * sizeof(float)));
+    view.distance = body.sampled.distance.data();
+    return body;
+}
+
 struct Options {
+    bool isProduction = false;
     int batch = 1;
     int dips = 5;
     bool checks = false;
+    double relaxationTime = std::numeric_limits<double>::infinity();
+    std::string body = "sphere";
     std::vector<std::pair<int, int>> films;
 };
 
@@ -35,11 +79,19 @@ Options parsed(int argc, char** argv) {
             options.dips = std::max(1, std::atoi(argv[i] + 5));
         } else if (argument == "check") {
             options.checks = true;
+        } else if (argument == "production") {
+            options.isProduction = true;
+        } else if (argument == "viscous") {
+            options.relaxationTime = 0;
         } else if (std::sscanf(argv[i], "%dx%d", &columns, &rows) == 2) {
             options.films.emplace_back(columns, rows);
+        } else if (argument != "paper" && argument != "elastic") {
+            options.body = argument;
         }
     }
-    if (options.films.empty()) {
+    if (options.films.empty() && options.isProduction) {
+        options.films = {{120, 170}, {280, 396}};
+    } else if (options.films.empty()) {
         options.films = {{8, 12},    {40, 60},   {80, 120},  {120, 180},
                          {160, 240}, {200, 300}, {240, 360}, {280, 420}};
     }
@@ -75,35 +127,47 @@ void compare(const Ending& a, const Ending& b) {
                 (long long)b.progress.steps);
 }
 
-void runPaper(const cuda::Device& device, const Options& options) {
-    const SampledBody body = sphere(35, 128);
-    for (const auto& [columns, rows] : options.films) {
-        const solver::DipSetup setup = paperDip(body, -35, columns, rows, 72.5);
-        const std::vector<const solver::DipSetup*> setups(std::size_t(options.batch), &setup);
-        std::vector<double> rates;
-        Ending first;
-        for (int dip = 0; dip < options.dips; ++dip) {
-            const auto dips = cuda::makePaperDips(device, setups);
-            const auto start = std::chrono::steady_clock::now();
-            while (!dips->progress(0).finished) {
-                dips->advance(256);
-            }
-            rates.push_back(options.batch * double(dips->progress(0).steps) / secondsSince(start));
-            const Ending end = gpuEnding(*dips, setups.size() - 1, setup.film);
-            if (dip == 0) {
-                first = end;
-            } else if (end.positions != first.positions) {
-                std::printf("    not the same bits again\n");
-            }
-        }
-        std::sort(rates.begin(), rates.end());
-        std::printf("%10d %14.0f %14.0f %14.0f\n", columns * rows, rates[rates.size() / 2],
-                    rates.front(), rates.back());
-        if (options.checks) {
-            compare(first, dip(*cpu::makePaperFilm(), setup));
-        }
-        std::fflush(stdout);
+solver::DipSetup setupOf(const Options& options, const Body& body, int columns, int rows) {
+    solver::DipSetup setup = paperDip(body.sampled, body.lowest, columns, rows, body.height + 2.5);
+    if (options.isProduction) {
+        setup.settings.lattice = solver::Lattice::Isotropic;
+        setup.settings.support = solver::Support::Water;
+        setup.settings.contactTravel = 0.25;
+        setup.settings.relaxationTime = options.relaxationTime;
     }
+    return setup;
+}
+
+void run(const cuda::Device& device, const Options& options, const Body& body, int columns,
+         int rows) {
+    const solver::DipSetup setup = setupOf(options, body, columns, rows);
+    const std::vector<const solver::DipSetup*> setups(std::size_t(options.batch), &setup);
+    const auto makeDips = options.isProduction ? cuda::makeQuasiStaticDips : cuda::makePaperDips;
+    std::vector<double> seconds;
+    Ending first;
+    for (int dip = 0; dip < options.dips; ++dip) {
+        const auto dips = makeDips(device, setups);
+        const auto start = std::chrono::steady_clock::now();
+        while (!dips->progress(0).finished) {
+            dips->advance(256);
+        }
+        seconds.push_back(secondsSince(start) / options.batch);
+        const Ending end = gpuEnding(*dips, setups.size() - 1, setup.film);
+        if (dip == 0) {
+            first = end;
+        } else if (end.positions != first.positions || end.states != first.states) {
+            std::printf("    not the same bits again\n");
+        }
+    }
+    std::sort(seconds.begin(), seconds.end());
+    const double steps = double(first.progress.steps), median = seconds[seconds.size() / 2];
+    std::printf("%8d points: %.4f s a dip (%.4f … %.4f), %.0f steps/s\n", columns * rows, median,
+                seconds.front(), seconds.back(), steps / median);
+    if (options.checks) {
+        const auto film = options.isProduction ? cpu::makeQuasiStaticFilm() : cpu::makePaperFilm();
+        compare(first, dip(*film, setup));
+    }
+    std::fflush(stdout);
 }
 
 } // namespace
@@ -117,5 +181,8 @@ int main(int argc, char** argv) {
     }
     std::printf("%s, %d multiprocessors\n", search.device.name.c_str(),
                 search.device.multiprocessors);
-    runPaper(search.device, options);
+    const Body body = bodyOf(options.body);
+    for (const auto& [columns, rows] : options.films) {
+        run(search.device, options, body, columns, rows);
+    }
 }

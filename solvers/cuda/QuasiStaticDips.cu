@@ -1,0 +1,365 @@
+// The host's side of the production films on the GPU.
+
+#include "cuda/Dips.h"
+#include "cuda/FieldUploads.h"
+#include "cuda/QuasiStaticStep.cuh"
+#include "cuda/SetupLimits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace dipwright::cuda {
+
+namespace {
+
+constexpr int largestTile = 32; // columns and rows of film points
+constexpr int largestCoarseTile = 14;
+constexpr int mostPointsInWholeLevel = 2048; // more, and several blocks are faster
+
+// Bytes of shared memory beside what the kernel takes dynamically.
+constexpr std::size_t staticSharedBytes = sizeof(Team) + sizeof(QuasiStaticDip) + 256;
+
+// The cut of a grid that `blocks` blocks are done with soonest; `border`: what a tile computes
+// beside its own on each side.
+PlaneTiles planeTiles(int columns, int rows, int largest, int border, int blocks) {
+    PlaneTiles best;
+    double leastWork = 0;
+    const int fewestAcross = (columns + largest - 1) / largest;
+    const int fewestDown = (rows + largest - 1) / largest;
+    for (int across = fewestAcross; across <= fewestAcross + blocks; ++across) {
+        for (int down = fewestDown; down <= fewestDown + blocks; ++down) {
+            const int rounds = (across * down + blocks - 1) / blocks;
+            const double work = rounds * (200 + (double(columns) / across + 2 * border) *
+                                                    (double(rows) / down + 2 * border));
+            if (leastWork == 0 || work < leastWork) {
+                best = {across, down};
+                leastWork = work;
+            }
+        }
+    }
+    return best;
+}
+
+std::size_t patchBytes(std::size_t points) {
+    return points * PlanePatch::bytesPerPoint + sizeof(float2);
+}
+
+// Shared memory for one tile on the way down or up, the largest there can be.
+std::size_t tileBytes() {
+    constexpr std::size_t fine =
+        22 * (largestCoarseTile + 1) / 10 + 1 + 2 * pbd::multigrid::smoothingDegree;
+    const std::size_t forces = (largestTile + 2) * (largestTile + 2) * sizeof(float2) +
+                               (largestTile + 1) * (largestTile + 1) * sizeof(CellForces);
+    return std::max(patchBytes(fine * fine), forces);
+}
+
+// The levels of one film, and what they keep on the device.
+class Levels {
+public:
+    Levels(const Device& device, QuasiStaticModel& model, int blocks) {
+        int columns = model.columns, rows = model.rows;
+        std::uint32_t offset = 0;
+        for (;;) {
+            PlaneLevel& level = model.levels[model.levelCount++];
+            const double hx = model.width / (columns - 1), hz = model.depth / (rows - 1);
+            level.columns = columns;
+            level.rows = rows;
+            level.offset = offset;
+            level.stencil = pbd::multigrid::stencil(hx, hz);
+            level.cell = pbd::multigrid::cellStiffness(hx, hz);
+            offset += std::uint32_t(columns) * std::uint32_t(rows);
+            if (pbd::multigrid::isCoarsest(columns, rows)) {
+                break;
+            }
+            if (model.levelCount == QuasiStaticModel::mostLevels) {
+                throw std::invalid_argument("the film has too many points along one edge");
+            }
+            const int coarseColumns = pbd::multigrid::coarser(columns);
+            const int coarseRows = pbd::multigrid::coarser(rows);
+            addAxis(columns, coarseColumns, level.firstX, level.weightX, level.leanX);
+            addAxis(rows, coarseRows, level.firstZ, level.weightZ, level.leanZ);
+            level.tiles = planeTiles(coarseColumns, coarseRows, largestCoarseTile,
+                                     pbd::multigrid::smoothingDegree, blocks);
+            columns = coarseColumns;
+            rows = coarseRows;
+        }
+        pointCount_ = offset;
+        chooseWholeLevel(device, model);
+    }
+
+    std::size_t pointCount() const { return pointCount_; }
+    std::size_t sharedBytes() const { return sharedBytes_; }
+
+private:
+    void addAxis(int fine, int coarse, const int*& first, const float*& weight, const int*& lean) {
+        const pbd::multigrid::Interpolation axis = pbd::multigrid::interpolation(fine, coarse);
+        std::vector<int> leaning;
+        for (int c = 0; c <= coarse + 1; ++c) { // the first fine point with first ≥ c − 1
+            leaning.push_back(int(std::lower_bound(axis.first.begin(), axis.first.end(), c - 1) -
+                                  axis.first.begin()));
+        }
+        integers_.emplace_back(std::span<const int>(axis.first));
+        first = integers_.back().data();
+        integers_.emplace_back(std::span<const int>(leaning));
+        lean = integers_.back().data();
+        weights_.emplace_back(std::span<const float>(axis.weight));
+        weight = weights_.back().data();
+    }
+
+    // The first level that, with all after it, one block holds.
+    void chooseWholeLevel(const Device& device, QuasiStaticModel& model) {
+        std::size_t bytes = 0;
+        int level = model.levelCount;
+        while (level > 0) {
+            const PlaneLevel& finer = model.levels[level - 1];
+            const std::size_t points = std::size_t(finer.columns) * std::size_t(finer.rows);
+            const std::size_t all = bytes + patchBytes(points);
+            // The tiles on the way up lie behind the first level's solution.
+            const std::size_t needed = std::max(all, points * sizeof(float2) + tileBytes());
+            if (level < model.levelCount && (points > mostPointsInWholeLevel ||
+                                             needed + staticSharedBytes > device.sharedBytes)) {
+                break;
+            }
+            sharedBytes_ = needed;
+            bytes = all;
+            --level;
+        }
+        model.wholeLevel = level;
+    }
+
+    std::vector<DeviceArray<int>> integers_;
+    std::vector<DeviceArray<float>> weights_;
+    std::size_t pointCount_ = 0, sharedBytes_ = 0;
+};
+
+QuasiStaticModel modelOf(const solver::DipSetup& setup, int blocks) {
+    const solver::FilmGrid& film = setup.film;
+    QuasiStaticModel model;
+    model.columns = film.columns;
+    model.rows = film.rows;
+    model.width = film.width;
+    model.depth = film.depth;
+    model.spacingX = film.spacingX();
+    model.spacingZ = film.spacingZ();
+    model.cell = float(std::min(film.spacingX(), film.spacingZ()));
+    model.edgeX = 1 / float(1 / film.spacingX());
+    model.edgeZ = 1 / float(1 / film.spacingZ());
+    model.area = float(film.spacingX() * film.spacingZ() / 2);
+    model.contactTravel = setup.settings.contactTravel;
+    model.residual = setup.settings.residual;
+    model.tearStretch = setup.settings.tearStretch;
+    model.relaxationTime = setup.settings.relaxationTime;
+    model.tiles = planeTiles(film.columns, film.rows, largestTile, 1, blocks);
+    std::ranges::copy(pbd::multigrid::chebyshev(pbd::multigrid::smoothingDegree), model.smoothing);
+    std::ranges::copy(pbd::multigrid::chebyshev(pbd::multigrid::coarsestDegree), model.coarsest);
+    return model;
+}
+
+// Where one dip's numbers lie in one block of device memory.
+class Layout {
+public:
+    // `start` may be null: then only the size is of use.
+    explicit Layout(std::byte* start) : next_(start), start_(start) {}
+
+    template <typename Value>
+    void place(Value*& array, std::size_t count) {
+        constexpr std::size_t alignment = 256;
+        array = reinterpret_cast<Value*>(next_);
+        next_ += (count * sizeof(Value) + alignment - 1) / alignment * alignment;
+    }
+    std::size_t bytes() const { return std::size_t(next_ - start_); }
+
+private:
+    std::byte *next_, *start_;
+};
+
+// Places all arrays of a dip from `start` on; returns how many bytes they take.
+std::size_t placeArrays(QuasiStaticDip& dip, const QuasiStaticModel& model,
+                        std::size_t pointsOfLevels, std::byte* start) {
+    const std::size_t points = std::size_t(model.columns) * std::size_t(model.rows);
+    const std::size_t triangles = 2 * std::size_t(model.columns - 1) * std::size_t(model.rows - 1);
+    Layout layout(start);
+    layout.place(dip.state, 1);
+    layout.place(dip.team, 1);
+    for (float2** array : {&dip.displacement, &dip.before, &dip.start, &dip.best, &dip.newtonStep,
+                           &dip.product, &dip.direction[0], &dip.direction[1]}) {
+        layout.place(*array, points);
+    }
+    layout.place(dip.attached, points);
+    layout.place(dip.free, points);
+    layout.place(dip.clearance, points);
+    layout.place(dip.holding, points);
+    layout.place(dip.states, points);
+    layout.place(dip.inverseShape, triangles);
+    layout.place(dip.stress, triangles);
+    layout.place(dip.crosses, triangles);
+    layout.place(dip.released, triangles);
+    layout.place(dip.crossing, triangles);
+    layout.place(dip.anchors, triangles);
+    for (float2** array : {&dip.right, &dip.result, &dip.smoothed}) {
+        layout.place(*array, pointsOfLevels);
+    }
+    layout.place(dip.levelFree, pointsOfLevels);
+    return layout.bytes();
+}
+
+template <typename Value>
+void upload(Value* to, const std::vector<Value>& values) {
+    check(cudaMemcpy(to, values.data(), values.size() * sizeof(Value), cudaMemcpyHostToDevice));
+}
+
+std::vector<int> trianglesPerPoint(const solver::FilmGrid& film) {
+    std::vector<int> counts(film.pointCount());
+    for (int row = 0; row + 1 < film.rows; ++row) {
+        for (int column = 0; column + 1 < film.columns; ++column) {
+            for (const bool second : {false, true}) {
+                const auto corners = pbd::triangleCorners(film.columns, column, row, second);
+                for (const std::uint32_t point : corners.points) {
+                    ++counts[point];
+                }
+            }
+        }
+    }
+    return counts;
+}
+
+class QuasiStaticDips final : public Dips {
+public:
+    QuasiStaticDips(const Device& device, Setups setups);
+
+    void advance(int maximumSteps) override;
+    solver::Progress progress(std::size_t dip) const override;
+    void read(std::size_t dip, std::span<float> positions,
+              std::span<solver::PointState> states) const override;
+
+private:
+    void layFlat(const solver::DipSetup& setup, const QuasiStaticDip& dip) const;
+
+    Device device_;
+    solver::FilmGrid film_;
+    int blocksPerDip_;
+    QuasiStaticModel model_;
+    Levels levels_;
+    FieldUploads fields_;
+    DeviceArray<std::byte> memory_;
+    std::vector<QuasiStaticDip> dips_;
+    DeviceArray<QuasiStaticDip> dipsOnDevice_;
+    std::vector<QuasiStaticState> states_;
+};
+
+QuasiStaticDips::QuasiStaticDips(const Device& device, Setups setups)
+    : device_(device), film_(setups.front()->film),
+      blocksPerDip_(std::max(1, std::min(device.multiprocessors, TeamMemory::mostBlocks) /
+                                    int(setups.size()))),
+      model_(modelOf(*setups.front(), blocksPerDip_)),
+      levels_((use(device), device), model_, blocksPerDip_) {
+    for (const solver::DipSetup* setup : setups) {
+        requireValid(*setup);
+    }
+    QuasiStaticDip dip;
+    const std::size_t bytes = placeArrays(dip, model_, levels_.pointCount(), nullptr);
+    memory_ = DeviceArray<std::byte>(bytes * setups.size());
+    memory_.clear();
+    for (const solver::DipSetup* setup : setups) {
+        placeArrays(dip, model_, levels_.pointCount(), memory_.data() + bytes * dips_.size());
+        dip.body = {pbd::fieldGrid<float>(setup->field), setup->motion,
+                    float(setup->settings.contactDistance),
+                    float(std::sin(setup->settings.overhang))};
+        dip.body.field.distance = fields_.onDevice(setup->field);
+        layFlat(*setup, dip);
+        dips_.push_back(dip);
+        states_.emplace_back();
+    }
+    dipsOnDevice_ = DeviceArray<QuasiStaticDip>(std::span<const QuasiStaticDip>(dips_));
+    check(cudaFuncSetAttribute(reinterpret_cast<const void*>(quasiStaticSteps),
+                               cudaFuncAttributeMaxDynamicSharedMemorySize,
+                               int(levels_.sharedBytes())));
+}
+
+void QuasiStaticDips::layFlat(const solver::DipSetup& setup, const QuasiStaticDip& dip) const {
+    std::vector<float> free(film_.pointCount(), 1.0f);
+    for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
+        free[point] = setup.pinned[point] ? 0.0f : 1.0f;
+    }
+    upload(dip.free, free);
+    upload(dip.holding, trianglesPerPoint(film_));
+    const float4 shape{float(1 / film_.spacingX()), 0, 0, float(1 / film_.spacingZ())};
+    upload(dip.inverseShape,
+           std::vector<float4>(2 * std::size_t(film_.columns - 1) * std::size_t(film_.rows - 1),
+                               shape));
+    upload(dip.state, std::vector<QuasiStaticState>(1));
+}
+
+void QuasiStaticDips::advance(int maximumSteps) {
+    use(device_);
+    for (const QuasiStaticDip& dip : dips_) {
+        check(cudaMemset(&dip.team->arrived, 0, sizeof dip.team->arrived));
+    }
+    const QuasiStaticDip* dips = dipsOnDevice_.data();
+    void* arguments[] = {&model_, &dips, &blocksPerDip_, &maximumSteps};
+    check(cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(quasiStaticSteps),
+                                      dim3(unsigned(blocksPerDip_) * unsigned(dips_.size())),
+                                      dim3(Team::threads), arguments, levels_.sharedBytes(),
+                                      nullptr));
+    for (std::size_t dip = 0; dip < dips_.size(); ++dip) {
+        check(cudaMemcpy(&states_[dip], dips_[dip].state, sizeof states_[dip],
+                         cudaMemcpyDeviceToHost));
+    }
+}
+
+solver::Progress QuasiStaticDips::progress(std::size_t dip) const {
+    const QuasiStaticState& state = states_[dip];
+    return {state.steps, state.descent, state.descent >= dips_[dip].body.motion.travel};
+}
+
+void QuasiStaticDips::read(std::size_t dip, std::span<float> positions,
+                           std::span<solver::PointState> states) const {
+    const std::size_t count = film_.pointCount();
+    if (positions.size() != 3 * count || !(states.empty() || states.size() == count)) {
+        throw std::invalid_argument("the arrays to read into do not match the film");
+    }
+    use(device_);
+    const QuasiStaticDip& own = dips_[dip];
+    std::vector<float2> displacement(count);
+    std::vector<float3> attached(count);
+    std::vector<std::uint8_t> held(count);
+    const auto download = [&](auto& to, const auto* from) {
+        check(cudaMemcpy(to.data(), from, count * sizeof to[0], cudaMemcpyDeviceToHost));
+    };
+    download(displacement, own.displacement);
+    download(attached, own.attached);
+    download(held, own.states);
+    const auto frame = pbd::bodyFrame<float>(own.body.motion, states_[dip].descent);
+    for (std::size_t point = 0; point < count; ++point) {
+        const auto state = solver::PointState(held[point]);
+        pbd::Vector3<float> place{
+            float(-film_.width / 2 + double(point % film_.columns) * film_.spacingX()) +
+                displacement[point].x,
+            0,
+            float(-film_.depth / 2 + double(point / film_.columns) * film_.spacingZ()) +
+                displacement[point].y};
+        if (state != solver::PointState::Free) {
+            place = frame.toWorld({attached[point].x, attached[point].y, attached[point].z});
+        }
+        positions[3 * point] = place.x;
+        positions[3 * point + 1] = place.y;
+        positions[3 * point + 2] = place.z;
+        if (!states.empty()) {
+            states[point] = state;
+        }
+    }
+}
+
+} // namespace
+
+std::unique_ptr<Dips> makeQuasiStaticDips(const Device& device, Setups setups) {
+    return std::make_unique<QuasiStaticDips>(device, setups);
+}
+
+std::size_t quasiStaticDipsAtOnce(const Device& device, const solver::DipSetup&) {
+    constexpr int fewestBlocks = 8; // below, the film waits for its blocks, not for their meetings
+    return std::size_t(std::max(1, device.multiprocessors / fewestBlocks));
+}
+
+} // namespace dipwright::cuda

@@ -1,0 +1,98 @@
+// What the production films of a batch have in common, and what one dip has for itself, as the GPU
+// sees them.
+#pragma once
+
+#include "pbd/FilmContact.h"
+#include "pbd/PlaneGrid.h"
+
+#include <cuda_runtime_api.h>
+
+#include <cstdint>
+
+namespace dipwright::cuda {
+
+struct TeamMemory;
+
+// A rectangle of grid points: columns x0 … x1 − 1, rows z0 … z1 − 1.
+struct PlaneRange {
+    int x0 = 0, x1 = 0, z0 = 0, z1 = 0;
+
+    constexpr int width() const { return x1 - x0; }
+    constexpr int count() const { return (x1 - x0) * (z1 - z0); }
+};
+
+// A cut of a grid into across × down tiles, one for each block of threads at a time.
+struct PlaneTiles {
+    int across = 1, down = 1;
+
+    constexpr int count() const { return across * down; }
+};
+
+// One grid of the multigrid cycle.
+struct PlaneLevel {
+    int columns = 0, rows = 0;
+    std::uint32_t offset = 0; // of its points in the arrays over all levels
+    pbd::multigrid::Stencil stencil;
+    pbd::multigrid::CellStiffness cell{};
+    // To the next coarser level: interpolation, and the first fine point that leans on a coarse
+    // point, one entry more than there are coarse points; on the device.
+    const int *firstX = nullptr, *firstZ = nullptr;
+    const float *weightX = nullptr, *weightZ = nullptr;
+    const int *leanX = nullptr, *leanZ = nullptr;
+    PlaneTiles tiles; // of the coarser level
+};
+
+struct QuasiStaticModel {
+    static constexpr int mostLevels = 12;
+
+    int columns = 0, rows = 0;
+    double width = 0, depth = 0, spacingX = 0, spacingZ = 0; // mm
+    float cell = 0;                                          // the smaller spacing
+    float edgeX = 0, edgeZ = 0, area = 0;                    // of an undeformed triangle
+    double contactTravel = 0, residual = 0, tearStretch = 0, relaxationTime = 0;
+    PlaneTiles tiles; // of the film's points
+    int levelCount = 0;
+    int wholeLevel = 0; // this level and those after it fit into one block
+    PlaneLevel levels[mostLevels];
+    pbd::multigrid::ChebyshevStep smoothing[pbd::multigrid::smoothingDegree];
+    pbd::multigrid::ChebyshevStep coarsest[pbd::multigrid::coarsestDegree];
+};
+
+// Where a dip stands between two launches.
+struct QuasiStaticState {
+    double descent = 0, increment = 0;
+    float steepness = 1; // the least of all places on the contact line
+    int steps = 0;
+    bool anyAdhered = false;
+    bool driven = false;      // the contact line still pulls at the film
+    bool freeChanged = false; // `free` is newer than what the equilibrium knows
+};
+
+struct QuasiStaticDip {
+    pbd::ContactBody<float> body;
+    QuasiStaticState* state = nullptr;
+    TeamMemory* team = nullptr;
+
+    // One entry a film point.
+    float2 *displacement = nullptr, *before = nullptr; // mm from rest, now and a step ago
+    float2 *start = nullptr, *best = nullptr, *newtonStep = nullptr, *product = nullptr;
+    float2* direction[2] = {};
+    float3* attached = nullptr; // where an adhered point sits, body coordinates
+    float* free = nullptr;      // 1: the equilibrium moves it
+    float* clearance = nullptr; // mm, at least so far from contact
+    int* holding = nullptr;     // triangles of a point that have not come off
+    std::uint8_t* states = nullptr;
+
+    // One entry a triangle, two a cell.
+    float4* inverseShape = nullptr;
+    float4* stress = nullptr; // StressState, and 1 where the triangle crosses the contact line
+    std::uint8_t *crosses = nullptr, *released = nullptr;
+    pbd::CrossingTriangle<float>* crossing = nullptr;
+    pbd::CrossingAnchor<float>* anchors = nullptr;
+
+    // Over all levels. `right` of the finest level is what is left of the forces.
+    float2 *right = nullptr, *result = nullptr, *smoothed = nullptr;
+    float* levelFree = nullptr;
+};
+
+} // namespace dipwright::cuda

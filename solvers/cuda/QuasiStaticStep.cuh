@@ -1,0 +1,459 @@
+// The production film's step on the GPU (QuasiStaticDip.h, film-physics §2), the same as on the
+// CPU: all of it in one kernel in which the blocks of a film meet between the parts of the work, so
+// that the host is not asked before the steps are done.
+#pragma once
+
+#include "cuda/PlaneForces.cuh"
+#include "pbd/NewtonLimits.h"
+
+#include <dipwright/FilmSolver.h>
+
+namespace dipwright::cuda {
+
+// One film in the hands of its team. All members are called by all threads of the team.
+class QuasiStaticFilm {
+public:
+    __device__ QuasiStaticFilm(const QuasiStaticModel& model, const QuasiStaticDip& dip, Team& team,
+                               float2* memory)
+        : model_(model), dip_(dip), team_(team), memory_(memory), state_(*dip.state) {}
+
+    __device__ bool finished() const { return state_.descent >= dip_.body.motion.travel; }
+    __device__ const QuasiStaticState& state() const { return state_; }
+
+    __device__ void step() {
+        const double increment = fmin(nextIncrement(), dip_.body.motion.travel - state_.descent);
+        const double descent = state_.descent + increment;
+        predict(increment);
+        team_.meet();
+        if (state_.anyAdhered) {
+            findCrossing(descent, false);
+            solve();
+        }
+        bool hasTouched = false;
+        if (state_.anyAdhered) {
+            relax(float(keptStress(increment)));
+        }
+        touch(increment, hasTouched);
+        agree(hasTouched);
+        if (hasTouched || state_.freeChanged) {
+            state_.anyAdhered = true;
+            state_.freeChanged = false;
+            setFree();
+        }
+        if (state_.anyAdhered) {
+            findCrossing(descent, true);
+        }
+        state_.descent = descent;
+        state_.increment = increment;
+        ++state_.steps;
+    }
+
+private:
+    __device__ int pointCount() const { return model_.columns * model_.rows; }
+    __device__ int triangleCount() const { return 2 * (model_.columns - 1) * (model_.rows - 1); }
+
+    template <typename Work>
+    __device__ void forPoints(const Work& work) const {
+        for (int point = team_.thread(); point < pointCount(); point += team_.threadCount()) {
+            work(point);
+        }
+    }
+    template <typename Work>
+    __device__ void forTriangles(const Work& work) const {
+        for (int i = team_.thread(); i < triangleCount(); i += team_.threadCount()) {
+            work(i);
+        }
+    }
+
+    __device__ bool isFree(std::uint32_t point) const {
+        return solver::PointState(dip_.states[point]) == solver::PointState::Free;
+    }
+    __device__ pbd::Vector3<float> planePosition(std::uint32_t point, float2 displacement) const {
+        const std::uint32_t row = point / std::uint32_t(model_.columns);
+        const std::uint32_t column = point - row * std::uint32_t(model_.columns);
+        return {float(-model_.width / 2 + double(column) * model_.spacingX) + displacement.x, 0.0f,
+                float(-model_.depth / 2 + double(row) * model_.spacingZ) + displacement.y};
+    }
+    __device__ pbd::TriangleCorners corners(int triangle) const {
+        const int cell = triangle / 2, row = cell / (model_.columns - 1);
+        return pbd::triangleCorners(model_.columns, cell - row * (model_.columns - 1), row,
+                                    triangle % 2 != 0);
+    }
+
+    // Descent in which the contact line travels `contactTravel` cells along the surface.
+    __device__ double nextIncrement() {
+        const double travel = model_.contactTravel * double(model_.cell);
+        if (!state_.anyAdhered) { // nothing has touched: as far as the nearest point is away
+            return fmax(nearestClearance(), 0.1 * travel);
+        }
+        return travel * double(fmaxf(state_.steepness, 0.15f));
+    }
+
+    __device__ double nearestClearance() {
+        const auto frame = pbd::bodyFrame<float>(dip_.body.motion, state_.descent);
+        float nearest = model_.cell;
+        forPoints([&](int point) {
+            const float distance =
+                pbd::sampleField(dip_.body.field,
+                                 frame.toBody(planePosition(point, dip_.displacement[point])))
+                    .distance;
+            nearest = fminf(nearest, distance - dip_.body.contactDistance);
+        });
+        double largest[1] = {-double(nearest)};
+        team_.largest(largest);
+        return -largest[0];
+    }
+
+    // Free points go on as in the step before: the warm start of the equilibrium.
+    __device__ void predict(double increment) {
+        const float factor =
+            state_.increment > 0 && state_.driven ? float(increment / state_.increment) : 0.0f;
+        const auto limited = [&](float way) {
+            return fminf(fmaxf(way, -model_.cell), model_.cell);
+        };
+        forPoints([&](int point) {
+            const float2 now = dip_.displacement[point], before = dip_.before[point];
+            if (dip_.free[point] > 0) {
+                dip_.displacement[point] = {now.x + limited(factor * (now.x - before.x)),
+                                            now.y + limited(factor * (now.y - before.y))};
+            }
+            dip_.before[point] = now;
+        });
+    }
+
+    __device__ double keptStress(double increment) const {
+        const double time = increment / dip_.body.motion.speed;
+        return model_.relaxationTime > 0 ? exp(-time / model_.relaxationTime) : 0.0;
+    }
+
+    // The triangles that cross the contact line with the body at `descent`; with `sets`, their
+    // floating parts have the gradient that they have now.
+    __device__ void findCrossing(double descent, bool sets) {
+        const auto frame = pbd::bodyFrame<float>(dip_.body.motion, descent);
+        float steepness = 1;
+        bool driven = false, freeChanged = state_.freeChanged;
+        forTriangles([&](int triangle) {
+            const pbd::TriangleCorners points = corners(triangle);
+            int held = 0;
+            for (const std::uint32_t point : points.points) {
+                held += isFree(point) ? 0 : 1;
+            }
+            const bool crosses = held == 1 || held == 2;
+            dip_.crosses[triangle] = crosses ? 1 : 0;
+            if (crosses) {
+                unfold(triangle, points, frame, steepness, driven, freeChanged);
+                if (sets) {
+                    setAnchor(triangle, points);
+                }
+            }
+        });
+        double found[3] = {-double(steepness), driven ? 1.0 : 0.0, freeChanged ? 1.0 : 0.0};
+        team_.largest(found);
+        state_.steepness = float(-found[0]);
+        state_.driven = found[1] > 0;
+        state_.freeChanged = found[2] > 0;
+    }
+
+    __device__ void unfold(int triangle, const pbd::TriangleCorners& points,
+                           const pbd::BodyFrame<float>& frame, float& steepness, bool& driven,
+                           bool& freeChanged) const {
+        pbd::CrossingCorner<float> seen[3];
+        bool turnsUp = false;
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t point = points.points[k];
+            const float3 place = dip_.attached[point];
+            seen[k] = {isFree(point), planePosition(point, dip_.displacement[point]),
+                       frame.toWorld({place.x, place.y, place.z})};
+            turnsUp =
+                turnsUp || solver::PointState(dip_.states[point]) == solver::PointState::Trapped;
+        }
+        pbd::UnfoldedTriangle<float> unfolded =
+            pbd::unfoldedTriangle(dip_.body, frame, model_.cell, points, seen);
+        if (turnsUp || unfolded.line.upwards > dip_.body.steepestHeld) {
+            // the softened film stays on the water where it is
+            release(triangle, points, freeChanged);
+            for (const std::uint32_t point : points.points) {
+                hold(point, freeChanged);
+            }
+        }
+        unfolded.crossing.cell = std::uint32_t(triangle / 2);
+        unfolded.crossing.released = dip_.released[triangle] != 0;
+        if (!unfolded.crossing.released) {
+            steepness = fminf(steepness, unfolded.line.steepness);
+            driven = true;
+        }
+        dip_.crossing[triangle] = unfolded.crossing;
+    }
+
+    __device__ void hold(std::uint32_t point, bool& freeChanged) const {
+        freeChanged = freeChanged || dip_.free[point] > 0;
+        dip_.free[point] = 0;
+    }
+
+    // Takes a triangle out of the film for good. A free point that no triangle holds any more stays
+    // where it is: nothing says where it should go.
+    __device__ void release(int triangle, const pbd::TriangleCorners& points,
+                            bool& freeChanged) const {
+        if (dip_.released[triangle]) {
+            return;
+        }
+        dip_.released[triangle] = 1;
+        for (const std::uint32_t point : points.points) {
+            if (atomicSub(dip_.holding + point, 1) == 1) {
+                hold(point, freeChanged);
+            }
+        }
+    }
+
+    __device__ pbd::EdgePair<float> edges(const pbd::TriangleCorners& points) const {
+        return triangleEdges(points, model_.edgeX, model_.edgeZ,
+                             [&](std::uint32_t point) { return dip_.displacement[point]; });
+    }
+
+    __device__ void setAnchor(int triangle, const pbd::TriangleCorners& points) const {
+        const pbd::CrossingTriangle<float>& crossing = dip_.crossing[triangle];
+        dip_.anchors[triangle] =
+            pbd::crossingAnchor(crossing, gradientOf(pbd::unfoldedEdges(edges(points), crossing),
+                                                     shapeOf(dip_, triangle)));
+    }
+
+    // Lets stretch decay by `keep`, and makes the floating part of a crossing triangle stand for
+    // all of it; film that is stretched too far there tears.
+    __device__ void relax(float keep) {
+        bool freeChanged = state_.freeChanged;
+        forTriangles([&](int triangle) {
+            const bool crosses = dip_.crosses[triangle] != 0;
+            if (!crosses && keep == 1) {
+                return;
+            }
+            const pbd::TriangleCorners points = corners(triangle);
+            const pbd::Matrix2<float> shape = shapeOf(dip_, triangle);
+            pbd::Matrix2<float> relaxed = shape;
+            if (crosses) {
+                const pbd::CrossingTriangle<float>& crossing = dip_.crossing[triangle];
+                const pbd::EdgePair<float> seen = pbd::unfoldedEdges(edges(points), crossing);
+                relaxed = pbd::relaxedCrossingShape(dip_.anchors[triangle], gradientOf(seen, shape),
+                                                    shape, keep);
+                const double area = double(seen.hx * seen.vz - seen.hz * seen.vx);
+                if (!crossing.released &&
+                    area > model_.tearStretch * double(model_.edgeX * model_.edgeZ)) {
+                    release(triangle, points, freeChanged);
+                }
+            } else {
+                relaxed = pbd::relaxedInverseShape(shape, gradientOf(edges(points), shape), keep);
+            }
+            dip_.inverseShape[triangle] = {relaxed.a, relaxed.b, relaxed.c, relaxed.d};
+        });
+        state_.freeChanged = freeChanged; // of this thread; see agree()
+    }
+
+    // Free points within the contact distance at the end of the step stick. A point far from the
+    // body is not looked at again before it or the body can have come so far.
+    __device__ void touch(double increment, bool& hasTouched) const {
+        const auto frame = pbd::bodyFrame<float>(dip_.body.motion, state_.descent + increment);
+        forPoints([&](int point) {
+            if (!isFree(point)) {
+                return;
+            }
+            const float2 now = dip_.displacement[point], before = dip_.before[point];
+            const float2 way = now - before;
+            float clearance =
+                dip_.clearance[point] - (float(increment) + sqrtf(way.x * way.x + way.y * way.y));
+            if (!(clearance > 0)) {
+                const pbd::Vector3<float> end = planePosition(point, now);
+                const float distance =
+                    pbd::sampleField(dip_.body.field, frame.toBody(end)).distance -
+                    dip_.body.contactDistance;
+                if (distance <= 0) {
+                    adhere(point, increment, planePosition(point, before), end);
+                    hasTouched = true;
+                } else {
+                    clearance = distance / 3; // safe outside the field's grid too
+                }
+            }
+            dip_.clearance[point] = clearance;
+        });
+    }
+
+    __device__ void adhere(int point, double increment, const pbd::Vector3<float>& start,
+                           const pbd::Vector3<float>& end) const {
+        const pbd::Attachment<float> met =
+            pbd::attachment(dip_.body, state_.descent, increment, start, end - start);
+        dip_.attached[point] = {met.place.x, met.place.y, met.place.z};
+        dip_.states[point] =
+            std::uint8_t(met.holds ? solver::PointState::Adhered : solver::PointState::Trapped);
+        dip_.free[point] = 0;
+    }
+
+    // The team meets, and each thread learns what any has seen.
+    __device__ void agree(bool& hasTouched) {
+        double seen[2] = {hasTouched ? 1.0 : 0.0, state_.freeChanged ? 1.0 : 0.0};
+        team_.largest(seen);
+        hasTouched = seen[0] > 0;
+        state_.freeChanged = seen[1] > 0;
+    }
+
+    // Tells the equilibrium which points move.
+    __device__ void setFree() {
+        forPoints([&](int point) { dip_.levelFree[point] = dip_.free[point]; });
+        team_.meet();
+        for (int l = 1; l < model_.levelCount; ++l) {
+            holdCoarse(l);
+        }
+    }
+
+    // A coarse point is held where the fine point nearest to it is. A held patch too small to be
+    // seen by any coarse point still holds the coarse points nearest to it: without one the level
+    // could not tell where the film is.
+    __device__ void holdCoarse(int index) {
+        const PlaneLevel &fine = model_.levels[index - 1], &coarse = model_.levels[index];
+        const float* fineFree = dip_.levelFree + fine.offset;
+        float* coarseFree = dip_.levelFree + coarse.offset;
+        const auto nearest = [](int i, int from, int to) {
+            return int(lround(double(i) * (to - 1) / (from - 1)));
+        };
+        const auto forLevel = [&](const PlaneLevel& level, const auto& work) {
+            forRange({0, level.columns, 0, level.rows}, work, team_.thread(), team_.threadCount());
+        };
+        double anyHeld[1] = {0};
+        forLevel(coarse, [&](int x, int z) {
+            const float free = fineFree[nearest(z, coarse.rows, fine.rows) * fine.columns +
+                                        nearest(x, coarse.columns, fine.columns)];
+            coarseFree[z * coarse.columns + x] = free;
+            anyHeld[0] = free == 0 ? 1 : anyHeld[0];
+        });
+        team_.largest(anyHeld);
+        if (anyHeld[0] > 0) {
+            return;
+        }
+        forLevel(fine, [&](int x, int z) {
+            if (fineFree[z * fine.columns + x] == 0) {
+                coarseFree[nearest(z, fine.rows, coarse.rows) * coarse.columns +
+                           nearest(x, fine.columns, coarse.columns)] = 0;
+            }
+        });
+        team_.meet();
+    }
+
+    // Moves the free points until the forces left on them are `residual` times those in the film:
+    // Newton's method (FilmEquilibrium.h).
+    __device__ void solve() {
+        // Below this the film is flat and whole to the precision of its numbers.
+        const double floor = 1e-6 * sqrt(double(pointCount()));
+        FilmForce now = force(model_, dip_, 0, team_, memory_);
+        double best = now.left;
+        copy(dip_.displacement, dip_.best);
+        for (int iteration = 0; iteration < pbd::maximumNewtonSteps; ++iteration) {
+            const double allowed = fmax(model_.residual * now.elastic, floor);
+            if (now.left <= allowed) {
+                return;
+            }
+            conjugateGradients(now.left, fmax(0.5 * allowed, 0.02 * now.left));
+            if (!advance(now)) {
+                break;
+            }
+            if (now.left < best) {
+                best = now.left;
+                copy(dip_.displacement, dip_.best);
+            }
+        }
+        copy(dip_.best, dip_.displacement);
+        team_.meet();
+    }
+
+    __device__ void copy(const float2* from, float2* to) const {
+        forPoints([&](int point) { to[point] = from[point]; });
+    }
+
+    // Solves Hessian · newtonStep = −forces to a residual of `tolerance`, or as far as it goes.
+    __device__ void conjugateGradients(double start, double tolerance) {
+        forPoints([&](int point) { dip_.newtonStep[point] = {0, 0}; });
+        double before = 0;
+        for (int iteration = 0; iteration < pbd::maximumConjugateSteps; ++iteration) {
+            double now[1] = {multigridCycle(model_, dip_, team_, memory_)};
+            team_.sum(now);
+            if (!(now[0] > 0)) {
+                return;
+            }
+            const float keep = before > 0 ? float(now[0] / before) : 0.0f;
+            before = now[0];
+            float2* direction = dip_.direction[iteration % 2];
+            const double bend = curvature(model_, dip_, dip_.direction[(iteration + 1) % 2],
+                                          direction, keep, team_, memory_);
+            if (!(bend > 1e-6 * now[0])) {
+                return;
+            }
+            const float length = float(now[0] / bend);
+            double squares[1] = {0};
+            forPoints([&](int point) {
+                dip_.newtonStep[point] = dip_.newtonStep[point] - direction[point] * length;
+                const float2 left = dip_.right[point] - dip_.product[point] * length;
+                dip_.right[point] = left;
+                squares[0] += double(left.x * left.x + left.y * left.y);
+            });
+            team_.sum(squares);
+            const double left = sqrt(squares[0]);
+            if (left <= tolerance || !(left < 10 * start)) {
+                return;
+            }
+        }
+    }
+
+    // Adds newtonStep to the displacement, shortened until the forces shrink. Where no length
+    // helps, the whole step is taken all the same: the forces may have to grow on the way past a
+    // crease. `now` becomes the force then. False where the step is no number.
+    __device__ bool advance(FilmForce& now) {
+        double longest[1] = {0};
+        forPoints([&](int point) {
+            const float2 step = dip_.newtonStep[point];
+            dip_.start[point] = dip_.displacement[point];
+            longest[0] = fmax(longest[0], double(fmaxf(fabsf(step.x), fabsf(step.y))));
+        });
+        team_.largest(longest);
+        if (!isfinite(longest[0])) {
+            return false;
+        }
+        const double longestStep = 2 * fmax(model_.spacingX, model_.spacingZ);
+        const double whole = fmin(1.0, longestStep / fmax(longest[0], 1e-30));
+        const double before = now.left;
+        double length = whole;
+        for (int attempt = 0; attempt <= pbd::maximumShortenings; ++attempt, length /= 2) {
+            const bool isLast = attempt == pbd::maximumShortenings;
+            now = force(model_, dip_, float(isLast ? whole : length), team_, memory_);
+            if (now.left <= before * (1 - 0.1 * length)) {
+                break;
+            }
+        }
+        return true;
+    }
+
+    const QuasiStaticModel& model_;
+    const QuasiStaticDip& dip_;
+    Team& team_;
+    float2* memory_;
+    QuasiStaticState state_;
+};
+
+// At most `maximumSteps` steps of every dip, each by `blocksPerDip` blocks.
+__global__ void __launch_bounds__(Team::threads, 1)
+    quasiStaticSteps(const __grid_constant__ QuasiStaticModel model, const QuasiStaticDip* dips,
+                     int blocksPerDip, int maximumSteps) {
+    extern __shared__ float2 memory[];
+    __shared__ QuasiStaticDip dip;
+    __shared__ Team team;
+    if (threadIdx.x == 0) {
+        dip = dips[int(blockIdx.x) / blocksPerDip];
+    }
+    __syncthreads();
+    team.begin(dip.team, blocksPerDip, int(blockIdx.x) % blocksPerDip);
+    QuasiStaticFilm film(model, dip, team, memory);
+    for (int step = 0; step < maximumSteps && !film.finished(); ++step) {
+        film.step();
+    }
+    team.meet(); // everyone has read the state
+    if (team.block() == 0 && threadIdx.x == 0) {
+        *dip.state = film.state();
+    }
+}
+
+} // namespace dipwright::cuda

@@ -1,0 +1,129 @@
+// The blocks of threads that work on one film together.
+#pragma once
+
+#include <cstddef>
+
+namespace dipwright::cuda {
+
+// What the blocks of a team share in device memory; `arrived` is 0 at the start of a launch.
+struct TeamMemory {
+    static constexpr int mostBlocks = 256;
+    static constexpr int mostValues = 3;
+
+    unsigned arrived = 0;
+    double values[2][mostBlocks][mostValues] = {};
+};
+
+// A block's view of its team, in shared memory. All members are called by all threads of all blocks
+// together, in the same order; all blocks are on the device at the same time.
+class Team {
+public:
+    static constexpr int threads = 512; // of a block
+    static constexpr int warps = threads / 32;
+
+    __device__ void begin(TeamMemory* memory, int blocks, int block) {
+        if (threadIdx.x == 0) {
+            memory_ = memory;
+            blocks_ = blocks;
+            block_ = block;
+            meetings_ = 0;
+        }
+        __syncthreads();
+    }
+
+    __device__ int blocks() const { return blocks_; }
+    __device__ int block() const { return block_; }
+    // This thread among those of the team, and how many these are: for loops over a film's points.
+    __device__ int thread() const { return block_ * threads + int(threadIdx.x); }
+    __device__ int threadCount() const { return blocks_ * threads; }
+
+    // All blocks meet: what any has written before, all see afterwards.
+    __device__ void meet() {
+        __syncthreads();
+        if (threadIdx.x == 0) {
+            ++meetings_;
+            __threadfence();
+            atomicAdd(&memory_->arrived, 1u);
+            const volatile unsigned* arrived = &memory_->arrived;
+            while (*arrived < meetings_ * unsigned(blocks_)) {
+            }
+            __threadfence();
+        }
+        __syncthreads();
+    }
+
+    // The blocks meet, and `values` becomes for every thread the sum (or the largest) of those of
+    // all threads of the team. Always added in the same order.
+    template <int count>
+    __device__ void sum(double (&values)[count]) {
+        reduce(values, [](double a, double b) { return a + b; });
+    }
+    template <int count>
+    __device__ void largest(double (&values)[count]) {
+        reduce(values, [](double a, double b) { return a > b ? a : b; });
+    }
+
+private:
+    template <int count, typename Join>
+    __device__ void reduce(double (&values)[count], const Join& join) {
+        static_assert(count <= TeamMemory::mostValues);
+        const int lane = int(threadIdx.x) % 32, warp = int(threadIdx.x) / 32;
+        joinWarp(values, 32, join);
+        for (int i = 0; i < count && lane == 0; ++i) {
+            partial_[warp][i] = values[i];
+        }
+        __syncthreads();
+        double(*slots)[TeamMemory::mostValues] = memory_->values[meetings_ % 2];
+        if (warp == 0) {
+            for (int i = 0; i < count; ++i) {
+                values[i] = partial_[lane % warps][i];
+            }
+            joinWarp(values, warps, join);
+            for (int i = 0; i < count && lane == 0; ++i) {
+                slots[block_][i] = values[i];
+            }
+        }
+        meet();
+        if (warp == 0) {
+            for (int i = 0; i < count; ++i) {
+                values[i] = slots[min(lane, blocks_ - 1)][i];
+            }
+            for (int block = lane + 32; block < blocks_; block += 32) {
+                for (int i = 0; i < count; ++i) {
+                    values[i] = join(values[i], slots[block][i]);
+                }
+            }
+            joinWarp(values, min(blocks_, 32), join);
+            for (int i = 0; i < count && lane == 0; ++i) {
+                result_[i] = values[i];
+            }
+        }
+        __syncthreads();
+        for (int i = 0; i < count; ++i) {
+            values[i] = result_[i];
+        }
+        __syncthreads();
+    }
+
+    // Joins the values of the first `lanes` lanes in lane 0.
+    template <int count, typename Join>
+    __device__ static void joinWarp(double (&values)[count], int lanes, const Join& join) {
+        const int lane = int(threadIdx.x) % 32;
+        for (int offset = 16; offset > 0; offset /= 2) {
+            for (int i = 0; i < count; ++i) {
+                const double other = __shfl_down_sync(0xffffffff, values[i], unsigned(offset));
+                if (lane + offset < lanes) {
+                    values[i] = join(values[i], other);
+                }
+            }
+        }
+    }
+
+    TeamMemory* memory_;
+    int blocks_, block_;
+    unsigned meetings_;
+    double partial_[warps][TeamMemory::mostValues];
+    double result_[TeamMemory::mostValues];
+};
+
+} // namespace dipwright::cuda
