@@ -101,7 +101,7 @@ Scale scaleOf(std::vector<float> values) {
     const double above = std::clamp(highest - 1, least, 9.0);
     const double below = 1 - lowest;
     if (below > 0.1 * above && below > least / 2) {
-        const double reach = std::max(above, below);
+        const double reach = std::min(std::max(above, below), 1.0); // nothing is shorter than 0
         scale.step = niceStep(2 * reach);
         const double end = std::ceil(reach / scale.step - 1e-6) * scale.step;
         scale.low = 1 - end;
