@@ -61,10 +61,9 @@ bool dependsOnChange(Stage stage, std::size_t number, const Project& before, con
     if (stage != Stage::Dip && texture) {
         return true;
     }
-    return stage == Stage::Sheet &&
-           (before.sheet != now.sheet || before.name != now.name || before.date != now.date ||
-            before.profiles != now.profiles ||
-            before.immersions[number].name != now.immersions[number].name);
+    return stage == Stage::Sheet && (before.sheet != now.sheet || before.name != now.name ||
+                                     before.date != now.date || before.profiles != now.profiles ||
+                                     before.immersions[number].name != now.immersions[number].name);
 }
 
 Document::Document(Project project, const QString& path, QObject* parent)

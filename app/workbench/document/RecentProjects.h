@@ -1,4 +1,5 @@
-// The projects opened last, the newest first, each with a small picture of its view.
+// The projects opened last, the newest first, each with a small picture of its view; and the
+// samples.
 #pragma once
 
 #include <QImage>
@@ -11,6 +12,8 @@ QStringList recentProjects();
 void addRecentProject(const QString& path);
 void forgetRecentProject(const QString& path);
 QImage projectThumbnail(const QString& path); // null: none kept
+// The sample projects that come with the program.
+QStringList sampleProjects();
 void keepProjectThumbnail(const QString& path, const QImage& picture);
 
 } // namespace dipwright

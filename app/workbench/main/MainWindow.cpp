@@ -58,6 +58,7 @@ MainWindow::MainWindow(Workbench& workbench)
     makeStatusBar();
     connectPanels();
     resize(1280, 800);
+    standardLayout_ = saveState();
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
@@ -76,6 +77,7 @@ void MainWindow::connectPanels() {
     connect(startPage_, &StartPage::openAsked, this, &MainWindow::open);
     connect(startPage_, &StartPage::tourAsked, this, &MainWindow::showTour);
     connect(startPage_, &StartPage::projectChosen, this, &MainWindow::openProject);
+    connect(startPage_, &StartPage::sampleChosen, this, &MainWindow::openCopy);
     connect(tree_, &ProjectTree::nodeSelected, this, [this](const ProjectNode& node) {
         properties_->showNode(node);
         if (node.part == ProjectPart::Immersion) {
@@ -220,7 +222,8 @@ void MainWindow::updateActions() {
     a.removeImmersion->setEnabled(any && document_->project().immersions.size() > 1);
     a.run->setEnabled(any && !session_.isRunning());
     a.cancel->setEnabled(busy);
-    for (QAction* action : {a.exportResults, a.exportPdf, a.exportPng, a.coverage, a.filmOnBody}) {
+    for (QAction* action :
+         {a.print, a.exportResults, a.exportPdf, a.exportPng, a.coverage, a.filmOnBody}) {
         action->setEnabled(result);
     }
     a.play->setEnabled(timeline_->frames() > 0);
@@ -246,6 +249,13 @@ void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::PaletteChange && actions_) {
         applyPreferences();
+    }
+}
+
+void MainWindow::resetLayout() {
+    restoreState(standardLayout_);
+    for (QDockWidget* dock : {projectDock_, resultsDock_}) {
+        dock->setVisible(document_ != nullptr);
     }
 }
 

@@ -46,6 +46,8 @@ public:
     // Each opens in this window if it is empty, else in a new one; on the worker thread: the window
     // tells when it is there or why it is not.
     void openProject(const QString& path);
+    // As an untitled copy: a sample, which stays as it is.
+    void openCopy(const QString& path);
     // `complete` may set what the user has chosen beside the model.
     void importModelAsProject(const QString& path, const ImportOptions& options,
                               const std::function<void(Project&)>& complete = {});
@@ -64,6 +66,8 @@ public slots:
     void startDip();
     void cancelJobs();
     void addImmersion();
+    void printSheets();
+    void resetLayout();
     void showPreferences();
     void showTour();
     void showGuide();
@@ -157,6 +161,7 @@ private:
     QDockWidget* projectDock_ = nullptr;
     QDockWidget* resultsDock_ = nullptr;
     QDockWidget* logDock_ = nullptr;
+    QByteArray standardLayout_;
     QMenu* recentMenu_ = nullptr;
     QMenu* filmMenu_ = nullptr;
     QLabel* readingLabel_ = nullptr;

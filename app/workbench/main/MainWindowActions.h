@@ -8,10 +8,10 @@ class QAction;
 namespace dipwright {
 
 struct MainWindow::Actions {
-    QAction *newProject, *open, *save, *saveAs, *exportResults, *exportPdf, *exportPng, *close,
-        *quit;
+    QAction *newWindow, *newProject, *open, *save, *saveAs, *exportResults, *exportPdf, *exportPng,
+        *print, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *preferences;
-    QAction *run, *cancel, *live;
+    QAction *run, *cancel, *live, *resetLayout;
     QAction *fit, *oblique, *front, *back, *left, *right, *top, *bottom, *parallel;
     QAction *rings, *water, *body, *coverage, *measure, *filmOnBody;
     QAction *reloadModel, *replaceModel, *replaceTexture;

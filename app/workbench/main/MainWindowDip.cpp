@@ -4,6 +4,7 @@
 #include "main/MainWindow.h"
 #include "main/MainWindowActions.h"
 #include "main/NewProjectDialog.h"
+#include "main/PrintDialog.h"
 #include "main/Workbench.h"
 #include "panels/LogPanel.h"
 #include "panels/ResultsPanel.h"
@@ -125,6 +126,16 @@ void MainWindow::setFilmLook(FilmLook look) {
     }
     scene_->setHeat(results_->stretch().quantity(), results_->stretch().scale());
     scene_->setFilmLook(look, filmPicture_);
+}
+
+void MainWindow::printSheets() {
+    auto* dialog = new PrintDialog(session_.outcome(), immersion_, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &PrintDialog::printed, this, [this](const QString& sentence) {
+        report(sentence);
+        statusBar()->showMessage(sentence, 8000);
+    });
+    dialog->open();
 }
 
 void MainWindow::exportResults() {

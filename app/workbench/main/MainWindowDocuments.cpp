@@ -142,6 +142,14 @@ void MainWindow::openProject(const QString& path) {
     updateActions();
 }
 
+void MainWindow::openCopy(const QString& path) {
+    jobs_.start(std::make_unique<ValueJob<Project>>(
+        tr("Opening the project"), [path](const Progress&) { return loadProject(path); },
+        [this](const Project& project) { showProject(project); },
+        [this](std::exception_ptr failure) { reportFailure(tr("Open Project"), failure); }));
+    updateActions();
+}
+
 bool MainWindow::lockOrAsk(Document& document) {
     const LockState state = document.lock();
     if (state.acquired) {

@@ -160,6 +160,8 @@ void MainWindow::makeActions() {
 
 void MainWindow::makeFileActions() {
     Actions& a = *actions_;
+    a.newWindow = addAction("newWindow", {}, tr("New &Window"), tr("Open another window"),
+                            key("Ctrl+Shift+N"), [this] { workbench_.openWindow(); });
     a.newProject = addAction("new", QStringLiteral("document-new"), tr("&New Project…"),
                              tr("Make a project of a textured model"), QKeySequence::New,
                              [this] { newProject(); });
@@ -179,6 +181,9 @@ void MainWindow::makeFileActions() {
     a.exportPng = addAction("exportPng", QStringLiteral("texture"), tr("Sheet as P&NG…"),
                             tr("Save this immersion's film image as PNG"), {},
                             [this] { exportSheet(false); });
+    a.print =
+        addAction("print", QStringLiteral("print"), tr("&Print…"), tr("Print sheets at true size"),
+                  QKeySequence::Print, [this] { printSheets(); });
     a.close = addAction("close", {}, tr("&Close Window"), tr("Close this window"),
                         QKeySequence::Close, [this] { close(); });
     a.quit = addAction("quit", {}, tr("&Quit"), tr("Close all windows"), key("Ctrl+Q"),
@@ -247,6 +252,9 @@ void MainWindow::makeCameraActions() {
                        look(ViewDirection::Left));
     a.bottom = addAction("bottom", {}, tr("&Bottom"), tr("Look from below"), key("Ctrl+7"),
                          look(ViewDirection::Bottom));
+    a.resetLayout = addAction("resetLayout", {}, tr("&Standard Layout"),
+                              tr("Put all panels back where they were at first"), {},
+                              [this] { resetLayout(); });
     a.parallel = addToggle("parallel", QStringLiteral("parallel"), tr("&Parallel Projection"),
                            tr("Show equal lengths equally long, near or far"), false);
     connect(a.parallel, &QAction::toggled, view_, &DipView::setParallelProjection);
@@ -311,13 +319,13 @@ void MainWindow::makeHelpActions() {
 void MainWindow::makeMenus() {
     const Actions& a = *actions_;
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addActions({a.newProject, a.open});
+    file->addActions({a.newProject, a.newWindow, a.open});
     recentMenu_ = file->addMenu(tr("Open &Recent"));
     connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
     file->addSeparator();
     file->addActions({a.save, a.saveAs});
     file->addSeparator();
-    file->addActions({a.exportResults, a.exportPdf, a.exportPng});
+    file->addActions({a.print, a.exportResults, a.exportPdf, a.exportPng});
     file->addSeparator();
     file->addActions({a.close, a.quit});
 
@@ -347,6 +355,8 @@ void MainWindow::makeMenus() {
     QMenu* window = menuBar()->addMenu(tr("&Window"));
     window->addActions({projectDock_->toggleViewAction(), resultsDock_->toggleViewAction(),
                         logDock_->toggleViewAction()});
+    window->addSeparator();
+    window->addAction(a.resetLayout);
 
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     help->addActions({a.tour, a.guide});
@@ -368,6 +378,7 @@ void MainWindow::makeToolBars() {
     run->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     main->addActions({a.cancel, a.live});
     main->addSeparator();
+    main->addAction(a.print);
 
     QToolBar* view = addToolBar(tr("View"));
     view->setObjectName(QStringLiteral("viewToolBar"));

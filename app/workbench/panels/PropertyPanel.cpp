@@ -56,6 +56,15 @@ void PropertyPanel::rebuild() {
         } else if (node_.part == ProjectPart::Process) {
             addPreset(*form);
             addSolver(*form);
+        } else if (node_.part == ProjectPart::Film) {
+            addProfile(*form, ProfileKind::Film, tr("Film profile"),
+                       tr("A film that was measured once: size, swell, relaxation and sides."));
+            addProfile(*form, ProfileKind::Tank, tr("Tank profile"),
+                       tr("A tank: its barriers hold the film's sides."));
+        } else if (node_.part == ProjectPart::Sheet) {
+            addProfile(*form, ProfileKind::Printer, tr("Printer profile"),
+                       tr("A printer that was measured once: its scale, margins, colours, ink "
+                          "limit and resolution."));
         }
         for (const PropertySection& section : propertySections(node_)) {
             if (!section.title.isEmpty()) {
@@ -205,6 +214,47 @@ void PropertyPanel::addPreset(QFormLayout& form) {
                 return;
             }
         }
+    });
+}
+
+void PropertyPanel::addProfile(QFormLayout& form, ProfileKind kind, const QString& name,
+                               const QString& help) {
+    auto* box = new QComboBox;
+    box->setObjectName(profileKindName(kind) + QStringLiteral("Profile"));
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(8);
+    box->setToolTip(help);
+    box->setWhatsThis(help);
+    box->setAccessibleName(name);
+    auto* label = new QLabel(name);
+    label->setBuddy(box);
+    form.addRow(label, box);
+    connect(box, &QComboBox::activated, this, [this, box, kind, name](int index) {
+        const QString chosen = box->itemData(index).toString();
+        edit(tr("Choose %1").arg(name), {}, [&](Project& project) {
+            if (!chosen.isEmpty()) {
+                applyProfile(project, profiles_.profile(kind, chosen));
+            }
+        });
+    });
+    refreshers_.push_back([this, box, kind] {
+        const ProjectProfiles& profiles = document_->project().profiles;
+        const QString used = kind == ProfileKind::Film && profiles.film   ? profiles.film->name
+                             : kind == ProfileKind::Tank && profiles.tank ? profiles.tank->name
+                             : kind == ProfileKind::Printer && profiles.printer
+                                 ? profiles.printer->name
+                                 : QString();
+        box->clear();
+        if (used.isEmpty()) {
+            box->addItem(tr("None"), QString());
+        }
+        for (const ProfileEntry& entry : profiles_.profiles(kind)) {
+            box->addItem(entry.name, entry.name);
+        }
+        if (box->findData(used) < 0) {
+            box->addItem(used, used); // the project's own copy
+        }
+        box->setCurrentIndex(box->findData(used));
     });
 }
 

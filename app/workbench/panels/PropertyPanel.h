@@ -4,6 +4,7 @@
 #include "document/Document.h"
 #include "panels/ProjectTree.h"
 #include "panels/PropertyField.h"
+#include "project/ProfileLibrary.h"
 
 #include <QScrollArea>
 
@@ -36,10 +37,12 @@ private:
     void addModelFacts(QFormLayout& form);
     void addPreset(QFormLayout& form);
     void addSolver(QFormLayout& form);
+    void addProfile(QFormLayout& form, ProfileKind kind, const QString& name, const QString& help);
     void edit(const QString& text, const QString& mergeKey,
               const std::function<void(Project&)>& change);
 
     const SolverRegistry& registry_;
+    ProfileLibrary profiles_;
     Document* document_ = nullptr;
     LengthUnit lengthUnit_ = LengthUnit::Millimetre;
     ProjectNode node_;

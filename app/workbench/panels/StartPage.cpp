@@ -5,7 +5,6 @@
 
 #include <QAction>
 #include <QCommandLinkButton>
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -18,16 +17,19 @@ namespace dipwright {
 
 namespace {
 
-constexpr QSize pictureSize(224, 140);
+constexpr QSize pictureSize(192, 120);
+constexpr int sampleRowHeight = pictureSize.height() + 44;
 
-QIcon recentIcon(const QString& path, const QPalette& palette) {
+QIcon projectIcon(const QString& path, const QPalette& palette) {
     QPixmap picture(pictureSize);
-    picture.fill(palette.color(QPalette::Window));
+    picture.fill(palette.color(QPalette::Base));
     QPainter painter(&picture);
     const QImage thumbnail = projectThumbnail(path);
     if (thumbnail.isNull()) {
+        const QRect middle(QPoint(), QSize(64, 64));
         icon(QStringLiteral("immersion"))
-            .paint(&painter, QRect(QPoint(), pictureSize).adjusted(80, 38, -80, -38));
+            .paint(&painter,
+                   middle.translated(QRect(QPoint(), pictureSize).center() - middle.center()));
     } else {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.drawImage(QRect(QPoint(), pictureSize), thumbnail);
@@ -37,22 +39,74 @@ QIcon recentIcon(const QString& path, const QPalette& palette) {
     return picture;
 }
 
+QLabel* makeTitle(const QString& text) {
+    auto* title = new QLabel(text);
+    QFont bold = title->font();
+    bold.setBold(true);
+    title->setFont(bold);
+    return title;
+}
+
+void fill(QListWidget& list, const QStringList& paths) {
+    list.clear();
+    for (const QString& path : paths) {
+        const QFileInfo file(path);
+        if (file.exists()) {
+            auto* item =
+                new QListWidgetItem(projectIcon(path, list.palette()), file.completeBaseName());
+            item->setData(Qt::UserRole, path);
+            item->setToolTip(QDir::toNativeSeparators(path));
+            list.addItem(item);
+        }
+    }
+}
+
 } // namespace
 
 StartPage::StartPage(QWidget* parent)
-    : QWidget(parent), recent_(new QListWidget), recentHint_(nullptr) {
+    : QWidget(parent), recent_(makeList(tr("Recent projects"), &StartPage::projectChosen)),
+      samples_(makeList(tr("Samples"), &StartPage::sampleChosen)),
+      recentHint_(new QLabel(tr("Projects that you open or save appear here."))),
+      samplesTitle_(makeTitle(tr("Samples"))) {
     setObjectName(QStringLiteral("startPage"));
-    auto* title = new QLabel(QStringLiteral("Dipwright"));
-    QFont large = title->font();
-    large.setPointSizeF(large.pointSizeF() * 2.4);
-    large.setBold(true);
-    title->setFont(large);
-    auto* subtitle = new QLabel(tr("From a textured model to a film that can be printed."));
-    subtitle->setWordWrap(true);
+    recent_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    auto* forget = new QAction(tr("Remove from this list"), recent_);
+    connect(forget, &QAction::triggered, this, [this] {
+        if (const QListWidgetItem* item = recent_->currentItem()) {
+            forgetRecentProject(item->data(Qt::UserRole).toString());
+            refresh();
+        }
+    });
+    recent_->addAction(forget);
+    samples_->setFixedHeight(sampleRowHeight);
+    recentHint_->setForegroundRole(QPalette::PlaceholderText);
 
+    auto* right = new QVBoxLayout;
+    right->addWidget(samplesTitle_);
+    right->addWidget(samples_);
+    right->addSpacing(8);
+    right->addWidget(makeTitle(tr("Recent projects")));
+    right->addWidget(recentHint_);
+    right->addWidget(recent_, 1);
+    right->addStretch();
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(48, 40, 32, 24);
+    layout->setSpacing(48);
+    layout->addLayout(makeActions(), 2);
+    layout->addLayout(right, 5);
+    refresh();
+}
+
+QVBoxLayout* StartPage::makeActions() {
     auto* actions = new QVBoxLayout;
     auto* logo = new QLabel;
     logo->setPixmap(QIcon(QStringLiteral(":/icons/dipwright.svg")).pixmap(96, 96));
+    auto* title = makeTitle(QStringLiteral("Dipwright"));
+    QFont large = title->font();
+    large.setPointSizeF(large.pointSizeF() * 2.4);
+    title->setFont(large);
+    auto* subtitle = new QLabel(tr("From a textured model to a film that can be printed."));
+    subtitle->setWordWrap(true);
     actions->addWidget(logo);
     actions->addSpacing(4);
     actions->addWidget(title);
@@ -63,13 +117,13 @@ StartPage::StartPage(QWidget* parent)
         auto* button = new QCommandLinkButton(text, help);
         button->setIcon(icon(iconName));
         button->setIconSize({28, 28});
-        connect(button, &QCommandLinkButton::clicked, this, asked);
         button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+        connect(button, &QCommandLinkButton::clicked, this, asked);
         actions->addWidget(button);
     };
     addButton(tr("New Project…"), tr("Start from a textured model: OBJ, PLY, STL, glTF or 3MF."),
               QStringLiteral("document-new"), &StartPage::newAsked);
-    addButton(tr("Open Project…"), tr("Continue with a saved project or a sample."),
+    addButton(tr("Open Project…"), tr("Continue with a project that was saved."),
               QStringLiteral("document-open"), &StartPage::openAsked);
     addButton(tr("Quick Tour"), tr("What is where, in six steps."), QStringLiteral("help"),
               &StartPage::tourAsked);
@@ -78,62 +132,35 @@ StartPage::StartPage(QWidget* parent)
     drop->setWordWrap(true);
     drop->setForegroundRole(QPalette::PlaceholderText);
     actions->addWidget(drop);
+    return actions;
+}
 
-    auto* recentTitle = new QLabel(tr("Recent projects"));
-    QFont bold = recentTitle->font();
-    bold.setBold(true);
-    recentTitle->setFont(bold);
-    recent_->setAccessibleName(tr("Recent projects"));
-    recent_->setViewMode(QListView::IconMode);
-    recent_->setIconSize(pictureSize);
-    recent_->setGridSize({pictureSize.width() + 24, pictureSize.height() + 56});
-    recent_->setResizeMode(QListView::Adjust);
-    recent_->setMovement(QListView::Static);
-    recent_->setWordWrap(true);
-    recent_->setFrameShape(QFrame::NoFrame);
-    recent_->setContextMenuPolicy(Qt::ActionsContextMenu);
-    auto* forget = new QAction(tr("Remove from this list"), recent_);
-    connect(forget, &QAction::triggered, this, [this] {
-        if (const QListWidgetItem* item = recent_->currentItem()) {
-            forgetRecentProject(item->data(Qt::UserRole).toString());
-            refresh();
-        }
+QListWidget* StartPage::makeList(const QString& name, void (StartPage::*chosen)(const QString&)) {
+    auto* list = new QListWidget(this);
+    list->setAccessibleName(name);
+    list->setViewMode(QListView::IconMode);
+    list->setIconSize(pictureSize);
+    list->setGridSize({pictureSize.width() + 24, sampleRowHeight - 8});
+    list->setResizeMode(QListView::Adjust);
+    list->setMovement(QListView::Static);
+    list->setWordWrap(true);
+    list->setFrameShape(QFrame::NoFrame);
+    list->viewport()->setAutoFillBackground(false);
+    connect(list, &QListWidget::itemClicked, list, &QListWidget::itemActivated);
+    connect(list, &QListWidget::itemActivated, this, [this, chosen](const QListWidgetItem* item) {
+        emit(this->*chosen)(item->data(Qt::UserRole).toString());
     });
-    recent_->addAction(forget);
-    connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
-        emit projectChosen(item->data(Qt::UserRole).toString());
-    });
-    connect(recent_, &QListWidget::itemClicked, recent_, &QListWidget::itemActivated);
-    auto* hint = new QLabel(tr("Projects that you open or save appear here."));
-    hint->setForegroundRole(QPalette::PlaceholderText);
-    recentHint_ = hint;
-    auto* right = new QVBoxLayout;
-    right->addWidget(recentTitle);
-    right->addWidget(recentHint_);
-    right->addWidget(recent_, 1);
-    right->addStretch();
-
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(48, 40, 32, 24);
-    layout->setSpacing(48);
-    layout->addLayout(actions, 2);
-    layout->addLayout(right, 5);
-    refresh();
+    return list;
 }
 
 void StartPage::refresh() {
-    recent_->clear();
-    for (const QString& path : recentProjects()) {
-        const QFileInfo file(path);
-        if (file.exists()) {
-            auto* item = new QListWidgetItem(recentIcon(path, palette()), file.completeBaseName());
-            item->setData(Qt::UserRole, path);
-            item->setToolTip(QDir::toNativeSeparators(path));
-            recent_->addItem(item);
-        }
-    }
-    recentHint_->setVisible(recent_->count() == 0);
-    recent_->setVisible(recent_->count() > 0);
+    fill(*recent_, recentProjects());
+    fill(*samples_, sampleProjects());
+    const bool any = recent_->count() > 0;
+    recentHint_->setVisible(!any);
+    recent_->setVisible(any);
+    samplesTitle_->setVisible(samples_->count() > 0);
+    samples_->setVisible(samples_->count() > 0);
 }
 
 } // namespace dipwright

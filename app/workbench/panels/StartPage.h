@@ -1,9 +1,11 @@
-// What a window shows without a project: how to begin, and the projects opened last.
+// What a window shows without a project: how to begin, the projects opened last, and the samples.
 #pragma once
 
 #include <QWidget>
 
+class QLabel;
 class QListWidget;
+class QVBoxLayout;
 
 namespace dipwright {
 
@@ -13,17 +15,23 @@ class StartPage : public QWidget {
 public:
     explicit StartPage(QWidget* parent = nullptr);
 
-    void refresh(); // the recent projects
+    void refresh(); // the projects, and all colours
 
 signals:
     void newAsked();
     void openAsked();
     void tourAsked();
     void projectChosen(const QString& path);
+    void sampleChosen(const QString& path); // to be opened as a copy
 
 private:
+    QVBoxLayout* makeActions();
+    QListWidget* makeList(const QString& name, void (StartPage::*chosen)(const QString&));
+
     QListWidget* recent_;
-    QWidget* recentHint_;
+    QListWidget* samples_;
+    QLabel* recentHint_;
+    QLabel* samplesTitle_;
 };
 
 } // namespace dipwright

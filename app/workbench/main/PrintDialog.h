@@ -1,0 +1,61 @@
+// Prints the sheets of a result: on which printer, which of them, how often, with a look at the
+// page, and with everything that the printer would get wrong said beforehand.
+#pragma once
+
+#include "jobs/DipJob.h"
+#include "jobs/JobRunner.h"
+#include "printing/PrintService.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace dipwright {
+
+class PictureView;
+
+class PrintDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    // `immersion`: the one that is chosen at first.
+    PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidget* parent = nullptr);
+
+signals:
+    void printed(const QString& sentence);
+
+private:
+    QWidget* makeChoices();
+    QWidget* makeExceptions();
+    void findPrinters();
+    void showPrinters(const QStringList& printers);
+    void judge(); // whether it can be printed as chosen
+    void print();
+    void setBusy(bool busy, const QString& what);
+    void showFailure(std::exception_ptr failure);
+    PrintRequest request() const;
+    std::vector<Sheet> chosenSheets() const;
+
+    DipOutcome outcome_;
+    PictureView* preview_;
+    QComboBox* printer_;
+    QSpinBox* copies_;
+    std::vector<QCheckBox*> immersions_;
+    QCheckBox* tile_;
+    QCheckBox* grey_;
+    QCheckBox* clipped_;
+    QCheckBox* otherPaper_;
+    QLabel* verdict_;
+    QProgressBar* progress_;
+    QPushButton* print_;
+    bool printing_ = false;
+    int judgement_ = 0; // number of the last one asked for
+    JobRunner jobs_;    // ends before what it reports to
+};
+
+} // namespace dipwright
