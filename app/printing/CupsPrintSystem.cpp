@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <algorithm>
+#include <cmath>
 #include <cups/cups.h>
 
 namespace dipwright {
@@ -80,6 +82,19 @@ PrinterMedia mediaOf(const cups_size_t& size) {
         QMarginsF(size.left / 100.0, size.top / 100.0, size.right / 100.0, size.bottom / 100.0)};
 }
 
+// By size and margins: of the names, some queues take "…_borderless" for the one with margins.
+QByteArray collection(const PrinterMedia& media) {
+    const auto hundredths = [](double millimetres) {
+        return QString::number(std::lround(millimetres * 100));
+    };
+    return QStringLiteral("{media-size={x-dimension=%1 y-dimension=%2} media-left-margin=%3 "
+                          "media-top-margin=%4 media-right-margin=%5 media-bottom-margin=%6}")
+        .arg(hundredths(media.size.width()), hundredths(media.size.height()),
+             hundredths(media.margins.left()), hundredths(media.margins.top()),
+             hundredths(media.margins.right()), hundredths(media.margins.bottom()))
+        .toUtf8();
+}
+
 void addMedia(std::vector<PrinterMedia>& media, cups_dest_t* dest, cups_dinfo_t* info,
               unsigned flags) {
     const int count = cupsGetDestMediaCount(CUPS_HTTP_DEFAULT, dest, info, flags);
@@ -91,16 +106,57 @@ void addMedia(std::vector<PrinterMedia>& media, cups_dest_t* dest, cups_dinfo_t*
     }
 }
 
-// A printer that tells what is loaded has only that ready.
-void markReady(std::vector<PrinterMedia>& media, cups_dest_t* dest, cups_dinfo_t* info) {
-    std::vector<PrinterMedia> loaded;
-    addMedia(loaded, dest, info, CUPS_MEDIA_FLAGS_READY);
-    if (loaded.empty()) {
-        return;
+struct CloseConnection {
+    void operator()(http_t* connection) const { httpClose(connection); }
+};
+using Connection = std::unique_ptr<http_t, CloseConnection>;
+
+// The sizes that are loaded, by the word of the printer itself: its queue only knows its default.
+// Empty where the printer cannot be asked or does not say.
+std::vector<QSizeF> loadedSizes(cups_dest_t* dest) {
+    constexpr int patience = 3000; // milliseconds
+    std::vector<char> resource(1024, '\0');
+    const Connection device(cupsConnectDest(dest, CUPS_DEST_FLAGS_DEVICE, patience, nullptr,
+                                            resource.data(), resource.size(), nullptr, nullptr));
+    if (!device) {
+        return {};
     }
+    std::vector<char> uri(2048, '\0');
+    std::vector<char> host(256, '\0');
+    httpGetHostname(device.get(), host.data(), int(host.size()));
+    httpAssembleURI(HTTP_URI_CODING_ALL, uri.data(), int(uri.size()), "ipp", nullptr, host.data(),
+                    httpAddrPort(httpGetAddress(device.get())), resource.data());
+    ipp_t* request = ippNewRequest(IPP_OP_GET_PRINTER_ATTRIBUTES);
+    ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_URI, "printer-uri", nullptr, uri.data());
+    ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_KEYWORD, "requested-attributes", nullptr,
+                 "media-col-ready");
+    const Message answer(cupsDoRequest(device.get(), request, resource.data()));
+    ipp_attribute_t* ready =
+        answer ? ippFindAttribute(answer.get(), "media-col-ready", IPP_TAG_BEGIN_COLLECTION)
+               : nullptr;
+    std::vector<QSizeF> sizes;
+    for (int i = 0; ready && i < ippGetCount(ready); ++i) {
+        ipp_attribute_t* size =
+            ippFindAttribute(ippGetCollection(ready, i), "media-size", IPP_TAG_BEGIN_COLLECTION);
+        ipp_t* parts = size ? ippGetCollection(size, 0) : nullptr;
+        ipp_attribute_t* x =
+            parts ? ippFindAttribute(parts, "x-dimension", IPP_TAG_INTEGER) : nullptr;
+        ipp_attribute_t* y =
+            parts ? ippFindAttribute(parts, "y-dimension", IPP_TAG_INTEGER) : nullptr;
+        if (x && y) {
+            sizes.emplace_back(ippGetInteger(x, 0) / 100.0, ippGetInteger(y, 0) / 100.0);
+        }
+    }
+    return sizes;
+}
+
+void markLoaded(std::vector<PrinterMedia>& media, const std::vector<QSizeF>& loaded) {
+    constexpr double same = 0.6; // mm
     for (PrinterMedia& one : media) {
-        one.ready = std::any_of(loaded.begin(), loaded.end(),
-                                [&](const PrinterMedia& other) { return other.size == one.size; });
+        one.ready = loaded.empty() || std::any_of(loaded.begin(), loaded.end(), [&](QSizeF size) {
+                        return std::abs(size.width() - one.size.width()) < same &&
+                               std::abs(size.height() - one.size.height()) < same;
+                    });
     }
 }
 
@@ -177,7 +233,7 @@ public:
         info.printsColour = printsColour(dest, details.get());
         addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_BORDERLESS);
         addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_DEFAULT);
-        markReady(info.media, dest.get(), details.get());
+        markLoaded(info.media, loadedSizes(dest.get()));
         return info;
     }
 
@@ -185,9 +241,8 @@ public:
         const Dest dest = namedDest(task.printer);
         const DestInfo info(dest ? cupsCopyDestInfo(CUPS_HTTP_DEFAULT, dest.get()) : nullptr);
         Options options;
-        options.add(CUPS_MEDIA, task.media.name.toUtf8());
+        options.add("media-col", collection(task.media));
         options.add("print-scaling", "none");
-        options.add(CUPS_COPIES, QByteArray::number(task.copies));
         int id = 0;
         const QByteArray title = task.title.toUtf8();
         if (!info ||

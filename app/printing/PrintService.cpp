@@ -273,6 +273,14 @@ void fillWhole(PrintTask& task, const Sheet& sheet, bool turned, PrintCorrection
     };
 }
 
+void repeat(PrintTask& task, int copies) {
+    task.pdf = repeatedPdf(task.pdf, copies);
+    task.paint = [paint = task.paint, pages = task.pages](QPainter& painter, int page) {
+        paint(painter, page % pages);
+    };
+    task.pages *= copies;
+}
+
 QString stateText(const JobStatus& status) {
     switch (status.state) {
     case JobState::Printing:
@@ -349,7 +357,6 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintReque
     plan.task.printer = request.printer;
     plan.task.title =
         QStringLiteral("%1 – %2").arg(sheet.job.project, sheet.job.immersion).simplified();
-    plan.task.copies = request.copies;
     plan.task.media = paper.media;
     if (request.tile) {
         fillTiled(plan.task, sheet, margins, correction);
@@ -357,6 +364,9 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintReque
         checkReach(sheet, paper, margins, request.printer, plan.warnings, request.acceptClipping);
         sheet.clearance = std::max(sheet.clearance, Millimetres(widest(margins)));
         fillWhole(plan.task, sheet, paper.turned, correction);
+    }
+    if (request.copies > 1) {
+        repeat(plan.task, request.copies);
     }
     return plan;
 }

@@ -41,9 +41,8 @@ struct PrintTask {
     QString printer;
     QString title;
     PrinterMedia media;
-    int copies = 1;
     QByteArray pdf;
-    int pages = 1;
+    int pages = 1;                             // copies included
     std::function<void(QPainter&, int)> paint; // a page, with a painter in mm
 };
 

@@ -72,7 +72,6 @@ public:
     PrintJob submit(const PrintTask& task) override {
         QPrinter printer(named(task.printer), QPrinter::HighResolution);
         printer.setDocName(task.title);
-        printer.setCopyCount(task.copies);
         printer.setColorMode(QPrinter::Color);
         printer.setFullPage(true); // the origin is the paper's corner, not the margins'
         printer.setPageLayout(QPageLayout(QPageSize(task.media.size, QPageSize::Millimeter),

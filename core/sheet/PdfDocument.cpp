@@ -1,6 +1,6 @@
 #include "sheet/PdfDocument.h"
 
-#include "base/Units.h"
+#include "base/Error.h"
 
 #include <QBuffer>
 #include <QColorSpace>
@@ -74,6 +74,17 @@ void addOutputIntent(QPDF& pdf, const PdfSettings& settings) {
     pdf.getRoot().replaceKey("/OutputIntents", intents);
 }
 
+QByteArray written(QPDF& pdf) {
+    QPDFWriter writer(pdf);
+    writer.setOutputMemory();
+    writer.setDeterministicID(true);
+    writer.setStreamDataMode(qpdf_s_preserve);
+    writer.setMinimumPDFVersion("1.6"); // the first with PrintScaling
+    writer.write();
+    const std::shared_ptr<Buffer> bytes = writer.getBufferSharedPointer();
+    return {reinterpret_cast<const char*>(bytes->getBuffer()), qsizetype(bytes->getSize())};
+}
+
 } // namespace
 
 QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings) {
@@ -89,14 +100,24 @@ QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& set
                              QPDFObjectHandle::parse("<< /PrintScaling /None >>"));
     pdf.getTrailer().getKey("/Info").removeKey("/CreationDate");
     pdf.getTrailer().getKey("/Info").removeKey("/ModDate");
-    QPDFWriter writer(pdf);
-    writer.setOutputMemory();
-    writer.setDeterministicID(true);
-    writer.setStreamDataMode(qpdf_s_preserve);
-    writer.setMinimumPDFVersion("1.6"); // the first with PrintScaling
-    writer.write();
-    const std::shared_ptr<Buffer> bytes = writer.getBufferSharedPointer();
-    return {reinterpret_cast<const char*>(bytes->getBuffer()), qsizetype(bytes->getSize())};
+    return written(pdf);
+}
+
+QByteArray repeatedPdf(const QByteArray& document, int copies) {
+    QPDF pdf;
+    try {
+        pdf.processMemoryFile("document.pdf", document.constData(), std::size_t(document.size()));
+    } catch (const std::exception& failure) {
+        throw Error(QString::fromUtf8(failure.what()), QStringLiteral("PDF"));
+    }
+    QPDFPageDocumentHelper helper(pdf);
+    const std::vector<QPDFPageObjectHelper> pages = helper.getAllPages();
+    for (int copy = 1; copy < copies; ++copy) {
+        for (const QPDFPageObjectHelper& page : pages) {
+            helper.addPage(QPDFPageObjectHelper(page).shallowCopyPage(), false);
+        }
+    }
+    return written(pdf);
 }
 
 } // namespace dipwright

@@ -80,6 +80,10 @@ void paintCorrectedSheet(QPainter& painter, const Sheet& sheet, const PrintCorre
 // Same bytes for the same sheet. Throws Error when not writable.
 void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
 
+// A PDF with its pages repeated, one copy after the other. Print systems lose a wish for copies on
+// some of their ways; pages they do not. Takes hardly more room. Throws Error when it is no PDF.
+QByteArray repeatedPdf(const QByteArray& pdf, int copies);
+
 // TIFF of the whole page, for raster image processors: RGB, or CMYK where the colour is in CMYK,
 // with resolution and ICC profile, compressed without loss. The film image is moved to whole pixels
 // and not resampled. Scales are not corrected. Same bytes for the same sheet. Throws Error when not

@@ -6,6 +6,10 @@
 #include <QTcpServer>
 #include <QTcpSocket>
 #include <QtTest>
+#ifdef Q_OS_LINUX
+#include <csignal>
+#include <sys/prctl.h>
+#endif
 
 namespace dipwright {
 namespace {
@@ -18,6 +22,15 @@ QString programPath(const QString& name) {
     return found.isEmpty()
                ? QStandardPaths::findExecutable(name, {"/usr/sbin", "/sbin", "/usr/local/sbin"})
                : found;
+}
+
+// A test that crashes leaves nothing running.
+void endWithTheTest(QProcess& process) {
+#ifdef Q_OS_LINUX
+    process.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGTERM); });
+#else
+    Q_UNUSED(process);
+#endif
 }
 
 quint16 freePort() {
@@ -33,10 +46,11 @@ bool answers(quint16 port) {
 }
 
 QByteArray collection(const TestMedia& media) {
-    const QByteArray margin = QByteArray::number(int(media.margin * 100));
+    const QByteArray margin = QByteArray::number(int(std::lround(media.margin * 100)));
     QByteArray text = "{ MEMBER collection media-size { MEMBER integer x-dimension " +
-                      QByteArray::number(int(media.width * 100)) + " MEMBER integer y-dimension " +
-                      QByteArray::number(int(media.height * 100)) + " }";
+                      QByteArray::number(int(std::lround(media.width * 100))) +
+                      " MEMBER integer y-dimension " +
+                      QByteArray::number(int(std::lround(media.height * 100))) + " }";
     for (const char* side : {"bottom", "left", "right", "top"}) {
         text += " MEMBER integer media-" + QByteArray(side) + "-margin " + margin;
     }
@@ -48,21 +62,28 @@ QByteArray attributes(const TestPrinter& printer) {
     QByteArrayList sizes;
     QByteArrayList collections;
     QByteArrayList margins;
+    QByteArrayList loadedKeywords;
+    QByteArrayList loaded;
     for (const TestMedia& media : printer.media) {
         keywords << '"' + media.keyword.toUtf8() + '"';
-        sizes << "{ MEMBER integer x-dimension " + QByteArray::number(int(media.width * 100)) +
-                     " MEMBER integer y-dimension " + QByteArray::number(int(media.height * 100)) +
-                     " }";
+        sizes << "{ MEMBER integer x-dimension " +
+                     QByteArray::number(int(std::lround(media.width * 100))) +
+                     " MEMBER integer y-dimension " +
+                     QByteArray::number(int(std::lround(media.height * 100))) + " }";
         collections << collection(media);
-        margins << QByteArray::number(int(media.margin * 100));
+        margins << QByteArray::number(int(std::lround(media.margin * 100)));
+        if (media.loaded) {
+            loadedKeywords << keywords.back();
+            loaded << collections.back();
+        }
     }
     QByteArray text = "ATTR keyword media-supported " + keywords.join(',') +
                       "\nATTR keyword media-default " + keywords.front() +
-                      "\nATTR keyword media-ready " + keywords.front() +
+                      "\nATTR keyword media-ready " + loadedKeywords.join(',') +
                       "\nATTR collection media-size-supported " + sizes.join(',') +
                       "\nATTR collection media-col-database " + collections.join(',') +
                       "\nATTR collection media-col-default " + collections.front() +
-                      "\nATTR collection media-col-ready " + collections.front() + '\n';
+                      "\nATTR collection media-col-ready " + loaded.join(',') + '\n';
     for (const char* side : {"bottom", "left", "right", "top"}) {
         text += "ATTR integer media-" + QByteArray(side) + "-margin-supported " +
                 margins.join(',') + '\n';
@@ -116,6 +137,7 @@ bool PrivateCups::write(const QString& name, const QByteArray& text) const {
 
 bool PrivateCups::startBus() {
     const QByteArray address = "unix:path=" + path("bus");
+    endWithTheTest(bus_);
     bus_.start(programPath("dbus-daemon"),
                {"--session", "--nofork", "--nopidfile", "--address=" + QString::fromUtf8(address)});
     qputenv("DBUS_SYSTEM_BUS_ADDRESS", address);
@@ -141,6 +163,7 @@ bool PrivateCups::startScheduler() {
                                  "\nErrorLog " + path("log/error") + "\nPageLog " +
                                  path("log/page") + "\nUser lp\nGroup lp\nSystemGroup lpadmin\n");
     scheduler_.setStandardErrorFile(folder_.filePath("log/cupsd"));
+    endWithTheTest(scheduler_);
     scheduler_.start(programPath("cupsd"), {"-f", "-c", folder_.filePath("cupsd.conf"), "-s",
                                             folder_.filePath("cups-files.conf")});
     qputenv("CUPS_SERVER", path("socket"));
@@ -170,6 +193,7 @@ bool PrivateCups::add(const TestPrinter& printer) {
     device.process = std::make_unique<QProcess>();
     device.process->setStandardOutputFile(QProcess::nullDevice());
     device.process->setStandardErrorFile(QProcess::nullDevice());
+    endWithTheTest(*device.process);
     device.process->start(programPath("ippeveprinter"),
                           {"-r", "off", "-k", "-c", programPath("true"), "-d", device.folder, "-p",
                            QString::number(port), "-a", folder_.filePath(description),

@@ -15,6 +15,7 @@ struct TestMedia {
     QString keyword; // "iso_a4_210x297mm"
     double width = 210, height = 297;
     double margin = 0; // mm, all round
+    bool loaded = true;
 };
 
 struct TestPrinter {
