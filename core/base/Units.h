@@ -6,8 +6,10 @@
 
 namespace dipwright {
 
-// A number with a unit. Converts to and from plain numbers only when asked: Millimetres(3), x.value().
-template <typename Unit> class Quantity {
+// A number with a unit. Converts to and from plain numbers only when asked: Millimetres(3),
+// x.value().
+template <typename Unit>
+class Quantity {
 public:
     constexpr Quantity() = default;
     constexpr explicit Quantity(double value) : value_(value) {}
@@ -33,7 +35,11 @@ using DotsPerInch = Quantity<struct DotsPerInchUnit>;
 
 inline constexpr double millimetresPerInch = 25.4;
 inline constexpr double pi = 3.14159265358979323846;
-constexpr double radians(Degrees angle) { return angle.value() * pi / 180; }
-constexpr double pixelsPerMillimetre(DotsPerInch dpi) { return dpi.value() / millimetresPerInch; }
+constexpr double radians(Degrees angle) {
+    return angle.value() * pi / 180;
+}
+constexpr double pixelsPerMillimetre(DotsPerInch dpi) {
+    return dpi.value() / millimetresPerInch;
+}
 
 } // namespace dipwright

@@ -28,8 +28,8 @@ using FilmTriangle = std::array<std::uint32_t, 3>; // point indices
 // The flat film's resting place of a point: x to the right, y (the film's Z) down the sheet, mm,
 // origin in the middle.
 Eigen::Vector2f restPosition(const solver::FilmGrid& grid, std::size_t point);
-// Two triangles a cell, cut as FilmSolver.h says; cell (i, j) owns triangles 2·(j·(columns−1)+i) and
-// the next one. Wound counterclockwise seen from above (+Y).
+// Two triangles a cell, cut as FilmSolver.h says; cell (i, j) owns triangles 2·(j·(columns−1)+i)
+// and the next one. Wound counterclockwise seen from above (+Y).
 std::vector<FilmTriangle> filmTriangles(const solver::FilmGrid& grid);
 // The number of distance constraints: columns·(rows−1) + rows·(columns−1), and two a cell more for
 // an isotropic lattice (film-physics §1, Table I).
@@ -37,8 +37,8 @@ std::size_t constraintCount(const solver::FilmGrid& grid, bool isotropic);
 
 // Principal stretches of each film triangle from its deformation gradient (film-physics §4).
 struct PrincipalStretch {
-    float larger = 1;  // λ1
-    float smaller = 1; // λ2
+    float larger = 1;                               // λ1
+    float smaller = 1;                              // λ2
     float area() const { return larger * smaller; } // J
 };
 std::vector<PrincipalStretch> principalStretches(const DippedFilm& film);

@@ -22,7 +22,7 @@ struct FilmEdges {
 
 struct FilmSettings {
     QString preset = QStringLiteral("A4");
-    Millimetres width{210}; // the printed sheet along X
+    Millimetres width{210};  // the printed sheet along X
     Millimetres height{297}; // the printed sheet along Z
     int columns = 120;
     int rows = 170;
@@ -31,7 +31,8 @@ struct FilmSettings {
     FilmEdges edges;
     double swellX = 1; // wetted length over printed length
     double swellY = 1; // along the sheet's height, the film's Z
-    Seconds relaxationTime{std::numeric_limits<double>::infinity()}; // infinity: elastic, 0: viscous
+    Seconds relaxationTime{
+        std::numeric_limits<double>::infinity()}; // infinity: elastic, 0: viscous
     Millimetres contactDistance{0};
     bool operator==(const FilmSettings&) const = default;
 };
@@ -40,7 +41,8 @@ struct FilmSettings {
 solver::FilmGrid filmGrid(const FilmSettings& settings);
 // One byte a point, empty when all edges are free.
 std::vector<std::uint8_t> pinnedPoints(const FilmSettings& settings);
-// Rows for a given number of columns (or the reverse) so that the cells are as square as they can be.
+// Rows for a given number of columns (or the reverse) so that the cells are as square as they can
+// be.
 int squareCellRows(Millimetres width, Millimetres height, int columns);
 
 } // namespace dipwright

@@ -3,8 +3,8 @@
 #include "cpu/PaperFilm.h"
 
 #include "TestFilm.h"
-#include "reference/PlainPaperFilm.h"
 #include "pbd/BodyFrame.h"
+#include "reference/PlainPaperFilm.h"
 
 #include <QTest>
 #include <bit>

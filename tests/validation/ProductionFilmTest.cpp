@@ -1,5 +1,5 @@
-// The production film on the CPU: against its closed forms, against the reference solver, and against
-// itself on finer grids, with shorter steps and with other numbers of threads.
+// The production film on the CPU: against its closed forms, against the reference solver, and
+// against itself on finer grids, with shorter steps and with other numbers of threads.
 
 #include "cpu/QuasiStaticFilm.h"
 #include "dip/Dip.h"
@@ -228,7 +228,7 @@ void ProductionFilmTest::pinnedEdgesHold() {
 
 void ProductionFilmTest::doesNotHoldPastTheOverhang() {
     const Body body = bodyOf(sphereMesh(35, 64, 128));
-    const Ending ending = dipOnCpu(squareDip(body, 91, 72)); // all of it under water
+    const Ending ending = dipOnCpu(squareDip(body, 91, 72));  // all of it under water
     const double highest = 35 + 35 * std::sin(20 * pi / 180); // over the lowest point
     int adhered = 0;
     for (std::size_t point = 0; point < ending.states.size(); ++point) {

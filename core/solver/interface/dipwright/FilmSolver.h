@@ -1,8 +1,8 @@
 // The interface between the program and a film solver: plain C++, no Qt, no VTK.
 //
 // A solver simulates one film that floats on the water (the plane y = 0) while one rigid body moves
-// down along −Y. Millimetres, seconds, radians; right-handed frame, Y up. The host owns the loop: it
-// calls begin(), then advance() until `finished`, and may read the film between two calls. One
+// down along −Y. Millimetres, seconds, radians; right-handed frame, Y up. The host owns the loop:
+// it calls begin(), then advance() until `finished`, and may read the film between two calls. One
 // solver object is used by one thread at a time; different objects are independent.
 //
 // Errors: every member may throw std::exception (std::runtime_error with a sentence for the user);
@@ -53,8 +53,8 @@ struct FilmGrid {
 };
 
 // Signed distance of the body, sampled on a uniform grid in body coordinates; not owned, valid
-// until the solver is begun anew or destroyed. Sample (i, j, k) is at origin + spacing·(i, j, k) and
-// stands at index (k·ny + j)·nx + i. Negative inside. Between samples: trilinear.
+// until the solver is begun anew or destroyed. Sample (i, j, k) is at origin + spacing·(i, j, k)
+// and stands at index (k·ny + j)·nx + i. Negative inside. Between samples: trilinear.
 struct FieldView {
     const float* distance = nullptr;
     std::array<int, 3> size{};
@@ -87,11 +87,11 @@ struct Settings {
     // residual at which a step counts as in equilibrium (mean force over mean elastic force).
     double contactTravel = 0.5;
     double residual = 1e-4;
-    // Film holds on faces that turn upwards by no more than this, radians from the vertical. Past it
-    // the film is caught (PointState::Trapped) but neither painted nor pulled along.
+    // Film holds on faces that turn upwards by no more than this, radians from the vertical. Past
+    // it the film is caught (PointState::Trapped) but neither painted nor pulled along.
     double overhang = 0.35;
     double tearStretch = 4; // film stretched to more than this many times its area tears
-    int threads = 0; // 0: all the host has
+    int threads = 0;        // 0: all the host has
 };
 
 // Everything a dip needs. `pinned` has one byte a point (non-zero: held where it rests, as by a
@@ -121,7 +121,8 @@ class FilmSolver {
 public:
     virtual ~FilmSolver() = default;
 
-    // Lays the flat film under the body; copies what it needs of `setup` except the field's samples.
+    // Lays the flat film under the body; copies what it needs of `setup` except the field's
+    // samples.
     virtual void begin(const DipSetup& setup) = 0;
 
     // Advances by at most `maximumSteps` steps of the solver's own length.
