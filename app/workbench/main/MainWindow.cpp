@@ -70,6 +70,10 @@ MainWindow::~MainWindow() {
     properties_->setDocument(nullptr);
     tree_->setDocument(nullptr);
     session_.setDocument(nullptr);
+    if (document_) { // a window half gone is told nothing more
+        document_->disconnect(this);
+        document_->undoStack().disconnect(this);
+    }
 }
 
 void MainWindow::connectPanels() {
