@@ -14,17 +14,18 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto observerInterval = std::chrono::milliseconds(33);
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("Dip", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Dip)
+};
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 Error missedFilm(const Immersion& immersion) {
-    return {tr("The body does not meet the film; move it over the film or choose a larger film"),
-            immersion.name};
+    return {
+        Text::tr("The body does not meet the film; move it over the film or choose a larger film"),
+        immersion.name};
 }
 
 // Before anything is computed: whether any of the body is over the film at all.
@@ -56,7 +57,7 @@ public:
         timed([&] { solver_->begin(setup_); });
         Clock::time_point lastShown = Clock::now() - observerInterval;
         while (!state_.finished) {
-            progress(state_.descent / setup_.motion.travel, tr("Dipping"));
+            progress(state_.descent / setup_.motion.travel, Text::tr("Dipping"));
             if (observer && Clock::now() - lastShown >= observerInterval) {
                 lastShown = Clock::now();
                 show(observer);
@@ -67,7 +68,7 @@ public:
         if (observer) {
             observer({positions_, states_, state_.descent, state_.steps});
         }
-        progress(1, tr("Dipping"));
+        progress(1, Text::tr("Dipping"));
     }
 
     DippedFilm film(const Immersion& immersion) const {
@@ -113,7 +114,8 @@ void requireStable(const DippedFilm& film, double travel, const QString& where) 
     for (const Eigen::Vector3f& position : film.positions) {
         if (!position.allFinite() || double(position.cwiseAbs().maxCoeff()) > farthest) {
             throw Error(
-                tr("The simulation became unstable; choose a smaller time step or contact travel"),
+                Text::tr(
+                    "The simulation became unstable; choose a smaller time step or contact travel"),
                 where);
         }
     }
@@ -171,10 +173,10 @@ DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
     } catch (const Error&) {
         throw;
     } catch (const std::exception& failure) {
-        throw Error(tr("The solver failed: %1").arg(QString::fromUtf8(failure.what())),
+        throw Error(Text::tr("The solver failed: %1").arg(QString::fromUtf8(failure.what())),
                     immersion.name);
     } catch (...) {
-        throw Error(tr("The solver failed with an unknown exception"), immersion.name);
+        throw Error(Text::tr("The solver failed with an unknown exception"), immersion.name);
     }
     requireStable(dipped, setup.motion.travel, immersion.name);
     if (std::find(dipped.states.begin(), dipped.states.end(), solver::PointState::Adhered) ==

@@ -21,9 +21,9 @@ namespace {
 
 constexpr qint64 maximumMetadataBytes = 64 * 1024;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("SolverRegistry", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(SolverRegistry)
+};
 
 // Why a plugin cannot be used; caught where the list is made.
 class Refusal : public std::exception {
@@ -45,7 +45,7 @@ struct Plugin {
 QString requiredText(const QJsonObject& metadata, const char* key) {
     QString text = metadata[QLatin1String(key)].toString().trimmed();
     if (text.isEmpty() || text.size() > 200) {
-        throw Refusal(tr("Its description has no valid \"%1\"").arg(QLatin1String(key)));
+        throw Refusal(Text::tr("Its description has no valid \"%1\"").arg(QLatin1String(key)));
     }
     return text;
 }
@@ -53,15 +53,15 @@ QString requiredText(const QJsonObject& metadata, const char* key) {
 QJsonObject readJson(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
-        throw Refusal(tr("Its description cannot be read: %1").arg(file.errorString()));
+        throw Refusal(Text::tr("Its description cannot be read: %1").arg(file.errorString()));
     }
     if (file.size() > maximumMetadataBytes) {
-        throw Refusal(tr("Its description is too large to be one"));
+        throw Refusal(Text::tr("Its description is too large to be one"));
     }
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(file.readAll(), &error);
     if (error.error != QJsonParseError::NoError) {
-        throw Refusal(tr("Its description is not valid JSON: %1").arg(error.errorString()));
+        throw Refusal(Text::tr("Its description is not valid JSON: %1").arg(error.errorString()));
     }
     return document.object();
 }
@@ -69,7 +69,7 @@ QJsonObject readJson(const QString& path) {
 void requireInterfaceVersion(const QJsonObject& metadata) {
     const int version = metadata[QLatin1String("interface")].toInt(-1);
     if (version != solver::interfaceVersion) {
-        throw Refusal(tr("It was built for solver interface %1, and this program has %2")
+        throw Refusal(Text::tr("It was built for solver interface %1, and this program has %2")
                           .arg(version)
                           .arg(solver::interfaceVersion));
     }
@@ -79,12 +79,12 @@ void requireInterfaceVersion(const QJsonObject& metadata) {
 void readMetadata(SolverInfo& info) {
     const QJsonObject metadata = readJson(info.metadataPath);
     if (metadata[QLatin1String("format")].toString() != QLatin1String("dipwright-solver")) {
-        throw Refusal(tr("Its description is not one of a solver"));
+        throw Refusal(Text::tr("Its description is not one of a solver"));
     }
     static const QRegularExpression validId(QStringLiteral("^[a-z0-9][a-z0-9-]{0,63}$"));
     const QString id = requiredText(metadata, "id");
     if (!validId.match(id).hasMatch() || id == QLatin1String("auto")) {
-        throw Refusal(tr("Its id may hold only small letters, digits and hyphens"));
+        throw Refusal(Text::tr("Its id may hold only small letters, digits and hyphens"));
     }
     info.id = id;
     info.name = requiredText(metadata, "name");
@@ -95,11 +95,11 @@ void readMetadata(SolverInfo& info) {
     requireInterfaceVersion(metadata);
     const QString module = requiredText(metadata, "module");
     if (QFileInfo(module).fileName() != module) {
-        throw Refusal(tr("Its module has to be a file beside its description"));
+        throw Refusal(Text::tr("Its module has to be a file beside its description"));
     }
     info.modulePath = QFileInfo(info.metadataPath).dir().filePath(module);
     if (!QFileInfo(info.modulePath).isFile()) {
-        throw Refusal(tr("Its module %1 is missing").arg(module));
+        throw Refusal(Text::tr("Its module %1 is missing").arg(module));
     }
 }
 
@@ -108,8 +108,8 @@ void refuseCrashed(const QString& modulePath) {
         LoadMarker::forget(modulePath);
     }
     if (LoadMarker::crashedBefore(modulePath)) {
-        throw Refusal(tr("It brought the program down when it was last loaded; set "
-                         "DIPWRIGHT_RETRY_SOLVERS=1 to try it again"));
+        throw Refusal(Text::tr("It brought the program down when it was last loaded; set "
+                               "DIPWRIGHT_RETRY_SOLVERS=1 to try it again"));
     }
 }
 
@@ -117,13 +117,13 @@ DipwrightSolverEntry* resolvedEntry(const QString& modulePath) {
     QLibrary library(modulePath);
     library.setLoadHints(QLibrary::ResolveAllSymbolsHint);
     if (!library.load()) {
-        throw Refusal(tr("Its module cannot be loaded: %1").arg(library.errorString()));
+        throw Refusal(Text::tr("Its module cannot be loaded: %1").arg(library.errorString()));
     }
     const auto entry =
         reinterpret_cast<DipwrightSolverEntry*>(library.resolve(DIPWRIGHT_SOLVER_ENTRY));
     if (!entry) {
-        throw Refusal(
-            tr("Its module has no entry point %1").arg(QLatin1String(DIPWRIGHT_SOLVER_ENTRY)));
+        throw Refusal(Text::tr("Its module has no entry point %1")
+                          .arg(QLatin1String(DIPWRIGHT_SOLVER_ENTRY)));
     }
     return entry; // the library stays loaded until the program ends
 }
@@ -134,9 +134,10 @@ auto guarded(const Call& call) {
     try {
         return call();
     } catch (const std::exception& error) {
-        throw Refusal(tr("Its module failed at start: %1").arg(QString::fromUtf8(error.what())));
+        throw Refusal(
+            Text::tr("Its module failed at start: %1").arg(QString::fromUtf8(error.what())));
     } catch (...) {
-        throw Refusal(tr("Its module failed at start with an unknown exception"));
+        throw Refusal(Text::tr("Its module failed at start with an unknown exception"));
     }
 }
 
@@ -146,7 +147,7 @@ const solver::SolverModule* loadModule(SolverInfo& info) {
     const solver::SolverModule* module =
         guarded([entry] { return entry(solver::interfaceVersion); });
     if (!module) {
-        throw Refusal(tr("Its module does not fit this program's solver interface"));
+        throw Refusal(Text::tr("Its module does not fit this program's solver interface"));
     }
     if (const char* reason = guarded([module] { return module->unavailableReason(); })) {
         throw Refusal(QString::fromUtf8(reason));
@@ -232,8 +233,10 @@ Plugin& SolverRegistry::Data::best() {
         }
     }
     if (!best) {
-        const QString all = reasons.isEmpty() ? tr("no plugin was found") : reasons.join(u"; ");
-        throw Error(tr("No solver can run here; install one or set DIPWRIGHT_PLUGIN_PATH"), all);
+        const QString all =
+            reasons.isEmpty() ? Text::tr("no plugin was found") : reasons.join(u"; ");
+        throw Error(Text::tr("No solver can run here; install one or set DIPWRIGHT_PLUGIN_PATH"),
+                    all);
     }
     return *best;
 }
@@ -246,11 +249,11 @@ Plugin& SolverRegistry::Data::named(const QString& id) {
         for (const Plugin& plugin : plugins) {
             ids << plugin.info.id;
         }
-        throw Error(tr("There is no such solver; choose one of %1").arg(ids.join(u", ")), id);
+        throw Error(Text::tr("There is no such solver; choose one of %1").arg(ids.join(u", ")), id);
     }
     load(*found);
     if (!found->module) {
-        throw Error(tr("This solver cannot be used: %1").arg(found->info.reason), id);
+        throw Error(Text::tr("This solver cannot be used: %1").arg(found->info.reason), id);
     }
     return *found;
 }

@@ -11,9 +11,9 @@ namespace dipwright {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("PhysicsValidation", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(PhysicsValidation)
+};
 
 QString error(const PhysicsResult& result, double value) {
     return result.inMillimetres ? QStringLiteral("%1 mm").arg(value, 0, 'f', 3)
@@ -56,14 +56,14 @@ void drawLaw(QPainter& painter, const QRectF& frame, const std::vector<PhysicsRe
     }
     painter.setPen(Qt::black);
     painter.drawText(QRectF(frame.left(), frame.top() + 4, frame.width(), 24), Qt::AlignCenter,
-                     tr("%1 film, %2 cells in the contact radius").arg(film).arg(cells));
+                     Text::tr("%1 film, %2 cells in the contact radius").arg(film).arg(cells));
     painter.drawText(QRectF(plot.left(), plot.bottom() + 22, plot.width(), 20), Qt::AlignCenter,
-                     tr("arc length from the pole (mm)"));
+                     Text::tr("arc length from the pole (mm)"));
     painter.save();
     painter.translate(frame.left() + 12, plot.center().y());
     painter.rotate(-90);
     painter.drawText(QRectF(-plot.height() / 2, -10, plot.height(), 20), Qt::AlignCenter,
-                     tr("film radius (mm)"));
+                     Text::tr("film radius (mm)"));
     painter.restore();
 
     std::size_t series = 0;
@@ -113,13 +113,13 @@ QString physicsTable(const std::vector<PhysicsResult>& results) {
         }
         lines << line;
     };
-    row({tr("body"), tr("film"), tr("cells"), tr("rms"), tr("mean"), tr("max"), tr("axis−diag"),
-         tr("steps"), tr("")});
+    row({Text::tr("body"), Text::tr("film"), Text::tr("cells"), Text::tr("rms"), Text::tr("mean"),
+         Text::tr("max"), Text::tr("axis−diag"), Text::tr("steps"), Text::tr("")});
     for (const PhysicsResult& result : results) {
         row({result.body, result.film, result.cells ? QString::number(result.cells) : QString(),
              error(result, result.rms), error(result, result.mean), error(result, result.maximum),
              result.inMillimetres ? QString() : error(result, result.anisotropy),
-             QString::number(result.steps), result.passed() ? tr("ok") : tr("FAILED")});
+             QString::number(result.steps), result.passed() ? Text::tr("ok") : Text::tr("FAILED")});
     }
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }

@@ -20,9 +20,9 @@ constexpr double ringRadius = 90;    // mm, where the film is held
 constexpr double gap = 0.5;          // mm between body and water before the dip
 constexpr int fieldResolution = 256;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("PhysicsValidation", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(PhysicsValidation)
+};
 
 struct Body {
     TriangleMesh mesh;
@@ -108,7 +108,7 @@ DipRun simulate(const solver::SolverModule& module, solver::DipSetup setup,
         film->begin(run.setup);
         while (!run.progress.finished) {
             run.progress = film->advance(4);
-            progress(run.progress.descent / run.setup.motion.travel, tr("Dipping"));
+            progress(run.progress.descent / run.setup.motion.travel, Text::tr("Dipping"));
         }
         run.positions.resize(3 * run.setup.film.pointCount());
         run.states.resize(run.setup.film.pointCount());
@@ -116,8 +116,8 @@ DipRun simulate(const solver::SolverModule& module, solver::DipSetup setup,
     } catch (const Cancelled&) {
         throw;
     } catch (const std::exception& error) {
-        throw Error(tr("The solver failed: %1").arg(QString::fromUtf8(error.what())),
-                    tr("physics validation"));
+        throw Error(Text::tr("The solver failed: %1").arg(QString::fromUtf8(error.what())),
+                    Text::tr("physics validation"));
     }
     run.seconds = double(timer.nsecsElapsed()) * 1e-9;
     return run;
@@ -145,7 +145,7 @@ public:
     }
     void writeTo(PhysicsResult& result) const {
         if (count_ == 0) {
-            throw Error(tr("The film never touched the body; the solver cannot be used"),
+            throw Error(Text::tr("The film never touched the body; the solver cannot be used"),
                         result.body);
         }
         result.rms = std::sqrt(squares_ / count_);
@@ -173,16 +173,17 @@ std::vector<Revolution> bodiesOfRevolution() {
     constexpr int rings = 360, segments = 720;
     std::vector<Revolution> bodies;
     const double angle = radians(Degrees(80)), rho = contactRadius / std::sin(angle);
-    bodies.push_back({tr("Sphere to 80°"), sphereMeridian(rho, angle),
+    bodies.push_back({Text::tr("Sphere to 80°"), sphereMeridian(rho, angle),
                       sphereMesh(rho, rings, segments), 3, false});
     for (const double along : {0.6, 1.4}) {
-        bodies.push_back({along < 1 ? tr("Flat spheroid 1 : 0.6") : tr("Long spheroid 1 : 1.4"),
-                          spheroidMeridian(rho, along * rho, angle),
-                          ellipsoidMesh({rho, along * rho, rho}, rings, segments), 3, false});
+        bodies.push_back(
+            {along < 1 ? Text::tr("Flat spheroid 1 : 0.6") : Text::tr("Long spheroid 1 : 1.4"),
+             spheroidMeridian(rho, along * rho, angle),
+             ellipsoidMesh({rho, along * rho, rho}, rings, segments), 3, false});
     }
     for (const int degrees : {30, 45, 60, 75}) {
         const double half = radians(Degrees(degrees));
-        bodies.push_back({tr("Cone of %1°").arg(degrees), coneMeridian(half, contactRadius),
+        bodies.push_back({Text::tr("Cone of %1°").arg(degrees), coneMeridian(half, contactRadius),
                           coneMesh(half, contactRadius * 1.05 / std::tan(half), segments), 10,
                           true});
     }
@@ -200,7 +201,7 @@ PhysicsResult compare(const solver::SolverModule& module, const Revolution& revo
                       const Progress& progress) {
     PhysicsResult result;
     result.body = revolution.name;
-    result.film = law == FilmLaw::Viscous ? tr("viscous") : tr("elastic");
+    result.film = law == FilmLaw::Viscous ? Text::tr("viscous") : Text::tr("elastic");
     result.cells = cells;
     result.allowed = allowedError(revolution.isCone, cells);
     const double spacing = contactRadius / cells, width = 2 * (ringRadius + 2 * spacing);
@@ -235,8 +236,8 @@ PhysicsResult compare(const solver::SolverModule& module, const Revolution& revo
 PhysicsResult compareFlatFace(const solver::SolverModule& module, const PhysicsOptions& options,
                               const Progress& progress) {
     PhysicsResult result;
-    result.body = tr("Flat face, 60 × 40 mm");
-    result.film = tr("elastic");
+    result.body = Text::tr("Flat face, 60 × 40 mm");
+    result.film = Text::tr("elastic");
     result.inMillimetres = true;
     result.allowed = 0.02;
     const Body body = makeBody(boxMesh({60, 20, 40}), fieldResolution, progress.part(0, 0.2));
@@ -262,8 +263,8 @@ PhysicsResult compareFlatFace(const solver::SolverModule& module, const PhysicsO
 PhysicsResult compareCylinder(const solver::SolverModule& module, const PhysicsOptions& options,
                               const Progress& progress) {
     PhysicsResult result;
-    result.body = tr("Lying cylinder to 80°");
-    result.film = tr("elastic");
+    result.body = Text::tr("Lying cylinder to 80°");
+    result.film = Text::tr("elastic");
     result.inMillimetres = true;
     result.allowed = 0.1;
     const double radius = 30, angle = radians(Degrees(80));
@@ -291,8 +292,8 @@ PhysicsResult compareCylinder(const solver::SolverModule& module, const PhysicsO
 PhysicsResult compareTurned(const solver::SolverModule& module, const PhysicsOptions& options,
                             const Progress& progress) {
     PhysicsResult result;
-    result.body = tr("Ellipsoid turned by 45°");
-    result.film = tr("elastic");
+    result.body = Text::tr("Ellipsoid turned by 45°");
+    result.film = Text::tr("elastic");
     result.inMillimetres = true;
     result.allowed = 0.15;
     const Body body =
@@ -358,13 +359,13 @@ std::vector<PhysicsResult> validatePhysics(const solver::SolverModule& module,
             for (const int cells : options.resolutions) {
                 const double work = std::pow(double(cells), 3);
                 const Progress part = progress.part(done / total, (done + work) / total);
-                part(0, tr("%1, %2 cells").arg(revolution.name).arg(cells));
+                part(0, Text::tr("%1, %2 cells").arg(revolution.name).arg(cells));
                 results.push_back(compare(module, revolution, body, law, cells, options, part));
                 done += work;
             }
         }
     }
-    progress(0.92, tr("Flat face"));
+    progress(0.92, Text::tr("Flat face"));
     results.push_back(compareFlatFace(module, options, progress.part(0.92, 0.94)));
     results.push_back(compareCylinder(module, options, progress.part(0.94, 0.97)));
     results.push_back(compareTurned(module, options, progress.part(0.97, 1)));

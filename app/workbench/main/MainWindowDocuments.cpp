@@ -255,6 +255,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
+    if (document_ && !document_->path().isEmpty()) {
+        keepProjectThumbnail(document_->path(), view_->picture());
+    }
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), saveState());

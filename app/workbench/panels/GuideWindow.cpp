@@ -34,6 +34,8 @@ GuideWindow::GuideWindow(QWidget* parent) : QWidget(parent, Qt::Window) {
     auto* contents = new QListWidget;
     contents->setAccessibleName(tr("Contents"));
     contents->setFrameShape(QFrame::NoFrame);
+    contents->setSpacing(4);
+    contents->setWordWrap(true);
     auto* text = new QTextBrowser;
     text->setFrameShape(QFrame::NoFrame);
     text->setOpenExternalLinks(true);

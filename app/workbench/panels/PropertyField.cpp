@@ -70,7 +70,7 @@ public:
             addAbsentTick(*row);
         }
         const int decimals = whole_ ? 0 : unitDecimals(spec.unit, length);
-        const QString range = tr("%1 to %2%3")
+        const QString range = PropertyField::tr("%1 to %2%3")
                                   .arg(locale().toString(rule.minimum * factor_, 'g', 6),
                                        locale().toString(rule.maximum * factor_, 'g', 6),
                                        unitSuffix(spec.unit, length));

@@ -71,9 +71,8 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
               Text::tr("%1 mm²").arg(number(result.texture->shortfallArea, 0)));
     table.row(Text::tr("Air trapped"),
               Text::tr("%1 mm²").arg(number(result.coverage->trappedAirArea, 0)));
-    table.row(
-        Text::tr("Simulated in"),
-        Text::tr("%1 s, %n step(s)", nullptr, int(film.steps)).arg(number(film.wallSeconds, 2)));
+    table.row(Text::tr("Simulated in"), Text::tr("%1 s").arg(number(film.wallSeconds, 2)));
+    table.row(Text::tr("Steps"), locale.toString(qlonglong(film.steps)));
     return heading(result.immersion.name) + table.html();
 }
 

@@ -80,17 +80,21 @@ StartPage::StartPage(QWidget* parent)
     recent_->addAction(forget);
     samples_->setFixedHeight(sampleRowHeight);
     recentHint_->setForegroundRole(QPalette::PlaceholderText);
+    auto* recentTitle = makeTitle(tr("Recent projects"));
+    for (QLabel* label : {samplesTitle_, recentTitle, recentHint_}) {
+        label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    }
 
     auto* right = new QVBoxLayout;
     right->addWidget(samplesTitle_);
     right->addWidget(samples_);
     right->addSpacing(8);
-    right->addWidget(makeTitle(tr("Recent projects")));
+    right->addWidget(recentTitle);
     right->addWidget(recentHint_);
-    right->addWidget(recent_, 1);
-    right->addStretch();
+    right->addWidget(recent_, 4);
+    right->addStretch(1);
     auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(48, 40, 32, 24);
+    layout->setContentsMargins(40, 32, 32, 20);
     layout->setSpacing(48);
     layout->addLayout(makeActions(), 2);
     layout->addLayout(right, 5);
@@ -111,6 +115,9 @@ QVBoxLayout* StartPage::makeActions() {
     actions->addSpacing(4);
     actions->addWidget(title);
     actions->addWidget(subtitle);
+    for (QLabel* label : {logo, title, subtitle}) {
+        label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    }
     actions->addSpacing(20);
     const auto addButton = [this, actions](const QString& text, const QString& help,
                                            const QString& iconName, void (StartPage::*asked)()) {
@@ -127,7 +134,7 @@ QVBoxLayout* StartPage::makeActions() {
               QStringLiteral("document-open"), &StartPage::openAsked);
     addButton(tr("Quick Tour"), tr("What is where, in six steps."), QStringLiteral("help"),
               &StartPage::tourAsked);
-    actions->addStretch();
+    actions->addStretch(1);
     auto* drop = new QLabel(tr("Models and projects can also be dropped on the window."));
     drop->setWordWrap(true);
     drop->setForegroundRole(QPalette::PlaceholderText);

@@ -1,0 +1,3345 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>Archive</name>
+    <message>
+        <source>There is no such file</source>
+        <translation>Diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>This is not a file</source>
+        <translation>Das ist keine Datei</translation>
+    </message>
+    <message>
+        <source>The file is empty</source>
+        <translation>Die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>The file is too large for a project</source>
+        <translation>Die Datei ist zu groß für ein Projekt</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1</source>
+        <translation>Die Datei kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright project, or the file is cut off or damaged</source>
+        <translation>Das ist kein Dipwright-Projekt, oder die Datei ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>The file holds more entries than any project has</source>
+        <translation>Die Datei enthält mehr Einträge, als ein Projekt hat</translation>
+    </message>
+    <message>
+        <source>The file is cut off or damaged</source>
+        <translation>Die Datei ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>The file holds an entry with an unsafe path and is not opened</source>
+        <translation>Die Datei enthält einen Eintrag mit unsicherem Pfad und wird nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>The file holds the entry %1 twice</source>
+        <translation>Die Datei enthält den Eintrag %1 doppelt</translation>
+    </message>
+    <message>
+        <source>The file is encrypted, save it without a password</source>
+        <translation>Die Datei ist verschlüsselt; speichern Sie sie ohne Kennwort</translation>
+    </message>
+    <message>
+        <source>The file would unpack to more than any project needs and is not opened</source>
+        <translation>Die Datei würde entpackt größer als jedes Projekt und wird nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>The project lacks %1</source>
+        <translation>Dem Projekt fehlt %1</translation>
+    </message>
+    <message>
+        <source>%1 in the project is cut off or damaged</source>
+        <translation>%1 im Projekt ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>The project cannot be packed</source>
+        <translation>Das Projekt kann nicht gepackt werden</translation>
+    </message>
+</context>
+<context>
+    <name>Dip</name>
+    <message>
+        <source>The body does not meet the film; move it over the film or choose a larger film</source>
+        <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film oder wählen Sie einen größeren Film</translation>
+    </message>
+    <message>
+        <source>Dipping</source>
+        <translation>Tauchen</translation>
+    </message>
+    <message>
+        <source>The simulation became unstable; choose a smaller time step or contact travel</source>
+        <translation>Die Simulation wurde instabil; wählen Sie einen kleineren Zeitschritt oder Kontaktweg</translation>
+    </message>
+    <message>
+        <source>The solver failed: %1</source>
+        <translation>Der Löser ist gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>The solver failed with an unknown exception</source>
+        <translation>Der Löser ist mit einer unbekannten Ausnahme gescheitert</translation>
+    </message>
+</context>
+<context>
+    <name>DipJob</name>
+    <message>
+        <source>Simulating the dip</source>
+        <translation>Tauchgang wird simuliert</translation>
+    </message>
+    <message>
+        <source>Preparing the views</source>
+        <translation>Ansichten werden vorbereitet</translation>
+    </message>
+</context>
+<context>
+    <name>FilmTable</name>
+    <message>
+        <source>The table cannot be written: %1</source>
+        <translation>Die Tabelle kann nicht geschrieben werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>PhysicsValidation</name>
+    <message>
+        <source>%1 film, %2 cells in the contact radius</source>
+        <translation>%1er Film, %2 Zellen im Kontaktradius</translation>
+    </message>
+    <message>
+        <source>arc length from the pole (mm)</source>
+        <translation>Bogenlänge vom Pol (mm)</translation>
+    </message>
+    <message>
+        <source>film radius (mm)</source>
+        <translation>Filmradius (mm)</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>rms</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>axis−diag</source>
+        <translation>Achse−Diag</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>ok</translation>
+    </message>
+    <message>
+        <source>FAILED</source>
+        <translation>FALSCH</translation>
+    </message>
+    <message>
+        <source>Dipping</source>
+        <translation>Tauchen</translation>
+    </message>
+    <message>
+        <source>The solver failed: %1</source>
+        <translation>Der Löser ist gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>physics validation</source>
+        <translation>Prüfung der Physik</translation>
+    </message>
+    <message>
+        <source>The film never touched the body; the solver cannot be used</source>
+        <translation>Der Film hat den Körper nie berührt; der Löser ist nicht zu gebrauchen</translation>
+    </message>
+    <message>
+        <source>Sphere to 80°</source>
+        <translation>Kugel bis 80°</translation>
+    </message>
+    <message>
+        <source>Flat spheroid 1 : 0.6</source>
+        <translation>Flaches Sphäroid 1 : 0,6</translation>
+    </message>
+    <message>
+        <source>Long spheroid 1 : 1.4</source>
+        <translation>Langes Sphäroid 1 : 1,4</translation>
+    </message>
+    <message>
+        <source>Cone of %1°</source>
+        <translation>Kegel von %1°</translation>
+    </message>
+    <message>
+        <source>viscous</source>
+        <translation>viskos</translation>
+    </message>
+    <message>
+        <source>elastic</source>
+        <translation>elastisch</translation>
+    </message>
+    <message>
+        <source>Flat face, 60 × 40 mm</source>
+        <translation>Ebene Fläche, 60 × 40 mm</translation>
+    </message>
+    <message>
+        <source>Lying cylinder to 80°</source>
+        <translation>Liegender Zylinder bis 80°</translation>
+    </message>
+    <message>
+        <source>Ellipsoid turned by 45°</source>
+        <translation>Ellipsoid um 45° gedreht</translation>
+    </message>
+    <message>
+        <source>%1, %2 cells</source>
+        <translation>%1, %2 Zellen</translation>
+    </message>
+    <message>
+        <source>Flat face</source>
+        <translation>Ebene Fläche</translation>
+    </message>
+</context>
+<context>
+    <name>Pipeline</name>
+    <message>
+        <source>%1 %2 × %3 mm</source>
+        <translation>%1 %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>1:1, swell %1 × %2 taken out</source>
+        <translation>1:1, Quellung %1 × %2 herausgerechnet</translation>
+    </message>
+    <message>
+        <source>The project has no model, import one first</source>
+        <translation>Das Projekt hat kein Modell; importieren Sie zuerst eines</translation>
+    </message>
+    <message>
+        <source>%1 failed and %2 took over: %3</source>
+        <translation>%1 ist gescheitert, %2 hat übernommen: %3</translation>
+    </message>
+    <message>
+        <source>Finding the film on the body</source>
+        <translation>Film auf dem Körper wird gesucht</translation>
+    </message>
+    <message>
+        <source>Measuring the coverage</source>
+        <translation>Abdeckung wird gemessen</translation>
+    </message>
+    <message>
+        <source>Measuring the registration</source>
+        <translation>Passgenauigkeit wird gemessen</translation>
+    </message>
+    <message>
+        <source>The body does not meet the film; move it over the film or choose a larger film</source>
+        <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film oder wählen Sie einen größeren Film</translation>
+    </message>
+    <message>
+        <source>%1: the body reaches past the film's edge</source>
+        <translation>%1: Der Körper reicht über den Rand des Films hinaus</translation>
+    </message>
+    <message>
+        <source>%1: the film's cells are coarse for this body, give the film more points</source>
+        <translation>%1: Die Zellen des Films sind grob für diesen Körper; geben Sie dem Film mehr Punkte</translation>
+    </message>
+    <message>
+        <source>The model is not closed, what is inside is guessed</source>
+        <translation>Das Modell ist nicht geschlossen; was innen ist, wird geschätzt</translation>
+    </message>
+    <message>
+        <source>The model has no texture, its plain colours are printed</source>
+        <translation>Das Modell hat keine Textur; gedruckt werden seine einfachen Farben</translation>
+    </message>
+    <message>
+        <source>Writing the sheet of %1</source>
+        <translation>Bogen von %1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the film of %1</source>
+        <translation>Film von %1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the stretch of %1</source>
+        <translation>Dehnung von %1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Moving the results in place</source>
+        <translation>Ergebnisse werden an ihren Platz gebracht</translation>
+    </message>
+</context>
+<context>
+    <name>PoseSearch</name>
+    <message>
+        <source>Trying poses</source>
+        <translation>Lagen werden probiert</translation>
+    </message>
+    <message>
+        <source>Ranking the poses</source>
+        <translation>Lagen werden gereiht</translation>
+    </message>
+    <message>
+        <source>The solver failed: %1</source>
+        <translation>Der Löser ist gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>No pose paints anything; choose a larger film</source>
+        <translation>Keine Lage bemalt etwas; wählen Sie einen größeren Film</translation>
+    </message>
+    <message>
+        <source>Immersion %1</source>
+        <translation>Tauchgang %1</translation>
+    </message>
+    <message>
+        <source>The project has no model, import one first</source>
+        <translation>Das Projekt hat kein Modell; importieren Sie zuerst eines</translation>
+    </message>
+</context>
+<context>
+    <name>Profiles</name>
+    <message>
+        <source>The ICC profile is not stored as base64 text, import it anew</source>
+        <translation>Das ICC-Profil ist nicht als Base64-Text gespeichert; importieren Sie es neu</translation>
+    </message>
+    <message>
+        <source>%1 is not a date, write it as 2027-03-31</source>
+        <translation>%1 ist kein Datum; schreiben Sie es wie 2027-03-31</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright profile</source>
+        <translation>Das ist kein Dipwright-Profil</translation>
+    </message>
+    <message>
+        <source>The profile has version %1 of the file format and this program reads up to version %2, open it with a newer Dipwright</source>
+        <translation>Das Profil hat die Version %1 des Dateiformats, dieses Programm liest bis Version %2; öffnen Sie es mit einem neueren Dipwright</translation>
+    </message>
+    <message>
+        <source>A profile needs a name</source>
+        <translation>Ein Profil braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>There is no %1 profile of this name, there are: %2</source>
+        <translation>Ein Profil für %1 mit diesem Namen gibt es nicht; es gibt: %2</translation>
+    </message>
+    <message>
+        <source>The folder for profiles cannot be made, choose another with DIPWRIGHT_PROFILE_PATH</source>
+        <translation>Der Ordner für Profile kann nicht angelegt werden; wählen Sie mit DIPWRIGHT_PROFILE_PATH einen anderen</translation>
+    </message>
+    <message>
+        <source>The profile cannot be removed</source>
+        <translation>Das Profil kann nicht entfernt werden</translation>
+    </message>
+    <message>
+        <source>There is no %1 profile of your own of this name</source>
+        <translation>Ein eigenes Profil für %1 mit diesem Namen gibt es nicht</translation>
+    </message>
+    <message>
+        <source>The profile cannot be read: %1</source>
+        <translation>Das Profil kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>The file is too large for a profile</source>
+        <translation>Die Datei ist zu groß für ein Profil</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright profile: %1</source>
+        <translation>Das ist kein Dipwright-Profil: %1</translation>
+    </message>
+    <message>
+        <source>The profile cannot be written: %1</source>
+        <translation>Das Profil kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>There is no such kind of profile, use printer, film or tank</source>
+        <translation>Diese Art Profil gibt es nicht; nehmen Sie printer, film oder tank</translation>
+    </message>
+    <message>
+        <source>There is no such value in this profile, there are %1</source>
+        <translation>Diesen Wert gibt es in diesem Profil nicht; es gibt %1</translation>
+    </message>
+</context>
+<context>
+    <name>Project</name>
+    <message>
+        <source>a text of at most %1 characters</source>
+        <translation>ein Text von höchstens %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>ein Feld</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>%1 does not fit here, give %2</source>
+        <translation>%1 passt hier nicht; geben Sie %2 an</translation>
+    </message>
+    <message>
+        <source>%1 does not fit here, give %2 parts, each %3</source>
+        <translation>%1 passt hier nicht; geben Sie %2 Teile an, jeder %3</translation>
+    </message>
+    <message>
+        <source>“%1” must be an object</source>
+        <translation>„%1“ muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>There is no film size of this name, use one of %1</source>
+        <translation>Ein Filmformat dieses Namens gibt es nicht; nehmen Sie eines von %1</translation>
+    </message>
+    <message>
+        <source>immersions must be an array of one or two immersions</source>
+        <translation>immersions muss ein Feld von einem oder zwei Tauchgängen sein</translation>
+    </message>
+    <message>
+        <source>%1 must be an object</source>
+        <translation>%1 muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>profiles.%1 holds a profile of another kind</source>
+        <translation>profiles.%1 enthält ein Profil anderer Art</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright project</source>
+        <translation>Das ist kein Dipwright-Projekt</translation>
+    </message>
+    <message>
+        <source>The project has version %1 of the file format and this program reads up to version %2, open it with a newer Dipwright</source>
+        <translation>Das Projekt hat die Version %1 des Dateiformats, dieses Programm liest bis Version %2; öffnen Sie es mit einem neueren Dipwright</translation>
+    </message>
+    <message>
+        <source>the sections are film, process, body, immersions[0], sheet and ink</source>
+        <translation>die Abschnitte sind film, process, body, immersions[0], sheet und ink</translation>
+    </message>
+    <message>
+        <source>there are %1</source>
+        <translation>es gibt %1</translation>
+    </message>
+    <message>
+        <source>There is no such setting, %1</source>
+        <translation>Diese Einstellung gibt es nicht; %1</translation>
+    </message>
+    <message>
+        <source>There is no preset %1, use production or paper-2020</source>
+        <translation>Die Vorgabe %1 gibt es nicht; nehmen Sie production oder paper-2020</translation>
+    </message>
+    <message>
+        <source>The project has %1 immersion(s), the first is immersions[0]</source>
+        <translation>Das Projekt hat %1 Tauchgänge, der erste ist immersions[0]</translation>
+    </message>
+    <message>
+        <source>%1 × %2 points are more than the %3 million that a film may have, give fewer</source>
+        <translation>%1 × %2 Punkte sind mehr als die %3 Millionen, die ein Film haben darf; nehmen Sie weniger</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectStore</name>
+    <message>
+        <source>A texture cannot be stored</source>
+        <translation>Eine Textur kann nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright project, it holds no project.json</source>
+        <translation>Das ist kein Dipwright-Projekt, es enthält keine project.json</translation>
+    </message>
+    <message>
+        <source>project.json is damaged at character %1: %2</source>
+        <translation>project.json ist bei Zeichen %1 beschädigt: %2</translation>
+    </message>
+    <message>
+        <source>The texture %1 cannot be read</source>
+        <translation>Die Textur %1 kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>The model in the project is not the one that was saved, its sha256 differs</source>
+        <translation>Das Modell im Projekt ist nicht das gespeicherte, sein sha256 weicht ab</translation>
+    </message>
+    <message>
+        <source>The project lists %1 textures and its model needs %2</source>
+        <translation>Das Projekt nennt %1 Texturen, sein Modell braucht %2</translation>
+    </message>
+    <message>
+        <source>The project cannot be saved: %1</source>
+        <translation>Das Projekt kann nicht gespeichert werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectValue</name>
+    <message>
+        <source>There is no such setting</source>
+        <translation>Diese Einstellung gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>PropertySpecs</name>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Held by a barrier</source>
+        <translation>Von einer Barriere gehalten</translation>
+    </message>
+    <message>
+        <source>Whether this side of the film floats freely or is held by a barrier in the tank.</source>
+        <translation>Ob diese Seite des Films frei schwimmt oder von einer Barriere im Becken gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What the project is called. It stands in the job line of every sheet.</source>
+        <translation>Wie das Projekt heißt. Der Name steht in der Auftragszeile jedes Bogens.</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>The date in the job line. It belongs to the project, so that the same project always gives the same sheet.</source>
+        <translation>Das Datum in der Auftragszeile. Es gehört zum Projekt, damit dasselbe Projekt immer denselben Bogen ergibt.</translation>
+    </message>
+    <message>
+        <source>Distance field</source>
+        <translation>Abstandsfeld</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Samples along each edge of the cube round the body in which the distance to its surface is kept. More follows finer detail and takes longer to build.</source>
+        <translation>Abtastpunkte je Kante des Würfels um den Körper, in dem der Abstand zur Oberfläche liegt. Mehr folgt feineren Einzelheiten und braucht länger.</translation>
+    </message>
+    <message>
+        <source>Printed film</source>
+        <translation>Gedruckter Film</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>The size in which the film comes and is printed.</source>
+        <translation>Die Größe, in der der Film geliefert und bedruckt wird.</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Eigenes</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Width and height of the printed film. The grid keeps its spacing.</source>
+        <translation>Breite und Höhe des gedruckten Films. Das Gitter behält seinen Abstand.</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>width</comment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <comment>height</comment>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Points of the simulated film across and down. More points show finer detail and take longer.</source>
+        <translation>Punkte des simulierten Films quer und längs. Mehr Punkte zeigen feinere Einzelheiten und brauchen länger.</translation>
+    </message>
+    <message>
+        <source>Behaviour on the water</source>
+        <translation>Verhalten auf dem Wasser</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Quellung</translation>
+    </message>
+    <message>
+        <source>How much the wetted film has grown over the printed one, across and down. Measure it: it is the first number to calibrate, and the sheet is printed smaller by it.</source>
+        <translation>Wie viel der benetzte Film gegenüber dem gedruckten gewachsen ist, quer und längs. Messen Sie es: Es ist die erste Zahl, die zu kalibrieren ist, und der Bogen wird um sie kleiner gedruckt.</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxation</translation>
+    </message>
+    <message>
+        <source>How fast stress in the floating film decays. An elastic film remembers its shape for ever; a viscous one, at 0 s, forgets at once.</source>
+        <translation>Wie schnell Spannung im schwimmenden Film abklingt. Ein elastischer Film behält seine Form für immer in Erinnerung, ein viskoser, bei 0 s, vergisst sie sofort.</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Elastisch</translation>
+    </message>
+    <message>
+        <source>Contact distance</source>
+        <translation>Kontaktabstand</translation>
+    </message>
+    <message>
+        <source>How near a film point has to come to the surface to touch it.</source>
+        <translation>Wie nahe ein Filmpunkt der Oberfläche kommen muss, um sie zu berühren.</translation>
+    </message>
+    <message>
+        <source>Film model</source>
+        <translation>Filmmodell</translation>
+    </message>
+    <message>
+        <source>Isotropic film resists shear and gives the same result whichever way the grid lies. The structural lattice joins horizontal and vertical neighbours only, as in the paper of 2020.</source>
+        <translation>Isotroper Film widersteht Scherung und ergibt dasselbe, wie das Gitter auch liegt. Das strukturelle Gitter verbindet nur waagrechte und senkrechte Nachbarn, wie in der Arbeit von 2020.</translation>
+    </message>
+    <message>
+        <source>Isotropic</source>
+        <translation>Isotrop</translation>
+    </message>
+    <message>
+        <source>Structural lattice</source>
+        <translation>Strukturelles Gitter</translation>
+    </message>
+    <message>
+        <source>Support</source>
+        <translation>Auflage</translation>
+    </message>
+    <message>
+        <source>Whether the water holds up the free film. Without it nothing does.</source>
+        <translation>Ob das Wasser den freien Film trägt. Ohne es trägt ihn nichts.</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>How fast the body comes down into the water.</source>
+        <translation>Wie schnell der Körper ins Wasser sinkt.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>How far the lowest point of the body goes under the waterline. “Whole body” dips until all of it is under.</source>
+        <translation>Wie weit der tiefste Punkt des Körpers unter die Wasserlinie kommt. „Ganzer Körper“ taucht, bis alles unter Wasser ist.</translation>
+    </message>
+    <message>
+        <source>Whole body</source>
+        <translation>Ganzer Körper</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Zugabe</translation>
+    </message>
+    <message>
+        <source>How much farther than fully under the body is dipped.</source>
+        <translation>Wie viel weiter als ganz unter Wasser der Körper getaucht wird.</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Tears at</source>
+        <translation>Reißt bei</translation>
+    </message>
+    <message>
+        <source>The area stretch past which film counts as torn. Torn film is marked and not painted.</source>
+        <translation>Die Flächendehnung, ab der Film als gerissen gilt. Gerissener Film wird markiert und nicht aufgetragen.</translation>
+    </message>
+    <message>
+        <source>Overhang</source>
+        <translation>Überhang</translation>
+    </message>
+    <message>
+        <source>Film holds on faces that turn upwards by no more than this.</source>
+        <translation>Film hält auf Flächen, die sich höchstens so weit nach oben wenden.</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>How far the contact line travels in one step, in cells of the film. Smaller is finer and slower.</source>
+        <translation>Wie weit die Kontaktlinie in einem Schritt wandert, in Zellen des Films. Kleiner ist feiner und langsamer.</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Time that one step simulates.</source>
+        <translation>Zeit, die ein Schritt simuliert.</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Iterationen</translation>
+    </message>
+    <message>
+        <source>Sweeps over all constraints in one step.</source>
+        <translation>Durchläufe über alle Zwangsbedingungen in einem Schritt.</translation>
+    </message>
+    <message>
+        <source>Sweeps</source>
+        <translation>Durchläufe</translation>
+    </message>
+    <message>
+        <source>Jacobi corrects all points at once and averages; Gauss–Seidel one after the other.</source>
+        <translation>Jacobi korrigiert alle Punkte zugleich und mittelt, Gauß–Seidel einen nach dem anderen.</translation>
+    </message>
+    <message>
+        <source>Self-contact</source>
+        <translation>Selbstkontakt</translation>
+    </message>
+    <message>
+        <source>Keep film from passing through film.</source>
+        <translation>Verhindert, dass Film durch Film dringt.</translation>
+    </message>
+    <message>
+        <source>What this immersion is called. It stands in the job line of its sheet.</source>
+        <translation>Wie dieser Tauchgang heißt. Der Name steht in der Auftragszeile seines Bogens.</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>How the body is turned about X, then Y, then Z before it is dipped. Drag the rings in the view to turn it by hand; hold Shift for steps of 15°.</source>
+        <translation>Wie der Körper vor dem Tauchen um X, dann Y, dann Z gedreht wird. Ziehen Sie an den Ringen der Ansicht, um ihn von Hand zu drehen; mit Umschalt in Schritten von 15°.</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Where the body meets the film, from the middle of the film: X to the right, Z down the sheet.</source>
+        <translation>Wo der Körper den Film trifft, von der Mitte des Films aus: X nach rechts, Z den Bogen hinab.</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>The page that the film image is laid on. “As the film” prints the film itself, edge to edge.</source>
+        <translation>Die Seite, auf die das Filmbild gelegt wird. „Wie der Film“ druckt den Film selbst, von Rand zu Rand.</translation>
+    </message>
+    <message>
+        <source>As the film</source>
+        <translation>Wie der Film</translation>
+    </message>
+    <message>
+        <source>Width and height of the page.</source>
+        <translation>Breite und Höhe der Seite.</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>Turn the page on its side.</source>
+        <translation>Die Seite quer legen.</translation>
+    </message>
+    <message>
+        <source>Pixels to the inch of the film image.</source>
+        <translation>Bildpunkte je Zoll des Filmbilds.</translation>
+    </message>
+    <message>
+        <source>Bleed</source>
+        <translation>Beschnitt</translation>
+    </message>
+    <message>
+        <source>How far the colour is continued past the painted area, so that a small error of position leaves no bare edge.</source>
+        <translation>Wie weit die Farbe über die bemalte Fläche hinaus weitergeht, damit ein kleiner Lagefehler keinen kahlen Rand lässt.</translation>
+    </message>
+    <message>
+        <source>On the page</source>
+        <translation>Auf der Seite</translation>
+    </message>
+    <message>
+        <source>Registration marks</source>
+        <translation>Passmarken</translation>
+    </message>
+    <message>
+        <source>Marks in the corners by which the film is laid into the tank.</source>
+        <translation>Marken in den Ecken, nach denen der Film ins Becken gelegt wird.</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Lineal</translation>
+    </message>
+    <message>
+        <source>A ruler of 100 mm: measure it to see that the page was printed at true size.</source>
+        <translation>Ein Lineal von 100 mm: Messen Sie nach, ob die Seite in wahrer Größe gedruckt wurde.</translation>
+    </message>
+    <message>
+        <source>Job line</source>
+        <translation>Auftragszeile</translation>
+    </message>
+    <message>
+        <source>A line with project, immersion, date, film, scale and a check sum.</source>
+        <translation>Eine Zeile mit Projekt, Tauchgang, Datum, Film, Maßstab und Prüfsumme.</translation>
+    </message>
+    <message>
+        <source>Compensate stretch</source>
+        <translation>Dehnung ausgleichen</translation>
+    </message>
+    <message>
+        <source>Ink thins where the film stretches. Print more there, so that the body shows the colour of the texture.</source>
+        <translation>Farbe wird dünner, wo sich der Film dehnt. Dort mehr drucken, damit der Körper die Farbe der Textur zeigt.</translation>
+    </message>
+    <message>
+        <source>Ink limit</source>
+        <translation>Farbgrenze</translation>
+    </message>
+    <message>
+        <source>The highest optical density that can be printed. Where more would be needed, the colour falls short and the report says so.</source>
+        <translation>Die höchste optische Dichte, die gedruckt werden kann. Wo mehr nötig wäre, reicht die Farbe nicht, und der Bericht sagt es.</translation>
+    </message>
+</context>
+<context>
+    <name>ReportPanel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Body painted</source>
+        <translation>Körper bemalt</translation>
+    </message>
+    <message>
+        <source>Film points on the body</source>
+        <translation>Filmpunkte auf dem Körper</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Stretch, mean and largest</source>
+        <translation>Dehnung, Mittel und größte</translation>
+    </message>
+    <message>
+        <source>Area stretch, smallest and largest</source>
+        <translation>Flächendehnung, kleinste und größte</translation>
+    </message>
+    <message>
+        <source>Registration, mean and 95 %</source>
+        <translation>Passgenauigkeit, Mittel und 95 %</translation>
+    </message>
+    <message>
+        <source>Film triangles across texture seams</source>
+        <translation>Filmdreiecke über Texturnähten</translation>
+    </message>
+    <message>
+        <source>Colour short of ink</source>
+        <translation>Farbe ohne genug Tinte</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>Air trapped</source>
+        <translation>Eingeschlossene Luft</translation>
+    </message>
+    <message>
+        <source>Simulated in</source>
+        <translation>Simuliert in</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+</context>
+<context>
+    <name>ResultFolder</name>
+    <message>
+        <source>The results cannot be written, %1 is not a folder</source>
+        <translation>Die Ergebnisse können nicht geschrieben werden, %1 ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>The folder cannot be written: %1</source>
+        <translation>In den Ordner kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>The results cannot be written: %1</source>
+        <translation>Die Ergebnisse können nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>The results cannot be moved into the folder, is a file there in use?</source>
+        <translation>Die Ergebnisse können nicht in den Ordner verschoben werden; wird dort eine Datei benutzt?</translation>
+    </message>
+</context>
+<context>
+    <name>SolverRegistry</name>
+    <message>
+        <source>Its description has no valid "%1"</source>
+        <translation>Seine Beschreibung hat kein gültiges „%1“</translation>
+    </message>
+    <message>
+        <source>Its description cannot be read: %1</source>
+        <translation>Seine Beschreibung kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Its description is too large to be one</source>
+        <translation>Seine Beschreibung ist zu groß, um eine zu sein</translation>
+    </message>
+    <message>
+        <source>Its description is not valid JSON: %1</source>
+        <translation>Seine Beschreibung ist kein gültiges JSON: %1</translation>
+    </message>
+    <message>
+        <source>It was built for solver interface %1, and this program has %2</source>
+        <translation>Er wurde für die Löserschnittstelle %1 gebaut, dieses Programm hat %2</translation>
+    </message>
+    <message>
+        <source>Its description is not one of a solver</source>
+        <translation>Seine Beschreibung ist nicht die eines Lösers</translation>
+    </message>
+    <message>
+        <source>Its id may hold only small letters, digits and hyphens</source>
+        <translation>Seine Kennung darf nur Kleinbuchstaben, Ziffern und Bindestriche enthalten</translation>
+    </message>
+    <message>
+        <source>Its module has to be a file beside its description</source>
+        <translation>Sein Modul muss eine Datei neben seiner Beschreibung sein</translation>
+    </message>
+    <message>
+        <source>Its module %1 is missing</source>
+        <translation>Sein Modul %1 fehlt</translation>
+    </message>
+    <message>
+        <source>It brought the program down when it was last loaded; set DIPWRIGHT_RETRY_SOLVERS=1 to try it again</source>
+        <translation>Er brachte das Programm beim letzten Laden zum Absturz; setzen Sie DIPWRIGHT_RETRY_SOLVERS=1, um es wieder zu versuchen</translation>
+    </message>
+    <message>
+        <source>Its module cannot be loaded: %1</source>
+        <translation>Sein Modul kann nicht geladen werden: %1</translation>
+    </message>
+    <message>
+        <source>Its module has no entry point %1</source>
+        <translation>Sein Modul hat keinen Einsprung %1</translation>
+    </message>
+    <message>
+        <source>Its module failed at start: %1</source>
+        <translation>Sein Modul ist beim Start gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>Its module failed at start with an unknown exception</source>
+        <translation>Sein Modul ist beim Start mit einer unbekannten Ausnahme gescheitert</translation>
+    </message>
+    <message>
+        <source>Its module does not fit this program's solver interface</source>
+        <translation>Sein Modul passt nicht zur Löserschnittstelle dieses Programms</translation>
+    </message>
+    <message>
+        <source>no plugin was found</source>
+        <translation>kein Plugin wurde gefunden</translation>
+    </message>
+    <message>
+        <source>No solver can run here; install one or set DIPWRIGHT_PLUGIN_PATH</source>
+        <translation>Hier kann kein Löser laufen; installieren Sie einen oder setzen Sie DIPWRIGHT_PLUGIN_PATH</translation>
+    </message>
+    <message>
+        <source>There is no such solver; choose one of %1</source>
+        <translation>Diesen Löser gibt es nicht; wählen Sie einen von %1</translation>
+    </message>
+    <message>
+        <source>This solver cannot be used: %1</source>
+        <translation>Dieser Löser kann nicht verwendet werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
+    <message>
+        <source>an object holds itself</source>
+        <translation>ein Objekt enthält sich selbst</translation>
+    </message>
+    <message>
+        <source>it has more than 65,536 materials</source>
+        <translation>es hat mehr als 65.536 Materialien</translation>
+    </message>
+</context>
+<context>
+    <name>Units</name>
+    <message>
+        <source> in</source>
+        <translation> in</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in/s</source>
+        <translation> in/s</translation>
+    </message>
+    <message>
+        <source> mm/s</source>
+        <translation> mm/s</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> Zellen</translation>
+    </message>
+    <message>
+        <source> D</source>
+        <translation> D</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright</name>
+    <message>
+        <source>Reversing the texture</source>
+        <translation>Textur wird umgekehrt</translation>
+    </message>
+    <message>
+        <source>The film's image is too large for this computer's memory; choose a lower resolution</source>
+        <translation>Das Bild des Films ist zu groß für den Speicher dieses Rechners; wählen Sie eine kleinere Auflösung</translation>
+    </message>
+    <message>
+        <source>Continuing the colour past the edge</source>
+        <translation>Farbe wird über den Rand hinaus fortgesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::CalibrationPage</name>
+    <message>
+        <source>The horizontal ruler must measure %1 mm and the vertical one %2 mm from the first to the last line.</source>
+        <translation>Das waagrechte Lineal muss %1 mm messen, das senkrechte %2 mm, vom ersten bis zum letzten Strich.</translation>
+    </message>
+    <message>
+        <source>If either is more than 0.2 mm off, measure and calibrate once more.</source>
+        <translation>Weicht eines um mehr als 0,2 mm ab, messen und kalibrieren Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Type what they do measure, to a tenth of a millimetre, into the printer's profile.</source>
+        <translation>Tragen Sie ein, was sie wirklich messen, auf ein Zehntel Millimeter, in das Profil des Druckers.</translation>
+    </message>
+    <message>
+        <source>Corrected for X %1, Y %2</source>
+        <translation>Korrigiert um X %1, Y %2</translation>
+    </message>
+    <message>
+        <source>Not corrected: X 1, Y 1</source>
+        <translation>Nicht korrigiert: X 1, Y 1</translation>
+    </message>
+    <message>
+        <source>Verification of the printer's scale</source>
+        <translation>Prüfung des Druckermaßstabs</translation>
+    </message>
+    <message>
+        <source>Calibration of the printer's scale</source>
+        <translation>Kalibrierung des Druckermaßstabs</translation>
+    </message>
+    <message>
+        <source>Paper of %1 × %2 mm is too small to calibrate a printer with; take A5 or larger</source>
+        <translation>Papier von %1 × %2 mm ist zu klein, um einen Drucker zu kalibrieren; nehmen Sie A5 oder größer</translation>
+    </message>
+    <message>
+        <source>The calibration page cannot be written: %1</source>
+        <translation>Die Kalibrierseite kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer's settings, print the page anew and measure again</source>
+        <translation>%1 mm statt %2 mm ist mehr als 10 % daneben; schalten Sie alle Skalierung in den Einstellungen des Druckers ab, drucken Sie die Seite neu und messen Sie wieder</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::DipView</name>
+    <message>
+        <source>The 3D view needs OpenGL 3.2, and no such context could be made. Everything else works.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.2, und ein solcher Kontext ließ sich nicht anlegen. Alles andere geht.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::DistanceField</name>
+    <message>
+        <source>The distance field's resolution is %1; choose 64 to 512</source>
+        <translation>Die Auflösung des Abstandsfelds ist %1; wählen Sie 64 bis 512</translation>
+    </message>
+    <message>
+        <source>The body has no extent; choose a model with a surface</source>
+        <translation>Der Körper hat keine Ausdehnung; wählen Sie ein Modell mit einer Oberfläche</translation>
+    </message>
+    <message>
+        <source>Building the distance field</source>
+        <translation>Abstandsfeld wird gebaut</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::GuideWindow</name>
+    <message>
+        <source>User Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Histogram</name>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ImportModel</name>
+    <message>
+        <source>Reading the model</source>
+        <translation>Modell wird gelesen</translation>
+    </message>
+    <message>
+        <source>The model's size must be more than 0 and at most %1 mm</source>
+        <translation>Die Größe des Modells muss über 0 und höchstens %1 mm sein</translation>
+    </message>
+    <message>
+        <source>The model's unit must be a positive number of millimetres</source>
+        <translation>Die Einheit des Modells muss eine positive Zahl von Millimetern sein</translation>
+    </message>
+    <message>
+        <source>The model file does not exist; check its name</source>
+        <translation>Die Modelldatei gibt es nicht; prüfen Sie ihren Namen</translation>
+    </message>
+    <message>
+        <source>This is a folder; choose a model file in it</source>
+        <translation>Das ist ein Ordner; wählen Sie eine Modelldatei darin</translation>
+    </message>
+    <message>
+        <source>The model file cannot be read; check its permissions</source>
+        <translation>Die Modelldatei kann nicht gelesen werden; prüfen Sie ihre Zugriffsrechte</translation>
+    </message>
+    <message>
+        <source>The model file is empty; save it anew</source>
+        <translation>Die Modelldatei ist leer; speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>The texture file cannot be read; check its name and permissions</source>
+        <translation>Die Texturdatei kann nicht gelesen werden; prüfen Sie Namen und Zugriffsrechte</translation>
+    </message>
+    <message>
+        <source>%1 corners of the model's triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
+        <translation>%1 Ecken der Dreiecke des Modells sind keine Zahlen (NaN oder unendlich); reparieren Sie das Modell und speichern Sie es neu</translation>
+    </message>
+    <message numerus="yes">
+        <source>Removed %n triangle(s) without area</source>
+        <translation><numerusform>%n Dreieck ohne Fläche entfernt</numerusform><numerusform>%n Dreiecke ohne Fläche entfernt</numerusform></translation>
+    </message>
+    <message>
+        <source>None of the model's triangles has an area; choose another model</source>
+        <translation>Keines der Dreiecke des Modells hat eine Fläche; wählen Sie ein anderes Modell</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turned %n triangle(s) that faced the other way than their neighbours</source>
+        <translation><numerusform>%n Dreieck gewendet, das anders als seine Nachbarn gerichtet war</numerusform><numerusform>%n Dreiecke gewendet, die anders als ihre Nachbarn gerichtet waren</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>Turned %n part(s) of the surface that were inside out</source>
+        <translation><numerusform>%n Teil der Oberfläche gewendet, der umgestülpt war</numerusform><numerusform>%n Teile der Oberfläche gewendet, die umgestülpt waren</numerusform></translation>
+    </message>
+    <message>
+        <source>The model has no extent; choose another model</source>
+        <translation>Das Modell hat keine Ausdehnung; wählen Sie ein anderes</translation>
+    </message>
+    <message>
+        <source>The model's longest edge would be %1 mm; give the size it is to have</source>
+        <translation>Die längste Kante des Modells wäre %1 mm; geben Sie die Größe an, die es haben soll</translation>
+    </message>
+    <message>
+        <source>The model lies too far from its origin; move it there and save it anew</source>
+        <translation>Das Modell liegt zu weit von seinem Ursprung; schieben Sie es dorthin und speichern Sie es neu</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed: what is inside is judged by most of the directions from which it is seen</source>
+        <translation>Das Netz ist nicht geschlossen: Was innen ist, wird nach der Mehrheit der Blickrichtungen beurteilt</translation>
+    </message>
+    <message>
+        <source>The model's longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
+        <translation>Die längste Kante des Modells ist nur %1 mm; wenn seine Datei nicht in Millimetern ist, geben Sie die Größe an, die es haben soll</translation>
+    </message>
+    <message>
+        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials' colours are</source>
+        <translation>Das Modell hat keine Texturkoordinaten, daher kann seine Textur nicht aufgelegt werden; verwendet werden die Farben seiner Materialien</translation>
+    </message>
+    <message>
+        <source>The file %1, which the model names, was not found</source>
+        <translation>Die Datei %1, die das Modell nennt, wurde nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1 texture coordinates are too large to be used; their triangles show the material's colour</source>
+        <translation>%1 Texturkoordinaten sind zu groß, um verwendet zu werden; ihre Dreiecke zeigen die Farbe des Materials</translation>
+    </message>
+    <message>
+        <source>The model has no triangles; save it with its surface</source>
+        <translation>Das Modell hat keine Dreiecke; speichern Sie es mit seiner Oberfläche</translation>
+    </message>
+    <message>
+        <source>Checking the model</source>
+        <translation>Modell wird geprüft</translation>
+    </message>
+    <message>
+        <source>Finding the texture's charts</source>
+        <translation>Teile der Textur werden gesucht</translation>
+    </message>
+    <message>
+        <source>The model needs more memory than there is; reduce it</source>
+        <translation>Das Modell braucht mehr Speicher, als da ist; verkleinern Sie es</translation>
+    </message>
+    <message>
+        <source>The texture %1 was not found beside the model; its material's colour is used instead</source>
+        <translation>Die Textur %1 wurde neben dem Modell nicht gefunden; stattdessen wird die Farbe ihres Materials verwendet</translation>
+    </message>
+    <message>
+        <source>The model cannot be read: %1; save it anew, or as OBJ, PLY, STL, glTF or 3MF</source>
+        <translation>Das Modell kann nicht gelesen werden: %1; speichern Sie es neu oder als OBJ, PLY, STL, glTF oder 3MF</translation>
+    </message>
+    <message>
+        <source>The model has more than %1 million triangles; reduce it</source>
+        <translation>Das Modell hat mehr als %1 Millionen Dreiecke; verkleinern Sie es</translation>
+    </message>
+    <message>
+        <source>it ends too early</source>
+        <translation>es endet zu früh</translation>
+    </message>
+    <message>
+        <source>there is a word where a number should be</source>
+        <translation>wo eine Zahl stehen sollte, steht ein Wort</translation>
+    </message>
+    <message>
+        <source>it is not a PLY file</source>
+        <translation>es ist keine PLY-Datei</translation>
+    </message>
+    <message>
+        <source>its PLY format %1 is unknown</source>
+        <translation>sein PLY-Format %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>its header is not understood</source>
+        <translation>sein Kopf ist unverständlich</translation>
+    </message>
+    <message>
+        <source>its points have no x, y and z</source>
+        <translation>seine Punkte haben kein x, y und z</translation>
+    </message>
+    <message>
+        <source>its faces have no corners</source>
+        <translation>seine Flächen haben keine Ecken</translation>
+    </message>
+    <message>
+        <source>a face names a point that is not there</source>
+        <translation>eine Fläche nennt einen Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>The colours of the model's points are not used; bake them into a texture to print them</source>
+        <translation>Die Farben der Punkte des Modells werden nicht verwendet; backen Sie sie in eine Textur, um sie zu drucken</translation>
+    </message>
+    <message>
+        <source>it has more than 65,536 materials</source>
+        <translation>es hat mehr als 65.536 Materialien</translation>
+    </message>
+    <message>
+        <source>texture %1 in %2</source>
+        <translation>Textur %1 in %2</translation>
+    </message>
+    <message>
+        <source>Reading triangles</source>
+        <translation>Dreiecke werden gelesen</translation>
+    </message>
+    <message>
+        <source>a triangle names a point that is not there</source>
+        <translation>ein Dreieck nennt einen Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>it is not a 3MF package</source>
+        <translation>es ist kein 3MF-Paket</translation>
+    </message>
+    <message>
+        <source>%1 in it is encrypted or too large</source>
+        <translation>%1 darin ist verschlüsselt oder zu groß</translation>
+    </message>
+    <message>
+        <source>%1 in it is damaged</source>
+        <translation>%1 darin ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 in it: %2</source>
+        <translation>%1 darin: %2</translation>
+    </message>
+    <message>
+        <source>its elements are out of order</source>
+        <translation>seine Elemente sind in falscher Reihenfolge</translation>
+    </message>
+    <message>
+        <source>there is no number where one should be</source>
+        <translation>wo eine Zahl stehen sollte, steht keine</translation>
+    </message>
+    <message>
+        <source>%1 is not in it</source>
+        <translation>%1 ist nicht darin</translation>
+    </message>
+    <message>
+        <source>it places an object that is not there</source>
+        <translation>es setzt ein Objekt, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>The texture %1 is not in the model's package; its material's colour is used instead</source>
+        <translation>Die Textur %1 ist nicht im Paket des Modells; stattdessen wird die Farbe ihres Materials verwendet</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::LogPanel</name>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Nothing has happened yet.</source>
+        <translation>Noch ist nichts geschehen.</translation>
+    </message>
+    <message>
+        <source>Copy Report</source>
+        <translation>Bericht kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the log with facts about program and machine to the clipboard.</source>
+        <translation>Kopiert das Protokoll mit Angaben zu Programm und Rechner in die Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::MainWindow</name>
+    <message>
+        <source>Simulated with %1 on %2</source>
+        <translation>Simuliert mit %1 auf %2</translation>
+    </message>
+    <message>
+        <source>The Dip</source>
+        <translation>Der Tauchgang</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo “%1”</source>
+        <translation>„%1“ &amp;rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo “%1”</source>
+        <translation>„%1“ &amp;wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>Dipwright computes the picture to print on a film so that, when the body is dipped through it, every colour lands where it belongs.</source>
+        <translation>Dipwright berechnet das Bild, das auf einen Film zu drucken ist, damit beim Tauchen des Körpers jede Farbe dort landet, wohin sie gehört.</translation>
+    </message>
+    <message>
+        <source>The project</source>
+        <translation>Das Projekt</translation>
+    </message>
+    <message>
+        <source>Model, film, one or two immersions, sheet and ink. Choose a part in the tree and change its values below. Begin by dropping a model on the window.</source>
+        <translation>Modell, Film, ein oder zwei Tauchgänge, Bogen und Farbe. Wählen Sie einen Teil im Baum und ändern Sie darunter seine Werte. Beginnen Sie, indem Sie ein Modell auf das Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>The view</source>
+        <translation>Die Ansicht</translation>
+    </message>
+    <message>
+        <source>The body above the film. Drag to look round it, turn it by its rings, then press Run.</source>
+        <translation>Der Körper über dem Film. Ziehen Sie, um ihn von allen Seiten zu sehen, drehen Sie ihn an seinen Ringen und starten Sie dann.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Simulates the dip while you watch and can be cancelled at any time. With Run Live, each change runs what depends on it again.</source>
+        <translation>Simuliert den Tauchgang vor Ihren Augen und kann jederzeit abgebrochen werden. Mit „Mitlaufen“ rechnet jede Änderung neu, was von ihr abhängt.</translation>
+    </message>
+    <message>
+        <source>The timeline</source>
+        <translation>Die Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Plays the dip again, or shows any moment of it.</source>
+        <translation>Spielt den Tauchgang noch einmal ab oder zeigt einen beliebigen Augenblick.</translation>
+    </message>
+    <message>
+        <source>The results</source>
+        <translation>Die Ergebnisse</translation>
+    </message>
+    <message>
+        <source>How the film stretches, the picture that goes on it, the body as it will come out, and the sheet to print. Move the cursor over one and see the same place in all the others.</source>
+        <translation>Wie sich der Film dehnt, das Bild, das auf ihn kommt, der Körper, wie er herauskommt, und der Bogen zum Drucken. Fahren Sie mit dem Zeiger über eines und sehen Sie dieselbe Stelle in allen anderen.</translation>
+    </message>
+    <message>
+        <source>About Dipwright</source>
+        <translation>Über Dipwright</translation>
+    </message>
+    <message>
+        <source>Computational hydrographic printing.</source>
+        <translation>Berechneter Wassertransferdruck.</translation>
+    </message>
+    <message>
+        <source>Cancelling …</source>
+        <translation>Wird abgebrochen …</translation>
+    </message>
+    <message>
+        <source>The sheet is out of date: it was made before the last changes.</source>
+        <translation>Der Bogen ist veraltet: Er entstand vor den letzten Änderungen.</translation>
+    </message>
+    <message>
+        <source>The results are out of date: they were made before the last changes.</source>
+        <translation>Die Ergebnisse sind veraltet: Sie entstanden vor den letzten Änderungen.</translation>
+    </message>
+    <message>
+        <source>Picture on the Film</source>
+        <translation>Bild auf dem Film</translation>
+    </message>
+    <message>
+        <source>Export Results to a Folder</source>
+        <translation>Ergebnisse in einen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Writing the results</source>
+        <translation>Ergebnisse werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Wrote the results to %1</source>
+        <translation>Ergebnisse nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Export Results</source>
+        <translation>Ergebnisse exportieren</translation>
+    </message>
+    <message>
+        <source>Save Sheet</source>
+        <translation>Bogen speichern</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Export Stretch</source>
+        <translation>Dehnung exportieren</translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation>dehnung</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written</source>
+        <translation>Das Bild kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Body at %1, %2, %3</source>
+        <translation>Körper bei %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Sheet %1, %2 · %3 · stretch %4 · area %5 · %6 to %7</source>
+        <translation>Bogen %1, %2 · %3 · Dehnung %4 · Fläche %5 · %6 bis %7</translation>
+    </message>
+    <message>
+        <source>on the body</source>
+        <translation>auf dem Körper</translation>
+    </message>
+    <message>
+        <source>on the water</source>
+        <translation>auf dem Wasser</translation>
+    </message>
+    <message>
+        <source>Click the second place on the body</source>
+        <translation>Klicken Sie die zweite Stelle auf dem Körper an</translation>
+    </message>
+    <message>
+        <source>Distance %1</source>
+        <translation>Abstand %1</translation>
+    </message>
+    <message>
+        <source>Turn Body</source>
+        <translation>Körper drehen</translation>
+    </message>
+    <message>
+        <source>Reading the model</source>
+        <translation>Modell wird gelesen</translation>
+    </message>
+    <message>
+        <source>Immersion %1</source>
+        <translation>Tauchgang %1</translation>
+    </message>
+    <message>
+        <source>New Project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Opening the project</source>
+        <translation>Projekt wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>%1 geöffnet</translation>
+    </message>
+    <message>
+        <source>Project in Use</source>
+        <translation>Projekt in Benutzung</translation>
+    </message>
+    <message>
+        <source>“%1” is open already, on %2 (process %3).</source>
+        <translation>„%1“ ist schon geöffnet, auf %2 (Prozess %3).</translation>
+    </message>
+    <message>
+        <source>an unknown machine</source>
+        <translation>einem unbekannten Rechner</translation>
+    </message>
+    <message>
+        <source>Whoever saves last overwrites what the other has done.</source>
+        <translation>Wer zuletzt speichert, überschreibt die Arbeit des anderen.</translation>
+    </message>
+    <message>
+        <source>Open Anyway</source>
+        <translation>Trotzdem öffnen</translation>
+    </message>
+    <message>
+        <source>Restoring the project</source>
+        <translation>Projekt wird wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Restored unsaved changes of %1</source>
+        <translation>Nicht gespeicherte Änderungen von %1 wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Restore Project</source>
+        <translation>Projekt wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1” before it is closed?</source>
+        <translation>Die Änderungen an „%1“ vor dem Schließen speichern?</translation>
+    </message>
+    <message>
+        <source>%1 is neither a project, a model nor a picture</source>
+        <translation>%1 ist weder ein Projekt noch ein Modell noch ein Bild</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>Reload Model</source>
+        <translation>Modell neu laden</translation>
+    </message>
+    <message>
+        <source>Replace Model</source>
+        <translation>Modell ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace Texture</source>
+        <translation>Textur ersetzen</translation>
+    </message>
+    <message>
+        <source>Add Immersion</source>
+        <translation>Tauchgang hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove Immersion</source>
+        <translation>Tauchgang entfernen</translation>
+    </message>
+    <message>
+        <source>3D view of the dip</source>
+        <translation>3D-Ansicht des Tauchgangs</translation>
+    </message>
+    <message>
+        <source>The body above the film. Drag to turn the view, drag with the right button to shift it, turn the wheel to zoom. Drag a ring to turn the body.</source>
+        <translation>Der Körper über dem Film. Ziehen dreht die Ansicht, Ziehen mit der rechten Taste verschiebt sie, das Rad zoomt. Ein Zug am Ring dreht den Körper.</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Value under the cursor</source>
+        <translation>Wert unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>New &amp;Window</source>
+        <translation>Neues &amp;Fenster</translation>
+    </message>
+    <message>
+        <source>Open another window</source>
+        <translation>Ein weiteres Fenster öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;New Project…</source>
+        <translation>&amp;Neues Projekt …</translation>
+    </message>
+    <message>
+        <source>Make a project of a textured model</source>
+        <translation>Ein Projekt aus einem texturierten Modell anlegen</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Ein Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Das Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save the project as another file</source>
+        <translation>Das Projekt als andere Datei speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Export Results…</source>
+        <translation>&amp;Ergebnisse exportieren …</translation>
+    </message>
+    <message>
+        <source>Write sheets, stretch maps, proof, films and report to a folder</source>
+        <translation>Bögen, Dehnungskarten, Vorschau, Filme und Bericht in einen Ordner schreiben</translation>
+    </message>
+    <message>
+        <source>Sheet as P&amp;DF…</source>
+        <translation>Bogen als P&amp;DF …</translation>
+    </message>
+    <message>
+        <source>Save this immersion's sheet as PDF at true size</source>
+        <translation>Den Bogen dieses Tauchgangs als PDF in wahrer Größe speichern</translation>
+    </message>
+    <message>
+        <source>Sheet as P&amp;NG…</source>
+        <translation>Bogen als P&amp;NG …</translation>
+    </message>
+    <message>
+        <source>Save this immersion's film image as PNG</source>
+        <translation>Das Filmbild dieses Tauchgangs als PNG speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken …</translation>
+    </message>
+    <message>
+        <source>Print sheets at true size</source>
+        <translation>Bögen in wahrer Größe drucken</translation>
+    </message>
+    <message>
+        <source>&amp;Close Window</source>
+        <translation>Fenster s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Dieses Fenster schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close all windows</source>
+        <translation>Alle Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Die letzte Änderung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Make the change again</source>
+        <translation>Die Änderung noch einmal machen</translation>
+    </message>
+    <message>
+        <source>Add &amp;Second Immersion</source>
+        <translation>&amp;Zweiten Tauchgang hinzufügen</translation>
+    </message>
+    <message>
+        <source>Dip the body a second time, from another side</source>
+        <translation>Den Körper ein zweites Mal tauchen, von einer anderen Seite</translation>
+    </message>
+    <message>
+        <source>Remove &amp;Immersion</source>
+        <translation>&amp;Tauchgang entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the immersion shown</source>
+        <translation>Den gezeigten Tauchgang entfernen</translation>
+    </message>
+    <message>
+        <source>Re&amp;load Model</source>
+        <translation>Modell neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>Read the model's file again and keep all settings</source>
+        <translation>Die Datei des Modells neu lesen und alle Einstellungen behalten</translation>
+    </message>
+    <message>
+        <source>Replace &amp;Model…</source>
+        <translation>&amp;Modell ersetzen …</translation>
+    </message>
+    <message>
+        <source>Take another model</source>
+        <translation>Ein anderes Modell nehmen</translation>
+    </message>
+    <message>
+        <source>Replace &amp;Texture…</source>
+        <translation>Te&amp;xtur ersetzen …</translation>
+    </message>
+    <message>
+        <source>Put another picture on the model</source>
+        <translation>Ein anderes Bild auf das Modell legen</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen …</translation>
+    </message>
+    <message>
+        <source>Units, language, look, shortcuts and solvers</source>
+        <translation>Einheiten, Sprache, Aussehen, Tastenkürzel und Löser</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Starten</translation>
+    </message>
+    <message>
+        <source>Simulate the dip and make the sheets</source>
+        <translation>Den Tauchgang simulieren und die Bögen machen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop what is running</source>
+        <translation>Anhalten, was läuft</translation>
+    </message>
+    <message>
+        <source>Run &amp;Live</source>
+        <translation>&amp;Mitlaufen</translation>
+    </message>
+    <message>
+        <source>Once there is a result, run again after each change</source>
+        <translation>Sobald es ein Ergebnis gibt, nach jeder Änderung neu rechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Play or Pause</source>
+        <translation>Abs&amp;pielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Play the dip</source>
+        <translation>Den Tauchgang abspielen</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Show body and film whole</source>
+        <translation>Körper und Film ganz zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Oblique</source>
+        <translation>&amp;Schräg</translation>
+    </message>
+    <message>
+        <source>Look from above at an angle</source>
+        <translation>Schräg von oben sehen</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Von vorn sehen</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ght</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>Look from the right</source>
+        <translation>Von rechts sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Von oben sehen</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>Look from behind</source>
+        <translation>Von hinten sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Look from the left</source>
+        <translation>Von links sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>Look from below</source>
+        <translation>Von unten sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Standard Layout</source>
+        <translation>&amp;Standardanordnung</translation>
+    </message>
+    <message>
+        <source>Put all panels back where they were at first</source>
+        <translation>Alle Felder an ihren ersten Platz zurückstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel Projection</source>
+        <translation>&amp;Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Show equal lengths equally long, near or far</source>
+        <translation>Gleiche Längen gleich lang zeigen, nah oder fern</translation>
+    </message>
+    <message>
+        <source>R&amp;otation Rings</source>
+        <translation>&amp;Drehringe</translation>
+    </message>
+    <message>
+        <source>Show the rings that turn the body</source>
+        <translation>Die Ringe zeigen, die den Körper drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Water and Tank</source>
+        <translation>&amp;Wasser und Becken</translation>
+    </message>
+    <message>
+        <source>Show the water and the edges of the tank</source>
+        <translation>Das Wasser und die Kanten des Beckens zeigen</translation>
+    </message>
+    <message>
+        <source>Bo&amp;dy</source>
+        <translation>&amp;Körper</translation>
+    </message>
+    <message>
+        <source>Show the body</source>
+        <translation>Den Körper zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Coverage on the Body</source>
+        <translation>&amp;Abdeckung auf dem Körper</translation>
+    </message>
+    <message>
+        <source>Show how much of the body this immersion paints</source>
+        <translation>Zeigen, wie viel vom Körper dieser Tauchgang bemalt</translation>
+    </message>
+    <message>
+        <source>Film on the Body &amp;Only</source>
+        <translation>&amp;Nur Film auf dem Körper</translation>
+    </message>
+    <message>
+        <source>At the end of the dip, hide the film that paints nothing</source>
+        <translation>Am Ende des Tauchgangs den Film verbergen, der nichts bemalt</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Click two places on the body to measure the distance between them</source>
+        <translation>Klicken Sie zwei Stellen auf dem Körper an, um ihren Abstand zu messen</translation>
+    </message>
+    <message>
+        <source>What the film wears in the view</source>
+        <translation>Was der Film in der Ansicht trägt</translation>
+    </message>
+    <message>
+        <source>&amp;Lines every 10 mm</source>
+        <translation>&amp;Linien alle 10 mm</translation>
+    </message>
+    <message>
+        <source>The &amp;Sheet's Image</source>
+        <translation>Das Bild des &amp;Bogens</translation>
+    </message>
+    <message>
+        <source>S&amp;tretch</source>
+        <translation>&amp;Dehnung</translation>
+    </message>
+    <message>
+        <source>&amp;Chessboard of 17 mm</source>
+        <translation>&amp;Schachbrett von 17 mm</translation>
+    </message>
+    <message>
+        <source>A &amp;Picture…</source>
+        <translation>Ein B&amp;ild …</translation>
+    </message>
+    <message>
+        <source>Quick &amp;Tour</source>
+        <translation>&amp;Rundgang</translation>
+    </message>
+    <message>
+        <source>What is where, in six steps</source>
+        <translation>Was wo ist, in sechs Schritten</translation>
+    </message>
+    <message>
+        <source>User &amp;Guide</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>How everything works</source>
+        <translation>Wie alles funktioniert</translation>
+    </message>
+    <message>
+        <source>&amp;About Dipwright</source>
+        <translation>Ü&amp;ber Dipwright</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Film &amp;Wears</source>
+        <translation>Film &amp;trägt</translation>
+    </message>
+    <message>
+        <source>&amp;Dip</source>
+        <translation>&amp;Tauchen</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>Haupt</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Film Wears</source>
+        <translation>Film trägt</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ModelFile</name>
+    <message>
+        <source>A texture cannot be stored as PNG: %1</source>
+        <translation>Eine Textur kann nicht als PNG gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>The stored model is damaged; import the model again</source>
+        <translation>Das gespeicherte Modell ist beschädigt; importieren Sie das Modell neu</translation>
+    </message>
+    <message>
+        <source>The stored model has format version %1 and this program reads version %2; use a newer program</source>
+        <translation>Das gespeicherte Modell hat die Formatversion %1, dieses Programm liest Version %2; verwenden Sie ein neueres Programm</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::NewProjectDialog</name>
+    <message>
+        <source>Models (%1)</source>
+        <translation>Modelle (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Dipwright projects (%1)</source>
+        <translation>Dipwright-Projekte (%1)</translation>
+    </message>
+    <message>
+        <source>One unit of the file is</source>
+        <translation>Eine Einheit der Datei ist</translation>
+    </message>
+    <message>
+        <source>The longest edge is</source>
+        <translation>Die längste Kante ist</translation>
+    </message>
+    <message>
+        <source>New Project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>The model's own</source>
+        <translation>Die eigene des Modells</translation>
+    </message>
+    <message>
+        <source>The size in which the film comes and is printed.</source>
+        <translation>Die Größe, in der der Film geliefert und bedruckt wird.</translation>
+    </message>
+    <message>
+        <source>One dip</source>
+        <translation>Ein Tauchgang</translation>
+    </message>
+    <message>
+        <source>Two dips: bottom and top</source>
+        <translation>Zwei Tauchgänge: unten und oben</translation>
+    </message>
+    <message>
+        <source>Two dips: left and right</source>
+        <translation>Zwei Tauchgänge: links und rechts</translation>
+    </message>
+    <message>
+        <source>One dip with the film model of 2020, to compare</source>
+        <translation>Ein Tauchgang mit dem Filmmodell von 2020, zum Vergleich</translation>
+    </message>
+    <message>
+        <source>How often and from where the body is dipped. All of it can be changed later.</source>
+        <translation>Wie oft und von wo der Körper getaucht wird. Alles lässt sich später ändern.</translation>
+    </message>
+    <message>
+        <source>&amp;Model</source>
+        <translation>&amp;Modell</translation>
+    </message>
+    <message>
+        <source>Choose a Model</source>
+        <translation>Modell wählen</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture</source>
+        <translation>Te&amp;xtur</translation>
+    </message>
+    <message>
+        <source>Choose a Texture</source>
+        <translation>Textur wählen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Film</source>
+        <translation>&amp;Film</translation>
+    </message>
+    <message>
+        <source>&amp;Begin with</source>
+        <translation>&amp;Beginnen mit</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Anlegen</translation>
+    </message>
+    <message>
+        <source>a millimetre</source>
+        <translation>ein Millimeter</translation>
+    </message>
+    <message>
+        <source>a centimetre</source>
+        <translation>ein Zentimeter</translation>
+    </message>
+    <message>
+        <source>a metre</source>
+        <translation>ein Meter</translation>
+    </message>
+    <message>
+        <source>an inch</source>
+        <translation>ein Zoll</translation>
+    </message>
+    <message>
+        <source>Longest edge</source>
+        <translation>Längste Kante</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PicturePanel</name>
+    <message>
+        <source>Whole picture</source>
+        <translation>Ganzes Bild</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>True size</source>
+        <translation>Wahre Größe</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PreferencesDialog</name>
+    <message>
+        <source>Run again after each change</source>
+        <translation>Nach jeder Änderung neu rechnen</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Solvers</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Turntable: up stays up</source>
+        <translation>Drehteller: oben bleibt oben</translation>
+    </message>
+    <message>
+        <source>Trackball: turns freely</source>
+        <translation>Rollkugel: dreht frei</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How long after a change, at most, a copy is kept from which work is restored after a crash.</source>
+        <translation>Wie lange nach einer Änderung höchstens eine Kopie angelegt wird, aus der nach einem Absturz die Arbeit wiederhergestellt wird.</translation>
+    </message>
+    <message>
+        <source>Once there is a result, a change starts a new run of what depends on it.</source>
+        <translation>Sobald es ein Ergebnis gibt, rechnet eine Änderung neu, was von ihr abhängt.</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>A new language shows when the program is started again.</source>
+        <translation>Eine neue Sprache zeigt sich beim nächsten Start des Programms.</translation>
+    </message>
+    <message>
+        <source>L&amp;engths in</source>
+        <translation>&amp;Längen in</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>&amp;Navigation</source>
+        <translation>&amp;Navigation</translation>
+    </message>
+    <message>
+        <source>&amp;Film of new projects</source>
+        <translation>Film neuer &amp;Projekte</translation>
+    </message>
+    <message>
+        <source>&amp;Recovery copy after</source>
+        <translation>Sicherungs&amp;kopie nach</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>All Back to Standard</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PrintDialog</name>
+    <message>
+        <source>Cut into pieces where the paper is smaller</source>
+        <translation>In Stücke geschnitten, wo das Papier kleiner ist</translation>
+    </message>
+    <message>
+        <source>Grey, on a printer without colour</source>
+        <translation>Grau, auf einem Drucker ohne Farbe</translation>
+    </message>
+    <message>
+        <source>Without what lies where the printer does not reach</source>
+        <translation>Ohne das, was der Drucker nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Though the paper is not loaded as far as is known</source>
+        <translation>Obwohl das Papier nicht eingelegt ist, soweit bekannt</translation>
+    </message>
+    <message>
+        <source>Print Sheets</source>
+        <translation>Bögen drucken</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Drucker</translation>
+    </message>
+    <message>
+        <source>&amp;Printer</source>
+        <translation>&amp;Drucker</translation>
+    </message>
+    <message>
+        <source>None: true size and sRGB (choose one under Sheet)</source>
+        <translation>Keines: wahre Größe und sRGB (wählen Sie eines unter Bogen)</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>&amp;Copies</source>
+        <translation>&amp;Exemplare</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Bögen</translation>
+    </message>
+    <message>
+        <source>Print even so</source>
+        <translation>Auch dann drucken</translation>
+    </message>
+    <message>
+        <source>Looking for printers …</source>
+        <translation>Drucker werden gesucht …</translation>
+    </message>
+    <message>
+        <source>Looking for printers</source>
+        <translation>Drucker werden gesucht</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this machine. Save the sheet as PDF and print it elsewhere, at 100 %.</source>
+        <translation>Auf diesem Rechner ist kein Drucker eingerichtet. Speichern Sie den Bogen als PDF und drucken Sie ihn anderswo mit 100 %.</translation>
+    </message>
+    <message>
+        <source>Choose at least one sheet.</source>
+        <translation>Wählen Sie mindestens einen Bogen.</translation>
+    </message>
+    <message>
+        <source>Asking the printer …</source>
+        <translation>Der Drucker wird gefragt …</translation>
+    </message>
+    <message>
+        <source>Asking the printer</source>
+        <translation>Der Drucker wird gefragt</translation>
+    </message>
+    <message>
+        <source>Ready to print at true size.</source>
+        <translation>Bereit zum Druck in wahrer Größe.</translation>
+    </message>
+    <message>
+        <source>Printing …</source>
+        <translation>Wird gedruckt …</translation>
+    </message>
+    <message>
+        <source>Printing</source>
+        <translation>Wird gedruckt</translation>
+    </message>
+    <message>
+        <source>Printed on %1</source>
+        <translation>Auf %1 gedruckt</translation>
+    </message>
+    <message>
+        <source>Handed to the queue of %1</source>
+        <translation>An die Warteschlange von %1 übergeben</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PrinterColour</name>
+    <message>
+        <source>The ICC profile cannot be used for printing, choose the printer's output profile</source>
+        <translation>Das ICC-Profil taugt nicht zum Drucken; wählen Sie das Ausgabeprofil des Druckers</translation>
+    </message>
+    <message>
+        <source>This is not an ICC profile, or it is damaged</source>
+        <translation>Das ist kein ICC-Profil, oder es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer's output profile</source>
+        <translation>Das ICC-Profil gehört zu keinem RGB- oder CMYK-Drucker; wählen Sie das Ausgabeprofil des Druckers</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Printing</name>
+    <message>
+        <source>The printer does not say what it can do: %1</source>
+        <translation>Der Drucker sagt nicht, was er kann: %1</translation>
+    </message>
+    <message>
+        <source>The printer does not take the job: %1</source>
+        <translation>Der Drucker nimmt den Auftrag nicht an: %1</translation>
+    </message>
+    <message>
+        <source>The sheet could not be sent to the printer: %1</source>
+        <translation>Der Bogen konnte nicht an den Drucker gesendet werden: %1</translation>
+    </message>
+    <message>
+        <source>The print system does not tell what became of the job: %1</source>
+        <translation>Das Drucksystem sagt nicht, was aus dem Auftrag geworden ist: %1</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>There is no such printer, and no other; set one up in the system first</source>
+        <translation>Diesen Drucker gibt es nicht und auch keinen anderen; richten Sie zuerst einen im System ein</translation>
+    </message>
+    <message>
+        <source>There is no such printer, there are: %1</source>
+        <translation>Diesen Drucker gibt es nicht; es gibt: %1</translation>
+    </message>
+    <message>
+        <source>The printer is stopped%1; start it again in the system's settings</source>
+        <translation>Der Drucker ist angehalten%1; starten Sie ihn in den Einstellungen des Systems</translation>
+    </message>
+    <message>
+        <source>The printer takes no jobs at the moment%1; let it in the system's settings</source>
+        <translation>Der Drucker nimmt im Augenblick keine Aufträge an%1; erlauben Sie es in den Einstellungen des Systems</translation>
+    </message>
+    <message>
+        <source>The printer has no paper of %1; set the sheet's paper to one that it has: %2</source>
+        <translation>Der Drucker hat kein Papier von %1; stellen Sie das Papier des Bogens auf eines, das er hat: %2</translation>
+    </message>
+    <message>
+        <source>The sheet of %1 is larger than every paper of the printer (%2); make it smaller or print it in tiles</source>
+        <translation>Der Bogen von %1 ist größer als jedes Papier des Druckers (%2); verkleinern Sie ihn oder drucken Sie ihn in Stücken</translation>
+    </message>
+    <message>
+        <source>The printer names no paper to print pieces on</source>
+        <translation>Der Drucker nennt kein Papier, auf das Stücke gedruckt werden können</translation>
+    </message>
+    <message>
+        <source>The printer has no paper named %1</source>
+        <translation>Der Drucker hat kein Papier namens %1</translation>
+    </message>
+    <message>
+        <source>The printer does not reach the outer %1 mm of the paper, and the sheet has colour there</source>
+        <translation>Der Drucker erreicht die äußeren %1 mm des Papiers nicht, und der Bogen hat dort Farbe</translation>
+    </message>
+    <message>
+        <source>%1; choose larger or borderless paper, or accept that it is lost</source>
+        <translation>%1; wählen Sie größeres oder randloses Papier, oder nehmen Sie den Verlust hin</translation>
+    </message>
+    <message>
+        <source>The printer prints in grey only, and the sheet is coloured; choose a colour printer, or accept grey</source>
+        <translation>Der Drucker druckt nur grau, und der Bogen ist farbig; wählen Sie einen Farbdrucker, oder nehmen Sie Grau hin</translation>
+    </message>
+    <message>
+        <source>The printer prints the coloured sheet in grey</source>
+        <translation>Der Drucker druckt den farbigen Bogen grau</translation>
+    </message>
+    <message>
+        <source>The printer has no paper of %1 loaded</source>
+        <translation>Im Drucker ist kein Papier von %1 eingelegt</translation>
+    </message>
+    <message>
+        <source>%1; load it, or choose other paper</source>
+        <translation>%1; legen Sie es ein, oder wählen Sie anderes Papier</translation>
+    </message>
+    <message>
+        <source>Printing</source>
+        <translation>Wird gedruckt</translation>
+    </message>
+    <message>
+        <source>Held in the printer's queue</source>
+        <translation>In der Warteschlange des Druckers angehalten</translation>
+    </message>
+    <message>
+        <source>Waiting in the printer's queue</source>
+        <translation>Wartet in der Warteschlange des Druckers</translation>
+    </message>
+    <message>
+        <source>it does not say why</source>
+        <translation>er sagt nicht, warum</translation>
+    </message>
+    <message>
+        <source>The job was cancelled at the printer</source>
+        <translation>Der Auftrag wurde am Drucker abgebrochen</translation>
+    </message>
+    <message>
+        <source>The printer gave the job up: %1</source>
+        <translation>Der Drucker hat den Auftrag aufgegeben: %1</translation>
+    </message>
+    <message>
+        <source>The printer stopped in the middle of the job: %1; the rest is cancelled, print the sheet anew</source>
+        <translation>Der Drucker hielt mitten im Auftrag an: %1; der Rest ist abgebrochen, drucken Sie den Bogen neu</translation>
+    </message>
+    <message>
+        <source>The printer has stopped: %1; the job is cancelled, start the printer and print the sheet anew</source>
+        <translation>Der Drucker hat angehalten: %1; der Auftrag ist abgebrochen, starten Sie den Drucker und drucken Sie den Bogen neu</translation>
+    </message>
+    <message>
+        <source>This program was built without printing; print the sheet's PDF at 100 % instead</source>
+        <translation>Dieses Programm wurde ohne Drucken gebaut; drucken Sie stattdessen das PDF des Bogens mit 100 %</translation>
+    </message>
+    <message>
+        <source>The printer does not take the job</source>
+        <translation>Der Drucker nimmt den Auftrag nicht an</translation>
+    </message>
+    <message>
+        <source>The sheet could not be sent to the printer</source>
+        <translation>Der Bogen konnte nicht an den Drucker gesendet werden</translation>
+    </message>
+    <message>
+        <source>The printer takes this paper only with its other edge first; turn the page</source>
+        <translation>Der Drucker nimmt dieses Papier nur mit der anderen Kante voran; drehen Sie die Seite</translation>
+    </message>
+    <message>
+        <source>The printer does not reach the outer %1 mm of the paper; put its margins into its profile first</source>
+        <translation>Der Drucker erreicht die äußeren %1 mm des Papiers nicht; tragen Sie zuerst seine Ränder in sein Profil ein</translation>
+    </message>
+    <message>
+        <source>Calibration of %1</source>
+        <translation>Kalibrierung von %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ProjectTree</name>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Dipping</source>
+        <translation>Tauchen</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>The result is up to date.</source>
+        <translation>Das Ergebnis ist aktuell.</translation>
+    </message>
+    <message>
+        <source>Changed since the last run. Run again.</source>
+        <translation>Seit dem letzten Lauf geändert. Starten Sie neu.</translation>
+    </message>
+    <message>
+        <source>Not simulated yet.</source>
+        <translation>Noch nicht simuliert.</translation>
+    </message>
+    <message>
+        <source>Add a second immersion</source>
+        <translation>Zweiten Tauchgang hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove this immersion</source>
+        <translation>Diesen Tauchgang entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PropertyField</name>
+    <message>
+        <source>%1 to %2%3</source>
+        <translation>%1 bis %2%3</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PropertyPanel</name>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Film profile</source>
+        <translation>Filmprofil</translation>
+    </message>
+    <message>
+        <source>A film that was measured once: size, swell, relaxation and sides.</source>
+        <translation>Ein Film, der einmal vermessen wurde: Größe, Quellung, Relaxation und Seiten.</translation>
+    </message>
+    <message>
+        <source>Tank profile</source>
+        <translation>Beckenprofil</translation>
+    </message>
+    <message>
+        <source>A tank: its barriers hold the film's sides.</source>
+        <translation>Ein Becken: Seine Barrieren halten die Seiten des Films.</translation>
+    </message>
+    <message>
+        <source>Printer profile</source>
+        <translation>Druckerprofil</translation>
+    </message>
+    <message>
+        <source>A printer that was measured once: its scale, margins, colours, ink limit and resolution.</source>
+        <translation>Ein Drucker, der einmal vermessen wurde: Maßstab, Ränder, Farben, Farbgrenze und Auflösung.</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Embedded in the project</source>
+        <translation>Im Projekt enthalten</translation>
+    </message>
+    <message>
+        <source>From %1</source>
+        <translation>Aus %1</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3</source>
+        <translation>%1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>Triangles: %1</source>
+        <translation>Dreiecke: %1</translation>
+    </message>
+    <message>
+        <source>Volume: %1 cm³</source>
+        <translation>Volumen: %1 cm³</translation>
+    </message>
+    <message>
+        <source>Closed surface</source>
+        <translation>Geschlossene Oberfläche</translation>
+    </message>
+    <message>
+        <source>Surface with openings</source>
+        <translation>Oberfläche mit Öffnungen</translation>
+    </message>
+    <message>
+        <source>Texture of %1 × %2 pixels</source>
+        <translation>Textur von %1 × %2 Bildpunkten</translation>
+    </message>
+    <message>
+        <source>No texture: drop a picture on the window to put one on</source>
+        <translation>Keine Textur: Ziehen Sie ein Bild auf das Fenster, um eine aufzulegen</translation>
+    </message>
+    <message>
+        <source>Reload from Disk</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Reads the model's file again and keeps all settings.</source>
+        <translation>Liest die Datei des Modells neu und behält alle Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Replace Model…</source>
+        <translation>Modell ersetzen …</translation>
+    </message>
+    <message>
+        <source>Takes another model. Rotations and offsets start anew.</source>
+        <translation>Nimmt ein anderes Modell. Drehungen und Versatz beginnen von vorn.</translation>
+    </message>
+    <message>
+        <source>Replace Texture…</source>
+        <translation>Textur ersetzen …</translation>
+    </message>
+    <message>
+        <source>Puts another picture on the model.</source>
+        <translation>Legt ein anderes Bild auf das Modell.</translation>
+    </message>
+    <message>
+        <source>Production</source>
+        <translation>Produktion</translation>
+    </message>
+    <message>
+        <source>Paper of 2020</source>
+        <translation>Arbeit von 2020</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Eigenes</translation>
+    </message>
+    <message>
+        <source>Production is the accurate film model and the default. Paper of 2020 is the published model, for comparison.</source>
+        <translation>Produktion ist das genaue Filmmodell und die Vorgabe. Arbeit von 2020 ist das veröffentlichte Modell, zum Vergleich.</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Apply Preset</source>
+        <translation>Vorgabe anwenden</translation>
+    </message>
+    <message>
+        <source>Choose %1</source>
+        <translation>%1 wählen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Best available</source>
+        <translation>Bester verfügbarer</translation>
+    </message>
+    <message>
+        <source>%1 (not available)</source>
+        <translation>%1 (nicht verfügbar)</translation>
+    </message>
+    <message>
+        <source>What computes the dip. “Best available” takes a GPU where there is one.</source>
+        <translation>Was den Tauchgang berechnet. „Bester verfügbarer“ nimmt eine GPU, wo es eine gibt.</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Choose Solver</source>
+        <translation>Löser wählen</translation>
+    </message>
+    <message>
+        <source>%1 (not installed)</source>
+        <translation>%1 (nicht installiert)</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ReportPanel</name>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Run the dip to see its figures.</source>
+        <translation>Starten Sie den Tauchgang, um seine Zahlen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Body painted altogether</source>
+        <translation>Körper insgesamt bemalt</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Results</name>
+    <message>
+        <source>There is no colour map of this name; choose one of %1</source>
+        <translation>Eine Farbtafel dieses Namens gibt es nicht; wählen Sie eine von %1</translation>
+    </message>
+    <message>
+        <source>Preparing the proof</source>
+        <translation>Vorschau wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Tracing the proof</source>
+        <translation>Vorschau wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Stretch of the film</source>
+        <translation>Dehnung des Films</translation>
+    </message>
+    <message>
+        <source>Mean of each point's constraints, final over rest length; ink side up</source>
+        <translation>Mittel der Fäden jedes Punkts, End- über Ruhelänge; Farbseite oben</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>stretch
+mm per mm</source>
+        <translation>Dehnung
+mm je mm</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 und mehr</translation>
+    </message>
+    <message>
+        <source>On the body: min %1 · mean %2 · 95 % %3 · max %4</source>
+        <translation>Auf dem Körper: min %1 · Mittel %2 · 95 % %3 · max %4</translation>
+    </message>
+    <message>
+        <source>Outlined: film on the body · pale: film left over</source>
+        <translation>Umrandet: Film auf dem Körper · blass: übriger Film</translation>
+    </message>
+    <message>
+        <source>The VTK file cannot be written: %1</source>
+        <translation>Die VTK-Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ResultsPanel</name>
+    <message>
+        <source>Reverse texture</source>
+        <translation>Umgekehrte Textur</translation>
+    </message>
+    <message>
+        <source>Run the dip to see the image that goes on the film.</source>
+        <translation>Starten Sie den Tauchgang, um das Bild zu sehen, das auf den Film kommt.</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Run the dip to see the body as it will come out.</source>
+        <translation>Starten Sie den Tauchgang, um den Körper zu sehen, wie er herauskommt.</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Run the dip to see the page as it prints.</source>
+        <translation>Starten Sie den Tauchgang, um die Seite zu sehen, wie sie gedruckt wird.</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>How much the film has stretched, and where</source>
+        <translation>Wie viel sich der Film gedehnt hat und wo</translation>
+    </message>
+    <message>
+        <source>The reverse texture: the image that goes on the film</source>
+        <translation>Die umgekehrte Textur: das Bild, das auf den Film kommt</translation>
+    </message>
+    <message>
+        <source>The body as it will come out</source>
+        <translation>Der Körper, wie er herauskommt</translation>
+    </message>
+    <message>
+        <source>The page as it prints</source>
+        <translation>Die Seite, wie sie gedruckt wird</translation>
+    </message>
+    <message>
+        <source>The figures of the last run</source>
+        <translation>Die Zahlen des letzten Laufs</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Sheet</name>
+    <message>
+        <source>A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels a side; choose another resolution or film size</source>
+        <translation>Ein Film von %1 × %2 mm bei %3 dpi ergibt kein Bild von 1 bis %4 Bildpunkten je Seite; wählen Sie eine andere Auflösung oder Filmgröße</translation>
+    </message>
+    <message>
+        <source>The sheet's image cannot be written: %1</source>
+        <translation>Das Bild des Bogens kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>A PDF cannot be written in the CMYK of this ICC profile; write a TIFF, or print in sRGB</source>
+        <translation>Im CMYK dieses ICC-Profils kann kein PDF geschrieben werden; schreiben Sie ein TIFF oder drucken Sie in sRGB</translation>
+    </message>
+    <message>
+        <source>The sheet's PDF cannot be written: %1</source>
+        <translation>Das PDF des Bogens kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>The sheet's TIFF cannot be written: %1</source>
+        <translation>Das TIFF des Bogens kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Unknown paper "%1"; choose film, A4, A3, Letter or custom</source>
+        <translation>Unbekanntes Papier „%1“; wählen Sie film, A4, A3, Letter oder custom</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 · Film %4 · Scale %5 · Job %6</source>
+        <translation>%1 · %2 · %3 · Film %4 · Maßstab %5 · Auftrag %6</translation>
+    </message>
+    <message>
+        <source>%1 · Job %2</source>
+        <translation>%1 · Auftrag %2</translation>
+    </message>
+    <message>
+        <source>The paper of %1 × %2 mm is smaller than the film of %3 × %4 mm; choose larger paper, turn it or make the film smaller</source>
+        <translation>Das Papier von %1 × %2 mm ist kleiner als der Film von %3 × %4 mm; wählen Sie größeres Papier, drehen Sie es oder verkleinern Sie den Film</translation>
+    </message>
+    <message>
+        <source>Paper of %1 × %2 mm leaves no room for pieces of the sheet; take larger paper</source>
+        <translation>Papier von %1 × %2 mm lässt keinen Platz für Stücke des Bogens; nehmen Sie größeres</translation>
+    </message>
+    <message>
+        <source>The sheet would be cut into more than %1 pieces; take larger paper</source>
+        <translation>Der Bogen würde in mehr als %1 Stücke geschnitten; nehmen Sie größeres Papier</translation>
+    </message>
+    <message>
+        <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashes</source>
+        <translation>%1 · Zeile %2 von %3, Spalte %4 von %5 · an den Strichen schneiden</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SolverPage</name>
+    <message>
+        <source>Solvers</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>%1 by %2
+%3</source>
+        <translation>%1 von %2
+%3</translation>
+    </message>
+    <message>
+        <source>None found</source>
+        <translation>Keiner gefunden</translation>
+    </message>
+    <message>
+        <source>Put solver plugins into %1</source>
+        <translation>Legen Sie Löser-Plugins in %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::StartPage</name>
+    <message>
+        <source>Recent projects</source>
+        <translation>Letzte Projekte</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Projects that you open or save appear here.</source>
+        <translation>Projekte, die Sie öffnen oder speichern, erscheinen hier.</translation>
+    </message>
+    <message>
+        <source>Remove from this list</source>
+        <translation>Aus dieser Liste entfernen</translation>
+    </message>
+    <message>
+        <source>From a textured model to a film that can be printed.</source>
+        <translation>Vom texturierten Modell zum druckbaren Film.</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>Neues Projekt …</translation>
+    </message>
+    <message>
+        <source>Start from a textured model: OBJ, PLY, STL, glTF or 3MF.</source>
+        <translation>Beginnen Sie mit einem texturierten Modell: OBJ, PLY, STL, glTF oder 3MF.</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>Projekt öffnen …</translation>
+    </message>
+    <message>
+        <source>Continue with a project that was saved.</source>
+        <translation>Setzen Sie ein gespeichertes Projekt fort.</translation>
+    </message>
+    <message>
+        <source>Quick Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>What is where, in six steps.</source>
+        <translation>Was wo ist, in sechs Schritten.</translation>
+    </message>
+    <message>
+        <source>Models and projects can also be dropped on the window.</source>
+        <translation>Modelle und Projekte können auch auf das Fenster gezogen werden.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::StretchPanel</name>
+    <message>
+        <source>Automatic range</source>
+        <translation>Bereich automatisch</translation>
+    </message>
+    <message>
+        <source>Lowest value</source>
+        <translation>Kleinster Wert</translation>
+    </message>
+    <message>
+        <source>Highest value</source>
+        <translation>Größter Wert</translation>
+    </message>
+    <message>
+        <source>Mark above</source>
+        <translation>Markieren über</translation>
+    </message>
+    <message>
+        <source>Limit above which film is marked</source>
+        <translation>Grenze, über der Film markiert wird</translation>
+    </message>
+    <message>
+        <source>Isolines</source>
+        <translation>Isolinien</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Area stretch</source>
+        <translation>Flächendehnung</translation>
+    </message>
+    <message>
+        <source>Largest stretch</source>
+        <translation>Größte Dehnung</translation>
+    </message>
+    <message>
+        <source>Smallest stretch</source>
+        <translation>Kleinste Dehnung</translation>
+    </message>
+    <message>
+        <source>Length of the film's threads after the dip over before: the mean round each point.</source>
+        <translation>Länge der Fäden des Films nach dem Tauchen über der davor: das Mittel um jeden Punkt.</translation>
+    </message>
+    <message>
+        <source>Area after over before. Ink thins by as much.</source>
+        <translation>Fläche danach über davor. Um so viel wird die Farbe dünner.</translation>
+    </message>
+    <message>
+        <source>The stretch in the direction in which it is largest.</source>
+        <translation>Die Dehnung in der Richtung, in der sie am größten ist.</translation>
+    </message>
+    <message>
+        <source>The stretch in the direction in which it is smallest. Below 1 the film wrinkles.</source>
+        <translation>Die Dehnung in der Richtung, in der sie am kleinsten ist. Unter 1 wirft der Film Falten.</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Colour map</source>
+        <translation>Farbtafel</translation>
+    </message>
+    <message>
+        <source>Colour map; all are safe for colour-blind readers.</source>
+        <translation>Farbtafel; alle sind für Farbenblinde lesbar.</translation>
+    </message>
+    <message>
+        <source>Stretch map</source>
+        <translation>Dehnungskarte</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Save the map or its numbers</source>
+        <translation>Die Karte oder ihre Zahlen speichern</translation>
+    </message>
+    <message>
+        <source>Picture (PNG)…</source>
+        <translation>Bild (PNG) …</translation>
+    </message>
+    <message>
+        <source>Table (CSV)…</source>
+        <translation>Tabelle (CSV) …</translation>
+    </message>
+    <message>
+        <source>Film (VTP)…</source>
+        <translation>Film (VTP) …</translation>
+    </message>
+    <message>
+        <source>Run the dip to see how the film stretches.</source>
+        <translation>Starten Sie den Tauchgang, um zu sehen, wie sich der Film dehnt.</translation>
+    </message>
+    <message>
+        <source>On the body: mean %1 · 95 % below %2 · largest %3</source>
+        <translation>Auf dem Körper: Mittel %1 · 95 % unter %2 · größte %3</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SurfaceQuery</name>
+    <message>
+        <source>The mesh is too large for this computer's memory; reduce its number of triangles</source>
+        <translation>Das Netz ist zu groß für den Speicher dieses Rechners; verringern Sie die Zahl der Dreiecke</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Texture</name>
+    <message>
+        <source>The texture has no pixels; choose another picture</source>
+        <translation>Die Textur hat keine Bildpunkte; wählen Sie ein anderes Bild</translation>
+    </message>
+    <message>
+        <source>The texture has %1 × %2 pixels; make it %3 pixels a side at the most</source>
+        <translation>Die Textur hat %1 × %2 Bildpunkte; machen Sie sie höchstens %3 Bildpunkte je Seite groß</translation>
+    </message>
+    <message>
+        <source>The texture is not a picture that can be read; save it as PNG or JPEG</source>
+        <translation>Die Textur ist kein lesbares Bild; speichern Sie sie als PNG oder JPEG</translation>
+    </message>
+    <message>
+        <source>The texture is damaged: %1; save it anew</source>
+        <translation>Die Textur ist beschädigt: %1; speichern Sie sie neu</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Timeline</name>
+    <message>
+        <source>Before the dip</source>
+        <translation>Vor dem Tauchgang</translation>
+    </message>
+    <message>
+        <source>Play the dip</source>
+        <translation>Den Tauchgang abspielen</translation>
+    </message>
+    <message>
+        <source>End of the dip</source>
+        <translation>Ende des Tauchgangs</translation>
+    </message>
+    <message>
+        <source>Time of the dip</source>
+        <translation>Zeit des Tauchgangs</translation>
+    </message>
+    <message>
+        <source>How far the lowest point of the body is under the waterline</source>
+        <translation>Wie weit der tiefste Punkt des Körpers unter der Wasserlinie ist</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Workbench</name>
+    <message>
+        <source>Restore Project</source>
+        <translation>Projekt wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Dipwright was not closed properly. “%1” has changes that were not saved, from %2.</source>
+        <translation>Dipwright wurde nicht ordentlich beendet. „%1“ hat Änderungen, die nicht gespeichert wurden, von %2.</translation>
+    </message>
+    <message>
+        <source>It was never saved as a file.</source>
+        <translation>Es wurde nie als Datei gespeichert.</translation>
+    </message>
+    <message>
+        <source>Its file %1 is as it was last saved.</source>
+        <translation>Seine Datei %1 ist, wie sie zuletzt gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard Changes</source>
+        <translation>Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Decide Later</source>
+        <translation>Später entscheiden</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Computational hydrographic printing.</source>
+        <translation>Berechneter Wassertransferdruck.</translation>
+    </message>
+    <message>
+        <source>Projects to open.</source>
+        <translation>Projekte, die geöffnet werden.</translation>
+    </message>
+</context>
+</TS>

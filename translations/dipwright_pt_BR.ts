@@ -1,0 +1,3345 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="pt_BR">
+<context>
+    <name>Archive</name>
+    <message>
+        <source>There is no such file</source>
+        <translation>Esse arquivo não existe</translation>
+    </message>
+    <message>
+        <source>This is not a file</source>
+        <translation>Isto não é um arquivo</translation>
+    </message>
+    <message>
+        <source>The file is empty</source>
+        <translation>O arquivo está vazio</translation>
+    </message>
+    <message>
+        <source>The file is too large for a project</source>
+        <translation>O arquivo é grande demais para um projeto</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1</source>
+        <translation>O arquivo não pode ser lido: %1</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright project, or the file is cut off or damaged</source>
+        <translation>Isto não é um projeto do Dipwright, ou o arquivo está truncado ou danificado</translation>
+    </message>
+    <message>
+        <source>The file holds more entries than any project has</source>
+        <translation>O arquivo contém mais entradas do que qualquer projeto</translation>
+    </message>
+    <message>
+        <source>The file is cut off or damaged</source>
+        <translation>O arquivo está truncado ou danificado</translation>
+    </message>
+    <message>
+        <source>The file holds an entry with an unsafe path and is not opened</source>
+        <translation>O arquivo contém uma entrada com caminho inseguro e não foi aberto</translation>
+    </message>
+    <message>
+        <source>The file holds the entry %1 twice</source>
+        <translation>O arquivo contém a entrada %1 duas vezes</translation>
+    </message>
+    <message>
+        <source>The file is encrypted, save it without a password</source>
+        <translation>O arquivo está criptografado; salve-o sem senha</translation>
+    </message>
+    <message>
+        <source>The file would unpack to more than any project needs and is not opened</source>
+        <translation>O arquivo descompactado seria maior do que qualquer projeto e não foi aberto</translation>
+    </message>
+    <message>
+        <source>The project lacks %1</source>
+        <translation>Falta %1 no projeto</translation>
+    </message>
+    <message>
+        <source>%1 in the project is cut off or damaged</source>
+        <translation>%1 no projeto está truncado ou danificado</translation>
+    </message>
+    <message>
+        <source>The project cannot be packed</source>
+        <translation>O projeto não pode ser compactado</translation>
+    </message>
+</context>
+<context>
+    <name>Dip</name>
+    <message>
+        <source>The body does not meet the film; move it over the film or choose a larger film</source>
+        <translation>O corpo não encontra o filme; mova-o sobre o filme ou escolha um filme maior</translation>
+    </message>
+    <message>
+        <source>Dipping</source>
+        <translation>Imersão</translation>
+    </message>
+    <message>
+        <source>The simulation became unstable; choose a smaller time step or contact travel</source>
+        <translation>A simulação ficou instável; escolha um passo de tempo ou avanço de contato menor</translation>
+    </message>
+    <message>
+        <source>The solver failed: %1</source>
+        <translation>O solucionador falhou: %1</translation>
+    </message>
+    <message>
+        <source>The solver failed with an unknown exception</source>
+        <translation>O solucionador falhou com uma exceção desconhecida</translation>
+    </message>
+</context>
+<context>
+    <name>DipJob</name>
+    <message>
+        <source>Simulating the dip</source>
+        <translation>Simulando a imersão</translation>
+    </message>
+    <message>
+        <source>Preparing the views</source>
+        <translation>Preparando as vistas</translation>
+    </message>
+</context>
+<context>
+    <name>FilmTable</name>
+    <message>
+        <source>The table cannot be written: %1</source>
+        <translation>A tabela não pode ser gravada: %1</translation>
+    </message>
+</context>
+<context>
+    <name>PhysicsValidation</name>
+    <message>
+        <source>%1 film, %2 cells in the contact radius</source>
+        <translation>filme %1, %2 células no raio de contato</translation>
+    </message>
+    <message>
+        <source>arc length from the pole (mm)</source>
+        <translation>comprimento de arco desde o polo (mm)</translation>
+    </message>
+    <message>
+        <source>film radius (mm)</source>
+        <translation>raio do filme (mm)</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>corpo</translation>
+    </message>
+    <message>
+        <source>film</source>
+        <translation>filme</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>células</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>rms</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>média</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>máx</translation>
+    </message>
+    <message>
+        <source>axis−diag</source>
+        <translation>eixo−diag</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>passos</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>ok</translation>
+    </message>
+    <message>
+        <source>FAILED</source>
+        <translation>FALHOU</translation>
+    </message>
+    <message>
+        <source>Dipping</source>
+        <translation>Imersão</translation>
+    </message>
+    <message>
+        <source>The solver failed: %1</source>
+        <translation>O solucionador falhou: %1</translation>
+    </message>
+    <message>
+        <source>physics validation</source>
+        <translation>validação da física</translation>
+    </message>
+    <message>
+        <source>The film never touched the body; the solver cannot be used</source>
+        <translation>O filme nunca tocou o corpo; o solucionador não pode ser usado</translation>
+    </message>
+    <message>
+        <source>Sphere to 80°</source>
+        <translation>Esfera até 80°</translation>
+    </message>
+    <message>
+        <source>Flat spheroid 1 : 0.6</source>
+        <translation>Esferoide achatado 1 : 0,6</translation>
+    </message>
+    <message>
+        <source>Long spheroid 1 : 1.4</source>
+        <translation>Esferoide alongado 1 : 1,4</translation>
+    </message>
+    <message>
+        <source>Cone of %1°</source>
+        <translation>Cone de %1°</translation>
+    </message>
+    <message>
+        <source>viscous</source>
+        <translation>viscoso</translation>
+    </message>
+    <message>
+        <source>elastic</source>
+        <translation>elástico</translation>
+    </message>
+    <message>
+        <source>Flat face, 60 × 40 mm</source>
+        <translation>Face plana, 60 × 40 mm</translation>
+    </message>
+    <message>
+        <source>Lying cylinder to 80°</source>
+        <translation>Cilindro deitado até 80°</translation>
+    </message>
+    <message>
+        <source>Ellipsoid turned by 45°</source>
+        <translation>Elipsoide girado de 45°</translation>
+    </message>
+    <message>
+        <source>%1, %2 cells</source>
+        <translation>%1, %2 células</translation>
+    </message>
+    <message>
+        <source>Flat face</source>
+        <translation>Face plana</translation>
+    </message>
+</context>
+<context>
+    <name>Pipeline</name>
+    <message>
+        <source>%1 %2 × %3 mm</source>
+        <translation>%1 %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>1:1, swell %1 × %2 taken out</source>
+        <translation>1:1, inchamento %1 × %2 descontado</translation>
+    </message>
+    <message>
+        <source>The project has no model, import one first</source>
+        <translation>O projeto não tem modelo; importe um primeiro</translation>
+    </message>
+    <message>
+        <source>%1 failed and %2 took over: %3</source>
+        <translation>%1 falhou e %2 assumiu: %3</translation>
+    </message>
+    <message>
+        <source>Finding the film on the body</source>
+        <translation>Localizando o filme no corpo</translation>
+    </message>
+    <message>
+        <source>Measuring the coverage</source>
+        <translation>Medindo a cobertura</translation>
+    </message>
+    <message>
+        <source>Measuring the registration</source>
+        <translation>Medindo o registro</translation>
+    </message>
+    <message>
+        <source>The body does not meet the film; move it over the film or choose a larger film</source>
+        <translation>O corpo não encontra o filme; mova-o sobre o filme ou escolha um filme maior</translation>
+    </message>
+    <message>
+        <source>%1: the body reaches past the film's edge</source>
+        <translation>%1: o corpo ultrapassa a borda do filme</translation>
+    </message>
+    <message>
+        <source>%1: the film's cells are coarse for this body, give the film more points</source>
+        <translation>%1: as células do filme são grossas para este corpo; dê mais pontos ao filme</translation>
+    </message>
+    <message>
+        <source>The model is not closed, what is inside is guessed</source>
+        <translation>O modelo não é fechado; o interior é estimado</translation>
+    </message>
+    <message>
+        <source>The model has no texture, its plain colours are printed</source>
+        <translation>O modelo não tem textura; suas cores simples serão impressas</translation>
+    </message>
+    <message>
+        <source>Writing the sheet of %1</source>
+        <translation>Gravando a folha de %1</translation>
+    </message>
+    <message>
+        <source>Writing the film of %1</source>
+        <translation>Gravando o filme de %1</translation>
+    </message>
+    <message>
+        <source>Writing the stretch of %1</source>
+        <translation>Gravando o estiramento de %1</translation>
+    </message>
+    <message>
+        <source>Moving the results in place</source>
+        <translation>Movendo os resultados para o lugar</translation>
+    </message>
+</context>
+<context>
+    <name>PoseSearch</name>
+    <message>
+        <source>Trying poses</source>
+        <translation>Testando posições</translation>
+    </message>
+    <message>
+        <source>Ranking the poses</source>
+        <translation>Classificando as posições</translation>
+    </message>
+    <message>
+        <source>The solver failed: %1</source>
+        <translation>O solucionador falhou: %1</translation>
+    </message>
+    <message>
+        <source>No pose paints anything; choose a larger film</source>
+        <translation>Nenhuma posição pinta algo; escolha um filme maior</translation>
+    </message>
+    <message>
+        <source>Immersion %1</source>
+        <translation>Imersão %1</translation>
+    </message>
+    <message>
+        <source>The project has no model, import one first</source>
+        <translation>O projeto não tem modelo; importe um primeiro</translation>
+    </message>
+</context>
+<context>
+    <name>Profiles</name>
+    <message>
+        <source>The ICC profile is not stored as base64 text, import it anew</source>
+        <translation>O perfil ICC não está guardado como texto base64; importe-o de novo</translation>
+    </message>
+    <message>
+        <source>%1 is not a date, write it as 2027-03-31</source>
+        <translation>%1 não é uma data; escreva como 2027-03-31</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright profile</source>
+        <translation>Isto não é um perfil do Dipwright</translation>
+    </message>
+    <message>
+        <source>The profile has version %1 of the file format and this program reads up to version %2, open it with a newer Dipwright</source>
+        <translation>O perfil tem a versão %1 do formato e este programa lê até a versão %2; abra-o com um Dipwright mais novo</translation>
+    </message>
+    <message>
+        <source>A profile needs a name</source>
+        <translation>Um perfil precisa de um nome</translation>
+    </message>
+    <message>
+        <source>There is no %1 profile of this name, there are: %2</source>
+        <translation>Não há perfil de %1 com este nome; existem: %2</translation>
+    </message>
+    <message>
+        <source>The folder for profiles cannot be made, choose another with DIPWRIGHT_PROFILE_PATH</source>
+        <translation>A pasta de perfis não pode ser criada; escolha outra com DIPWRIGHT_PROFILE_PATH</translation>
+    </message>
+    <message>
+        <source>The profile cannot be removed</source>
+        <translation>O perfil não pode ser removido</translation>
+    </message>
+    <message>
+        <source>There is no %1 profile of your own of this name</source>
+        <translation>Não há perfil seu de %1 com este nome</translation>
+    </message>
+    <message>
+        <source>The profile cannot be read: %1</source>
+        <translation>O perfil não pode ser lido: %1</translation>
+    </message>
+    <message>
+        <source>The file is too large for a profile</source>
+        <translation>O arquivo é grande demais para um perfil</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright profile: %1</source>
+        <translation>Isto não é um perfil do Dipwright: %1</translation>
+    </message>
+    <message>
+        <source>The profile cannot be written: %1</source>
+        <translation>O perfil não pode ser gravado: %1</translation>
+    </message>
+    <message>
+        <source>There is no such kind of profile, use printer, film or tank</source>
+        <translation>Não há esse tipo de perfil; use printer, film ou tank</translation>
+    </message>
+    <message>
+        <source>There is no such value in this profile, there are %1</source>
+        <translation>Não há esse valor neste perfil; existem %1</translation>
+    </message>
+</context>
+<context>
+    <name>Project</name>
+    <message>
+        <source>a text of at most %1 characters</source>
+        <translation>um texto de no máximo %1 caracteres</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>um de %1</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>um número de %1 a %2</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>um número inteiro de %1 a %2</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>uma lista</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>um objeto</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nada</translation>
+    </message>
+    <message>
+        <source>%1 does not fit here, give %2</source>
+        <translation>%1 não serve aqui; informe %2</translation>
+    </message>
+    <message>
+        <source>%1 does not fit here, give %2 parts, each %3</source>
+        <translation>%1 não serve aqui; informe %2 partes, cada uma %3</translation>
+    </message>
+    <message>
+        <source>“%1” must be an object</source>
+        <translation>“%1” deve ser um objeto</translation>
+    </message>
+    <message>
+        <source>There is no film size of this name, use one of %1</source>
+        <translation>Não há tamanho de filme com este nome; use um de %1</translation>
+    </message>
+    <message>
+        <source>immersions must be an array of one or two immersions</source>
+        <translation>immersions deve ser uma lista de uma ou duas imersões</translation>
+    </message>
+    <message>
+        <source>%1 must be an object</source>
+        <translation>%1 deve ser um objeto</translation>
+    </message>
+    <message>
+        <source>profiles.%1 holds a profile of another kind</source>
+        <translation>profiles.%1 contém um perfil de outro tipo</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright project</source>
+        <translation>Isto não é um projeto do Dipwright</translation>
+    </message>
+    <message>
+        <source>The project has version %1 of the file format and this program reads up to version %2, open it with a newer Dipwright</source>
+        <translation>O projeto tem a versão %1 do formato e este programa lê até a versão %2; abra-o com um Dipwright mais novo</translation>
+    </message>
+    <message>
+        <source>the sections are film, process, body, immersions[0], sheet and ink</source>
+        <translation>as seções são film, process, body, immersions[0], sheet e ink</translation>
+    </message>
+    <message>
+        <source>there are %1</source>
+        <translation>existem %1</translation>
+    </message>
+    <message>
+        <source>There is no such setting, %1</source>
+        <translation>Essa configuração não existe; %1</translation>
+    </message>
+    <message>
+        <source>There is no preset %1, use production or paper-2020</source>
+        <translation>Não há predefinição %1; use production ou paper-2020</translation>
+    </message>
+    <message>
+        <source>The project has %1 immersion(s), the first is immersions[0]</source>
+        <translation>O projeto tem %1 imersão(ões); a primeira é immersions[0]</translation>
+    </message>
+    <message>
+        <source>%1 × %2 points are more than the %3 million that a film may have, give fewer</source>
+        <translation>%1 × %2 pontos passam dos %3 milhões que um filme pode ter; use menos</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectStore</name>
+    <message>
+        <source>A texture cannot be stored</source>
+        <translation>Uma textura não pode ser guardada</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright project, it holds no project.json</source>
+        <translation>Isto não é um projeto do Dipwright; não contém project.json</translation>
+    </message>
+    <message>
+        <source>project.json is damaged at character %1: %2</source>
+        <translation>project.json está danificado no caractere %1: %2</translation>
+    </message>
+    <message>
+        <source>The texture %1 cannot be read</source>
+        <translation>A textura %1 não pode ser lida</translation>
+    </message>
+    <message>
+        <source>The model in the project is not the one that was saved, its sha256 differs</source>
+        <translation>O modelo no projeto não é o que foi salvo; seu sha256 difere</translation>
+    </message>
+    <message>
+        <source>The project lists %1 textures and its model needs %2</source>
+        <translation>O projeto lista %1 texturas e seu modelo precisa de %2</translation>
+    </message>
+    <message>
+        <source>The project cannot be saved: %1</source>
+        <translation>O projeto não pode ser salvo: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectValue</name>
+    <message>
+        <source>There is no such setting</source>
+        <translation>Essa configuração não existe</translation>
+    </message>
+</context>
+<context>
+    <name>PropertySpecs</name>
+    <message>
+        <source>Free</source>
+        <translation>Livre</translation>
+    </message>
+    <message>
+        <source>Held by a barrier</source>
+        <translation>Presa por uma barreira</translation>
+    </message>
+    <message>
+        <source>Whether this side of the film floats freely or is held by a barrier in the tank.</source>
+        <translation>Se este lado do filme flutua livre ou é preso por uma barreira no tanque.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>What the project is called. It stands in the job line of every sheet.</source>
+        <translation>Como o projeto se chama. O nome aparece na linha de trabalho de cada folha.</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Data</translation>
+    </message>
+    <message>
+        <source>The date in the job line. It belongs to the project, so that the same project always gives the same sheet.</source>
+        <translation>A data na linha de trabalho. Ela pertence ao projeto, para que o mesmo projeto dê sempre a mesma folha.</translation>
+    </message>
+    <message>
+        <source>Distance field</source>
+        <translation>Campo de distância</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Resolução</translation>
+    </message>
+    <message>
+        <source>Samples along each edge of the cube round the body in which the distance to its surface is kept. More follows finer detail and takes longer to build.</source>
+        <translation>Amostras em cada aresta do cubo em volta do corpo, no qual fica a distância à superfície. Mais amostras seguem detalhes mais finos e demoram mais.</translation>
+    </message>
+    <message>
+        <source>Printed film</source>
+        <translation>Filme impresso</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>The size in which the film comes and is printed.</source>
+        <translation>O tamanho em que o filme vem e é impresso.</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Personalizado</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamanho</translation>
+    </message>
+    <message>
+        <source>Width and height of the printed film. The grid keeps its spacing.</source>
+        <translation>Largura e altura do filme impresso. A grade mantém o espaçamento.</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>width</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <comment>height</comment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Pontos</translation>
+    </message>
+    <message>
+        <source>Points of the simulated film across and down. More points show finer detail and take longer.</source>
+        <translation>Pontos do filme simulado na largura e na altura. Mais pontos mostram mais detalhe e demoram mais.</translation>
+    </message>
+    <message>
+        <source>Behaviour on the water</source>
+        <translation>Comportamento na água</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Inchamento</translation>
+    </message>
+    <message>
+        <source>How much the wetted film has grown over the printed one, across and down. Measure it: it is the first number to calibrate, and the sheet is printed smaller by it.</source>
+        <translation>Quanto o filme molhado cresceu em relação ao impresso, na largura e na altura. Meça: é o primeiro número a calibrar, e a folha é impressa menor por ele.</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxação</translation>
+    </message>
+    <message>
+        <source>How fast stress in the floating film decays. An elastic film remembers its shape for ever; a viscous one, at 0 s, forgets at once.</source>
+        <translation>Com que rapidez a tensão no filme flutuante diminui. Um filme elástico lembra sua forma para sempre; um viscoso, com 0 s, esquece na hora.</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Elástico</translation>
+    </message>
+    <message>
+        <source>Contact distance</source>
+        <translation>Distância de contato</translation>
+    </message>
+    <message>
+        <source>How near a film point has to come to the surface to touch it.</source>
+        <translation>Quão perto um ponto do filme deve chegar da superfície para tocá-la.</translation>
+    </message>
+    <message>
+        <source>Film model</source>
+        <translation>Modelo do filme</translation>
+    </message>
+    <message>
+        <source>Isotropic film resists shear and gives the same result whichever way the grid lies. The structural lattice joins horizontal and vertical neighbours only, as in the paper of 2020.</source>
+        <translation>O filme isotrópico resiste ao cisalhamento e dá o mesmo resultado em qualquer orientação da grade. A rede estrutural une só vizinhos horizontais e verticais, como no artigo de 2020.</translation>
+    </message>
+    <message>
+        <source>Isotropic</source>
+        <translation>Isotrópico</translation>
+    </message>
+    <message>
+        <source>Structural lattice</source>
+        <translation>Rede estrutural</translation>
+    </message>
+    <message>
+        <source>Support</source>
+        <translation>Apoio</translation>
+    </message>
+    <message>
+        <source>Whether the water holds up the free film. Without it nothing does.</source>
+        <translation>Se a água sustenta o filme livre. Sem ela, nada o sustenta.</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>Água</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nenhum</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Lados</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Esquerda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Direita</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Em cima</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Embaixo</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimento</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidade</translation>
+    </message>
+    <message>
+        <source>How fast the body comes down into the water.</source>
+        <translation>Com que velocidade o corpo desce na água.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidade</translation>
+    </message>
+    <message>
+        <source>How far the lowest point of the body goes under the waterline. “Whole body” dips until all of it is under.</source>
+        <translation>Quanto o ponto mais baixo do corpo desce abaixo da linha d'água. “Corpo inteiro” mergulha até tudo ficar submerso.</translation>
+    </message>
+    <message>
+        <source>Whole body</source>
+        <translation>Corpo inteiro</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margem</translation>
+    </message>
+    <message>
+        <source>How much farther than fully under the body is dipped.</source>
+        <translation>Quanto além de totalmente submerso o corpo é mergulhado.</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Limites</translation>
+    </message>
+    <message>
+        <source>Tears at</source>
+        <translation>Rasga em</translation>
+    </message>
+    <message>
+        <source>The area stretch past which film counts as torn. Torn film is marked and not painted.</source>
+        <translation>O estiramento de área a partir do qual o filme conta como rasgado. Filme rasgado é marcado e não pinta.</translation>
+    </message>
+    <message>
+        <source>Overhang</source>
+        <translation>Ressalto</translation>
+    </message>
+    <message>
+        <source>Film holds on faces that turn upwards by no more than this.</source>
+        <translation>O filme adere a faces que se voltam para cima até este ângulo.</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Precisão</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Passo</translation>
+    </message>
+    <message>
+        <source>How far the contact line travels in one step, in cells of the film. Smaller is finer and slower.</source>
+        <translation>Quanto a linha de contato avança em um passo, em células do filme. Menor é mais fino e mais lento.</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Passo de tempo</translation>
+    </message>
+    <message>
+        <source>Time that one step simulates.</source>
+        <translation>Tempo que um passo simula.</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Iterações</translation>
+    </message>
+    <message>
+        <source>Sweeps over all constraints in one step.</source>
+        <translation>Passagens por todas as restrições em um passo.</translation>
+    </message>
+    <message>
+        <source>Sweeps</source>
+        <translation>Passagens</translation>
+    </message>
+    <message>
+        <source>Jacobi corrects all points at once and averages; Gauss–Seidel one after the other.</source>
+        <translation>Jacobi corrige todos os pontos de uma vez e tira a média; Gauss–Seidel, um após o outro.</translation>
+    </message>
+    <message>
+        <source>Self-contact</source>
+        <translation>Autocontato</translation>
+    </message>
+    <message>
+        <source>Keep film from passing through film.</source>
+        <translation>Impede que o filme atravesse o filme.</translation>
+    </message>
+    <message>
+        <source>What this immersion is called. It stands in the job line of its sheet.</source>
+        <translation>Como esta imersão se chama. O nome aparece na linha de trabalho da folha.</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotação</translation>
+    </message>
+    <message>
+        <source>How the body is turned about X, then Y, then Z before it is dipped. Drag the rings in the view to turn it by hand; hold Shift for steps of 15°.</source>
+        <translation>Como o corpo é girado em X, depois Y, depois Z antes de mergulhar. Arraste os anéis na vista para girá-lo à mão; segure Shift para passos de 15°.</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Deslocamento</translation>
+    </message>
+    <message>
+        <source>Where the body meets the film, from the middle of the film: X to the right, Z down the sheet.</source>
+        <translation>Onde o corpo encontra o filme, a partir do meio do filme: X para a direita, Z para baixo na folha.</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Página</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>The page that the film image is laid on. “As the film” prints the film itself, edge to edge.</source>
+        <translation>A página em que a imagem do filme é posta. “Como o filme” imprime o próprio filme, de borda a borda.</translation>
+    </message>
+    <message>
+        <source>As the film</source>
+        <translation>Como o filme</translation>
+    </message>
+    <message>
+        <source>Width and height of the page.</source>
+        <translation>Largura e altura da página.</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Paisagem</translation>
+    </message>
+    <message>
+        <source>Turn the page on its side.</source>
+        <translation>Vira a página de lado.</translation>
+    </message>
+    <message>
+        <source>Pixels to the inch of the film image.</source>
+        <translation>Pixels por polegada da imagem do filme.</translation>
+    </message>
+    <message>
+        <source>Bleed</source>
+        <translation>Sangria</translation>
+    </message>
+    <message>
+        <source>How far the colour is continued past the painted area, so that a small error of position leaves no bare edge.</source>
+        <translation>Quanto a cor continua além da área pintada, para que um pequeno erro de posição não deixe borda nua.</translation>
+    </message>
+    <message>
+        <source>On the page</source>
+        <translation>Na página</translation>
+    </message>
+    <message>
+        <source>Registration marks</source>
+        <translation>Marcas de registro</translation>
+    </message>
+    <message>
+        <source>Marks in the corners by which the film is laid into the tank.</source>
+        <translation>Marcas nos cantos para posicionar o filme no tanque.</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Régua</translation>
+    </message>
+    <message>
+        <source>A ruler of 100 mm: measure it to see that the page was printed at true size.</source>
+        <translation>Uma régua de 100 mm: meça-a para ver se a página saiu em tamanho real.</translation>
+    </message>
+    <message>
+        <source>Job line</source>
+        <translation>Linha de trabalho</translation>
+    </message>
+    <message>
+        <source>A line with project, immersion, date, film, scale and a check sum.</source>
+        <translation>Uma linha com projeto, imersão, data, filme, escala e soma de verificação.</translation>
+    </message>
+    <message>
+        <source>Compensate stretch</source>
+        <translation>Compensar estiramento</translation>
+    </message>
+    <message>
+        <source>Ink thins where the film stretches. Print more there, so that the body shows the colour of the texture.</source>
+        <translation>A tinta afina onde o filme estica. Imprime mais ali, para que o corpo mostre a cor da textura.</translation>
+    </message>
+    <message>
+        <source>Ink limit</source>
+        <translation>Limite de tinta</translation>
+    </message>
+    <message>
+        <source>The highest optical density that can be printed. Where more would be needed, the colour falls short and the report says so.</source>
+        <translation>A maior densidade óptica que pode ser impressa. Onde seria preciso mais, a cor fica aquém e o relatório avisa.</translation>
+    </message>
+</context>
+<context>
+    <name>ReportPanel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Body painted</source>
+        <translation>Corpo pintado</translation>
+    </message>
+    <message>
+        <source>Film points on the body</source>
+        <translation>Pontos do filme no corpo</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Stretch, mean and largest</source>
+        <translation>Estiramento, médio e maior</translation>
+    </message>
+    <message>
+        <source>Area stretch, smallest and largest</source>
+        <translation>Estiramento de área, menor e maior</translation>
+    </message>
+    <message>
+        <source>Registration, mean and 95 %</source>
+        <translation>Registro, médio e 95 %</translation>
+    </message>
+    <message>
+        <source>Film triangles across texture seams</source>
+        <translation>Triângulos do filme sobre costuras da textura</translation>
+    </message>
+    <message>
+        <source>Colour short of ink</source>
+        <translation>Cor com tinta insuficiente</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>Air trapped</source>
+        <translation>Ar preso</translation>
+    </message>
+    <message>
+        <source>Simulated in</source>
+        <translation>Simulado em</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Passos</translation>
+    </message>
+</context>
+<context>
+    <name>ResultFolder</name>
+    <message>
+        <source>The results cannot be written, %1 is not a folder</source>
+        <translation>Os resultados não podem ser gravados; %1 não é uma pasta</translation>
+    </message>
+    <message>
+        <source>The folder cannot be written: %1</source>
+        <translation>Não é possível gravar na pasta: %1</translation>
+    </message>
+    <message>
+        <source>The results cannot be written: %1</source>
+        <translation>Os resultados não podem ser gravados: %1</translation>
+    </message>
+    <message>
+        <source>The results cannot be moved into the folder, is a file there in use?</source>
+        <translation>Os resultados não podem ser movidos para a pasta; algum arquivo ali está em uso?</translation>
+    </message>
+</context>
+<context>
+    <name>SolverRegistry</name>
+    <message>
+        <source>Its description has no valid "%1"</source>
+        <translation>Sua descrição não tem “%1” válido</translation>
+    </message>
+    <message>
+        <source>Its description cannot be read: %1</source>
+        <translation>Sua descrição não pode ser lida: %1</translation>
+    </message>
+    <message>
+        <source>Its description is too large to be one</source>
+        <translation>Sua descrição é grande demais para ser uma</translation>
+    </message>
+    <message>
+        <source>Its description is not valid JSON: %1</source>
+        <translation>Sua descrição não é JSON válido: %1</translation>
+    </message>
+    <message>
+        <source>It was built for solver interface %1, and this program has %2</source>
+        <translation>Foi feito para a interface de solucionador %1, e este programa tem a %2</translation>
+    </message>
+    <message>
+        <source>Its description is not one of a solver</source>
+        <translation>Sua descrição não é a de um solucionador</translation>
+    </message>
+    <message>
+        <source>Its id may hold only small letters, digits and hyphens</source>
+        <translation>Seu id só pode conter letras minúsculas, dígitos e hifens</translation>
+    </message>
+    <message>
+        <source>Its module has to be a file beside its description</source>
+        <translation>Seu módulo deve ser um arquivo ao lado da descrição</translation>
+    </message>
+    <message>
+        <source>Its module %1 is missing</source>
+        <translation>Falta seu módulo %1</translation>
+    </message>
+    <message>
+        <source>It brought the program down when it was last loaded; set DIPWRIGHT_RETRY_SOLVERS=1 to try it again</source>
+        <translation>Derrubou o programa na última vez em que foi carregado; defina DIPWRIGHT_RETRY_SOLVERS=1 para tentar de novo</translation>
+    </message>
+    <message>
+        <source>Its module cannot be loaded: %1</source>
+        <translation>Seu módulo não pode ser carregado: %1</translation>
+    </message>
+    <message>
+        <source>Its module has no entry point %1</source>
+        <translation>Seu módulo não tem o ponto de entrada %1</translation>
+    </message>
+    <message>
+        <source>Its module failed at start: %1</source>
+        <translation>Seu módulo falhou ao iniciar: %1</translation>
+    </message>
+    <message>
+        <source>Its module failed at start with an unknown exception</source>
+        <translation>Seu módulo falhou ao iniciar com uma exceção desconhecida</translation>
+    </message>
+    <message>
+        <source>Its module does not fit this program's solver interface</source>
+        <translation>Seu módulo não serve à interface de solucionador deste programa</translation>
+    </message>
+    <message>
+        <source>no plugin was found</source>
+        <translation>nenhum plugin foi encontrado</translation>
+    </message>
+    <message>
+        <source>No solver can run here; install one or set DIPWRIGHT_PLUGIN_PATH</source>
+        <translation>Nenhum solucionador pode rodar aqui; instale um ou defina DIPWRIGHT_PLUGIN_PATH</translation>
+    </message>
+    <message>
+        <source>There is no such solver; choose one of %1</source>
+        <translation>Esse solucionador não existe; escolha um de %1</translation>
+    </message>
+    <message>
+        <source>This solver cannot be used: %1</source>
+        <translation>Este solucionador não pode ser usado: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
+    <message>
+        <source>an object holds itself</source>
+        <translation>um objeto contém a si mesmo</translation>
+    </message>
+    <message>
+        <source>it has more than 65,536 materials</source>
+        <translation>tem mais de 65.536 materiais</translation>
+    </message>
+</context>
+<context>
+    <name>Units</name>
+    <message>
+        <source> in</source>
+        <translation> pol</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in/s</source>
+        <translation> pol/s</translation>
+    </message>
+    <message>
+        <source> mm/s</source>
+        <translation> mm/s</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> células</translation>
+    </message>
+    <message>
+        <source> D</source>
+        <translation> D</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright</name>
+    <message>
+        <source>Reversing the texture</source>
+        <translation>Revertendo a textura</translation>
+    </message>
+    <message>
+        <source>The film's image is too large for this computer's memory; choose a lower resolution</source>
+        <translation>A imagem do filme é grande demais para a memória deste computador; escolha uma resolução menor</translation>
+    </message>
+    <message>
+        <source>Continuing the colour past the edge</source>
+        <translation>Continuando a cor além da borda</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::CalibrationPage</name>
+    <message>
+        <source>The horizontal ruler must measure %1 mm and the vertical one %2 mm from the first to the last line.</source>
+        <translation>A régua horizontal deve medir %1 mm e a vertical %2 mm, da primeira à última linha.</translation>
+    </message>
+    <message>
+        <source>If either is more than 0.2 mm off, measure and calibrate once more.</source>
+        <translation>Se alguma estiver mais de 0,2 mm fora, meça e calibre de novo.</translation>
+    </message>
+    <message>
+        <source>Type what they do measure, to a tenth of a millimetre, into the printer's profile.</source>
+        <translation>Digite o que elas medem de fato, ao décimo de milímetro, no perfil da impressora.</translation>
+    </message>
+    <message>
+        <source>Corrected for X %1, Y %2</source>
+        <translation>Corrigido para X %1, Y %2</translation>
+    </message>
+    <message>
+        <source>Not corrected: X 1, Y 1</source>
+        <translation>Sem correção: X 1, Y 1</translation>
+    </message>
+    <message>
+        <source>Verification of the printer's scale</source>
+        <translation>Verificação da escala da impressora</translation>
+    </message>
+    <message>
+        <source>Calibration of the printer's scale</source>
+        <translation>Calibração da escala da impressora</translation>
+    </message>
+    <message>
+        <source>Paper of %1 × %2 mm is too small to calibrate a printer with; take A5 or larger</source>
+        <translation>Papel de %1 × %2 mm é pequeno demais para calibrar uma impressora; use A5 ou maior</translation>
+    </message>
+    <message>
+        <source>The calibration page cannot be written: %1</source>
+        <translation>A página de calibração não pode ser gravada: %1</translation>
+    </message>
+    <message>
+        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer's settings, print the page anew and measure again</source>
+        <translation>%1 mm em vez de %2 mm passa de 10 % de erro; desligue toda escala nas configurações da impressora, imprima a página de novo e meça outra vez</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::DipView</name>
+    <message>
+        <source>The 3D view needs OpenGL 3.2, and no such context could be made. Everything else works.</source>
+        <translation>A vista 3D precisa de OpenGL 3.2, e não foi possível criar um contexto. Todo o resto funciona.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconhecido</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::DistanceField</name>
+    <message>
+        <source>The distance field's resolution is %1; choose 64 to 512</source>
+        <translation>A resolução do campo de distância é %1; escolha de 64 a 512</translation>
+    </message>
+    <message>
+        <source>The body has no extent; choose a model with a surface</source>
+        <translation>O corpo não tem extensão; escolha um modelo com superfície</translation>
+    </message>
+    <message>
+        <source>Building the distance field</source>
+        <translation>Construindo o campo de distância</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::GuideWindow</name>
+    <message>
+        <source>User Guide</source>
+        <translation>Guia do usuário</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Conteúdo</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Histogram</name>
+    <message>
+        <source>Histogram</source>
+        <translation>Histograma</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ImportModel</name>
+    <message>
+        <source>Reading the model</source>
+        <translation>Lendo o modelo</translation>
+    </message>
+    <message>
+        <source>The model's size must be more than 0 and at most %1 mm</source>
+        <translation>O tamanho do modelo deve ser maior que 0 e no máximo %1 mm</translation>
+    </message>
+    <message>
+        <source>The model's unit must be a positive number of millimetres</source>
+        <translation>A unidade do modelo deve ser um número positivo de milímetros</translation>
+    </message>
+    <message>
+        <source>The model file does not exist; check its name</source>
+        <translation>O arquivo do modelo não existe; confira o nome</translation>
+    </message>
+    <message>
+        <source>This is a folder; choose a model file in it</source>
+        <translation>Isto é uma pasta; escolha um arquivo de modelo nela</translation>
+    </message>
+    <message>
+        <source>The model file cannot be read; check its permissions</source>
+        <translation>O arquivo do modelo não pode ser lido; confira as permissões</translation>
+    </message>
+    <message>
+        <source>The model file is empty; save it anew</source>
+        <translation>O arquivo do modelo está vazio; salve-o de novo</translation>
+    </message>
+    <message>
+        <source>The texture file cannot be read; check its name and permissions</source>
+        <translation>O arquivo de textura não pode ser lido; confira o nome e as permissões</translation>
+    </message>
+    <message>
+        <source>%1 corners of the model's triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
+        <translation>%1 vértices dos triângulos do modelo não são números (NaN ou infinito); repare o modelo e salve-o de novo</translation>
+    </message>
+    <message numerus="yes">
+        <source>Removed %n triangle(s) without area</source>
+        <translation><numerusform>Removido %n triângulo sem área</numerusform><numerusform>Removidos %n triângulos sem área</numerusform></translation>
+    </message>
+    <message>
+        <source>None of the model's triangles has an area; choose another model</source>
+        <translation>Nenhum triângulo do modelo tem área; escolha outro modelo</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turned %n triangle(s) that faced the other way than their neighbours</source>
+        <translation><numerusform>Virado %n triângulo voltado ao contrário dos vizinhos</numerusform><numerusform>Virados %n triângulos voltados ao contrário dos vizinhos</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>Turned %n part(s) of the surface that were inside out</source>
+        <translation><numerusform>Virada %n parte da superfície que estava do avesso</numerusform><numerusform>Viradas %n partes da superfície que estavam do avesso</numerusform></translation>
+    </message>
+    <message>
+        <source>The model has no extent; choose another model</source>
+        <translation>O modelo não tem extensão; escolha outro modelo</translation>
+    </message>
+    <message>
+        <source>The model's longest edge would be %1 mm; give the size it is to have</source>
+        <translation>A aresta mais longa do modelo teria %1 mm; informe o tamanho desejado</translation>
+    </message>
+    <message>
+        <source>The model lies too far from its origin; move it there and save it anew</source>
+        <translation>O modelo está longe demais da origem; mova-o para lá e salve de novo</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed: what is inside is judged by most of the directions from which it is seen</source>
+        <translation>A malha não é fechada: o interior é julgado pela maioria das direções de visão</translation>
+    </message>
+    <message>
+        <source>The model's longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
+        <translation>A aresta mais longa do modelo tem só %1 mm; se o arquivo não estiver em milímetros, informe o tamanho desejado</translation>
+    </message>
+    <message>
+        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials' colours are</source>
+        <translation>O modelo não tem coordenadas de textura, então a textura não pode ser aplicada; usam-se as cores dos materiais</translation>
+    </message>
+    <message>
+        <source>The file %1, which the model names, was not found</source>
+        <translation>O arquivo %1, citado pelo modelo, não foi encontrado</translation>
+    </message>
+    <message>
+        <source>%1 texture coordinates are too large to be used; their triangles show the material's colour</source>
+        <translation>%1 coordenadas de textura são grandes demais; seus triângulos mostram a cor do material</translation>
+    </message>
+    <message>
+        <source>The model has no triangles; save it with its surface</source>
+        <translation>O modelo não tem triângulos; salve-o com a superfície</translation>
+    </message>
+    <message>
+        <source>Checking the model</source>
+        <translation>Verificando o modelo</translation>
+    </message>
+    <message>
+        <source>Finding the texture's charts</source>
+        <translation>Localizando as partes da textura</translation>
+    </message>
+    <message>
+        <source>The model needs more memory than there is; reduce it</source>
+        <translation>O modelo precisa de mais memória do que há; reduza-o</translation>
+    </message>
+    <message>
+        <source>The texture %1 was not found beside the model; its material's colour is used instead</source>
+        <translation>A textura %1 não foi encontrada ao lado do modelo; usa-se a cor do material</translation>
+    </message>
+    <message>
+        <source>The model cannot be read: %1; save it anew, or as OBJ, PLY, STL, glTF or 3MF</source>
+        <translation>O modelo não pode ser lido: %1; salve-o de novo ou como OBJ, PLY, STL, glTF ou 3MF</translation>
+    </message>
+    <message>
+        <source>The model has more than %1 million triangles; reduce it</source>
+        <translation>O modelo tem mais de %1 milhões de triângulos; reduza-o</translation>
+    </message>
+    <message>
+        <source>it ends too early</source>
+        <translation>termina cedo demais</translation>
+    </message>
+    <message>
+        <source>there is a word where a number should be</source>
+        <translation>há uma palavra onde deveria haver um número</translation>
+    </message>
+    <message>
+        <source>it is not a PLY file</source>
+        <translation>não é um arquivo PLY</translation>
+    </message>
+    <message>
+        <source>its PLY format %1 is unknown</source>
+        <translation>seu formato PLY %1 é desconhecido</translation>
+    </message>
+    <message>
+        <source>its header is not understood</source>
+        <translation>seu cabeçalho não é compreendido</translation>
+    </message>
+    <message>
+        <source>its points have no x, y and z</source>
+        <translation>seus pontos não têm x, y e z</translation>
+    </message>
+    <message>
+        <source>its faces have no corners</source>
+        <translation>suas faces não têm vértices</translation>
+    </message>
+    <message>
+        <source>a face names a point that is not there</source>
+        <translation>uma face cita um ponto que não existe</translation>
+    </message>
+    <message>
+        <source>The colours of the model's points are not used; bake them into a texture to print them</source>
+        <translation>As cores dos pontos do modelo não são usadas; grave-as em uma textura para imprimi-las</translation>
+    </message>
+    <message>
+        <source>it has more than 65,536 materials</source>
+        <translation>tem mais de 65.536 materiais</translation>
+    </message>
+    <message>
+        <source>texture %1 in %2</source>
+        <translation>textura %1 em %2</translation>
+    </message>
+    <message>
+        <source>Reading triangles</source>
+        <translation>Lendo triângulos</translation>
+    </message>
+    <message>
+        <source>a triangle names a point that is not there</source>
+        <translation>um triângulo cita um ponto que não existe</translation>
+    </message>
+    <message>
+        <source>it is not a 3MF package</source>
+        <translation>não é um pacote 3MF</translation>
+    </message>
+    <message>
+        <source>%1 in it is encrypted or too large</source>
+        <translation>%1 nele está criptografado ou é grande demais</translation>
+    </message>
+    <message>
+        <source>%1 in it is damaged</source>
+        <translation>%1 nele está danificado</translation>
+    </message>
+    <message>
+        <source>%1 in it: %2</source>
+        <translation>%1 nele: %2</translation>
+    </message>
+    <message>
+        <source>its elements are out of order</source>
+        <translation>seus elementos estão fora de ordem</translation>
+    </message>
+    <message>
+        <source>there is no number where one should be</source>
+        <translation>falta um número onde deveria haver</translation>
+    </message>
+    <message>
+        <source>%1 is not in it</source>
+        <translation>%1 não está nele</translation>
+    </message>
+    <message>
+        <source>it places an object that is not there</source>
+        <translation>posiciona um objeto que não existe</translation>
+    </message>
+    <message>
+        <source>The texture %1 is not in the model's package; its material's colour is used instead</source>
+        <translation>A textura %1 não está no pacote do modelo; usa-se a cor do material</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::LogPanel</name>
+    <message>
+        <source>Log</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>Nothing has happened yet.</source>
+        <translation>Nada aconteceu ainda.</translation>
+    </message>
+    <message>
+        <source>Copy Report</source>
+        <translation>Copiar relatório</translation>
+    </message>
+    <message>
+        <source>Copies the log with facts about program and machine to the clipboard.</source>
+        <translation>Copia o registro com dados do programa e da máquina para a área de transferência.</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Limpar</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::MainWindow</name>
+    <message>
+        <source>Simulated with %1 on %2</source>
+        <translation>Simulado com %1 em %2</translation>
+    </message>
+    <message>
+        <source>The Dip</source>
+        <translation>A imersão</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo “%1”</source>
+        <translation>&amp;Desfazer “%1”</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Desfazer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo “%1”</source>
+        <translation>&amp;Refazer “%1”</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Refazer</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Bem-vindo</translation>
+    </message>
+    <message>
+        <source>Dipwright computes the picture to print on a film so that, when the body is dipped through it, every colour lands where it belongs.</source>
+        <translation>O Dipwright calcula a imagem a imprimir em um filme para que, ao mergulhar o corpo, cada cor caia onde deve.</translation>
+    </message>
+    <message>
+        <source>The project</source>
+        <translation>O projeto</translation>
+    </message>
+    <message>
+        <source>Model, film, one or two immersions, sheet and ink. Choose a part in the tree and change its values below. Begin by dropping a model on the window.</source>
+        <translation>Modelo, filme, uma ou duas imersões, folha e tinta. Escolha uma parte na árvore e mude seus valores abaixo. Comece soltando um modelo na janela.</translation>
+    </message>
+    <message>
+        <source>The view</source>
+        <translation>A vista</translation>
+    </message>
+    <message>
+        <source>The body above the film. Drag to look round it, turn it by its rings, then press Run.</source>
+        <translation>O corpo acima do filme. Arraste para olhar em volta, gire-o pelos anéis e aperte Executar.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Executar</translation>
+    </message>
+    <message>
+        <source>Simulates the dip while you watch and can be cancelled at any time. With Run Live, each change runs what depends on it again.</source>
+        <translation>Simula a imersão diante de você e pode ser cancelado a qualquer momento. Com Executar ao vivo, cada mudança recalcula o que depende dela.</translation>
+    </message>
+    <message>
+        <source>The timeline</source>
+        <translation>A linha do tempo</translation>
+    </message>
+    <message>
+        <source>Plays the dip again, or shows any moment of it.</source>
+        <translation>Reproduz a imersão de novo ou mostra qualquer momento dela.</translation>
+    </message>
+    <message>
+        <source>The results</source>
+        <translation>Os resultados</translation>
+    </message>
+    <message>
+        <source>How the film stretches, the picture that goes on it, the body as it will come out, and the sheet to print. Move the cursor over one and see the same place in all the others.</source>
+        <translation>Como o filme estica, a imagem que vai nele, o corpo como sairá e a folha a imprimir. Passe o cursor sobre um e veja o mesmo lugar em todos os outros.</translation>
+    </message>
+    <message>
+        <source>About Dipwright</source>
+        <translation>Sobre o Dipwright</translation>
+    </message>
+    <message>
+        <source>Computational hydrographic printing.</source>
+        <translation>Impressão hidrográfica computacional.</translation>
+    </message>
+    <message>
+        <source>Cancelling …</source>
+        <translation>Cancelando…</translation>
+    </message>
+    <message>
+        <source>The sheet is out of date: it was made before the last changes.</source>
+        <translation>A folha está desatualizada: foi feita antes das últimas mudanças.</translation>
+    </message>
+    <message>
+        <source>The results are out of date: they were made before the last changes.</source>
+        <translation>Os resultados estão desatualizados: foram feitos antes das últimas mudanças.</translation>
+    </message>
+    <message>
+        <source>Picture on the Film</source>
+        <translation>Imagem no filme</translation>
+    </message>
+    <message>
+        <source>Export Results to a Folder</source>
+        <translation>Exportar resultados para uma pasta</translation>
+    </message>
+    <message>
+        <source>Writing the results</source>
+        <translation>Gravando os resultados</translation>
+    </message>
+    <message>
+        <source>Wrote the results to %1</source>
+        <translation>Resultados gravados em %1</translation>
+    </message>
+    <message>
+        <source>Export Results</source>
+        <translation>Exportar resultados</translation>
+    </message>
+    <message>
+        <source>Save Sheet</source>
+        <translation>Salvar folha</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>O arquivo não pode ser gravado: %1</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 gravado</translation>
+    </message>
+    <message>
+        <source>Export Stretch</source>
+        <translation>Exportar estiramento</translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation>estiramento</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written</source>
+        <translation>A imagem não pode ser gravada</translation>
+    </message>
+    <message>
+        <source>Body at %1, %2, %3</source>
+        <translation>Corpo em %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Sheet %1, %2 · %3 · stretch %4 · area %5 · %6 to %7</source>
+        <translation>Folha %1, %2 · %3 · estiramento %4 · área %5 · %6 a %7</translation>
+    </message>
+    <message>
+        <source>on the body</source>
+        <translation>no corpo</translation>
+    </message>
+    <message>
+        <source>on the water</source>
+        <translation>na água</translation>
+    </message>
+    <message>
+        <source>Click the second place on the body</source>
+        <translation>Clique no segundo lugar do corpo</translation>
+    </message>
+    <message>
+        <source>Distance %1</source>
+        <translation>Distância %1</translation>
+    </message>
+    <message>
+        <source>Turn Body</source>
+        <translation>Girar corpo</translation>
+    </message>
+    <message>
+        <source>Reading the model</source>
+        <translation>Lendo o modelo</translation>
+    </message>
+    <message>
+        <source>Immersion %1</source>
+        <translation>Imersão %1</translation>
+    </message>
+    <message>
+        <source>New Project</source>
+        <translation>Novo projeto</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>Abrir projeto</translation>
+    </message>
+    <message>
+        <source>Opening the project</source>
+        <translation>Abrindo o projeto</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>%1 aberto</translation>
+    </message>
+    <message>
+        <source>Project in Use</source>
+        <translation>Projeto em uso</translation>
+    </message>
+    <message>
+        <source>“%1” is open already, on %2 (process %3).</source>
+        <translation>“%1” já está aberto em %2 (processo %3).</translation>
+    </message>
+    <message>
+        <source>an unknown machine</source>
+        <translation>uma máquina desconhecida</translation>
+    </message>
+    <message>
+        <source>Whoever saves last overwrites what the other has done.</source>
+        <translation>Quem salvar por último sobrescreve o trabalho do outro.</translation>
+    </message>
+    <message>
+        <source>Open Anyway</source>
+        <translation>Abrir mesmo assim</translation>
+    </message>
+    <message>
+        <source>Restoring the project</source>
+        <translation>Restaurando o projeto</translation>
+    </message>
+    <message>
+        <source>Restored unsaved changes of %1</source>
+        <translation>Mudanças não salvas de %1 restauradas</translation>
+    </message>
+    <message>
+        <source>Restore Project</source>
+        <translation>Restaurar projeto</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Salvar</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 salvo</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>Salvar projeto</translation>
+    </message>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>Mudanças não salvas</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1” before it is closed?</source>
+        <translation>Salvar as mudanças em “%1” antes de fechar?</translation>
+    </message>
+    <message>
+        <source>%1 is neither a project, a model nor a picture</source>
+        <translation>%1 não é um projeto, nem um modelo, nem uma imagem</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Nenhum ainda</translation>
+    </message>
+    <message>
+        <source>Reload Model</source>
+        <translation>Recarregar modelo</translation>
+    </message>
+    <message>
+        <source>Replace Model</source>
+        <translation>Trocar modelo</translation>
+    </message>
+    <message>
+        <source>Replace Texture</source>
+        <translation>Trocar textura</translation>
+    </message>
+    <message>
+        <source>Add Immersion</source>
+        <translation>Adicionar imersão</translation>
+    </message>
+    <message>
+        <source>Remove Immersion</source>
+        <translation>Remover imersão</translation>
+    </message>
+    <message>
+        <source>3D view of the dip</source>
+        <translation>Vista 3D da imersão</translation>
+    </message>
+    <message>
+        <source>The body above the film. Drag to turn the view, drag with the right button to shift it, turn the wheel to zoom. Drag a ring to turn the body.</source>
+        <translation>O corpo acima do filme. Arraste para girar a vista, com o botão direito para deslocá-la, use a roda para o zoom. Arraste um anel para girar o corpo.</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projeto</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Resultados</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>Value under the cursor</source>
+        <translation>Valor sob o cursor</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progresso</translation>
+    </message>
+    <message>
+        <source>New &amp;Window</source>
+        <translation>Nova &amp;janela</translation>
+    </message>
+    <message>
+        <source>Open another window</source>
+        <translation>Abre outra janela</translation>
+    </message>
+    <message>
+        <source>&amp;New Project…</source>
+        <translation>&amp;Novo projeto…</translation>
+    </message>
+    <message>
+        <source>Make a project of a textured model</source>
+        <translation>Cria um projeto de um modelo texturizado</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Abrir…</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Abre um projeto</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Salvar</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Salva o projeto</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Salvar &amp;como…</translation>
+    </message>
+    <message>
+        <source>Save the project as another file</source>
+        <translation>Salva o projeto em outro arquivo</translation>
+    </message>
+    <message>
+        <source>&amp;Export Results…</source>
+        <translation>&amp;Exportar resultados…</translation>
+    </message>
+    <message>
+        <source>Write sheets, stretch maps, proof, films and report to a folder</source>
+        <translation>Grava folhas, mapas de estiramento, prova, filmes e relatório em uma pasta</translation>
+    </message>
+    <message>
+        <source>Sheet as P&amp;DF…</source>
+        <translation>Folha em P&amp;DF…</translation>
+    </message>
+    <message>
+        <source>Save this immersion's sheet as PDF at true size</source>
+        <translation>Salva a folha desta imersão em PDF em tamanho real</translation>
+    </message>
+    <message>
+        <source>Sheet as P&amp;NG…</source>
+        <translation>Folha em P&amp;NG…</translation>
+    </message>
+    <message>
+        <source>Save this immersion's film image as PNG</source>
+        <translation>Salva a imagem do filme desta imersão em PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Imprimir…</translation>
+    </message>
+    <message>
+        <source>Print sheets at true size</source>
+        <translation>Imprime as folhas em tamanho real</translation>
+    </message>
+    <message>
+        <source>&amp;Close Window</source>
+        <translation>&amp;Fechar janela</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Fecha esta janela</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Sair</translation>
+    </message>
+    <message>
+        <source>Close all windows</source>
+        <translation>Fecha todas as janelas</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Desfaz a última mudança</translation>
+    </message>
+    <message>
+        <source>Make the change again</source>
+        <translation>Faz a mudança de novo</translation>
+    </message>
+    <message>
+        <source>Add &amp;Second Immersion</source>
+        <translation>Adicionar &amp;segunda imersão</translation>
+    </message>
+    <message>
+        <source>Dip the body a second time, from another side</source>
+        <translation>Mergulha o corpo uma segunda vez, de outro lado</translation>
+    </message>
+    <message>
+        <source>Remove &amp;Immersion</source>
+        <translation>Remover &amp;imersão</translation>
+    </message>
+    <message>
+        <source>Remove the immersion shown</source>
+        <translation>Remove a imersão mostrada</translation>
+    </message>
+    <message>
+        <source>Re&amp;load Model</source>
+        <translation>&amp;Recarregar modelo</translation>
+    </message>
+    <message>
+        <source>Read the model's file again and keep all settings</source>
+        <translation>Lê de novo o arquivo do modelo e mantém as configurações</translation>
+    </message>
+    <message>
+        <source>Replace &amp;Model…</source>
+        <translation>Trocar &amp;modelo…</translation>
+    </message>
+    <message>
+        <source>Take another model</source>
+        <translation>Usa outro modelo</translation>
+    </message>
+    <message>
+        <source>Replace &amp;Texture…</source>
+        <translation>Trocar &amp;textura…</translation>
+    </message>
+    <message>
+        <source>Put another picture on the model</source>
+        <translation>Põe outra imagem no modelo</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Preferências…</translation>
+    </message>
+    <message>
+        <source>Units, language, look, shortcuts and solvers</source>
+        <translation>Unidades, idioma, aparência, atalhos e solucionadores</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>E&amp;xecutar</translation>
+    </message>
+    <message>
+        <source>Simulate the dip and make the sheets</source>
+        <translation>Simula a imersão e faz as folhas</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop what is running</source>
+        <translation>Para o que está em execução</translation>
+    </message>
+    <message>
+        <source>Run &amp;Live</source>
+        <translation>Executar ao &amp;vivo</translation>
+    </message>
+    <message>
+        <source>Once there is a result, run again after each change</source>
+        <translation>Havendo um resultado, executa de novo após cada mudança</translation>
+    </message>
+    <message>
+        <source>&amp;Play or Pause</source>
+        <translation>&amp;Reproduzir ou pausar</translation>
+    </message>
+    <message>
+        <source>Play the dip</source>
+        <translation>Reproduz a imersão</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Enquadrar</translation>
+    </message>
+    <message>
+        <source>Show body and film whole</source>
+        <translation>Mostra corpo e filme inteiros</translation>
+    </message>
+    <message>
+        <source>&amp;Oblique</source>
+        <translation>&amp;Oblíqua</translation>
+    </message>
+    <message>
+        <source>Look from above at an angle</source>
+        <translation>Olha de cima em ângulo</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>&amp;Frente</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Olha de frente</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ght</source>
+        <translation>&amp;Direita</translation>
+    </message>
+    <message>
+        <source>Look from the right</source>
+        <translation>Olha da direita</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>Em &amp;cima</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Olha de cima</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k</source>
+        <translation>&amp;Trás</translation>
+    </message>
+    <message>
+        <source>Look from behind</source>
+        <translation>Olha de trás</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Esquerda</translation>
+    </message>
+    <message>
+        <source>Look from the left</source>
+        <translation>Olha da esquerda</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom</source>
+        <translation>Em&amp;baixo</translation>
+    </message>
+    <message>
+        <source>Look from below</source>
+        <translation>Olha de baixo</translation>
+    </message>
+    <message>
+        <source>&amp;Standard Layout</source>
+        <translation>Disposição &amp;padrão</translation>
+    </message>
+    <message>
+        <source>Put all panels back where they were at first</source>
+        <translation>Põe todos os painéis de volta no lugar</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel Projection</source>
+        <translation>Projeção &amp;paralela</translation>
+    </message>
+    <message>
+        <source>Show equal lengths equally long, near or far</source>
+        <translation>Mostra comprimentos iguais com igual tamanho, perto ou longe</translation>
+    </message>
+    <message>
+        <source>R&amp;otation Rings</source>
+        <translation>Anéis de r&amp;otação</translation>
+    </message>
+    <message>
+        <source>Show the rings that turn the body</source>
+        <translation>Mostra os anéis que giram o corpo</translation>
+    </message>
+    <message>
+        <source>&amp;Water and Tank</source>
+        <translation>Á&amp;gua e tanque</translation>
+    </message>
+    <message>
+        <source>Show the water and the edges of the tank</source>
+        <translation>Mostra a água e as bordas do tanque</translation>
+    </message>
+    <message>
+        <source>Bo&amp;dy</source>
+        <translation>&amp;Corpo</translation>
+    </message>
+    <message>
+        <source>Show the body</source>
+        <translation>Mostra o corpo</translation>
+    </message>
+    <message>
+        <source>&amp;Coverage on the Body</source>
+        <translation>Co&amp;bertura no corpo</translation>
+    </message>
+    <message>
+        <source>Show how much of the body this immersion paints</source>
+        <translation>Mostra quanto do corpo esta imersão pinta</translation>
+    </message>
+    <message>
+        <source>Film on the Body &amp;Only</source>
+        <translation>&amp;Só o filme no corpo</translation>
+    </message>
+    <message>
+        <source>At the end of the dip, hide the film that paints nothing</source>
+        <translation>No fim da imersão, esconde o filme que não pinta nada</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Medir</translation>
+    </message>
+    <message>
+        <source>Click two places on the body to measure the distance between them</source>
+        <translation>Clique em dois lugares do corpo para medir a distância</translation>
+    </message>
+    <message>
+        <source>What the film wears in the view</source>
+        <translation>O que o filme veste na vista</translation>
+    </message>
+    <message>
+        <source>&amp;Lines every 10 mm</source>
+        <translation>&amp;Linhas a cada 10 mm</translation>
+    </message>
+    <message>
+        <source>The &amp;Sheet's Image</source>
+        <translation>A imagem da &amp;folha</translation>
+    </message>
+    <message>
+        <source>S&amp;tretch</source>
+        <translation>&amp;Estiramento</translation>
+    </message>
+    <message>
+        <source>&amp;Chessboard of 17 mm</source>
+        <translation>&amp;Xadrez de 17 mm</translation>
+    </message>
+    <message>
+        <source>A &amp;Picture…</source>
+        <translation>Uma &amp;imagem…</translation>
+    </message>
+    <message>
+        <source>Quick &amp;Tour</source>
+        <translation>&amp;Visita rápida</translation>
+    </message>
+    <message>
+        <source>What is where, in six steps</source>
+        <translation>O que está onde, em seis passos</translation>
+    </message>
+    <message>
+        <source>User &amp;Guide</source>
+        <translation>&amp;Guia do usuário</translation>
+    </message>
+    <message>
+        <source>How everything works</source>
+        <translation>Como tudo funciona</translation>
+    </message>
+    <message>
+        <source>&amp;About Dipwright</source>
+        <translation>&amp;Sobre o Dipwright</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Arquivo</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Abrir &amp;recente</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>Film &amp;Wears</source>
+        <translation>Filme &amp;veste</translation>
+    </message>
+    <message>
+        <source>&amp;Dip</source>
+        <translation>&amp;Imersão</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Janela</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Aj&amp;uda</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>Principal</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Film Wears</source>
+        <translation>Filme veste</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ModelFile</name>
+    <message>
+        <source>A texture cannot be stored as PNG: %1</source>
+        <translation>Uma textura não pode ser guardada como PNG: %1</translation>
+    </message>
+    <message>
+        <source>The stored model is damaged; import the model again</source>
+        <translation>O modelo guardado está danificado; importe o modelo de novo</translation>
+    </message>
+    <message>
+        <source>The stored model has format version %1 and this program reads version %2; use a newer program</source>
+        <translation>O modelo guardado tem a versão de formato %1 e este programa lê a versão %2; use um programa mais novo</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::NewProjectDialog</name>
+    <message>
+        <source>Models (%1)</source>
+        <translation>Modelos (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Imagens (%1)</translation>
+    </message>
+    <message>
+        <source>Dipwright projects (%1)</source>
+        <translation>Projetos do Dipwright (%1)</translation>
+    </message>
+    <message>
+        <source>One unit of the file is</source>
+        <translation>Uma unidade do arquivo é</translation>
+    </message>
+    <message>
+        <source>The longest edge is</source>
+        <translation>A aresta mais longa tem</translation>
+    </message>
+    <message>
+        <source>New Project</source>
+        <translation>Novo projeto</translation>
+    </message>
+    <message>
+        <source>The model's own</source>
+        <translation>A do próprio modelo</translation>
+    </message>
+    <message>
+        <source>The size in which the film comes and is printed.</source>
+        <translation>O tamanho em que o filme vem e é impresso.</translation>
+    </message>
+    <message>
+        <source>One dip</source>
+        <translation>Uma imersão</translation>
+    </message>
+    <message>
+        <source>Two dips: bottom and top</source>
+        <translation>Duas imersões: embaixo e em cima</translation>
+    </message>
+    <message>
+        <source>Two dips: left and right</source>
+        <translation>Duas imersões: esquerda e direita</translation>
+    </message>
+    <message>
+        <source>One dip with the film model of 2020, to compare</source>
+        <translation>Uma imersão com o modelo de filme de 2020, para comparar</translation>
+    </message>
+    <message>
+        <source>How often and from where the body is dipped. All of it can be changed later.</source>
+        <translation>Quantas vezes e de onde o corpo é mergulhado. Tudo pode ser mudado depois.</translation>
+    </message>
+    <message>
+        <source>&amp;Model</source>
+        <translation>&amp;Modelo</translation>
+    </message>
+    <message>
+        <source>Choose a Model</source>
+        <translation>Escolher um modelo</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture</source>
+        <translation>Te&amp;xtura</translation>
+    </message>
+    <message>
+        <source>Choose a Texture</source>
+        <translation>Escolher uma textura</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamanho</translation>
+    </message>
+    <message>
+        <source>&amp;Film</source>
+        <translation>&amp;Filme</translation>
+    </message>
+    <message>
+        <source>&amp;Begin with</source>
+        <translation>&amp;Começar com</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Criar</translation>
+    </message>
+    <message>
+        <source>a millimetre</source>
+        <translation>um milímetro</translation>
+    </message>
+    <message>
+        <source>a centimetre</source>
+        <translation>um centímetro</translation>
+    </message>
+    <message>
+        <source>a metre</source>
+        <translation>um metro</translation>
+    </message>
+    <message>
+        <source>an inch</source>
+        <translation>uma polegada</translation>
+    </message>
+    <message>
+        <source>Longest edge</source>
+        <translation>Aresta mais longa</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Unidade do arquivo</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Embaixo</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Em cima</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Esquerda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Direita</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PicturePanel</name>
+    <message>
+        <source>Whole picture</source>
+        <translation>Imagem inteira</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Ampliar</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Reduzir</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>True size</source>
+        <translation>Tamanho real</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PreferencesDialog</name>
+    <message>
+        <source>Run again after each change</source>
+        <translation>Executar de novo após cada mudança</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Preferências</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Geral</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Atalhos</translation>
+    </message>
+    <message>
+        <source>Solvers</source>
+        <translation>Solucionadores</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Como o sistema</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Milímetros</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Polegadas</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Escuro</translation>
+    </message>
+    <message>
+        <source>Turntable: up stays up</source>
+        <translation>Mesa giratória: o alto fica no alto</translation>
+    </message>
+    <message>
+        <source>Trackball: turns freely</source>
+        <translation>Trackball: gira livremente</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How long after a change, at most, a copy is kept from which work is restored after a crash.</source>
+        <translation>Quanto tempo, no máximo, após uma mudança é guardada uma cópia da qual o trabalho é restaurado após uma queda.</translation>
+    </message>
+    <message>
+        <source>Once there is a result, a change starts a new run of what depends on it.</source>
+        <translation>Havendo um resultado, uma mudança recalcula o que depende dela.</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>A new language shows when the program is started again.</source>
+        <translation>Um novo idioma aparece ao reiniciar o programa.</translation>
+    </message>
+    <message>
+        <source>L&amp;engths in</source>
+        <translation>&amp;Comprimentos em</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>&amp;Navigation</source>
+        <translation>&amp;Navegação</translation>
+    </message>
+    <message>
+        <source>&amp;Film of new projects</source>
+        <translation>&amp;Filme de projetos novos</translation>
+    </message>
+    <message>
+        <source>&amp;Recovery copy after</source>
+        <translation>Cópia de &amp;recuperação após</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Comando</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>All Back to Standard</source>
+        <translation>Restaurar todos</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PrintDialog</name>
+    <message>
+        <source>Cut into pieces where the paper is smaller</source>
+        <translation>Cortado em pedaços onde o papel é menor</translation>
+    </message>
+    <message>
+        <source>Grey, on a printer without colour</source>
+        <translation>Em cinza, em impressora sem cor</translation>
+    </message>
+    <message>
+        <source>Without what lies where the printer does not reach</source>
+        <translation>Sem o que fica fora do alcance da impressora</translation>
+    </message>
+    <message>
+        <source>Though the paper is not loaded as far as is known</source>
+        <translation>Mesmo que o papel não esteja carregado, até onde se sabe</translation>
+    </message>
+    <message>
+        <source>Print Sheets</source>
+        <translation>Imprimir folhas</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Página</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Imprimir</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Impressora</translation>
+    </message>
+    <message>
+        <source>&amp;Printer</source>
+        <translation>&amp;Impressora</translation>
+    </message>
+    <message>
+        <source>None: true size and sRGB (choose one under Sheet)</source>
+        <translation>Nenhum: tamanho real e sRGB (escolha um em Folha)</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Perfil</translation>
+    </message>
+    <message>
+        <source>&amp;Copies</source>
+        <translation>&amp;Cópias</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Folhas</translation>
+    </message>
+    <message>
+        <source>Print even so</source>
+        <translation>Imprimir mesmo assim</translation>
+    </message>
+    <message>
+        <source>Looking for printers …</source>
+        <translation>Procurando impressoras…</translation>
+    </message>
+    <message>
+        <source>Looking for printers</source>
+        <translation>Procurando impressoras</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this machine. Save the sheet as PDF and print it elsewhere, at 100 %.</source>
+        <translation>Não há impressora configurada nesta máquina. Salve a folha em PDF e imprima em outro lugar, a 100 %.</translation>
+    </message>
+    <message>
+        <source>Choose at least one sheet.</source>
+        <translation>Escolha ao menos uma folha.</translation>
+    </message>
+    <message>
+        <source>Asking the printer …</source>
+        <translation>Consultando a impressora…</translation>
+    </message>
+    <message>
+        <source>Asking the printer</source>
+        <translation>Consultando a impressora</translation>
+    </message>
+    <message>
+        <source>Ready to print at true size.</source>
+        <translation>Pronto para imprimir em tamanho real.</translation>
+    </message>
+    <message>
+        <source>Printing …</source>
+        <translation>Imprimindo…</translation>
+    </message>
+    <message>
+        <source>Printing</source>
+        <translation>Imprimindo</translation>
+    </message>
+    <message>
+        <source>Printed on %1</source>
+        <translation>Impresso em %1</translation>
+    </message>
+    <message>
+        <source>Handed to the queue of %1</source>
+        <translation>Entregue à fila de %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PrinterColour</name>
+    <message>
+        <source>The ICC profile cannot be used for printing, choose the printer's output profile</source>
+        <translation>O perfil ICC não serve para imprimir; escolha o perfil de saída da impressora</translation>
+    </message>
+    <message>
+        <source>This is not an ICC profile, or it is damaged</source>
+        <translation>Isto não é um perfil ICC, ou está danificado</translation>
+    </message>
+    <message>
+        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer's output profile</source>
+        <translation>O perfil ICC não é de uma impressora RGB ou CMYK; escolha o perfil de saída da impressora</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Printing</name>
+    <message>
+        <source>The printer does not say what it can do: %1</source>
+        <translation>A impressora não diz o que pode fazer: %1</translation>
+    </message>
+    <message>
+        <source>The printer does not take the job: %1</source>
+        <translation>A impressora não aceita o trabalho: %1</translation>
+    </message>
+    <message>
+        <source>The sheet could not be sent to the printer: %1</source>
+        <translation>A folha não pôde ser enviada à impressora: %1</translation>
+    </message>
+    <message>
+        <source>The print system does not tell what became of the job: %1</source>
+        <translation>O sistema de impressão não diz o que foi feito do trabalho: %1</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>There is no such printer, and no other; set one up in the system first</source>
+        <translation>Essa impressora não existe, nem outra; configure uma no sistema primeiro</translation>
+    </message>
+    <message>
+        <source>There is no such printer, there are: %1</source>
+        <translation>Essa impressora não existe; existem: %1</translation>
+    </message>
+    <message>
+        <source>The printer is stopped%1; start it again in the system's settings</source>
+        <translation>A impressora está parada%1; reinicie-a nas configurações do sistema</translation>
+    </message>
+    <message>
+        <source>The printer takes no jobs at the moment%1; let it in the system's settings</source>
+        <translation>A impressora não aceita trabalhos no momento%1; permita nas configurações do sistema</translation>
+    </message>
+    <message>
+        <source>The printer has no paper of %1; set the sheet's paper to one that it has: %2</source>
+        <translation>A impressora não tem papel de %1; ajuste o papel da folha para um que ela tenha: %2</translation>
+    </message>
+    <message>
+        <source>The sheet of %1 is larger than every paper of the printer (%2); make it smaller or print it in tiles</source>
+        <translation>A folha de %1 é maior que todo papel da impressora (%2); diminua-a ou imprima em pedaços</translation>
+    </message>
+    <message>
+        <source>The printer names no paper to print pieces on</source>
+        <translation>A impressora não indica papel para imprimir os pedaços</translation>
+    </message>
+    <message>
+        <source>The printer has no paper named %1</source>
+        <translation>A impressora não tem papel chamado %1</translation>
+    </message>
+    <message>
+        <source>The printer does not reach the outer %1 mm of the paper, and the sheet has colour there</source>
+        <translation>A impressora não alcança os %1 mm externos do papel, e a folha tem cor ali</translation>
+    </message>
+    <message>
+        <source>%1; choose larger or borderless paper, or accept that it is lost</source>
+        <translation>%1; escolha papel maior ou sem margens, ou aceite a perda</translation>
+    </message>
+    <message>
+        <source>The printer prints in grey only, and the sheet is coloured; choose a colour printer, or accept grey</source>
+        <translation>A impressora só imprime em cinza, e a folha é colorida; escolha uma impressora em cores, ou aceite cinza</translation>
+    </message>
+    <message>
+        <source>The printer prints the coloured sheet in grey</source>
+        <translation>A impressora imprime a folha colorida em cinza</translation>
+    </message>
+    <message>
+        <source>The printer has no paper of %1 loaded</source>
+        <translation>A impressora não tem papel de %1 carregado</translation>
+    </message>
+    <message>
+        <source>%1; load it, or choose other paper</source>
+        <translation>%1; carregue-o, ou escolha outro papel</translation>
+    </message>
+    <message>
+        <source>Printing</source>
+        <translation>Imprimindo</translation>
+    </message>
+    <message>
+        <source>Held in the printer's queue</source>
+        <translation>Retido na fila da impressora</translation>
+    </message>
+    <message>
+        <source>Waiting in the printer's queue</source>
+        <translation>Aguardando na fila da impressora</translation>
+    </message>
+    <message>
+        <source>it does not say why</source>
+        <translation>ela não diz por quê</translation>
+    </message>
+    <message>
+        <source>The job was cancelled at the printer</source>
+        <translation>O trabalho foi cancelado na impressora</translation>
+    </message>
+    <message>
+        <source>The printer gave the job up: %1</source>
+        <translation>A impressora desistiu do trabalho: %1</translation>
+    </message>
+    <message>
+        <source>The printer stopped in the middle of the job: %1; the rest is cancelled, print the sheet anew</source>
+        <translation>A impressora parou no meio do trabalho: %1; o resto foi cancelado, imprima a folha de novo</translation>
+    </message>
+    <message>
+        <source>The printer has stopped: %1; the job is cancelled, start the printer and print the sheet anew</source>
+        <translation>A impressora parou: %1; o trabalho foi cancelado, inicie a impressora e imprima a folha de novo</translation>
+    </message>
+    <message>
+        <source>This program was built without printing; print the sheet's PDF at 100 % instead</source>
+        <translation>Este programa foi feito sem impressão; imprima o PDF da folha a 100 %</translation>
+    </message>
+    <message>
+        <source>The printer does not take the job</source>
+        <translation>A impressora não aceita o trabalho</translation>
+    </message>
+    <message>
+        <source>The sheet could not be sent to the printer</source>
+        <translation>A folha não pôde ser enviada à impressora</translation>
+    </message>
+    <message>
+        <source>The printer takes this paper only with its other edge first; turn the page</source>
+        <translation>A impressora só aceita este papel com a outra borda primeiro; gire a página</translation>
+    </message>
+    <message>
+        <source>The printer does not reach the outer %1 mm of the paper; put its margins into its profile first</source>
+        <translation>A impressora não alcança os %1 mm externos do papel; ponha primeiro as margens no perfil dela</translation>
+    </message>
+    <message>
+        <source>Calibration of %1</source>
+        <translation>Calibração de %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ProjectTree</name>
+    <message>
+        <source>Project</source>
+        <translation>Projeto</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Filme</translation>
+    </message>
+    <message>
+        <source>Dipping</source>
+        <translation>Imersão</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Folha</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>Tinta</translation>
+    </message>
+    <message>
+        <source>The result is up to date.</source>
+        <translation>O resultado está atualizado.</translation>
+    </message>
+    <message>
+        <source>Changed since the last run. Run again.</source>
+        <translation>Mudou desde a última execução. Execute de novo.</translation>
+    </message>
+    <message>
+        <source>Not simulated yet.</source>
+        <translation>Ainda não simulado.</translation>
+    </message>
+    <message>
+        <source>Add a second immersion</source>
+        <translation>Adicionar uma segunda imersão</translation>
+    </message>
+    <message>
+        <source>Remove this immersion</source>
+        <translation>Remover esta imersão</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PropertyField</name>
+    <message>
+        <source>%1 to %2%3</source>
+        <translation>%1 a %2%3</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PropertyPanel</name>
+    <message>
+        <source>Properties</source>
+        <translation>Propriedades</translation>
+    </message>
+    <message>
+        <source>Film profile</source>
+        <translation>Perfil do filme</translation>
+    </message>
+    <message>
+        <source>A film that was measured once: size, swell, relaxation and sides.</source>
+        <translation>Um filme que foi medido uma vez: tamanho, inchamento, relaxação e lados.</translation>
+    </message>
+    <message>
+        <source>Tank profile</source>
+        <translation>Perfil do tanque</translation>
+    </message>
+    <message>
+        <source>A tank: its barriers hold the film's sides.</source>
+        <translation>Um tanque: suas barreiras prendem os lados do filme.</translation>
+    </message>
+    <message>
+        <source>Printer profile</source>
+        <translation>Perfil da impressora</translation>
+    </message>
+    <message>
+        <source>A printer that was measured once: its scale, margins, colours, ink limit and resolution.</source>
+        <translation>Uma impressora que foi medida uma vez: escala, margens, cores, limite de tinta e resolução.</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Mudar %1</translation>
+    </message>
+    <message>
+        <source>Embedded in the project</source>
+        <translation>Embutido no projeto</translation>
+    </message>
+    <message>
+        <source>From %1</source>
+        <translation>De %1</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3</source>
+        <translation>%1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>Triangles: %1</source>
+        <translation>Triângulos: %1</translation>
+    </message>
+    <message>
+        <source>Volume: %1 cm³</source>
+        <translation>Volume: %1 cm³</translation>
+    </message>
+    <message>
+        <source>Closed surface</source>
+        <translation>Superfície fechada</translation>
+    </message>
+    <message>
+        <source>Surface with openings</source>
+        <translation>Superfície com aberturas</translation>
+    </message>
+    <message>
+        <source>Texture of %1 × %2 pixels</source>
+        <translation>Textura de %1 × %2 pixels</translation>
+    </message>
+    <message>
+        <source>No texture: drop a picture on the window to put one on</source>
+        <translation>Sem textura: solte uma imagem na janela para aplicar uma</translation>
+    </message>
+    <message>
+        <source>Reload from Disk</source>
+        <translation>Recarregar do disco</translation>
+    </message>
+    <message>
+        <source>Reads the model's file again and keeps all settings.</source>
+        <translation>Lê de novo o arquivo do modelo e mantém as configurações.</translation>
+    </message>
+    <message>
+        <source>Replace Model…</source>
+        <translation>Trocar modelo…</translation>
+    </message>
+    <message>
+        <source>Takes another model. Rotations and offsets start anew.</source>
+        <translation>Usa outro modelo. Rotações e deslocamentos recomeçam.</translation>
+    </message>
+    <message>
+        <source>Replace Texture…</source>
+        <translation>Trocar textura…</translation>
+    </message>
+    <message>
+        <source>Puts another picture on the model.</source>
+        <translation>Põe outra imagem no modelo.</translation>
+    </message>
+    <message>
+        <source>Production</source>
+        <translation>Produção</translation>
+    </message>
+    <message>
+        <source>Paper of 2020</source>
+        <translation>Artigo de 2020</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Personalizado</translation>
+    </message>
+    <message>
+        <source>Production is the accurate film model and the default. Paper of 2020 is the published model, for comparison.</source>
+        <translation>Produção é o modelo de filme preciso e o padrão. Artigo de 2020 é o modelo publicado, para comparação.</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Predefinição</translation>
+    </message>
+    <message>
+        <source>Apply Preset</source>
+        <translation>Aplicar predefinição</translation>
+    </message>
+    <message>
+        <source>Choose %1</source>
+        <translation>Escolher %1</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nenhum</translation>
+    </message>
+    <message>
+        <source>Best available</source>
+        <translation>Melhor disponível</translation>
+    </message>
+    <message>
+        <source>%1 (not available)</source>
+        <translation>%1 (não disponível)</translation>
+    </message>
+    <message>
+        <source>What computes the dip. “Best available” takes a GPU where there is one.</source>
+        <translation>O que calcula a imersão. “Melhor disponível” usa uma GPU onde houver.</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Solucionador</translation>
+    </message>
+    <message>
+        <source>Choose Solver</source>
+        <translation>Escolher solucionador</translation>
+    </message>
+    <message>
+        <source>%1 (not installed)</source>
+        <translation>%1 (não instalado)</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ReportPanel</name>
+    <message>
+        <source>Report</source>
+        <translation>Relatório</translation>
+    </message>
+    <message>
+        <source>Run the dip to see its figures.</source>
+        <translation>Execute a imersão para ver seus números.</translation>
+    </message>
+    <message>
+        <source>Body painted altogether</source>
+        <translation>Corpo pintado ao todo</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Solucionador</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Dispositivo</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Results</name>
+    <message>
+        <source>There is no colour map of this name; choose one of %1</source>
+        <translation>Não há mapa de cores com este nome; escolha um de %1</translation>
+    </message>
+    <message>
+        <source>Preparing the proof</source>
+        <translation>Preparando a prova</translation>
+    </message>
+    <message>
+        <source>Tracing the proof</source>
+        <translation>Traçando a prova</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frente</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Direita</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Trás</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Esquerda</translation>
+    </message>
+    <message>
+        <source>Stretch of the film</source>
+        <translation>Estiramento do filme</translation>
+    </message>
+    <message>
+        <source>Mean of each point's constraints, final over rest length; ink side up</source>
+        <translation>Média das restrições de cada ponto, comprimento final sobre o de repouso; lado da tinta para cima</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>stretch
+mm per mm</source>
+        <translation>estiramento
+mm por mm</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 e mais</translation>
+    </message>
+    <message>
+        <source>On the body: min %1 · mean %2 · 95 % %3 · max %4</source>
+        <translation>No corpo: mín %1 · média %2 · 95 % %3 · máx %4</translation>
+    </message>
+    <message>
+        <source>Outlined: film on the body · pale: film left over</source>
+        <translation>Contornado: filme no corpo · pálido: filme restante</translation>
+    </message>
+    <message>
+        <source>The VTK file cannot be written: %1</source>
+        <translation>O arquivo VTK não pode ser gravado: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ResultsPanel</name>
+    <message>
+        <source>Reverse texture</source>
+        <translation>Textura reversa</translation>
+    </message>
+    <message>
+        <source>Run the dip to see the image that goes on the film.</source>
+        <translation>Execute a imersão para ver a imagem que vai no filme.</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Prova</translation>
+    </message>
+    <message>
+        <source>Run the dip to see the body as it will come out.</source>
+        <translation>Execute a imersão para ver o corpo como sairá.</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Folha</translation>
+    </message>
+    <message>
+        <source>Run the dip to see the page as it prints.</source>
+        <translation>Execute a imersão para ver a página como será impressa.</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Estiramento</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textura</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Relatório</translation>
+    </message>
+    <message>
+        <source>How much the film has stretched, and where</source>
+        <translation>Quanto o filme esticou, e onde</translation>
+    </message>
+    <message>
+        <source>The reverse texture: the image that goes on the film</source>
+        <translation>A textura reversa: a imagem que vai no filme</translation>
+    </message>
+    <message>
+        <source>The body as it will come out</source>
+        <translation>O corpo como sairá</translation>
+    </message>
+    <message>
+        <source>The page as it prints</source>
+        <translation>A página como será impressa</translation>
+    </message>
+    <message>
+        <source>The figures of the last run</source>
+        <translation>Os números da última execução</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Sheet</name>
+    <message>
+        <source>A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels a side; choose another resolution or film size</source>
+        <translation>Um filme de %1 × %2 mm a %3 dpi não dá uma imagem de 1 a %4 pixels por lado; escolha outra resolução ou tamanho de filme</translation>
+    </message>
+    <message>
+        <source>The sheet's image cannot be written: %1</source>
+        <translation>A imagem da folha não pode ser gravada: %1</translation>
+    </message>
+    <message>
+        <source>A PDF cannot be written in the CMYK of this ICC profile; write a TIFF, or print in sRGB</source>
+        <translation>Não é possível gravar um PDF no CMYK deste perfil ICC; grave um TIFF, ou imprima em sRGB</translation>
+    </message>
+    <message>
+        <source>The sheet's PDF cannot be written: %1</source>
+        <translation>O PDF da folha não pode ser gravado: %1</translation>
+    </message>
+    <message>
+        <source>The sheet's TIFF cannot be written: %1</source>
+        <translation>O TIFF da folha não pode ser gravado: %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Unknown paper "%1"; choose film, A4, A3, Letter or custom</source>
+        <translation>Papel “%1” desconhecido; escolha film, A4, A3, Letter ou custom</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 · Film %4 · Scale %5 · Job %6</source>
+        <translation>%1 · %2 · %3 · Filme %4 · Escala %5 · Trabalho %6</translation>
+    </message>
+    <message>
+        <source>%1 · Job %2</source>
+        <translation>%1 · Trabalho %2</translation>
+    </message>
+    <message>
+        <source>The paper of %1 × %2 mm is smaller than the film of %3 × %4 mm; choose larger paper, turn it or make the film smaller</source>
+        <translation>O papel de %1 × %2 mm é menor que o filme de %3 × %4 mm; escolha papel maior, gire-o ou diminua o filme</translation>
+    </message>
+    <message>
+        <source>Paper of %1 × %2 mm leaves no room for pieces of the sheet; take larger paper</source>
+        <translation>Papel de %1 × %2 mm não deixa espaço para pedaços da folha; use papel maior</translation>
+    </message>
+    <message>
+        <source>The sheet would be cut into more than %1 pieces; take larger paper</source>
+        <translation>A folha seria cortada em mais de %1 pedaços; use papel maior</translation>
+    </message>
+    <message>
+        <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashes</source>
+        <translation>%1 · linha %2 de %3, coluna %4 de %5 · corte nos tracejados</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SolverPage</name>
+    <message>
+        <source>Solvers</source>
+        <translation>Solucionadores</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Solucionador</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Versão</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Dispositivo</translation>
+    </message>
+    <message>
+        <source>%1 by %2
+%3</source>
+        <translation>%1 de %2
+%3</translation>
+    </message>
+    <message>
+        <source>None found</source>
+        <translation>Nenhum encontrado</translation>
+    </message>
+    <message>
+        <source>Put solver plugins into %1</source>
+        <translation>Ponha plugins de solucionador em %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::StartPage</name>
+    <message>
+        <source>Recent projects</source>
+        <translation>Projetos recentes</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Exemplos</translation>
+    </message>
+    <message>
+        <source>Projects that you open or save appear here.</source>
+        <translation>Projetos que você abrir ou salvar aparecem aqui.</translation>
+    </message>
+    <message>
+        <source>Remove from this list</source>
+        <translation>Remover desta lista</translation>
+    </message>
+    <message>
+        <source>From a textured model to a film that can be printed.</source>
+        <translation>Do modelo texturizado ao filme pronto para imprimir.</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>Novo projeto…</translation>
+    </message>
+    <message>
+        <source>Start from a textured model: OBJ, PLY, STL, glTF or 3MF.</source>
+        <translation>Comece de um modelo texturizado: OBJ, PLY, STL, glTF ou 3MF.</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>Abrir projeto…</translation>
+    </message>
+    <message>
+        <source>Continue with a project that was saved.</source>
+        <translation>Continue um projeto salvo.</translation>
+    </message>
+    <message>
+        <source>Quick Tour</source>
+        <translation>Visita rápida</translation>
+    </message>
+    <message>
+        <source>What is where, in six steps.</source>
+        <translation>O que está onde, em seis passos.</translation>
+    </message>
+    <message>
+        <source>Models and projects can also be dropped on the window.</source>
+        <translation>Modelos e projetos também podem ser soltos na janela.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::StretchPanel</name>
+    <message>
+        <source>Automatic range</source>
+        <translation>Faixa automática</translation>
+    </message>
+    <message>
+        <source>Lowest value</source>
+        <translation>Menor valor</translation>
+    </message>
+    <message>
+        <source>Highest value</source>
+        <translation>Maior valor</translation>
+    </message>
+    <message>
+        <source>Mark above</source>
+        <translation>Marcar acima de</translation>
+    </message>
+    <message>
+        <source>Limit above which film is marked</source>
+        <translation>Limite acima do qual o filme é marcado</translation>
+    </message>
+    <message>
+        <source>Isolines</source>
+        <translation>Isolinhas</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Estiramento</translation>
+    </message>
+    <message>
+        <source>Area stretch</source>
+        <translation>Estiramento de área</translation>
+    </message>
+    <message>
+        <source>Largest stretch</source>
+        <translation>Maior estiramento</translation>
+    </message>
+    <message>
+        <source>Smallest stretch</source>
+        <translation>Menor estiramento</translation>
+    </message>
+    <message>
+        <source>Length of the film's threads after the dip over before: the mean round each point.</source>
+        <translation>Comprimento dos fios do filme depois sobre antes da imersão: a média em volta de cada ponto.</translation>
+    </message>
+    <message>
+        <source>Area after over before. Ink thins by as much.</source>
+        <translation>Área depois sobre antes. A tinta afina na mesma medida.</translation>
+    </message>
+    <message>
+        <source>The stretch in the direction in which it is largest.</source>
+        <translation>O estiramento na direção em que é maior.</translation>
+    </message>
+    <message>
+        <source>The stretch in the direction in which it is smallest. Below 1 the film wrinkles.</source>
+        <translation>O estiramento na direção em que é menor. Abaixo de 1 o filme enruga.</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeza</translation>
+    </message>
+    <message>
+        <source>Colour map</source>
+        <translation>Mapa de cores</translation>
+    </message>
+    <message>
+        <source>Colour map; all are safe for colour-blind readers.</source>
+        <translation>Mapa de cores; todos são seguros para daltônicos.</translation>
+    </message>
+    <message>
+        <source>Stretch map</source>
+        <translation>Mapa de estiramento</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Save the map or its numbers</source>
+        <translation>Salva o mapa ou seus números</translation>
+    </message>
+    <message>
+        <source>Picture (PNG)…</source>
+        <translation>Imagem (PNG)…</translation>
+    </message>
+    <message>
+        <source>Table (CSV)…</source>
+        <translation>Tabela (CSV)…</translation>
+    </message>
+    <message>
+        <source>Film (VTP)…</source>
+        <translation>Filme (VTP)…</translation>
+    </message>
+    <message>
+        <source>Run the dip to see how the film stretches.</source>
+        <translation>Execute a imersão para ver como o filme estica.</translation>
+    </message>
+    <message>
+        <source>On the body: mean %1 · 95 % below %2 · largest %3</source>
+        <translation>No corpo: média %1 · 95 % abaixo de %2 · maior %3</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SurfaceQuery</name>
+    <message>
+        <source>The mesh is too large for this computer's memory; reduce its number of triangles</source>
+        <translation>A malha é grande demais para a memória deste computador; reduza o número de triângulos</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Texture</name>
+    <message>
+        <source>The texture has no pixels; choose another picture</source>
+        <translation>A textura não tem pixels; escolha outra imagem</translation>
+    </message>
+    <message>
+        <source>The texture has %1 × %2 pixels; make it %3 pixels a side at the most</source>
+        <translation>A textura tem %1 × %2 pixels; use no máximo %3 pixels por lado</translation>
+    </message>
+    <message>
+        <source>The texture is not a picture that can be read; save it as PNG or JPEG</source>
+        <translation>A textura não é uma imagem legível; salve-a como PNG ou JPEG</translation>
+    </message>
+    <message>
+        <source>The texture is damaged: %1; save it anew</source>
+        <translation>A textura está danificada: %1; salve-a de novo</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Timeline</name>
+    <message>
+        <source>Before the dip</source>
+        <translation>Antes da imersão</translation>
+    </message>
+    <message>
+        <source>Play the dip</source>
+        <translation>Reproduz a imersão</translation>
+    </message>
+    <message>
+        <source>End of the dip</source>
+        <translation>Fim da imersão</translation>
+    </message>
+    <message>
+        <source>Time of the dip</source>
+        <translation>Tempo da imersão</translation>
+    </message>
+    <message>
+        <source>How far the lowest point of the body is under the waterline</source>
+        <translation>Quanto o ponto mais baixo do corpo está abaixo da linha d'água</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausar</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>Trás</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Concluir</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Avançar</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Workbench</name>
+    <message>
+        <source>Restore Project</source>
+        <translation>Restaurar projeto</translation>
+    </message>
+    <message>
+        <source>Dipwright was not closed properly. “%1” has changes that were not saved, from %2.</source>
+        <translation>O Dipwright não foi fechado corretamente. “%1” tem mudanças não salvas, de %2.</translation>
+    </message>
+    <message>
+        <source>It was never saved as a file.</source>
+        <translation>Nunca foi salvo como arquivo.</translation>
+    </message>
+    <message>
+        <source>Its file %1 is as it was last saved.</source>
+        <translation>Seu arquivo %1 está como foi salvo pela última vez.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Restaurar</translation>
+    </message>
+    <message>
+        <source>Discard Changes</source>
+        <translation>Descartar mudanças</translation>
+    </message>
+    <message>
+        <source>Decide Later</source>
+        <translation>Decidir depois</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Computational hydrographic printing.</source>
+        <translation>Impressão hidrográfica computacional.</translation>
+    </message>
+    <message>
+        <source>Projects to open.</source>
+        <translation>Projetos a abrir.</translation>
+    </message>
+</context>
+</TS>
