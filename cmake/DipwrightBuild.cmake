@@ -30,7 +30,9 @@ else()
         $<$<BOOL:${DIPWRIGHT_WERROR}>:-Werror>>)
 endif()
 if(DIPWRIGHT_SANITIZE)
-    target_compile_options(dipwright_options INTERFACE -fsanitize=${DIPWRIGHT_SANITIZE} -fno-omit-frame-pointer)
+    # GCC's warning about uninitialised values is wrong too often in code that it instruments.
+    target_compile_options(dipwright_options INTERFACE -fsanitize=${DIPWRIGHT_SANITIZE} -fno-omit-frame-pointer
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(dipwright_options INTERFACE -fsanitize=${DIPWRIGHT_SANITIZE})
 endif()
 target_compile_definitions(dipwright_options INTERFACE
