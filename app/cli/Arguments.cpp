@@ -2,6 +2,8 @@
 
 #include "project/ProjectStore.h"
 
+#include <QImageReader>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +12,8 @@ namespace {
 
 const QString setOption = QStringLiteral("set");
 const QString threadsOption = QStringLiteral("threads");
+const QString filmImageOption = QStringLiteral("film-image");
+constexpr int mostPictureMegabytes = 4096;
 constexpr int mostThreads = 1024;
 
 struct Setting {
@@ -27,6 +31,18 @@ Setting parsedSetting(const QString& text) {
             QStringLiteral("--set %1").arg(text));
     }
     return {text.left(equals).trimmed(), text.mid(equals + 1).trimmed()};
+}
+
+QImage readPicture(const QString& path) {
+    QImageReader::setAllocationLimit(mostPictureMegabytes);
+    QImageReader reader(path);
+    reader.setDecideFormatFromContent(true);
+    const QImage picture = reader.read();
+    if (picture.isNull()) {
+        throw Error(QStringLiteral("The picture cannot be read: %1").arg(reader.errorString()),
+                    path);
+    }
+    return picture;
 }
 
 [[noreturn]] void throwTooMany(const QString& argument) {
@@ -116,6 +132,22 @@ Project projectArgument(const QCommandLineParser& parser) {
     Project project = loadProject(positionalArgument(parser, QStringLiteral("JOB.dipw")));
     applySettings(project, parser);
     return project;
+}
+
+void declareFilmImage(QCommandLineParser& parser) {
+    parser.addOption(
+        {filmImageOption,
+         QStringLiteral("Puts this picture on the film, stretched to all of it, or the built-in "
+                        "chessboard; the proof shows where the dip carries it."),
+         QStringLiteral("chessboard|FILE")});
+}
+
+void applyFilmImage(JobOptions& options, const QCommandLineParser& parser) {
+    const QString picture = parser.value(filmImageOption);
+    options.chessboard = picture == QLatin1String("chessboard");
+    if (!picture.isEmpty() && !options.chessboard) {
+        options.filmImage = readPicture(picture);
+    }
 }
 
 void declareThreads(QCommandLineParser& parser) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/Command.h"
+#include "pipeline/Pipeline.h"
 
 #include <tbb/global_control.h>
 
@@ -30,6 +31,10 @@ void applySettings(Project& project, const QCommandLineParser& parser);
 // JOB.dipw and --set.
 void declareProject(QCommandLineParser& parser);
 Project projectArgument(const QCommandLineParser& parser);
+
+// --film-image chessboard|FILE. Throws Error for a picture that cannot be read.
+void declareFilmImage(QCommandLineParser& parser);
+void applyFilmImage(JobOptions& options, const QCommandLineParser& parser);
 
 // --threads N: no more than N threads compute while the object lives.
 void declareThreads(QCommandLineParser& parser);

@@ -33,9 +33,13 @@ std::vector<std::unique_ptr<Command>> allCommands();
 
 std::unique_ptr<Command> newCommand();
 std::unique_ptr<Command> runCommand();
+std::unique_ptr<Command> optimizeCommand();
 std::unique_ptr<Command> infoCommand();
 std::unique_ptr<Command> validateCommand();
 std::unique_ptr<Command> solversCommand();
 std::unique_ptr<Command> benchCommand();
+std::unique_ptr<Command> printCommand();
+std::unique_ptr<Command> profileCommand();
+std::unique_ptr<Command> calibrateCommand();
 
 } // namespace dipwright::cli

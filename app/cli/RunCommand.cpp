@@ -2,28 +2,12 @@
 
 #include "pipeline/Pipeline.h"
 
-#include <QImageReader>
-
 namespace dipwright::cli {
 namespace {
 
 const QString outOption = QStringLiteral("out");
 const QString solverOption = QStringLiteral("solver");
 const QString dpiOption = QStringLiteral("dpi");
-const QString filmImageOption = QStringLiteral("film-image");
-constexpr int mostPictureMegabytes = 4096;
-
-QImage readPicture(const QString& path) {
-    QImageReader::setAllocationLimit(mostPictureMegabytes);
-    QImageReader reader(path);
-    reader.setDecideFormatFromContent(true);
-    const QImage picture = reader.read();
-    if (picture.isNull()) {
-        throw Error(QStringLiteral("The picture cannot be read: %1").arg(reader.errorString()),
-                    path);
-    }
-    return picture;
-}
 
 QString number(double value, int decimals) {
     return QString::number(value, 'f', decimals);
@@ -67,12 +51,7 @@ public:
                           QStringLiteral("ID")});
         parser.addOption(
             {dpiOption, QStringLiteral("The sheet's resolution."), QStringLiteral("N")});
-        parser.addOption(
-            {filmImageOption,
-             QStringLiteral("Puts this picture on the film, stretched to all of it, or "
-                            "the built-in chessboard; the proof shows where the dip "
-                            "carries it."),
-             QStringLiteral("chessboard|FILE")});
+        declareFilmImage(parser);
         declareThreads(parser);
     }
 
@@ -90,11 +69,7 @@ public:
         }
         JobOptions options;
         options.solver = parser.value(solverOption);
-        const QString picture = parser.value(filmImageOption);
-        options.chessboard = picture == QLatin1String("chessboard");
-        if (!picture.isEmpty() && !options.chessboard) {
-            options.filmImage = readPicture(picture);
-        }
+        applyFilmImage(options, parser);
         checkResultFolder(folder); // better now than after the work
         const SolverRegistry registry;
         const Progress progress = console.progress();

@@ -9,18 +9,12 @@ namespace {
 
 enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2 };
 
-// Of the plan, and not in this version: said plainly, where they are looked for.
-const QStringList missingCommands{QStringLiteral("print"), QStringLiteral("optimize")};
-
 void printHelp(const std::vector<std::unique_ptr<Command>>& commands, QTextStream& out) {
     out << "Usage: dipwright-cli COMMAND …\n\n"
            "Computational hydrographic printing: from a textured model to a sheet to print.\n\n"
            "Commands:\n";
     for (const auto& command : commands) {
         out << QStringLiteral("  %1 %2\n").arg(command->name(), -10).arg(command->summary());
-    }
-    for (const QString& name : missingCommands) {
-        out << QStringLiteral("  %1 Not available in this version.\n").arg(name, -10);
     }
     out << "\nOptions:\n"
            "  -h, --help     This help; after a command, the command's own.\n"
@@ -76,9 +70,6 @@ void run(const QStringList& arguments, Console& console) {
             return;
         }
     }
-    if (missingCommands.contains(first)) {
-        throw UsageError(QStringLiteral("This command is not available in this version"), first);
-    }
     throw UsageError(first.isEmpty() ? QStringLiteral("A command is missing, see --help")
                                      : QStringLiteral("There is no such command, see --help"),
                      first.isEmpty() ? QStringLiteral("command line") : first);
@@ -117,6 +108,10 @@ std::vector<std::unique_ptr<Command>> allCommands() {
     std::vector<std::unique_ptr<Command>> commands;
     commands.push_back(newCommand());
     commands.push_back(cli::runCommand());
+    commands.push_back(printCommand());
+    commands.push_back(profileCommand());
+    commands.push_back(calibrateCommand());
+    commands.push_back(optimizeCommand());
     commands.push_back(infoCommand());
     commands.push_back(validateCommand());
     commands.push_back(solversCommand());

@@ -87,7 +87,10 @@ private slots:
         const QString job = path("ball.dipw");
         QTest::newRow("no command") << QStringList{};
         QTest::newRow("unknown command") << QStringList{"fly"};
-        QTest::newRow("not in this version") << QStringList{"optimize", job, "--immersions", "2"};
+        QTest::newRow("no number of dips") << QStringList{"optimize", job};
+        QTest::newRow("three dips") << QStringList{"optimize", job, "--immersions", "3"};
+        QTest::newRow("too few candidates")
+            << QStringList{"optimize", job, "--immersions", "1", "--candidates", "1"};
         QTest::newRow("unknown option") << QStringList{"run", job, "--fly"};
         QTest::newRow("no project") << QStringList{"run", "--out", path("out")};
         QTest::newRow("two projects") << QStringList{"run", job, job, "--out", path("out")};

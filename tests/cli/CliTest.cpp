@@ -80,7 +80,8 @@ private slots:
     void everyHelpAndTheVersionAreThere() {
         const Outcome help = cli({"--help"});
         QCOMPARE(help.exitCode, 0);
-        for (const char* command : {"new", "run", "info", "validate", "solvers", "bench"}) {
+        for (const char* command :
+             {"new", "run", "optimize", "info", "validate", "solvers", "bench"}) {
             QVERIFY2(help.out.contains(command), command);
             const Outcome own = cli({command, "--help"});
             QCOMPARE(own.exitCode, 0);
@@ -298,6 +299,19 @@ private slots:
         const Outcome done =
             cli(QStringList{"run", path("paper.dipw"), "--out", path("paper")} + quickly);
         QVERIFY2(done.exitCode == 0, done.err);
+    }
+
+    void theBestPosesAreWrittenIntoTheProject() {
+        QVERIFY(QFile::copy(path("single.dipw"), path("best.dipw")));
+        const Outcome done = cli({"optimize", path("best.dipw"), "--immersions", "2",
+                                  "--candidates", "6", "--set", "film.size_mm=100x100"});
+        QVERIFY2(done.exitCode == 0, done.err);
+        QVERIFY2(done.out.contains("painted"), done.out);
+        const QJsonObject info =
+            QJsonDocument::fromJson(cli({"info", path("best.dipw"), "--json"}).out).object();
+        QCOMPARE(info["immersions"].toArray().size(), 2);
+        // What was set for the search stays out of the file.
+        QCOMPARE(info["film"].toObject()["size_mm"].toArray(), (QJsonArray{210, 297}));
     }
 
     void solversAreListed() {

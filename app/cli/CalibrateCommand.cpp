@@ -1,0 +1,163 @@
+#include "cli/Arguments.h"
+#include "cli/PrintOptions.h"
+
+#include <QPageSize>
+#include <algorithm>
+
+namespace dipwright::cli {
+namespace {
+
+const QString paperOption = QStringLiteral("paper");
+const QString verifyOption = QStringLiteral("verify");
+const QString measuredOption = QStringLiteral("measured");
+const QString profileOption = QStringLiteral("profile");
+
+QSizeF paperSize(const QString& name) {
+    for (const auto id :
+         {QPageSize::A5, QPageSize::A4, QPageSize::A3, QPageSize::A2, QPageSize::Letter}) {
+        if (QPageSize::name(id).section(QLatin1Char(' '), 0, 0) == name ||
+            QPageSize::key(id) == name) {
+            return QPageSize::size(id, QPageSize::Millimeter);
+        }
+    }
+    throw UsageError(QStringLiteral("The paper is one of A5, A4, A3, A2 and Letter"),
+                     QStringLiteral("--paper %1").arg(name));
+}
+
+// The profile named, or a new one of that name.
+PrinterProfile namedProfile(const QString& name) {
+    for (const ProfileEntry& entry : ProfileLibrary().profiles(ProfileKind::Printer)) {
+        if (entry.name == name) {
+            return std::get<PrinterProfile>(ProfileLibrary().profile(ProfileKind::Printer, name));
+        }
+    }
+    PrinterProfile profile;
+    profile.name = name;
+    return profile;
+}
+
+// The first page measures the printer as it is, the second one what the profile makes of it.
+CalibrationPage pageOf(const QCommandLineParser& parser, const PrinterProfile& profile) {
+    CalibrationPage page;
+    page.paper = paperSize(parser.value(paperOption));
+    page.printer = profile.name;
+    for (const Millimetres margin : profile.margins) {
+        page.clearance = std::max(page.clearance, margin + Millimetres(1));
+    }
+    if (parser.isSet(verifyOption)) {
+        page.scaleX = profile.scaleX;
+        page.scaleY = profile.scaleY;
+    }
+    return page;
+}
+
+Millimetres parsedLength(const QString& text) {
+    bool isNumber = false;
+    const double length = QLocale::c().toDouble(text.trimmed(), &isNumber);
+    if (!isNumber || !(length > 0 && length < 10000)) {
+        throw UsageError(
+            QStringLiteral("“%1” is no length in mm, give X and Y as 170.7;219.4").arg(text),
+            QStringLiteral("--measured"));
+    }
+    return Millimetres(length);
+}
+
+struct Measured {
+    Millimetres x, y;
+};
+
+Measured measured(const QCommandLineParser& parser) {
+    const QStringList parts = parser.value(measuredOption).split(QLatin1Char(';'));
+    if (parts.size() != 2) {
+        throw UsageError(
+            QStringLiteral("Give the lengths of the horizontal and the vertical ruler, X;Y in mm"),
+            QStringLiteral("--measured"));
+    }
+    return {parsedLength(parts[0]), parsedLength(parts[1])};
+}
+
+void takeOver(const Measured& lengths, const CalibrationPage& page, PrinterProfile profile,
+              QTextStream& out) {
+    const CalibrationLengths nominal = calibrationLengths(page);
+    profile.scaleX = calibratedScale(page.scaleX, nominal.x, lengths.x);
+    profile.scaleY = calibratedScale(page.scaleY, nominal.y, lengths.y);
+    ProfileLibrary().save(profile);
+    out << QStringLiteral("The printer profile %1 now has the scale %2 × %3\n")
+               .arg(profile.name)
+               .arg(profile.scaleX, 0, 'f', 5)
+               .arg(profile.scaleY, 0, 'f', 5);
+}
+
+void tellLengths(const CalibrationPage& page, QTextStream& out) {
+    const CalibrationLengths lengths = calibrationLengths(page);
+    out << QStringLiteral(
+               "The rulers must measure %1 and %2 mm; give what they do measure with --measured "
+               "X;Y\n")
+               .arg(lengths.x.value())
+               .arg(lengths.y.value());
+}
+
+class CalibrateCommand : public Command {
+public:
+    QString name() const override { return QStringLiteral("calibrate"); }
+    QString summary() const override {
+        return QStringLiteral(
+            "Prints a page of rulers and makes a printer's scale of their lengths.");
+    }
+
+    void declare(QCommandLineParser& parser) const override {
+        declarePrinter(parser);
+        parser.addOption({paperOption, QStringLiteral("A5, A4, A3, A2 or Letter."),
+                          QStringLiteral("PAPER"), QStringLiteral("A4")});
+        parser.addOption(
+            {verifyOption,
+             QStringLiteral("The second page, corrected by the profile; with --measured: the "
+                            "lengths are from that page.")});
+        parser.addOption(
+            {measuredOption,
+             QStringLiteral("The measured lengths of the horizontal and the vertical ruler go "
+                            "into the profile; nothing is printed."),
+             QStringLiteral("X;Y")});
+    }
+
+    void run(const QCommandLineParser& parser, Console& console) const override {
+        requireNoPositionalArgument(parser);
+        if (listsPrinters(parser)) {
+            listPrinters(console.out());
+            return;
+        }
+        const QString name = parser.value(profileOption);
+        if (name.simplified().isEmpty()) {
+            throw UsageError(
+                QStringLiteral("Name the profile that the printer has or shall get with --profile "
+                               "NAME"),
+                QStringLiteral("--profile"));
+        }
+        const PrinterProfile profile = namedProfile(name);
+        const CalibrationPage page = pageOf(parser, profile);
+        if (parser.isSet(measuredOption)) {
+            takeOver(measured(parser), page, profile, console.out());
+            return;
+        }
+        const PrintTarget target = printTarget(parser);
+        if (!target.file.isEmpty()) {
+            writeWhole(target.file, [&](QIODevice& device) { writeCalibrationPdf(page, device); });
+            console.out() << QStringLiteral("Wrote %1\n").arg(target.file);
+        } else {
+            const auto system = printSystem();
+            PrintRequest request;
+            request.printer = target.printer;
+            const PrintPlan plan = planCalibration(*system, page, request);
+            printAndTell(*system, plan, console.progress(), console.out());
+        }
+        tellLengths(page, console.out());
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Command> calibrateCommand() {
+    return std::make_unique<CalibrateCommand>();
+}
+
+} // namespace dipwright::cli

@@ -1,0 +1,95 @@
+#include "cli/Arguments.h"
+
+#include "pipeline/PoseSearch.h"
+#include "project/ProjectStore.h"
+
+namespace dipwright::cli {
+namespace {
+
+const QString immersionsOption = QStringLiteral("immersions");
+const QString candidatesOption = QStringLiteral("candidates");
+const QString solverOption = QStringLiteral("solver");
+constexpr int shownPoses = 5;
+
+QString plain(double number) {
+    return QString::number(number, 'g', 6);
+}
+
+QString poseText(const Immersion& immersion) {
+    return QStringLiteral("(%1°, %2°, %3°)")
+        .arg(plain(immersion.rotation[0].value()), plain(immersion.rotation[1].value()),
+             plain(immersion.rotation[2].value()));
+}
+
+void printRanking(const std::vector<RankedPoses>& ranking, QTextStream& out) {
+    out << "Rank  painted  quality  turned about X, Y, Z\n";
+    for (std::size_t rank = 0; rank < ranking.size() && rank < shownPoses; ++rank) {
+        QStringList poses;
+        for (const Immersion& immersion : ranking[rank].immersions) {
+            poses.append(poseText(immersion));
+        }
+        out << QStringLiteral("%1  %2 %  %3 %  %4\n")
+                   .arg(rank + 1, 4)
+                   .arg(100 * ranking[rank].coverage, 5, 'f', 1)
+                   .arg(100 * ranking[rank].quality, 5, 'f', 1)
+                   .arg(poses.join(QStringLiteral(" and ")));
+    }
+}
+
+class OptimizeCommand : public Command {
+public:
+    QString name() const override { return QStringLiteral("optimize"); }
+    QString summary() const override {
+        return QStringLiteral("Searches dip poses and writes the best into the project.");
+    }
+
+    void declare(QCommandLineParser& parser) const override {
+        declareProject(parser);
+        parser.addOption(
+            {immersionsOption, QStringLiteral("Dips to plan, 1 or 2."), QStringLiteral("1|2")});
+        parser.addOption(
+            {candidatesOption,
+             QStringLiteral("Poses to try on a coarse film, 6 to 2000; 48 without it."),
+             QStringLiteral("N"), QString::number(PoseSearchOptions().candidates)});
+        parser.addOption({solverOption,
+                          QStringLiteral("The solver plugin, in place of the project's choice."),
+                          QStringLiteral("ID")});
+        declareThreads(parser);
+    }
+
+    void run(const QCommandLineParser& parser, Console& console) const override {
+        const ThreadLimit threads(parser);
+        if (!parser.isSet(immersionsOption)) {
+            throw UsageError(QStringLiteral("Say how many dips to plan with --immersions 1 or 2"),
+                             QStringLiteral("--immersions"));
+        }
+        PoseSearchOptions options;
+        options.immersions = wholeNumberOption(parser, immersionsOption, 1, 2);
+        options.candidates = wholeNumberOption(parser, candidatesOption, 6, 2000);
+        const Project project = projectArgument(parser);
+        const SolverRegistry registry;
+        const QString solver =
+            parser.isSet(solverOption) ? parser.value(solverOption) : project.process.solver;
+        const std::vector<RankedPoses> ranking =
+            searchPoses(project, registry.module(solver), options, console.progress());
+        printRanking(ranking, console.out());
+        writeBest(parser, ranking.front());
+    }
+
+private:
+    // Into the file as it is: what --set changed was for the search alone.
+    static void writeBest(const QCommandLineParser& parser, const RankedPoses& best) {
+        const QString path = positionalArgument(parser, QStringLiteral("JOB.dipw"));
+        Project stored = loadProject(path);
+        stored.immersions = best.immersions;
+        saveProject(stored, path);
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Command> optimizeCommand() {
+    return std::make_unique<OptimizeCommand>();
+}
+
+} // namespace dipwright::cli

@@ -1,0 +1,174 @@
+#include "cli/Arguments.h"
+#include "cli/PrintOptions.h"
+
+#include "pipeline/Pipeline.h"
+
+namespace dipwright::cli {
+namespace {
+
+const QString immersionOption = QStringLiteral("immersion");
+const QString copiesOption = QStringLiteral("copies");
+const QString tileOption = QStringLiteral("tile");
+const QString tilePaperOption = QStringLiteral("tile-paper");
+const QString greyOption = QStringLiteral("accept-grey");
+const QString clippingOption = QStringLiteral("accept-clipping");
+const QString solverOption = QStringLiteral("solver");
+constexpr int mostCopies = 999;
+
+PrintRequest requestOf(const QCommandLineParser& parser, const PrintTarget& target,
+                       const Project& project) {
+    PrintRequest request = printRequest(parser, target, project.profiles.printer);
+    if (parser.isSet(copiesOption)) {
+        request.copies = wholeNumberOption(parser, copiesOption, 1, mostCopies);
+    }
+    request.tilePaper = parser.value(tilePaperOption);
+    request.tile = parser.isSet(tileOption) || !request.tilePaper.isEmpty();
+    request.acceptMonochrome = parser.isSet(greyOption);
+    request.acceptClipping = parser.isSet(clippingOption);
+    return request;
+}
+
+// What can be said before the work: a sheet with nothing on it meets the same printer and paper.
+void checkBefore(PrintSystem& system, const Project& project, const PrintRequest& request) {
+    Sheet blank;
+    blank.filmWidth = project.film.width;
+    blank.filmHeight = project.film.height;
+    blank.settings = project.sheet;
+    blank.settings.resolution = DotsPerInch(30);
+    blank.image = QImage(sheetPixels(blank.filmWidth, blank.filmHeight, blank.settings.resolution),
+                         QImage::Format_RGBA8888);
+    blank.image.fill(Qt::transparent);
+    planPrint(system, blank, request);
+}
+
+// All sheets are judged before the first is sent, so that a job is never printed by half.
+void printSheets(PrintSystem& system, const JobResult& result, const PrintRequest& request,
+                 const Progress& progress, QTextStream& out) {
+    std::vector<PrintPlan> plans;
+    for (const ImmersionResult& immersion : result.immersions) {
+        plans.push_back(planPrint(system, immersion.sheet, request));
+        for (const QString& warning : plans.back().warnings) {
+            out << QStringLiteral("%1: %2\n").arg(immersion.immersion.name, warning);
+        }
+    }
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        const double share = 1.0 / double(plans.size());
+        printAndTell(system, plans[i], progress.part(double(i) * share, double(i + 1) * share),
+                     out);
+    }
+}
+
+void writeSheet(const Sheet& sheet, const PrintRequest& request, const QString& path) {
+    const std::unique_ptr<PrinterColour> colour =
+        request.profile ? printerColour(*request.profile) : nullptr;
+    PrintCorrection correction;
+    correction.colour = colour.get();
+    if (request.profile) {
+        correction.scaleX = request.profile->scaleX;
+        correction.scaleY = request.profile->scaleY;
+    }
+    writeWhole(path, [&](QIODevice& device) {
+        if (isTiff(path)) {
+            writeSheetTiff(sheet, device, correction.colour);
+        } else {
+            writeSheetPdf(sheet, device, correction);
+        }
+    });
+}
+
+void tellGamut(const Sheet& sheet, const PrintRequest& request, QTextStream& out) {
+    const std::unique_ptr<PrinterColour> colour =
+        request.profile ? printerColour(*request.profile) : nullptr;
+    if (colour) {
+        const double share = colour->gamutWarning(sheet.image).share;
+        out << QStringLiteral("%1: %2 % of the printed colour is out of the printer's reach\n")
+                   .arg(sheet.job.immersion)
+                   .arg(100 * share, 0, 'f', 1);
+    }
+}
+
+// Keeps only the immersion that was asked for.
+void chooseImmersion(Project& project, const QCommandLineParser& parser) {
+    if (parser.isSet(immersionOption)) {
+        const int count = int(project.immersions.size());
+        const int number = wholeNumberOption(parser, immersionOption, 1, count);
+        project.immersions = {project.immersions[std::size_t(number - 1)]};
+    }
+}
+
+class PrintCommand : public Command {
+public:
+    QString name() const override { return QStringLiteral("print"); }
+    QString summary() const override {
+        return QStringLiteral("Prints a project's sheets at true size, or lists the printers.");
+    }
+
+    void declare(QCommandLineParser& parser) const override {
+        declareProject(parser);
+        declarePrinter(parser);
+        parser.addOption({immersionOption,
+                          QStringLiteral("Only the sheet of this immersion, 1 or 2."),
+                          QStringLiteral("N")});
+        parser.addOption(
+            {copiesOption, QStringLiteral("Copies of each sheet."), QStringLiteral("N")});
+        parser.addOption(
+            {tileOption,
+             QStringLiteral("Cuts sheets into pieces of the printer's largest paper.")});
+        parser.addOption({tilePaperOption, QStringLiteral("Cuts sheets into pieces of this paper."),
+                          QStringLiteral("NAME")});
+        parser.addOption({greyOption, QStringLiteral("Prints coloured sheets on a grey printer.")});
+        parser.addOption(
+            {clippingOption, QStringLiteral("Gives up colour where the printer does not reach.")});
+        parser.addOption({solverOption,
+                          QStringLiteral("The solver plugin, in place of the project's choice."),
+                          QStringLiteral("ID")});
+        declareFilmImage(parser);
+        declareThreads(parser);
+    }
+
+    void run(const QCommandLineParser& parser, Console& console) const override {
+        if (listsPrinters(parser)) {
+            requireNoPositionalArgument(parser);
+            listPrinters(console.out());
+            return;
+        }
+        const ThreadLimit threads(parser);
+        Project project = projectArgument(parser);
+        chooseImmersion(project, parser);
+        const PrintTarget target = printTarget(parser);
+        const PrintRequest request = requestOf(parser, target, project);
+        if (!target.file.isEmpty() && project.immersions.size() > 1) {
+            throw UsageError(
+                QStringLiteral("The project has two sheets, choose one with --immersion"),
+                target.file);
+        }
+        std::unique_ptr<PrintSystem> system;
+        if (target.file.isEmpty()) {
+            system = printSystem();
+            checkBefore(*system, project, request);
+        }
+        JobOptions options;
+        options.solver = parser.value(solverOption);
+        applyFilmImage(options, parser);
+        const SolverRegistry registry;
+        const Progress progress = console.progress();
+        const JobResult result = runJob(project, registry, options, nullptr, progress.part(0, 0.8));
+        for (const ImmersionResult& immersion : result.immersions) {
+            tellGamut(immersion.sheet, request, console.out());
+        }
+        if (system) {
+            printSheets(*system, result, request, progress.part(0.8, 1), console.out());
+            return;
+        }
+        writeSheet(result.immersions.front().sheet, request, target.file);
+        console.out() << QStringLiteral("Wrote %1\n").arg(target.file);
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Command> printCommand() {
+    return std::make_unique<PrintCommand>();
+}
+
+} // namespace dipwright::cli

@@ -1,0 +1,145 @@
+#include "cli/PrintOptions.h"
+
+#include <QSaveFile>
+#include <algorithm>
+
+namespace dipwright::cli {
+namespace {
+
+const QString printerOption = QStringLiteral("printer");
+const QString printersOption = QStringLiteral("printers");
+const QString toOption = QStringLiteral("to");
+const QString profileOption = QStringLiteral("profile");
+const QString otherPaperOption = QStringLiteral("accept-other-paper");
+
+QString stateWord(const PrinterInfo& printer) {
+    if (printer.state == PrinterState::Stopped) {
+        return QStringLiteral("stopped");
+    }
+    if (!printer.acceptsJobs) {
+        return QStringLiteral("takes no jobs");
+    }
+    return printer.state == PrinterState::Printing ? QStringLiteral("printing")
+                                                   : QStringLiteral("ready");
+}
+
+QString mediaWords(const PrinterMedia& media) {
+    const QMarginsF& m = media.margins;
+    const double margin = std::max({m.left(), m.top(), m.right(), m.bottom()});
+    return QStringLiteral("%1 × %2 mm%3%4")
+        .arg(media.size.width())
+        .arg(media.size.height())
+        .arg(margin > 0 ? QStringLiteral(", %1 mm margins").arg(margin)
+                        : QStringLiteral(", borderless"),
+             media.ready ? QString() : QStringLiteral(", not loaded"));
+}
+
+} // namespace
+
+void declarePrinter(QCommandLineParser& parser) {
+    parser.addOption({printerOption, QStringLiteral("The printer, by the system's name."),
+                      QStringLiteral("NAME")});
+    parser.addOption(
+        {printersOption, QStringLiteral("Lists the printers, their paper and state.")});
+    parser.addOption({toOption,
+                      QStringLiteral("Writes a PDF or TIFF file in the printer's scale and colours "
+                                     "in place of printing."),
+                      QStringLiteral("FILE")});
+    parser.addOption({profileOption,
+                      QStringLiteral("The printer profile, in place of the project's own."),
+                      QStringLiteral("NAME")});
+    parser.addOption(
+        {otherPaperOption,
+         QStringLiteral("Prints though the printer says that the paper is not loaded.")});
+}
+
+bool listsPrinters(const QCommandLineParser& parser) {
+    return parser.isSet(printersOption);
+}
+
+void listPrinters(QTextStream& out) {
+    const auto system = printSystem();
+    const QStringList names = system->printers();
+    if (names.isEmpty()) {
+        out << QStringLiteral("There are no printers; set one up in the system first\n");
+    }
+    for (const QString& name : names) {
+        const auto printer = system->printer(name);
+        if (!printer) {
+            continue;
+        }
+        out << QStringLiteral("%1: %2, %3%4\n")
+                   .arg(name, stateWord(*printer),
+                        printer->printsColour ? QStringLiteral("colour")
+                                              : QStringLiteral("grey only"),
+                        printer->isDefault ? QStringLiteral(", default") : QString());
+        for (const PrinterMedia& media : printer->media) {
+            out << QStringLiteral("  %1: %2\n").arg(media.name, mediaWords(media));
+        }
+    }
+}
+
+PrintTarget printTarget(const QCommandLineParser& parser) {
+    const PrintTarget target{parser.value(printerOption), parser.value(toOption)};
+    if (target.printer.isEmpty() == target.file.isEmpty()) {
+        throw UsageError(
+            QStringLiteral("Name the printer with --printer NAME (--printers lists them), or a "
+                           "file with --to FILE"),
+            QStringLiteral("--printer"));
+    }
+    if (!target.file.isEmpty() && !isTiff(target.file) &&
+        !target.file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
+        throw UsageError(QStringLiteral("A page is written as .pdf, .tif or .tiff"), target.file);
+    }
+    return target;
+}
+
+PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& target,
+                          const std::optional<PrinterProfile>& remembered) {
+    PrintRequest request;
+    request.printer = target.printer;
+    request.acceptOtherPaper = parser.isSet(otherPaperOption);
+    request.profile = remembered;
+    if (parser.isSet(profileOption)) {
+        request.profile = std::get<PrinterProfile>(
+            ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
+    }
+    return request;
+}
+
+bool isTiff(const QString& path) {
+    return path.endsWith(QLatin1String(".tif"), Qt::CaseInsensitive) ||
+           path.endsWith(QLatin1String(".tiff"), Qt::CaseInsensitive);
+}
+
+void writeWhole(const QString& path, const std::function<void(QIODevice&)>& write) {
+    QSaveFile file(path);
+    const bool opened = file.open(QIODevice::WriteOnly);
+    if (opened) {
+        write(file);
+    }
+    if (!opened || !file.commit()) {
+        throw Error(QStringLiteral("The file cannot be written: %1").arg(file.errorString()), path);
+    }
+}
+
+std::unique_ptr<PrinterColour> printerColour(const PrinterProfile& profile) {
+    return profile.iccProfile.isEmpty()
+               ? nullptr
+               : std::make_unique<PrinterColour>(profile.iccProfile, profile.intent,
+                                                 profile.blackPoint, profile.name);
+}
+
+void printAndTell(PrintSystem& system, const PrintPlan& plan, const Progress& progress,
+                  QTextStream& out) {
+    const PrintJob job = system.submit(plan.task);
+    const JobState state = followJob(system, job, progress);
+    out << (state == JobState::Printed
+                ? QStringLiteral("Printed %1 on %2, job %3\n")
+                : QStringLiteral("Handed %1 over to %2, which does not tell when it is printed\n"))
+               .arg(plan.task.title, job.printer)
+               .arg(job.id);
+    out.flush();
+}
+
+} // namespace dipwright::cli

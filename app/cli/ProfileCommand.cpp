@@ -1,0 +1,236 @@
+#include "cli/Command.h"
+
+#include "project/ProfileLibrary.h"
+#include "project/ProjectStore.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+namespace dipwright::cli {
+namespace {
+
+const QString setOption = QStringLiteral("set");
+const QString iccOption = QStringLiteral("icc");
+const QString jsonOption = QStringLiteral("json");
+
+// The words after `profile`: what to do, and with what.
+class Words {
+public:
+    explicit Words(const QStringList& words) : words_(words) {}
+
+    QString take(const QString& what) {
+        if (words_.isEmpty()) {
+            throw UsageError(QStringLiteral("%1 is missing, see --help").arg(what),
+                             QStringLiteral("profile"));
+        }
+        return words_.takeFirst();
+    }
+    ProfileKind takeKind() {
+        const QString word = take(QStringLiteral("KIND"));
+        try {
+            return profileKindOf(word);
+        } catch (const Error& error) {
+            throw UsageError(error.message(), error.where());
+        }
+    }
+    void finish() const {
+        if (!words_.isEmpty()) {
+            throw UsageError(QStringLiteral("There is one argument too many, see --help"),
+                             words_.first());
+        }
+    }
+
+private:
+    QStringList words_;
+};
+
+void list(Words words, const QCommandLineParser& parser, QTextStream& out) {
+    words.finish();
+    QJsonArray array;
+    for (const ProfileKind kind : {ProfileKind::Printer, ProfileKind::Film, ProfileKind::Tank}) {
+        for (const ProfileEntry& entry : ProfileLibrary().profiles(kind)) {
+            array.append(QJsonObject{{QStringLiteral("kind"), profileKindName(kind)},
+                                     {QStringLiteral("name"), entry.name},
+                                     {QStringLiteral("own"), entry.isUsers()}});
+            if (!parser.isSet(jsonOption)) {
+                out << QStringLiteral("%1 %2%3\n")
+                           .arg(profileKindName(kind), -8)
+                           .arg(entry.name,
+                                entry.isUsers() ? QString() : QStringLiteral(" (built in)"));
+            }
+        }
+    }
+    if (parser.isSet(jsonOption)) {
+        out << QJsonDocument(array).toJson();
+    }
+}
+
+void show(Words words, QTextStream& out) {
+    const ProfileKind kind = words.takeKind();
+    const QString name = words.take(QStringLiteral("NAME"));
+    words.finish();
+    out << QJsonDocument(toJson(ProfileLibrary().profile(kind, name))).toJson();
+}
+
+QByteArray contents(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        throw Error(QStringLiteral("The file cannot be read: %1").arg(file.errorString()), path);
+    }
+    return file.readAll();
+}
+
+void setIccProfile(Profile& profile, const QString& path) {
+    auto* printer = std::get_if<PrinterProfile>(&profile);
+    if (!printer) {
+        throw UsageError(QStringLiteral("Only printers have an ICC profile"),
+                         QStringLiteral("--icc"));
+    }
+    printer->iccProfile = contents(path);
+    // Refuses what no sheet could be printed with.
+    PrinterColour(printer->iccProfile, printer->intent, printer->blackPoint, path);
+}
+
+Profile emptyProfile(ProfileKind kind) {
+    switch (kind) {
+    case ProfileKind::Printer:
+        return PrinterProfile{};
+    case ProfileKind::Film:
+        return FilmProfile{};
+    case ProfileKind::Tank:
+        break;
+    }
+    return TankProfile{};
+}
+
+bool isKnown(const ProfileLibrary& library, ProfileKind kind, const QString& name) {
+    for (const ProfileEntry& entry : library.profiles(kind)) {
+        if (entry.name == name) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void change(Words words, const QCommandLineParser& parser, QTextStream& out) {
+    const ProfileKind kind = words.takeKind();
+    const QString name = words.take(QStringLiteral("NAME"));
+    words.finish();
+    const ProfileLibrary library;
+    Profile profile =
+        isKnown(library, kind, name) ? library.profile(kind, name) : emptyProfile(kind);
+    std::visit([&](auto& value) { value.name = name; }, profile);
+    for (const QString& setting : parser.values(setOption)) {
+        const auto equals = setting.indexOf(QLatin1Char('='));
+        if (equals <= 0) {
+            throw UsageError(
+                QStringLiteral("A setting is written PATH=VALUE, such as scale=1.004;0.997"),
+                QStringLiteral("--set %1").arg(setting));
+        }
+        try {
+            setByPath(profile, setting.left(equals), setting.mid(equals + 1));
+        } catch (const Error& error) {
+            throw UsageError(error.message(), QStringLiteral("--set %1").arg(setting));
+        }
+    }
+    if (parser.isSet(iccOption)) {
+        setIccProfile(profile, parser.value(iccOption));
+    }
+    library.save(profile);
+    out << QStringLiteral("Saved the %1 profile %2\n").arg(profileKindName(kind), nameOf(profile));
+}
+
+void import(Words words, QTextStream& out) {
+    const QString path = words.take(QStringLiteral("FILE"));
+    words.finish();
+    const Profile profile = importProfile(path);
+    ProfileLibrary().save(profile);
+    out << QStringLiteral("Saved the %1 profile %2\n")
+               .arg(profileKindName(kindOf(profile)), nameOf(profile));
+}
+
+void exportOne(Words words, QTextStream& out) {
+    const ProfileKind kind = words.takeKind();
+    const QString name = words.take(QStringLiteral("NAME"));
+    const QString path = words.take(QStringLiteral("FILE"));
+    words.finish();
+    exportProfile(ProfileLibrary().profile(kind, name), path);
+    out << QStringLiteral("Wrote %1\n").arg(path);
+}
+
+void remove(Words words, QTextStream& out) {
+    const ProfileKind kind = words.takeKind();
+    const QString name = words.take(QStringLiteral("NAME"));
+    words.finish();
+    ProfileLibrary().remove(kind, name);
+    out << QStringLiteral("Removed the %1 profile %2\n").arg(profileKindName(kind), name);
+}
+
+void use(Words words, QTextStream& out) {
+    const ProfileKind kind = words.takeKind();
+    const QString name = words.take(QStringLiteral("NAME"));
+    const QString path = words.take(QStringLiteral("JOB.dipw"));
+    words.finish();
+    Project project = loadProject(path);
+    applyProfile(project, ProfileLibrary().profile(kind, name));
+    saveProject(project, path);
+    out << QStringLiteral("%1 uses the %2 profile %3 from now on\n")
+               .arg(path, profileKindName(kind), name);
+}
+
+class ProfileCommand : public Command {
+public:
+    QString name() const override { return QStringLiteral("profile"); }
+    QString summary() const override {
+        return QStringLiteral("Keeps what is known of printers, films and tanks.");
+    }
+
+    void declare(QCommandLineParser& parser) const override {
+        parser.addPositionalArgument(
+            QStringLiteral(
+                "list | show KIND NAME | set KIND NAME | import FILE | export KIND NAME FILE | "
+                "remove KIND NAME | use KIND NAME JOB.dipw"),
+            QStringLiteral(
+                "What to do. KIND is printer, film or tank. `set` changes a profile or makes a new "
+                "one, `use` takes it over into a project, which keeps its own copy."));
+        parser.addOption({setOption,
+                          QStringLiteral("For `set`: a value by its path in the profile, such as "
+                                         "scale=1.004;0.997. May be repeated."),
+                          QStringLiteral("PATH=VALUE")});
+        parser.addOption({iccOption, QStringLiteral("For `set`: the printer's ICC profile."),
+                          QStringLiteral("FILE")});
+        parser.addOption({jsonOption, QStringLiteral("For `list`: prints JSON.")});
+    }
+
+    void run(const QCommandLineParser& parser, Console& console) const override {
+        Words words(parser.positionalArguments());
+        const QString action = words.take(QStringLiteral("What to do"));
+        QTextStream& out = console.out();
+        if (action == QLatin1String("list")) {
+            list(words, parser, out);
+        } else if (action == QLatin1String("show")) {
+            show(words, out);
+        } else if (action == QLatin1String("set")) {
+            change(words, parser, out);
+        } else if (action == QLatin1String("import")) {
+            import(words, out);
+        } else if (action == QLatin1String("export")) {
+            exportOne(words, out);
+        } else if (action == QLatin1String("remove")) {
+            remove(words, out);
+        } else if (action == QLatin1String("use")) {
+            use(words, out);
+        } else {
+            throw UsageError(QStringLiteral("There is no such action, see --help"), action);
+        }
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Command> profileCommand() {
+    return std::make_unique<ProfileCommand>();
+}
+
+} // namespace dipwright::cli
