@@ -371,6 +371,37 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintReque
     return plan;
 }
 
+PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
+                          const PrintRequest& request) {
+    PrintPlan plan;
+    plan.printer = readyPrinter(system, request.printer);
+    const PaperChoice paper = paperFor(plan.printer, page.paper);
+    if (paper.turned) {
+        throw Error(
+            Text::tr("The printer takes this paper only with its other edge first; turn the page"),
+            request.printer);
+    }
+    checkLoaded(plan.printer, paper.media, request, plan.warnings);
+    const double margin = widest(paper.media.margins);
+    if (margin > page.clearance.value()) {
+        throw Error(
+            Text::tr(
+                "The printer does not reach the outer %1 mm of the paper; put its margins into "
+                "its profile first")
+                .arg(plain(margin)),
+            request.printer);
+    }
+    plan.task.printer = request.printer;
+    plan.task.title = Text::tr("Calibration of %1").arg(page.printer);
+    plan.task.media = paper.media;
+    plan.task.pdf = bytesOf([&](QIODevice& device) { writeCalibrationPdf(page, device); });
+    plan.task.paint = [page](QPainter& painter, int) {
+        correctScale(painter, page.paper, {page.scaleX, page.scaleY});
+        paintCalibrationPage(painter, page);
+    };
+    return plan;
+}
+
 JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress) {
     constexpr unsigned long pause = 200; // milliseconds
     try {

@@ -5,6 +5,7 @@
 #include "base/Progress.h"
 #include "printing/PrintSystem.h"
 #include "project/Profiles.h"
+#include "sheet/CalibrationPage.h"
 #include "sheet/Sheet.h"
 
 #include <QStringList>
@@ -35,6 +36,10 @@ struct PrintPlan {
 // reach colour near the sheet's edge; when the sheet is larger than every paper of the printer and
 // is not to be tiled; and when the profile's colours are not for PDF. Nothing is sent.
 PrintPlan planPrint(PrintSystem& system, const Sheet& sheet, const PrintRequest& request);
+
+// The same for a calibration page, whose scales are its own and not those of the request's profile.
+// Refused as well where the printer does not reach the page's rulers.
+PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page, const PrintRequest& request);
 
 // Follows a job that was submitted until it is printed ("HandedOver" where the system cannot tell),
 // asking a few times a second. Throws Error when it fails, is cancelled by somebody else, or when

@@ -189,7 +189,26 @@ Profile read(const QJsonObject& json, const QString& where) {
     return profile;
 }
 
+template <typename P>
+void set(P& profile, const QString& path, const QString& value) {
+    QStringList paths;
+    for (const Field<P>& field : fieldsOf(&profile)) {
+        if (field.path == path) {
+            field.set(profile, parseValue(field.rule, value, path));
+            return;
+        }
+        paths << field.path;
+    }
+    throw Error(Text::tr("There is no such value in this profile, there are %1")
+                    .arg(paths.join(QStringLiteral(", "))),
+                path);
+}
+
 } // namespace
+
+void setByPath(Profile& profile, const QString& path, const QString& value) {
+    std::visit([&](auto& one) { set(one, path, value); }, profile);
+}
 
 QJsonObject toJson(const Profile& profile) {
     QJsonObject json{{QStringLiteral("format"), QStringLiteral("dipwright-profile")},

@@ -1,18 +1,30 @@
 #include "texture/Chessboard.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace dipwright {
 
 namespace {
 
-// For each of `pixels` along a film of `length` mm: whether it is in an odd square.
-std::vector<bool> oddSquares(int pixels, double length, double square) {
-    std::vector<bool> odd;
+// The length in odd squares from the middle, where an even one begins, to `place`; negative before.
+double oddLength(double place, double square) {
+    const double pair = 2 * square;
+    const double pairs = std::floor(place / pair);
+    return pairs * square + std::max(0.0, place - pairs * pair - square);
+}
+
+// For each of `pixels` along a film of `length` mm: how much of it, 0 … 1, is in odd squares.
+// Pixels that a border runs through are shared, so that the squares measure what they should
+// however coarse the pixels are.
+std::vector<double> oddShares(int pixels, double length, double square) {
+    std::vector<double> odd;
     odd.reserve(std::size_t(pixels));
+    const double size = length / pixels;
     for (int pixel = 0; pixel < pixels; ++pixel) {
-        const double place = ((pixel + 0.5) / pixels - 0.5) * length;
-        odd.push_back(std::fmod(std::floor(place / square), 2) != 0);
+        const double place = pixel * size - length / 2;
+        odd.push_back((oddLength(place + size, square) - oddLength(place, square)) / size);
     }
     return odd;
 }
@@ -20,14 +32,16 @@ std::vector<bool> oddSquares(int pixels, double length, double square) {
 } // namespace
 
 QImage chessboard(const solver::FilmGrid& grid, double square, QSize pixels) {
-    const std::vector<bool> columns = oddSquares(pixels.width(), grid.width, square);
-    const std::vector<bool> rows = oddSquares(pixels.height(), grid.depth, square);
+    const std::vector<double> columns = oddShares(pixels.width(), grid.width, square);
+    const std::vector<double> rows = oddShares(pixels.height(), grid.depth, square);
     QImage image(pixels, QImage::Format_RGBA8888);
     for (int row = 0; row < pixels.height(); ++row) {
         auto* pixel = image.scanLine(row);
         for (int column = 0; column < pixels.width(); ++column, pixel += 4) {
-            const bool white = rows[std::size_t(row)] != columns[std::size_t(column)];
-            pixel[0] = pixel[1] = pixel[2] = white ? 255 : 0;
+            const double across = columns[std::size_t(column)];
+            const double down = rows[std::size_t(row)];
+            const double white = across * (1 - down) + down * (1 - across);
+            pixel[0] = pixel[1] = pixel[2] = uchar(std::lround(255 * white));
             pixel[3] = 255;
         }
     }

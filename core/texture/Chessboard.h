@@ -8,7 +8,7 @@
 namespace dipwright {
 
 // Chess squares of `square` mm, black and white, four of them meeting in the film's middle. Opaque
-// Format_RGBA8888; a pixel takes the colour of the square its centre is in.
+// Format_RGBA8888; pixels that a border runs through are grey by their shares.
 QImage chessboard(const solver::FilmGrid& grid, double square, QSize pixels);
 
 } // namespace dipwright

@@ -167,7 +167,12 @@ bool PrivateCups::startScheduler() {
     scheduler_.start(programPath("cupsd"), {"-f", "-c", folder_.filePath("cupsd.conf"), "-s",
                                             folder_.filePath("cups-files.conf")});
     qputenv("CUPS_SERVER", path("socket"));
-    const auto runs = [&] { return command("lpstat", {"-r"}); };
+    const auto runs = [] {
+        QProcess process; // its exit code is 0 in any case
+        process.start(programPath("lpstat"), {"-r"});
+        return process.waitForFinished(patience) &&
+               process.readAllStandardOutput().contains("is running");
+    };
     if (!scheduler_.waitForStarted() || !QTest::qWaitFor(runs, patience)) {
         problem_ = "cupsd does not start: " + scheduler_.errorString();
         return false;
