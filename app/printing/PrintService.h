@@ -39,7 +39,8 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& sheet, const PrintRequest&
 
 // The same for a calibration page, whose scales are its own and not those of the request's profile.
 // Refused as well where the printer does not reach the page's rulers.
-PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page, const PrintRequest& request);
+PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
+                          const PrintRequest& request);
 
 // Follows a job that was submitted until it is printed ("HandedOver" where the system cannot tell),
 // asking a few times a second. Throws Error when it fails, is cancelled by somebody else, or when

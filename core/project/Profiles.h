@@ -84,8 +84,8 @@ struct Project;
 // and contact distance; a printer's resolution and ink limit; a tank's barriers.
 void applyProfile(Project& project, const Profile& profile);
 
-// Sets one value by its path in the file ("scale", "edges.left"), parts of an array joined by x or ;.
-// Throws Error naming the path when it is unknown or out of range.
+// Sets one value by its path in the file ("scale", "edges.left"), parts of an array joined by x or
+// ;. Throws Error naming the path when it is unknown or out of range.
 void setByPath(Profile& profile, const QString& path, const QString& value);
 
 // A profile file: {"format":"dipwright-profile","version":1,"kind":…,"name":…,…}. Unknown keys are
