@@ -1,0 +1,241 @@
+// The films on the GPU against those on the CPU and against the reference solvers. Skipped where
+// there is no GPU.
+
+#include "dip/Dip.h"
+#include "geometry/Shapes.h"
+#include "project/ProjectStore.h"
+#include "reference/PlainPaperFilm.h"
+#include "reference/ReferenceFilm.h"
+#include "solver/SolverRegistry.h"
+#include "solvers/TestFilm.h"
+
+#include <QStandardPaths>
+#include <QTest>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+const QString paper = QStringLiteral("paper-2020");
+const QString production = QStringLiteral("production");
+
+struct Body {
+    PosedBody posed;
+    DistanceField field;
+};
+
+Body bodyOf(const TexturedMesh& model, const Immersion& immersion = {}) {
+    return {posedBody(model, immersion), buildDistanceField(model.mesh, 128, {})};
+}
+
+Body bodyOf(TriangleMesh mesh) {
+    TexturedMesh model;
+    model.mesh = std::move(mesh);
+    model.materials.resize(1);
+    return bodyOf(model);
+}
+
+Body bodyNamed(const QString& name) {
+    if (name == QLatin1String("sphere")) {
+        return bodyOf(sphereMesh(35, 128, 256));
+    }
+    if (name == QLatin1String("cone")) {
+        return bodyOf(coneMesh(pi / 4, 40, 256));
+    }
+    const Project project = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw"));
+    return bodyOf(*project.model, project.immersions.front());
+}
+
+solver::DipSetup wholeDip(const Body& body, const QString& preset) {
+    Project project;
+    applyPreset(project, preset);
+    return dipSetup(body.posed, body.field, {}, project.film, project.process);
+}
+
+// Coarse enough for the reference solvers.
+solver::DipSetup coarseDip(const Body& body, const QString& preset, double depth) {
+    Project project;
+    applyPreset(project, preset);
+    project.film.width = project.film.height = Millimetres(150);
+    project.film.columns = project.film.rows = 61;
+    project.process.depth = Millimetres(depth);
+    return dipSetup(body.posed, body.field, {}, project.film, project.process);
+}
+
+bool haveSameBits(const Ending& a, const Ending& b) {
+    return a.states == b.states && a.positions == b.positions &&
+           a.progress.steps == b.progress.steps;
+}
+
+// What the paper's reference says at the end.
+Ending plainPaperDip(const solver::DipSetup& setup) {
+    reference::PlainPaperFilm plain(setup);
+    plain.dip();
+    Ending end;
+    for (std::size_t point = 0; point < setup.film.pointCount(); ++point) {
+        const auto place = plain.position(point);
+        for (const double coordinate : {place.x, place.y, place.z}) {
+            end.positions.push_back(float(coordinate));
+        }
+        end.states.push_back(plain.isAdhered(point) ? solver::PointState::Adhered
+                                                    : solver::PointState::Free);
+    }
+    return end;
+}
+
+// mm between a point and the surface that it touches, at the end of the dip.
+double clearanceOf(const Ending& end, std::size_t point, const solver::DipSetup& setup) {
+    const auto frame = pbd::bodyFrame<double>(setup.motion, setup.motion.travel);
+    const auto field = pbd::fieldGrid<double>(setup.field);
+    return pbd::sampleField(field, frame.toBody(end.position(point))).distance -
+           setup.settings.contactDistance;
+}
+
+// Positions within 0.02 mm, and the same points adhered but for those within 0.01 mm of touching.
+void requireAgreement(const Ending& gpu, const Ending& other, const solver::DipSetup& setup) {
+    double farthest = 0, farthestDiffering = 0;
+    int differing = 0, adhered = 0;
+    for (std::size_t point = 0; point < gpu.states.size(); ++point) {
+        farthest = std::max(farthest, length(gpu.position(point) - other.position(point)));
+        adhered += gpu.isAdhered(point);
+        if (gpu.isAdhered(point) != other.isAdhered(point)) {
+            ++differing;
+            farthestDiffering = std::max({farthestDiffering, clearanceOf(gpu, point, setup),
+                                          clearanceOf(other, point, setup)});
+        }
+    }
+    qInfo("%d points adhered, %d in one only, farthest apart %g mm", adhered, differing, farthest);
+    QVERIFY(adhered > 100);
+    QVERIFY(farthest <= 0.02);
+    QVERIFY(farthestDiffering <= 0.01);
+}
+
+} // namespace
+
+class CudaFilmTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void followsTheCpu_data();
+    void followsTheCpu();
+    void followsTheReference_data() { followsTheCpu_data(); }
+    void followsTheReference();
+    void givesTheSameBitsTwice_data();
+    void givesTheSameBitsTwice();
+    void batchGivesWhatSingleDipsGive_data() { givesTheSameBitsTwice_data(); }
+    void batchGivesWhatSingleDipsGive();
+    void batchStopsWhenCancelled();
+
+private:
+    Ending dipOnGpu(const solver::DipSetup& setup) const {
+        return dip(*registry_.module(QStringLiteral("pbd-cuda")).create(), setup);
+    }
+
+    SolverRegistry registry_;
+};
+
+void CudaFilmTest::initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    for (const SolverInfo& info : registry_.solvers()) {
+        if (info.id == QLatin1String("pbd-cuda") && !info.available) {
+            QVERIFY(!info.reason.isEmpty());
+            QSKIP(qPrintable(QStringLiteral("no GPU: ") + info.reason));
+        }
+        if (info.id == QLatin1String("pbd-cuda")) {
+            qInfo("%s", qPrintable(info.device));
+            return;
+        }
+    }
+    QSKIP("no GPU: built without the plugin pbd-cuda");
+}
+
+void CudaFilmTest::followsTheCpu_data() {
+    QTest::addColumn<QString>("body");
+    QTest::addColumn<QString>("preset");
+    for (const QString& preset : {paper, production}) {
+        for (const char* body : {"sphere", "cone", "turtle"}) {
+            QTest::addRow("%s, %s", body, qPrintable(preset)) << QString(body) << preset;
+        }
+    }
+}
+
+void CudaFilmTest::followsTheCpu() {
+    QFETCH(QString, body);
+    QFETCH(QString, preset);
+    const Body dipped = bodyNamed(body);
+    const solver::DipSetup setup = wholeDip(dipped, preset);
+    const auto onCpu = registry_.module(QStringLiteral("pbd-cpu")).create();
+    requireAgreement(dipOnGpu(setup), dip(*onCpu, setup), setup);
+}
+
+void CudaFilmTest::followsTheReference() {
+    QFETCH(QString, body);
+    QFETCH(QString, preset);
+    const Body dipped = bodyNamed(body);
+    const solver::DipSetup setup =
+        coarseDip(dipped, preset, body == QLatin1String("turtle") ? 12 : 30);
+    const Ending exact =
+        preset == paper ? plainPaperDip(setup) : dip(*reference::makeReferenceFilm(), setup);
+    requireAgreement(dipOnGpu(setup), exact, setup);
+}
+
+void CudaFilmTest::givesTheSameBitsTwice_data() {
+    QTest::addColumn<QString>("preset");
+    for (const QString& preset : {paper, production}) {
+        QTest::addRow("%s", qPrintable(preset)) << preset;
+    }
+}
+
+void CudaFilmTest::givesTheSameBitsTwice() {
+    QFETCH(QString, preset);
+    const Body body = bodyNamed(QStringLiteral("turtle"));
+    const solver::DipSetup setup = wholeDip(body, preset);
+    const Ending first = dipOnGpu(setup);
+    QVERIFY(haveSameBits(first, dipOnGpu(setup)));
+
+    // Nor does it matter how many steps are asked for at once.
+    const auto film = registry_.module(QStringLiteral("pbd-cuda")).create();
+    film->begin(setup);
+    solver::Progress progress;
+    while (!progress.finished) {
+        progress = film->advance(7);
+    }
+    Ending inSmallSteps = ending(*film, setup.film);
+    inSmallSteps.progress = progress;
+    QVERIFY(haveSameBits(first, inSmallSteps));
+}
+
+void CudaFilmTest::batchGivesWhatSingleDipsGive() {
+    QFETCH(QString, preset);
+    const Body body = bodyNamed(QStringLiteral("sphere"));
+    std::vector<solver::BatchItem> items;
+    for (const double depth : {8.0, 20.0, 35.0}) {
+        for (const double offset : {0.0, 11.0}) {
+            solver::DipSetup setup = coarseDip(body, preset, depth);
+            setup.motion.start[0] += offset;
+            items.push_back({setup, {}, {}, 0});
+        }
+    }
+    QVERIFY(registry_.module(QStringLiteral("pbd-cuda")).runBatch(items, nullptr, nullptr));
+    for (const solver::BatchItem& item : items) {
+        const Ending single = dipOnGpu(item.setup);
+        QCOMPARE(item.steps, single.progress.steps);
+        QVERIFY(item.states == single.states);
+        QVERIFY(item.positions == single.positions);
+    }
+}
+
+void CudaFilmTest::batchStopsWhenCancelled() {
+    const Body body = bodyNamed(QStringLiteral("sphere"));
+    std::vector<solver::BatchItem> items(2, {wholeDip(body, paper), {}, {}, 0});
+    int questions = 0;
+    const auto cancelledLater = [](void* context) { return ++*static_cast<int*>(context) > 2; };
+    QVERIFY(
+        !registry_.module(QStringLiteral("pbd-cuda")).runBatch(items, cancelledLater, &questions));
+    QCOMPARE(questions, 3);
+}
+
+QTEST_GUILESS_MAIN(CudaFilmTest)
+#include "CudaFilmTest.moc"
