@@ -343,6 +343,17 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
 
 } // namespace
 
+TexturedMesh withTexture(const TexturedMesh& model, const QString& path) {
+    if (!hasAnyTextureCoordinates(model)) {
+        throw Error(Text::tr("The model has no texture coordinates, so no picture can be placed on "
+                             "it; unwrap it in a modelling program first"),
+                    path);
+    }
+    TexturedMesh other = model;
+    replaceTextures(other, replacementTexture(path));
+    return other;
+}
+
 ImportedModel importModel(const QString& path, const ImportOptions& options,
                           const Progress& progress) {
     try {

@@ -40,6 +40,10 @@ struct ImportedModel {
 ImportedModel importModel(const QString& path, const ImportOptions& options,
                           const Progress& progress);
 
+// The model with the picture of a file in place of all its own. Throws Error where the picture
+// cannot be read or the model has no texture coordinates.
+TexturedMesh withTexture(const TexturedMesh& model, const QString& path);
+
 // The file filters of the formats, for dialogs: "*.obj" …
 QStringList modelFilePatterns();
 
