@@ -7,6 +7,7 @@
 #include "RotationRings.h"
 #include "TankActors.h"
 #include "VtkConversions.h"
+#include "base/Units.h"
 
 #include <QLabel>
 #include <QMouseEvent>
@@ -15,6 +16,8 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <QVTKOpenGLNativeWidget.h>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vtkCamera.h>
 #include <vtkCameraOrientationRepresentation.h>
@@ -43,6 +46,37 @@ bool canMakeContext(QString& reason) {
         return false;
     }
     return true;
+}
+
+// Moves the camera, without turning it, to where it shows all places as large as can be and in the
+// middle.
+void fitCamera(vtkCamera& camera, const std::vector<Eigen::Vector3d>& places, double aspect) {
+    constexpr double room = 1.06; // some round the places
+    const Eigen::Vector3d view = Eigen::Vector3d(camera.GetDirectionOfProjection()).normalized();
+    const Eigen::Vector3d right = view.cross(Eigen::Vector3d(camera.GetViewUp())).normalized();
+    const Eigen::Vector3d up = right.cross(view);
+    const double down = std::tan(radians(Degrees(camera.GetViewAngle())) / 2) / room;
+    const bool parallel = camera.GetParallelProjection() != 0;
+    // Along an axis of the picture: the middle, and how far the camera stands away from it (or, in
+    // parallel projection, half of what it shows), so that no place is past either edge.
+    const auto fitAlong = [&](const Eigen::Vector3d& axis, double slope) {
+        double after = -std::numeric_limits<double>::infinity(), before = after;
+        for (const Eigen::Vector3d& place : places) {
+            const double nearer = parallel ? 0 : slope * place.dot(view);
+            after = std::max(after, place.dot(axis) - nearer);
+            before = std::max(before, -place.dot(axis) - nearer);
+        }
+        return std::pair((after - before) / 2, (after + before) / 2);
+    };
+    const auto [middleX, reachX] = fitAlong(right, down * aspect);
+    const auto [middleY, reachY] = fitAlong(up, down);
+    const double half = std::max(reachX / aspect, reachY);
+    camera.SetParallelScale(half * room);
+    const double distance = std::max(reachX / (down * aspect), reachY / down);
+    const Eigen::Vector3d middle = middleX * right + middleY * up;
+    const Eigen::Vector3d place = middle - distance * view;
+    camera.SetFocalPoint(middle.x(), middle.y(), middle.z());
+    camera.SetPosition(place.x(), place.y(), place.z());
 }
 
 } // namespace
@@ -267,16 +301,17 @@ void DipView::look(ViewDirection direction) {
 
 void DipView::fit() {
     const Scene& s = *scene_;
-    BoundingBox box = s.body.worldBox();
     const double margin = 2 * TankActors::margin(s.filmSize);
     const Eigen::Vector3f half(float(s.filmSize.width() + margin) / 2, 1,
                                float(s.filmSize.height() + margin) / 2);
-    box.extend(half).extend(Eigen::Vector3f(-half));
-    const Eigen::Vector3f low = box.min(), high = box.max();
-    const double bounds[6]{low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
-    s.renderer->ResetCamera(bounds);
-    s.renderer->ResetCameraScreenSpace(bounds);
-    s.renderer->GetActiveCamera()->Zoom(0.95); // some room round it
+    std::vector<Eigen::Vector3d> places;
+    for (const BoundingBox& box : {s.body.worldBox(), BoundingBox(-half, half)}) {
+        for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {
+            places.emplace_back(box.corner(BoundingBox::CornerType(corner)).cast<double>());
+        }
+    }
+    const double aspect = double(std::max(1, width())) / std::max(1, height());
+    fitCamera(*s.renderer->GetActiveCamera(), places, aspect);
     s.renderer->ResetCameraClippingRange();
     requestPicture();
 }
@@ -426,8 +461,6 @@ bool DipView::mouseReleased(QMouseEvent* event) {
     const bool still = std::hypot(moved.x(), moved.y()) <= clickReach;
     if (still && event->button() == Qt::LeftButton) {
         emit clicked(rayAt(event->position()));
-    } else if (still && event->button() == Qt::RightButton) {
-        emit contextMenuAsked(event->globalPosition().toPoint());
     }
     return false;
 }

@@ -111,7 +111,6 @@ signals:
     void clicked(const dipwright::ViewRay& ray);    // pressed and released in the same place
     void rotationDragged(int axis, double degrees); // about the world's X, Y or Z since the press
     void rotationFinished();
-    void contextMenuAsked(const QPoint& globalPosition);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
