@@ -1228,7 +1228,10 @@
     </message>
     <message numerus="yes">
         <source>Removed %n triangle(s) without area</source>
-        <translation><numerusform>%n Dreieck ohne Fläche entfernt</numerusform><numerusform>%n Dreiecke ohne Fläche entfernt</numerusform></translation>
+        <translation>
+            <numerusform>%n Dreieck ohne Fläche entfernt</numerusform>
+            <numerusform>%n Dreiecke ohne Fläche entfernt</numerusform>
+        </translation>
     </message>
     <message>
         <source>None of the model's triangles has an area; choose another model</source>
@@ -1236,11 +1239,17 @@
     </message>
     <message numerus="yes">
         <source>Turned %n triangle(s) that faced the other way than their neighbours</source>
-        <translation><numerusform>%n Dreieck gewendet, das anders als seine Nachbarn gerichtet war</numerusform><numerusform>%n Dreiecke gewendet, die anders als ihre Nachbarn gerichtet waren</numerusform></translation>
+        <translation>
+            <numerusform>%n Dreieck gewendet, das anders als seine Nachbarn gerichtet war</numerusform>
+            <numerusform>%n Dreiecke gewendet, die anders als ihre Nachbarn gerichtet waren</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Turned %n part(s) of the surface that were inside out</source>
-        <translation><numerusform>%n Teil der Oberfläche gewendet, der umgestülpt war</numerusform><numerusform>%n Teile der Oberfläche gewendet, die umgestülpt waren</numerusform></translation>
+        <translation>
+            <numerusform>%n Teil der Oberfläche gewendet, der umgestülpt war</numerusform>
+            <numerusform>%n Teile der Oberfläche gewendet, die umgestülpt waren</numerusform>
+        </translation>
     </message>
     <message>
         <source>The model has no extent; choose another model</source>
@@ -1390,6 +1399,10 @@
         <source>The texture %1 is not in the model's package; its material's colour is used instead</source>
         <translation>Die Textur %1 ist nicht im Paket des Modells; stattdessen wird die Farbe ihres Materials verwendet</translation>
     </message>
+    <message>
+        <source>The model has no texture coordinates, so no picture can be placed on it; unwrap it in a modelling program first</source>
+        <translation>Das Modell hat keine Texturkoordinaten, daher lässt sich kein Bild darauf legen; wickeln Sie es erst in einem Modellierprogramm ab</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::LogPanel</name>
@@ -1412,6 +1425,10 @@
     <message>
         <source>Clear</source>
         <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Empties the log.</source>
+        <translation>Leert das Protokoll.</translation>
     </message>
 </context>
 <context>
@@ -2108,6 +2125,62 @@
         <source>Film Wears</source>
         <translation>Film trägt</translation>
     </message>
+    <message>
+        <source>The report is on the clipboard</source>
+        <translation>Der Bericht liegt in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Save Layout</source>
+        <translation>Anordnung speichern</translation>
+    </message>
+    <message>
+        <source>Name of the layout</source>
+        <translation>Name der Anordnung</translation>
+    </message>
+    <message>
+        <source>Reading the picture</source>
+        <translation>Bild wird gelesen</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read: %1</source>
+        <translation>Das Bild kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Reading the texture</source>
+        <translation>Textur wird gelesen</translation>
+    </message>
+    <message>
+        <source>&amp;Save Layout…</source>
+        <translation>Anordnung &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Keep where the panels are under a name</source>
+        <translation>Die Anordnung der Bereiche unter einem Namen behalten</translation>
+    </message>
+    <message>
+        <source>&amp;What Is This?</source>
+        <translation>&amp;Was ist das?</translation>
+    </message>
+    <message>
+        <source>Click something afterwards to be told what it is for</source>
+        <translation>Klicken Sie danach auf etwas, um zu erfahren, wozu es dient</translation>
+    </message>
+    <message>
+        <source>&amp;Layouts</source>
+        <translation>Anord&amp;nungen</translation>
+    </message>
+    <message>
+        <source>None saved yet</source>
+        <translation>Noch keine gespeichert</translation>
+    </message>
+    <message>
+        <source>Layout “%1”</source>
+        <translation>Anordnung „%1“</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ModelFile</name>
@@ -2250,6 +2323,45 @@
         <source>Right</source>
         <translation>Rechts</translation>
     </message>
+    <message>
+        <source>Choose a file: OBJ, PLY, STL, glTF, 3MF …</source>
+        <translation>Wählen Sie eine Datei: OBJ, PLY, STL, glTF, 3MF …</translation>
+    </message>
+    <message>
+        <source>The file of the body that is to be dipped.</source>
+        <translation>Die Datei des Körpers, der getaucht werden soll.</translation>
+    </message>
+    <message>
+        <source>A picture to wear in place of the model's own texture, or nothing.</source>
+        <translation>Ein Bild an Stelle der eigenen Textur des Modells, oder nichts.</translation>
+    </message>
+    <message>
+        <source>The model is made larger or smaller until its longest edge measures this.</source>
+        <translation>Das Modell wird vergrößert oder verkleinert, bis seine längste Kante so viel misst.</translation>
+    </message>
+    <message>
+        <source>In which unit the model's file gives its coordinates. The file does not say.</source>
+        <translation>In welcher Einheit die Datei des Modells ihre Koordinaten angibt. Die Datei selbst sagt es nicht.</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::NoticeBar</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this notice</source>
+        <translation>Diesen Hinweis schließen</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PicturePanel</name>
@@ -2376,6 +2488,42 @@
         <source>All Back to Standard</source>
         <translation>Alle zurücksetzen</translation>
     </message>
+    <message>
+        <source>The film that is proposed when a project is made.</source>
+        <translation>Der Film, der für ein neues Projekt vorgeschlagen wird.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>The printer profile that new projects begin with. It can be changed under Sheet.</source>
+        <translation>Das Druckerprofil, mit dem neue Projekte beginnen. Unter Bogen lässt es sich ändern.</translation>
+    </message>
+    <message>
+        <source>The language of menus, panels and messages.</source>
+        <translation>Die Sprache der Menüs, Bereiche und Meldungen.</translation>
+    </message>
+    <message>
+        <source>The unit in which lengths and speeds are shown and typed.</source>
+        <translation>Die Einheit, in der Längen und Geschwindigkeiten gezeigt und eingegeben werden.</translation>
+    </message>
+    <message>
+        <source>Light or dark colours.</source>
+        <translation>Helle oder dunkle Farben.</translation>
+    </message>
+    <message>
+        <source>How dragging in the view turns it.</source>
+        <translation>Wie das Ziehen in der Ansicht sie dreht.</translation>
+    </message>
+    <message>
+        <source>&amp;Printer of new projects</source>
+        <translation>&amp;Drucker neuer Projekte</translation>
+    </message>
+    <message>
+        <source>%1 stands for both “%2” and “%3”. Change one of them.</source>
+        <translation>%1 steht für „%2“ und für „%3“. Ändern Sie eines davon.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PrintDialog</name>
@@ -2478,6 +2626,22 @@
     <message>
         <source>Handed to the queue of %1</source>
         <translation>An die Warteschlange von %1 übergeben</translation>
+    </message>
+    <message>
+        <source>Whether this immersion's sheet is printed.</source>
+        <translation>Ob der Bogen dieses Tauchgangs gedruckt wird.</translation>
+    </message>
+    <message>
+        <source>The printers that are set up on this machine.</source>
+        <translation>Die Drucker, die auf diesem Rechner eingerichtet sind.</translation>
+    </message>
+    <message>
+        <source>How often each sheet is printed.</source>
+        <translation>Wie oft jeder Bogen gedruckt wird.</translation>
+    </message>
+    <message>
+        <source>Without this tick such a print is refused, with the reason.</source>
+        <translation>Ohne dieses Häkchen wird ein solcher Druck mit Begründung abgelehnt.</translation>
     </message>
 </context>
 <context>
@@ -3069,6 +3233,10 @@ mm je mm</translation>
         <source>Put solver plugins into %1</source>
         <translation>Legen Sie Löser-Plugins in %1</translation>
     </message>
+    <message>
+        <source>Each project chooses its solver under Dipping. “Best available” takes the best that can run here.</source>
+        <translation>Jedes Projekt wählt seinen Löser unter Tauchen. „Bester verfügbarer“ nimmt den besten, der hier laufen kann.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::StartPage</name>
@@ -3222,6 +3390,22 @@ mm je mm</translation>
     <message>
         <source>On the body: mean %1 · 95 % below %2 · largest %3</source>
         <translation>Auf dem Körper: Mittel %1 · 95 % unter %2 · größte %3</translation>
+    </message>
+    <message>
+        <source>What the map shows.</source>
+        <translation>Was die Karte zeigt.</translation>
+    </message>
+    <message>
+        <source>The colours span what occurs on the body. Without it they span the two numbers on the right, so that maps can be compared.</source>
+        <translation>Die Farben umfassen, was auf dem Körper vorkommt. Sonst umfassen sie die beiden Zahlen rechts, sodass sich Karten vergleichen lassen.</translation>
+    </message>
+    <message>
+        <source>Shows all film over the limit in one warning colour.</source>
+        <translation>Zeigt allen Film über der Grenze in einer Warnfarbe.</translation>
+    </message>
+    <message>
+        <source>Lines of equal value on the map.</source>
+        <translation>Linien gleichen Wertes auf der Karte.</translation>
     </message>
 </context>
 <context>

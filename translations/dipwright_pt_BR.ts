@@ -1228,7 +1228,10 @@
     </message>
     <message numerus="yes">
         <source>Removed %n triangle(s) without area</source>
-        <translation><numerusform>Removido %n triângulo sem área</numerusform><numerusform>Removidos %n triângulos sem área</numerusform></translation>
+        <translation>
+            <numerusform>Removido %n triângulo sem área</numerusform>
+            <numerusform>Removidos %n triângulos sem área</numerusform>
+        </translation>
     </message>
     <message>
         <source>None of the model's triangles has an area; choose another model</source>
@@ -1236,11 +1239,17 @@
     </message>
     <message numerus="yes">
         <source>Turned %n triangle(s) that faced the other way than their neighbours</source>
-        <translation><numerusform>Virado %n triângulo voltado ao contrário dos vizinhos</numerusform><numerusform>Virados %n triângulos voltados ao contrário dos vizinhos</numerusform></translation>
+        <translation>
+            <numerusform>Virado %n triângulo voltado ao contrário dos vizinhos</numerusform>
+            <numerusform>Virados %n triângulos voltados ao contrário dos vizinhos</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Turned %n part(s) of the surface that were inside out</source>
-        <translation><numerusform>Virada %n parte da superfície que estava do avesso</numerusform><numerusform>Viradas %n partes da superfície que estavam do avesso</numerusform></translation>
+        <translation>
+            <numerusform>Virada %n parte da superfície que estava do avesso</numerusform>
+            <numerusform>Viradas %n partes da superfície que estavam do avesso</numerusform>
+        </translation>
     </message>
     <message>
         <source>The model has no extent; choose another model</source>
@@ -1390,6 +1399,10 @@
         <source>The texture %1 is not in the model's package; its material's colour is used instead</source>
         <translation>A textura %1 não está no pacote do modelo; usa-se a cor do material</translation>
     </message>
+    <message>
+        <source>The model has no texture coordinates, so no picture can be placed on it; unwrap it in a modelling program first</source>
+        <translation>O modelo não tem coordenadas de textura, portanto nenhuma imagem pode ser posta nele; planifique-o antes em um programa de modelagem</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::LogPanel</name>
@@ -1412,6 +1425,10 @@
     <message>
         <source>Clear</source>
         <translation>Limpar</translation>
+    </message>
+    <message>
+        <source>Empties the log.</source>
+        <translation>Esvazia o registro.</translation>
     </message>
 </context>
 <context>
@@ -2108,6 +2125,62 @@
         <source>Film Wears</source>
         <translation>Filme veste</translation>
     </message>
+    <message>
+        <source>The report is on the clipboard</source>
+        <translation>O relatório está na área de transferência</translation>
+    </message>
+    <message>
+        <source>Save Layout</source>
+        <translation>Salvar disposição</translation>
+    </message>
+    <message>
+        <source>Name of the layout</source>
+        <translation>Nome da disposição</translation>
+    </message>
+    <message>
+        <source>Reading the picture</source>
+        <translation>Lendo a imagem</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read: %1</source>
+        <translation>A imagem não pode ser lida: %1</translation>
+    </message>
+    <message>
+        <source>Reading the texture</source>
+        <translation>Lendo a textura</translation>
+    </message>
+    <message>
+        <source>&amp;Save Layout…</source>
+        <translation>&amp;Salvar disposição…</translation>
+    </message>
+    <message>
+        <source>Keep where the panels are under a name</source>
+        <translation>Guardar a disposição dos painéis com um nome</translation>
+    </message>
+    <message>
+        <source>&amp;What Is This?</source>
+        <translation>O &amp;que é isto?</translation>
+    </message>
+    <message>
+        <source>Click something afterwards to be told what it is for</source>
+        <translation>Clique depois em algo para saber para que serve</translation>
+    </message>
+    <message>
+        <source>&amp;Layouts</source>
+        <translation>&amp;Disposições</translation>
+    </message>
+    <message>
+        <source>None saved yet</source>
+        <translation>Nenhuma salva ainda</translation>
+    </message>
+    <message>
+        <source>Layout “%1”</source>
+        <translation>Disposição “%1”</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Remover</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ModelFile</name>
@@ -2250,6 +2323,45 @@
         <source>Right</source>
         <translation>Direita</translation>
     </message>
+    <message>
+        <source>Choose a file: OBJ, PLY, STL, glTF, 3MF …</source>
+        <translation>Escolha um arquivo: OBJ, PLY, STL, glTF, 3MF…</translation>
+    </message>
+    <message>
+        <source>The file of the body that is to be dipped.</source>
+        <translation>O arquivo do corpo a ser mergulhado.</translation>
+    </message>
+    <message>
+        <source>A picture to wear in place of the model's own texture, or nothing.</source>
+        <translation>Uma imagem no lugar da textura do próprio modelo, ou nada.</translation>
+    </message>
+    <message>
+        <source>The model is made larger or smaller until its longest edge measures this.</source>
+        <translation>O modelo é ampliado ou reduzido até que sua aresta mais longa tenha esta medida.</translation>
+    </message>
+    <message>
+        <source>In which unit the model's file gives its coordinates. The file does not say.</source>
+        <translation>Em que unidade o arquivo do modelo dá suas coordenadas. O arquivo não o diz.</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textura</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::NoticeBar</name>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>Close this notice</source>
+        <translation>Fechar este aviso</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PicturePanel</name>
@@ -2376,6 +2488,42 @@
         <source>All Back to Standard</source>
         <translation>Restaurar todos</translation>
     </message>
+    <message>
+        <source>The film that is proposed when a project is made.</source>
+        <translation>O filme proposto quando um projeto é criado.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nenhum</translation>
+    </message>
+    <message>
+        <source>The printer profile that new projects begin with. It can be changed under Sheet.</source>
+        <translation>O perfil de impressora com que novos projetos começam. Pode ser mudado em Folha.</translation>
+    </message>
+    <message>
+        <source>The language of menus, panels and messages.</source>
+        <translation>O idioma de menus, painéis e mensagens.</translation>
+    </message>
+    <message>
+        <source>The unit in which lengths and speeds are shown and typed.</source>
+        <translation>A unidade em que comprimentos e velocidades são mostrados e digitados.</translation>
+    </message>
+    <message>
+        <source>Light or dark colours.</source>
+        <translation>Cores claras ou escuras.</translation>
+    </message>
+    <message>
+        <source>How dragging in the view turns it.</source>
+        <translation>Como arrastar na vista a gira.</translation>
+    </message>
+    <message>
+        <source>&amp;Printer of new projects</source>
+        <translation>&amp;Impressora de novos projetos</translation>
+    </message>
+    <message>
+        <source>%1 stands for both “%2” and “%3”. Change one of them.</source>
+        <translation>%1 vale para “%2” e para “%3”. Mude um deles.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PrintDialog</name>
@@ -2478,6 +2626,22 @@
     <message>
         <source>Handed to the queue of %1</source>
         <translation>Entregue à fila de %1</translation>
+    </message>
+    <message>
+        <source>Whether this immersion's sheet is printed.</source>
+        <translation>Se a folha desta imersão é impressa.</translation>
+    </message>
+    <message>
+        <source>The printers that are set up on this machine.</source>
+        <translation>As impressoras instaladas nesta máquina.</translation>
+    </message>
+    <message>
+        <source>How often each sheet is printed.</source>
+        <translation>Quantas vezes cada folha é impressa.</translation>
+    </message>
+    <message>
+        <source>Without this tick such a print is refused, with the reason.</source>
+        <translation>Sem esta marca, uma impressão assim é recusada, com o motivo.</translation>
     </message>
 </context>
 <context>
@@ -3069,6 +3233,10 @@ mm por mm</translation>
         <source>Put solver plugins into %1</source>
         <translation>Ponha plugins de solucionador em %1</translation>
     </message>
+    <message>
+        <source>Each project chooses its solver under Dipping. “Best available” takes the best that can run here.</source>
+        <translation>Cada projeto escolhe seu solucionador em Imersão. “Melhor disponível” usa o melhor que possa rodar aqui.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::StartPage</name>
@@ -3222,6 +3390,22 @@ mm por mm</translation>
     <message>
         <source>On the body: mean %1 · 95 % below %2 · largest %3</source>
         <translation>No corpo: média %1 · 95 % abaixo de %2 · maior %3</translation>
+    </message>
+    <message>
+        <source>What the map shows.</source>
+        <translation>O que o mapa mostra.</translation>
+    </message>
+    <message>
+        <source>The colours span what occurs on the body. Without it they span the two numbers on the right, so that maps can be compared.</source>
+        <translation>As cores abrangem o que ocorre no corpo. Sem isto, abrangem os dois números à direita, para que mapas possam ser comparados.</translation>
+    </message>
+    <message>
+        <source>Shows all film over the limit in one warning colour.</source>
+        <translation>Mostra todo o filme acima do limite em uma cor de aviso.</translation>
+    </message>
+    <message>
+        <source>Lines of equal value on the map.</source>
+        <translation>Linhas de mesmo valor no mapa.</translation>
     </message>
 </context>
 <context>

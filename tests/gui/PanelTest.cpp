@@ -114,6 +114,8 @@ private slots:
                 {QPalette::HighlightedText, QPalette::Highlight},
                 {QPalette::PlaceholderText, QPalette::Base},
                 {QPalette::PlaceholderText, QPalette::Window},
+                {QPalette::WindowText, QPalette::Light}, // pages of tabs
+                {QPalette::PlaceholderText, QPalette::Light},
                 {QPalette::Link, QPalette::Base},
                 {QPalette::ToolTipText, QPalette::ToolTipBase}};
             for (const auto& [text, ground] : pairs) {

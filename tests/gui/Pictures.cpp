@@ -5,14 +5,19 @@
 #include "main/Languages.h"
 #include "main/NewProjectDialog.h"
 #include "main/PreferencesDialog.h"
+#include "main/PrintDialog.h"
 #include "panels/GuideWindow.h"
 #include "panels/ProjectTree.h"
 #include "panels/Timeline.h"
+#include "project/ProjectStore.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QMenu>
+#include <QMenuBar>
 #include <QTabWidget>
+#include <QTimer>
 
 using namespace dipwright;
 
@@ -44,13 +49,18 @@ void photographParts(WindowDriver& driver, MainWindow& window, const Photographe
     }
 }
 
-void photographResults(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
+void photographTabs(WindowDriver& driver, MainWindow& window, const Photographer& camera,
+                    const QString& name) {
     auto* results = driver.find<QTabWidget>("results");
     for (int tab = 0; tab < results->count(); ++tab) {
         results->setCurrentIndex(tab);
-        camera.take(window, QStringLiteral("result-%1").arg(tab));
+        camera.take(window, QStringLiteral("%1-%2").arg(name).arg(tab));
     }
     results->setCurrentIndex(0);
+}
+
+void photographResults(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
+    photographTabs(driver, window, camera, QStringLiteral("result"));
     window.view().look(ViewDirection::Oblique);
     auto* timeline = window.findChild<Timeline*>();
     timeline->setPosition(timeline->frames() / 2);
@@ -64,6 +74,47 @@ void photographResults(WindowDriver& driver, MainWindow& window, const Photograp
     driver.trigger("filmLines");
 }
 
+// Menus as they drop down.
+void photographMenus(MainWindow& window, const Photographer& camera) {
+    int number = 0;
+    for (const QAction* entry : window.menuBar()->actions()) {
+        QMenu* menu = entry->menu();
+        menu->popup(window.mapToGlobal(QPoint(0, 30)));
+        camera.take(*menu, QStringLiteral("menu-%1").arg(number++));
+        menu->close();
+    }
+}
+
+// A question that waits for its answer: photographed, then closed.
+void photographQuestion(const char* name, const QString& picture, const Photographer& camera,
+                        const std::function<void()>& ask) {
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+        for (QWidget* widget : QApplication::topLevelWidgets()) {
+            if (widget->objectName() == QLatin1String(name) && widget->isVisible()) {
+                timer.stop();
+                camera.take(*widget, picture);
+                widget->close();
+            }
+        }
+    });
+    timer.start(50);
+    ask();
+}
+
+void photographQuestions(MainWindow& window, Workbench& workbench, const Photographer& camera) {
+    const QString copy = workbench.recovery() + QStringLiteral("/kept.dipw");
+    QDir().mkpath(workbench.recovery());
+    saveProject(window.document()->project(), copy);
+    photographQuestion("recoveryQuestion", QStringLiteral("recovery"), camera,
+                       [&] { workbench.offerRecovery(); });
+    photographQuestion("closeQuestion", QStringLiteral("close"), camera, [&] { window.close(); });
+    photographQuestion("failure", QStringLiteral("failure"), camera, [&] {
+        window.replaceTexture(copy);
+        QTest::qWait(2000);
+    });
+}
+
 void photographDialogs(MainWindow& window, Workbench& workbench, const Photographer& camera) {
     NewProjectDialog create({}, workbench.preferences());
     create.show();
@@ -75,6 +126,10 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
         tabs->setCurrentIndex(tab);
         camera.take(preferences, QStringLiteral("preferences-%1").arg(tab));
     }
+    PrintDialog print(window.session().outcome(), 0);
+    print.show();
+    QTest::qWait(1500); // it looks for printers
+    camera.take(print, QStringLiteral("print"));
     GuideWindow guide;
     guide.show();
     camera.take(guide, QStringLiteral("guide"));
@@ -127,6 +182,7 @@ int main(int argc, char* argv[]) {
     }
     if (all) {
         photographParts(driver, window, camera);
+        photographTabs(driver, window, camera, QStringLiteral("empty"));
     }
     if (!driver.run()) {
         qWarning("The dip did not end");
@@ -139,7 +195,10 @@ int main(int argc, char* argv[]) {
         window.document()->edit(
             {}, {}, [](Project& project) { project.immersions.front().rotation[1] = Degrees(20); });
         window.cancelJobs();
+        driver.find<QWidget>("logDock")->show();
         camera.take(window, QStringLiteral("stale"));
+        photographMenus(window, camera);
+        photographQuestions(window, workbench, camera);
     }
     return 0;
 }

@@ -35,8 +35,10 @@ bool WindowDriver::create(const QString& model, const QString& texture, double l
 
 bool WindowDriver::run() {
     QSignalSpy finished(&window_.session(), &DipSession::finished);
+    QSignalSpy stopped(&window_.session(), &DipSession::stopped);
     trigger("run");
-    return finished.wait(patience);
+    const auto ended = [&] { return !finished.isEmpty() || !stopped.isEmpty(); };
+    return QTest::qWaitFor(ended, patience) && !finished.isEmpty();
 }
 
 QAction* WindowDriver::action(const char* name) const {

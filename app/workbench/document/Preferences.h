@@ -18,6 +18,7 @@ struct Preferences {
     NavigationChoice navigation = NavigationChoice::Turntable;
     int autosaveSeconds = 20;
     QString filmPreset = QStringLiteral("A4"); // of new projects
+    QString printerProfile;                    // of new projects; empty: none
     bool liveUpdate = true; // simulate again after each change, once there is a result
     QMap<QString, QKeySequence> shortcuts; // by the action's name, where not the default
     bool operator==(const Preferences&) const = default;

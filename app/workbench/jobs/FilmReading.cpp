@@ -2,8 +2,6 @@
 
 #include "dip/PaintedStretch.h"
 
-#include "dip/PaintedStretch.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -58,6 +56,13 @@ FilmReading::FilmReading(const ImmersionResult& result)
         mean([](const PrincipalStretch& stretch) { return stretch.larger; });
     values_[std::size_t(FilmQuantity::Smaller)] =
         mean([](const PrincipalStretch& stretch) { return stretch.smaller; });
+    for (const FilmQuantity quantity : {FilmQuantity::Larger, FilmQuantity::Smaller}) {
+        spreads_[std::size_t(quantity)] = distribution(paintedValues(quantity));
+    }
+    spreads_[std::size_t(FilmQuantity::Length)] =
+        distribution(paintedConstraintStretches(*film_, *contact_));
+    spreads_[std::size_t(FilmQuantity::Area)] =
+        distribution(paintedAreaStretches(*film_, *contact_));
 }
 
 std::vector<float> FilmReading::paintedValues(FilmQuantity quantity) const {

@@ -31,6 +31,10 @@ public:
     }
     // Of the points that paint the body only; of all where none does.
     std::vector<float> paintedValues(FilmQuantity quantity) const;
+    // The report's figures: of what paints the body, each constraint or triangle counted once.
+    const Distribution& spread(FilmQuantity quantity) const {
+        return spreads_[std::size_t(quantity)];
+    }
     // The film at a place of the flat film; nothing outside it.
     std::optional<FilmReadingPoint> at(const Eigen::Vector2f& rest) const;
     // The film first met by a ray in the pose frame.
@@ -45,6 +49,7 @@ private:
     TriangleMesh mesh_; // the dipped film
     std::unique_ptr<SurfaceQuery> query_;
     std::array<std::vector<float>, filmQuantityCount> values_;
+    std::array<Distribution, filmQuantityCount> spreads_;
 };
 
 } // namespace dipwright

@@ -1,5 +1,7 @@
 #include "look/Theme.h"
 
+#include "look/Icons.h"
+
 #include <QApplication>
 #include <QPainter>
 #include <QProxyStyle>
@@ -20,6 +22,26 @@ public:
             return 0;
         }
         return QProxyStyle::styleHint(hint, option, widget, data);
+    }
+    int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                    const QWidget* widget) const override {
+        constexpr int roomInTabs = 14; // five tabs side by side in a dock, in any language
+        return metric == PM_TabBarTabHSpace ? roomInTabs
+                                            : QProxyStyle::pixelMetric(metric, option, widget);
+    }
+    // The signs of message boxes, from our own set.
+    QIcon standardIcon(StandardPixmap sign, const QStyleOption* option,
+                       const QWidget* widget) const override {
+        switch (sign) {
+        case SP_MessageBoxQuestion:
+        case SP_MessageBoxInformation:
+            return icon(QStringLiteral("help"));
+        case SP_MessageBoxWarning:
+        case SP_MessageBoxCritical:
+            return icon(QStringLiteral("warning"));
+        default:
+            return QProxyStyle::standardIcon(sign, option, widget);
+        }
     }
     // On a dark window Fusion's own outlines can hardly be seen.
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
@@ -46,7 +68,7 @@ struct Colours {
 
 Colours coloursOf(bool dark) {
     if (dark) {
-        return {0x30343b, 0x1d2025, 0x23272c, 0xe6e8eb, 0x9aa1ab,
+        return {0x30343b, 0x1d2025, 0x23272c, 0xe6e8eb, 0xa8afb9,
                 0x363a42, 0x6cb6f5, 0x1f6fb2, 0xffffff, 0x4a4f58};
     }
     return {0xf2f3f5, 0xffffff, 0xf6f8fa, 0x1b1f24, 0x5c6570,
@@ -75,7 +97,7 @@ QPalette themePalette(bool dark) {
     palette.setColor(QPalette::ToolTipText, c.text);
     palette.setColor(QPalette::Mid, c.middle);
     palette.setColor(QPalette::Midlight, dark ? c.middle.darker(115) : c.middle.lighter(108));
-    palette.setColor(QPalette::Light, dark ? c.middle : QColor(Qt::white));
+    palette.setColor(QPalette::Light, dark ? QColor(0x383d45) : QColor(Qt::white));
     palette.setColor(QPalette::Dark, dark ? QColor(0x17191d) : QColor(0x9aa1ab));
     palette.setColor(QPalette::Shadow, dark ? QColor(0x0f1114) : QColor(0x7b828c));
     for (const QPalette::ColorRole role :

@@ -1,6 +1,7 @@
 #include "main/MainWindow.h"
 
 #include "base/Error.h"
+#include "document/SavedLayouts.h"
 #include "look/Theme.h"
 #include "main/MainWindowActions.h"
 #include "main/PreferencesDialog.h"
@@ -8,6 +9,7 @@
 #include "main/Workbench.h"
 #include "panels/GuideWindow.h"
 #include "panels/LogPanel.h"
+#include "panels/NoticeBar.h"
 #include "panels/PropertyPanel.h"
 #include "panels/ResultsPanel.h"
 #include "panels/StartPage.h"
@@ -16,8 +18,11 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QClipboard>
 #include <QDockWidget>
 #include <QEvent>
+#include <QGuiApplication>
+#include <QInputDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QProgressBar>
@@ -108,6 +113,7 @@ void MainWindow::connectPanels() {
     connect(&jobs_, &JobRunner::idle, this, &MainWindow::updateActions);
     connect(&session_, &DipSession::started, this, [this] {
         shownFrame_ = nullptr;
+        notice_->dismiss();
         timeline_->pause();
         timeline_->setEnabled(false);
         liveTimer_.start();
@@ -119,8 +125,8 @@ void MainWindow::connectPanels() {
         const JobResult& result = *session_.outcome().result;
         for (const QString& note : result.notes) {
             report(note);
-            statusBar()->showMessage(note, 15000);
         }
+        notice_->say(result.notes.join(QLatin1Char('\n')));
         report(tr("Simulated with %1 on %2").arg(result.solver.name, result.solver.device));
         showResults();
     });
@@ -152,6 +158,11 @@ void MainWindow::connectPanels() {
     connect(view_, &DipView::rotationDragged, this, &MainWindow::dragRotation);
     connect(view_, &DipView::rotationFinished, this, &MainWindow::finishRotation);
     connect(&workbench_, &Workbench::preferencesChanged, this, &MainWindow::applyPreferences);
+    connect(log_, &LogPanel::reportAsked, this, [this] {
+        QGuiApplication::clipboard()->setText(facts().join(QLatin1Char('\n')) +
+                                              QStringLiteral("\n\n") + log_->text());
+        statusBar()->showMessage(tr("The report is on the clipboard"), 4000);
+    });
     results_->addSheetAction(actions_->exportPdf);
     results_->addTextureAction(actions_->exportPng);
 }
@@ -175,6 +186,8 @@ void MainWindow::applyPreferences() {
     warning.setColor(QPalette::WindowText,
                      isDark() ? QColor(0xff, 0xe3, 0xa6) : QColor(0x5a, 0x3c, 0x00));
     staleBanner_->setPalette(warning);
+    notice_->setPalette(warning);
+    showMeasure();
     startPage_->refresh();
 }
 
@@ -240,6 +253,22 @@ void MainWindow::report(const QString& what) {
     log_->add(what);
 }
 
+QStringList MainWindow::facts() const {
+    QStringList lines{
+        QStringLiteral("Dipwright %1").arg(QStringLiteral(DIPWRIGHT_VERSION)),
+        QStringLiteral("Qt %1").arg(QLatin1String(qVersion())),
+        QStringLiteral("%1, %2").arg(QSysInfo::prettyProductName(),
+                                     QSysInfo::currentCpuArchitecture()),
+        QStringLiteral("OpenGL: %1").arg(view_->graphicsDevice()),
+    };
+    for (const SolverInfo& solver : workbench_.registry().solvers()) {
+        lines.append(
+            QStringLiteral("%1 %2: %3")
+                .arg(solver.id, solver.version, solver.available ? solver.device : solver.reason));
+    }
+    return lines;
+}
+
 void MainWindow::reportFailure(const QString& title, std::exception_ptr failure) {
     const QString sentence = sentenceOf(failure);
     report(sentence);
@@ -261,6 +290,20 @@ void MainWindow::resetLayout() {
     for (QDockWidget* dock : {projectDock_, resultsDock_}) {
         dock->setVisible(document_ != nullptr);
     }
+}
+
+void MainWindow::askLayoutName() {
+    auto* dialog = new QInputDialog(this);
+    dialog->setObjectName(QStringLiteral("layoutName"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Save Layout"));
+    dialog->setLabelText(tr("Name of the layout"));
+    connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
+        if (!name.trimmed().isEmpty()) {
+            saveLayout(name.trimmed(), saveState());
+        }
+    });
+    dialog->open();
 }
 
 void MainWindow::showPreferences() {

@@ -26,6 +26,7 @@ class QToolButton;
 namespace dipwright {
 
 class LogPanel;
+class NoticeBar;
 class PropertyPanel;
 class ResultsPanel;
 class StartPage;
@@ -40,6 +41,7 @@ public:
     ~MainWindow() override;
 
     Document* document() const { return document_.get(); } // null: the start page is shown
+    bool isEmpty() const { return !document_ && !jobs_.isBusy(); }
     DipView& view() { return *view_; }
     const DipSession& session() const { return session_; }
 
@@ -68,6 +70,7 @@ public slots:
     void addImmersion();
     void printSheets();
     void resetLayout();
+    void askLayoutName();
     void showPreferences();
     void showTour();
     void showGuide();
@@ -99,6 +102,7 @@ private:
     void makeHelpActions();
     void makeMenus();
     void makeToolBars();
+    void fillLayoutMenu();
     QAction* addAction(const char* name, const QString& iconName, const QString& text,
                        const QString& help, const QKeySequence& shortcut,
                        const std::function<void()>& triggered);
@@ -112,6 +116,7 @@ private:
     void updateTitle();
     void updateActions();
     void report(const QString& what);
+    QStringList facts() const; // about program and machine, for a report of what went wrong
     void reportFailure(const QString& title, std::exception_ptr failure);
 
     // Documents (MainWindowDocuments.cpp).
@@ -132,12 +137,18 @@ private:
     void showResults();
     void updateFreshness();
     void setFilmLook(FilmLook look);
+    void wearPicture(const QString& path);
     void exportResults();
     void exportSheet(bool pdf);
     void exportStretch(const QString& kind);
+    // Asks for a file and has it written on the worker thread.
+    void exportFile(const QString& title, const QString& name, const QString& suffix,
+                    const std::function<void(const QString& path)>& write);
     void hoverRay(const ViewRay& ray);
     void showReading(const std::optional<FilmReadingPoint>& point);
     void measureAt(const ViewRay& ray);
+    void showMeasure();
+    QString measuredDistance() const; // empty before the second place
     void dragRotation(int axis, double degrees);
     void finishRotation();
 
@@ -154,6 +165,7 @@ private:
     DipScene* scene_ = nullptr;
     Timeline* timeline_ = nullptr;
     QLabel* staleBanner_ = nullptr;
+    NoticeBar* notice_ = nullptr;
     ProjectTree* tree_ = nullptr;
     PropertyPanel* properties_ = nullptr;
     ResultsPanel* results_ = nullptr;
@@ -163,6 +175,7 @@ private:
     QDockWidget* logDock_ = nullptr;
     QByteArray standardLayout_;
     QMenu* recentMenu_ = nullptr;
+    QMenu* layoutMenu_ = nullptr;
     QMenu* filmMenu_ = nullptr;
     QLabel* readingLabel_ = nullptr;
     QLabel* jobLabel_ = nullptr;
@@ -175,8 +188,8 @@ private:
     const RecordedFrame* shownFrame_ = nullptr;
     bool measuring_ = false;
     std::vector<Eigen::Vector3f> measured_; // model coordinates
-    std::optional<Immersion> dragged_;      // as it was before it was turned by its rings
-    QImage filmPicture_;
+    std::shared_ptr<const TexturedMesh> measuredModel_;
+    std::optional<Immersion> dragged_; // as it was before it was turned by its rings
 };
 
 } // namespace dipwright

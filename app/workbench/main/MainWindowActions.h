@@ -11,11 +11,11 @@ struct MainWindow::Actions {
     QAction *newWindow, *newProject, *open, *save, *saveAs, *exportResults, *exportPdf, *exportPng,
         *print, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *preferences;
-    QAction *run, *cancel, *live, *resetLayout;
+    QAction *run, *cancel, *live, *resetLayout, *saveLayout;
     QAction *fit, *oblique, *front, *back, *left, *right, *top, *bottom, *parallel;
     QAction *rings, *water, *body, *coverage, *measure, *filmOnBody;
     QAction *reloadModel, *replaceModel, *replaceTexture;
-    QAction *play, *tour, *guide, *about;
+    QAction *play, *tour, *guide, *whatsThis, *about;
     QActionGroup* filmLook;
 };
 

@@ -6,7 +6,6 @@
 #include "main/NewProjectDialog.h"
 #include "main/PrintDialog.h"
 #include "main/Workbench.h"
-#include "panels/LogPanel.h"
 #include "panels/ResultsPanel.h"
 #include "panels/StretchPanel.h"
 #include "panels/Timeline.h"
@@ -14,6 +13,8 @@
 #include <QAction>
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
+#include <QImageReader>
 #include <QLabel>
 #include <QSaveFile>
 #include <QStatusBar>
@@ -43,6 +44,7 @@ void MainWindow::projectChanged() {
         immersion_ = 0;
     }
     scene_->setProject(project, immersion_);
+    showMeasure();
     if (!document_->isFresh(Stage::Dip, immersion_) && !session_.isRunning()) {
         timeline_->setPosition(0); // the body as it is set up now
     }
@@ -72,6 +74,7 @@ void MainWindow::showLiveFrame() {
     if (frame && frame.get() != shownFrame_) {
         shownFrame_ = frame.get();
         scene_->showFrame(*recording, *frame);
+        showMeasure();
         timeline_->setDepth(std::max(0.0, scene_->depth()), workbench_.preferences().unit);
     }
 }
@@ -98,6 +101,7 @@ void MainWindow::showMoment(int position) {
     } else {
         scene_->showSetup();
     }
+    showMeasure();
     timeline_->setDepth(std::max(0.0, scene_->depth()), workbench_.preferences().unit);
     updateFreshness();
 }
@@ -119,13 +123,32 @@ void MainWindow::updateFreshness() {
 }
 
 void MainWindow::setFilmLook(FilmLook look) {
-    if (look == FilmLook::Picture) {
-        const QString path =
-            QFileDialog::getOpenFileName(this, tr("Picture on the Film"), {}, pictureFileFilter());
-        filmPicture_ = QImage(path);
-    }
     scene_->setHeat(results_->stretch().quantity(), results_->stretch().scale());
-    scene_->setFilmLook(look, filmPicture_);
+    if (look != FilmLook::Picture) {
+        scene_->setFilmLook(look);
+        return;
+    }
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Picture on the Film"), {}, pictureFileFilter());
+    if (!path.isEmpty()) {
+        wearPicture(path);
+    }
+}
+
+void MainWindow::wearPicture(const QString& path) {
+    jobs_.start(std::make_unique<ValueJob<QImage>>(
+        tr("Reading the picture"),
+        [path](const Progress&) {
+            QImageReader reader(path);
+            const QImage picture = reader.read();
+            if (picture.isNull()) {
+                throw Error(tr("The picture cannot be read: %1").arg(reader.errorString()), path);
+            }
+            return picture;
+        },
+        [this](const QImage& picture) { scene_->setFilmLook(FilmLook::Picture, picture); },
+        [this](std::exception_ptr failure) { reportFailure(tr("Picture on the Film"), failure); }));
+    updateActions();
 }
 
 void MainWindow::printSheets() {
@@ -159,51 +182,66 @@ void MainWindow::exportResults() {
     updateActions();
 }
 
-void MainWindow::exportSheet(bool pdf) {
-    const QString suffix = pdf ? QStringLiteral("pdf") : QStringLiteral("png");
-    const ImmersionResult& result = document_->result()->immersions[immersion_];
-    const QString name =
-        QStringLiteral("%1 %2.%3").arg(document_->title(), result.immersion.name, suffix);
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save Sheet"), name, QStringLiteral("*.") + suffix);
-    if (path.isEmpty()) {
+void MainWindow::exportFile(const QString& title, const QString& name, const QString& suffix,
+                            const std::function<void(const QString& path)>& write) {
+    QFileDialog dialog(this, title, {}, QStringLiteral("*.") + suffix);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(suffix);
+    dialog.selectFile(name + QLatin1Char('.') + suffix);
+    if (dialog.exec() != QDialog::Accepted) {
         return;
     }
-    try {
+    const QString path = dialog.selectedFiles().first();
+    jobs_.start(std::make_unique<ValueJob<bool>>(
+        title,
+        [write, path](const Progress&) {
+            write(path);
+            return true;
+        },
+        [this, path](bool) {
+            const QString done = tr("Wrote %1").arg(QDir::toNativeSeparators(path));
+            report(done);
+            statusBar()->showMessage(done, 8000);
+        },
+        [this, title](std::exception_ptr failure) { reportFailure(title, failure); }));
+    updateActions();
+}
+
+void MainWindow::exportSheet(bool pdf) {
+    const ImmersionResult& result = document_->result()->immersions[immersion_];
+    const QString name = QStringLiteral("%1 %2").arg(document_->title(), result.immersion.name);
+    const auto write = [pdf, sheet = result.sheet](const QString& path) {
         QSaveFile file(path);
-        if (!file.open(QIODevice::WriteOnly)) {
-            throw Error(tr("The file cannot be written: %1").arg(file.errorString()), path);
+        if (file.open(QIODevice::WriteOnly)) {
+            pdf ? writeSheetPdf(sheet, file) : writeSheetPng(sheet, file);
         }
-        pdf ? writeSheetPdf(result.sheet, file) : writeSheetPng(result.sheet, file);
         if (!file.commit()) {
             throw Error(tr("The file cannot be written: %1").arg(file.errorString()), path);
         }
-        report(tr("Wrote %1").arg(QDir::toNativeSeparators(path)));
-    } catch (const Error&) {
-        reportFailure(tr("Save Sheet"), std::current_exception());
-    }
+    };
+    exportFile(tr("Save Sheet"), name, pdf ? QStringLiteral("pdf") : QStringLiteral("png"), write);
 }
 
 void MainWindow::exportStretch(const QString& kind) {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export Stretch"),
-                                                      tr("stretch") + QLatin1Char('.') + kind,
-                                                      QStringLiteral("*.") + kind);
-    if (path.isEmpty()) {
-        return;
+    const auto result = session_.outcome().result;
+    const auto reading = session_.reading(immersion_);
+    const std::size_t number = immersion_;
+    std::function<void(const QString&)> write;
+    if (kind == QLatin1String("vtp")) {
+        write = [result, number](const QString& path) {
+            const ImmersionResult& immersion = result->immersions[number];
+            writeFilmVtp(*immersion.film, *immersion.contact, *immersion.body, path);
+        };
+    } else if (kind == QLatin1String("csv")) {
+        write = [reading](const QString& path) { writeFilmTable(*reading, path); };
+    } else {
+        write = [picture = results_->stretch().picture()](const QString& path) {
+            if (!picture.save(path)) {
+                throw Error(tr("The picture cannot be written"), path);
+            }
+        };
     }
-    const ImmersionResult& result = session_.outcome().result->immersions[immersion_];
-    try {
-        if (kind == QLatin1String("vtp")) {
-            writeFilmVtp(*result.film, *result.contact, *result.body, path);
-        } else if (kind == QLatin1String("csv")) {
-            writeFilmTable(*session_.reading(immersion_), path);
-        } else if (!stretchMap(*result.film, *result.contact, 2400).save(path)) {
-            throw Error(tr("The picture cannot be written"), path);
-        }
-        report(tr("Wrote %1").arg(QDir::toNativeSeparators(path)));
-    } catch (const Error&) {
-        reportFailure(tr("Export Stretch"), std::current_exception());
-    }
+    exportFile(tr("Export Stretch"), tr("stretch"), kind, write);
 }
 
 void MainWindow::hoverRay(const ViewRay& ray) {
@@ -262,17 +300,28 @@ void MainWindow::measureAt(const ViewRay& ray) {
         measured_.clear();
     }
     measured_.push_back(*point);
+    measuredModel_ = document_->project().model;
+    showMeasure();
+    statusBar()->showMessage(measured_.size() < 2 ? tr("Click the second place on the body")
+                                                  : tr("Distance %1").arg(measuredDistance()));
+}
+
+QString MainWindow::measuredDistance() const {
+    return measured_.size() < 2 ? QString()
+                                : shownLength(double((measured_[1] - measured_[0]).norm()),
+                                              workbench_.preferences().unit);
+}
+
+// The marks stay on the body wherever it goes, and go with it.
+void MainWindow::showMeasure() {
+    if (document_ && document_->project().model != measuredModel_) {
+        measured_.clear();
+    }
     std::vector<Eigen::Vector3f> shown;
     for (const Eigen::Vector3f& place : measured_) {
         shown.push_back(scene_->toWorld(place));
     }
-    const QString label = measured_.size() == 2
-                              ? shownLength(double((measured_[1] - measured_[0]).norm()),
-                                            workbench_.preferences().unit)
-                              : QString();
-    view_->setMeasure(shown, label);
-    statusBar()->showMessage(label.isEmpty() ? tr("Click the second place on the body")
-                                             : tr("Distance %1").arg(label));
+    view_->setMeasure(shown, measuredDistance());
 }
 
 void MainWindow::dragRotation(int axis, double degrees) {

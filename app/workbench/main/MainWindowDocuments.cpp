@@ -322,9 +322,23 @@ void MainWindow::replaceTexture(const QString& path) {
         path.isEmpty()
             ? QFileDialog::getOpenFileName(this, tr("Replace Texture"), {}, pictureFileFilter())
             : path;
-    if (!chosen.isEmpty()) {
-        importInto(document_->project().modelSource.source, chosen, tr("Replace Texture"), true);
+    if (chosen.isEmpty()) {
+        return;
     }
+    jobs_.start(std::make_unique<ValueJob<TexturedMesh>>(
+        tr("Reading the texture"),
+        [model = document_->project().model, chosen](const Progress&) {
+            return withTexture(*model, chosen);
+        },
+        [this, chosen](const TexturedMesh& model) {
+            document_->edit(tr("Replace Texture"), {}, [&](Project& project) {
+                project.model = std::make_shared<const TexturedMesh>(model);
+                project.modelSource.texture = chosen;
+                project.modelSource.sha256.clear();
+            });
+        },
+        [this](std::exception_ptr failure) { reportFailure(tr("Replace Texture"), failure); }));
+    updateActions();
 }
 
 // The size of the model that is there is kept: its settings were made for it.

@@ -1,8 +1,10 @@
 // How a window is put together: docks, actions, menus and tool bars.
+#include "document/SavedLayouts.h"
 #include "look/Icons.h"
 #include "main/MainWindowActions.h"
 #include "main/Workbench.h"
 #include "panels/LogPanel.h"
+#include "panels/NoticeBar.h"
 #include "panels/PropertyPanel.h"
 #include "panels/ResultsPanel.h"
 #include "panels/StartPage.h"
@@ -21,6 +23,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QWhatsThis>
 
 namespace dipwright {
 
@@ -54,6 +57,8 @@ void MainWindow::makeCentre() {
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    notice_ = new NoticeBar;
+    layout->addWidget(notice_);
     layout->addWidget(staleBanner_);
     layout->addWidget(view_, 1);
     layout->addWidget(timeline_);
@@ -255,6 +260,9 @@ void MainWindow::makeCameraActions() {
     a.resetLayout = addAction("resetLayout", {}, tr("&Standard Layout"),
                               tr("Put all panels back where they were at first"), {},
                               [this] { resetLayout(); });
+    a.saveLayout =
+        addAction("saveLayout", {}, tr("&Save Layout…"),
+                  tr("Keep where the panels are under a name"), {}, [this] { askLayoutName(); });
     a.parallel = addToggle("parallel", QStringLiteral("parallel"), tr("&Parallel Projection"),
                            tr("Show equal lengths equally long, near or far"), false);
     connect(a.parallel, &QAction::toggled, view_, &DipView::setParallelProjection);
@@ -312,6 +320,9 @@ void MainWindow::makeHelpActions() {
     a.guide =
         addAction("guide", QStringLiteral("report"), tr("User &Guide"), tr("How everything works"),
                   QKeySequence::HelpContents, [this] { showGuide(); });
+    a.whatsThis = addAction("whatsThis", {}, tr("&What Is This?"),
+                            tr("Click something afterwards to be told what it is for"),
+                            QKeySequence::WhatsThis, [] { QWhatsThis::enterWhatsThisMode(); });
     a.about = addAction("about", {}, tr("&About Dipwright"), {}, {}, [this] { showAbout(); });
     a.about->setMenuRole(QAction::AboutRole);
 }
@@ -356,12 +367,37 @@ void MainWindow::makeMenus() {
     window->addActions({projectDock_->toggleViewAction(), resultsDock_->toggleViewAction(),
                         logDock_->toggleViewAction()});
     window->addSeparator();
-    window->addAction(a.resetLayout);
+    layoutMenu_ = window->addMenu(tr("&Layouts"));
+    layoutMenu_->setObjectName(QStringLiteral("layouts"));
+    connect(layoutMenu_, &QMenu::aboutToShow, this, &MainWindow::fillLayoutMenu);
+    window->addActions({a.saveLayout, a.resetLayout});
 
     QMenu* help = menuBar()->addMenu(tr("&Help"));
-    help->addActions({a.tour, a.guide});
+    help->addActions({a.tour, a.guide, a.whatsThis});
     help->addSeparator();
     help->addAction(a.about);
+}
+
+void MainWindow::fillLayoutMenu() {
+    layoutMenu_->clear();
+    const QStringList names = savedLayouts();
+    if (names.isEmpty()) {
+        layoutMenu_->addAction(tr("None saved yet"))->setEnabled(false);
+        return;
+    }
+    for (const QString& name : names) {
+        QAction* action = layoutMenu_->addAction(name);
+        connect(action, &QAction::triggered, this, [this, name] {
+            restoreState(savedLayout(name));
+            statusBar()->showMessage(tr("Layout “%1”").arg(name), 4000);
+        });
+    }
+    layoutMenu_->addSeparator();
+    QMenu* removal = layoutMenu_->addMenu(tr("&Remove"));
+    for (const QString& name : names) {
+        connect(removal->addAction(name), &QAction::triggered, this,
+                [name] { removeLayout(name); });
+    }
 }
 
 void MainWindow::makeToolBars() {

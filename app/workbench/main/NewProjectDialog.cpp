@@ -3,6 +3,7 @@
 #include "look/Icons.h"
 #include "panels/Units.h"
 #include "project/FilmSizes.h"
+#include "project/ProfileLibrary.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -51,14 +52,20 @@ QString projectFileFilter() {
 
 NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& preferences,
                                    QWidget* parent)
-    : QDialog(parent), lengthUnit_(preferences.unit), model_(new QLineEdit(model)),
-      texture_(new QLineEdit), byUnit_(new QRadioButton(tr("One unit of the file is"))),
-      unit_(new QComboBox), byEdge_(new QRadioButton(tr("The longest edge is"))),
-      edge_(new QDoubleSpinBox), film_(new QComboBox), template_(new QComboBox) {
+    : QDialog(parent), lengthUnit_(preferences.unit), printerProfile_(preferences.printerProfile),
+      model_(new QLineEdit(model)), texture_(new QLineEdit),
+      byUnit_(new QRadioButton(tr("One unit of the file is"))), unit_(new QComboBox),
+      byEdge_(new QRadioButton(tr("The longest edge is"))), edge_(new QDoubleSpinBox),
+      film_(new QComboBox), template_(new QComboBox) {
     setWindowTitle(tr("New Project"));
     setObjectName(QStringLiteral("newProjectDialog"));
     setMinimumWidth(540);
+    model_->setPlaceholderText(tr("Choose a file: OBJ, PLY, STL, glTF, 3MF …"));
+    model_->setAccessibleName(tr("Model"));
+    texture_->setAccessibleName(tr("Texture"));
+    model_->setToolTip(tr("The file of the body that is to be dipped."));
     texture_->setPlaceholderText(tr("The model's own"));
+    texture_->setToolTip(tr("A picture to wear in place of the model's own texture, or nothing."));
     for (const QString& name : filmSizeNames()) {
         film_->addItem(name);
     }
@@ -126,7 +133,13 @@ QWidget* NewProjectDialog::makeSizeRow() {
     edge_->setValue(90 * factor);
     edge_->setEnabled(false);
     edge_->setAccessibleName(tr("Longest edge"));
+    edge_->setToolTip(tr("The model is made larger or smaller until its longest edge measures "
+                         "this."));
+    byEdge_->setToolTip(edge_->toolTip());
     unit_->setAccessibleName(tr("Unit of the file"));
+    unit_->setToolTip(tr("In which unit the model's file gives its coordinates. The file does not "
+                         "say."));
+    byUnit_->setToolTip(unit_->toolTip());
     byUnit_->setChecked(true);
     connect(byEdge_, &QRadioButton::toggled, edge_, &QWidget::setEnabled);
     connect(byUnit_, &QRadioButton::toggled, unit_, &QWidget::setEnabled);
@@ -162,10 +175,16 @@ ImportOptions NewProjectDialog::importOptions() const {
 }
 
 std::function<void(Project&)> NewProjectDialog::completion() const {
-    return [film = film_->currentText(),
+    return [film = film_->currentText(), printer = printerProfile_,
             chosen = Template(template_->currentData().toInt())](Project& project) {
         const QSizeF size = filmSize(film);
         resizeFilm(project.film, Millimetres(size.width()), Millimetres(size.height()));
+        const ProfileLibrary profiles;
+        for (const ProfileEntry& entry : profiles.profiles(ProfileKind::Printer)) {
+            if (entry.name == printer) {
+                applyProfile(project, profiles.profile(ProfileKind::Printer, printer));
+            }
+        }
         switch (chosen) {
         case Template::One:
             break;

@@ -33,6 +33,7 @@ private:
     void updateButtons();
 
     LengthUnit lengthUnit_;
+    QString printerProfile_;
     QLineEdit* model_;
     QLineEdit* texture_;
     QRadioButton* byUnit_;

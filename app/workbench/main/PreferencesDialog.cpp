@@ -3,6 +3,7 @@
 #include "main/Languages.h"
 #include "panels/SolverPage.h"
 #include "project/FilmSizes.h"
+#include "project/ProfileLibrary.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -24,21 +25,22 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const Solve
                                      const QList<QAction*>& actions, QWidget* parent)
     : QDialog(parent), preferences_(preferences), language_(new QComboBox), unit_(new QComboBox),
       theme_(new QComboBox), navigation_(new QComboBox), film_(new QComboBox),
-      autosave_(new QSpinBox), live_(new QCheckBox(tr("Run again after each change"))),
-      shortcuts_(new QTreeWidget) {
+      printer_(new QComboBox), autosave_(new QSpinBox),
+      live_(new QCheckBox(tr("Run again after each change"))), shortcuts_(new QTreeWidget),
+      clash_(new QLabel),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Preferences"));
     setObjectName(QStringLiteral("preferencesDialog"));
     auto* tabs = new QTabWidget;
     tabs->addTab(makeGeneralPage(), tr("General"));
     tabs->addTab(makeShortcutPage(actions), tr("Shortcuts"));
     tabs->addTab(new SolverPage(registry), tr("Solvers"));
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(tabs);
-    layout->addWidget(buttons);
-    resize(620, 480);
+    layout->addWidget(buttons_);
+    resize(660, 520);
 }
 
 QWidget* PreferencesDialog::makeGeneralPage() {
@@ -55,6 +57,19 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     navigation_->setCurrentIndex(int(preferences_.navigation));
     film_->addItems(filmSizeNames());
     film_->setCurrentText(preferences_.filmPreset);
+    film_->setToolTip(tr("The film that is proposed when a project is made."));
+    printer_->setObjectName(QStringLiteral("defaultPrinter"));
+    printer_->addItem(tr("None"), QString());
+    for (const ProfileEntry& entry : ProfileLibrary().profiles(ProfileKind::Printer)) {
+        printer_->addItem(entry.name, entry.name);
+    }
+    printer_->setCurrentIndex(std::max(0, printer_->findData(preferences_.printerProfile)));
+    printer_->setToolTip(tr("The printer profile that new projects begin with. It can be changed "
+                            "under Sheet."));
+    language_->setToolTip(tr("The language of menus, panels and messages."));
+    unit_->setToolTip(tr("The unit in which lengths and speeds are shown and typed."));
+    theme_->setToolTip(tr("Light or dark colours."));
+    navigation_->setToolTip(tr("How dragging in the view turns it."));
     autosave_->setRange(1, 3600);
     autosave_->setSuffix(tr(" s"));
     autosave_->setValue(preferences_.autosaveSeconds);
@@ -76,6 +91,7 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     form->addRow(tr("T&heme"), theme_);
     form->addRow(tr("&Navigation"), navigation_);
     form->addRow(tr("&Film of new projects"), film_);
+    form->addRow(tr("&Printer of new projects"), printer_);
     form->addRow(tr("&Recovery copy after"), autosave_);
     form->addRow(QString(), live_);
     return page;
@@ -105,6 +121,7 @@ QWidget* PreferencesDialog::makeShortcutPage(const QList<QAction*>& actions) {
                     } else {
                         preferences_.shortcuts[name] = sequence;
                     }
+                    checkShortcuts();
                 });
         shortcuts_->setItemWidget(item, 1, keys);
     }
@@ -116,11 +133,34 @@ QWidget* PreferencesDialog::makeShortcutPage(const QList<QAction*>& actions) {
             keys->setKeySequence(actions[row]->property("defaultShortcut").value<QKeySequence>());
         }
     });
+    clash_->setObjectName(QStringLiteral("shortcutClash"));
+    clash_->setWordWrap(true);
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->addWidget(shortcuts_);
+    layout->addWidget(clash_);
     layout->addWidget(reset, 0, Qt::AlignLeft);
+    checkShortcuts();
     return page;
+}
+
+void PreferencesDialog::checkShortcuts() {
+    QMap<QString, QString> commands; // by keys
+    QString clash;
+    for (int row = 0; row < shortcuts_->topLevelItemCount(); ++row) {
+        const QTreeWidgetItem* item = shortcuts_->topLevelItem(row);
+        const auto* edit = qobject_cast<QKeySequenceEdit*>(
+            shortcuts_->itemWidget(shortcuts_->topLevelItem(row), 1));
+        const QString keys = edit->keySequence().toString(QKeySequence::NativeText);
+        if (!keys.isEmpty() && commands.contains(keys)) {
+            clash = tr("%1 stands for both “%2” and “%3”. Change one of them.")
+                        .arg(keys, commands[keys], item->text(0));
+        }
+        commands[keys] = item->text(0);
+    }
+    clash_->setText(clash);
+    clash_->setVisible(!clash.isEmpty());
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(clash.isEmpty());
 }
 
 Preferences PreferencesDialog::preferences() const {
@@ -130,6 +170,7 @@ Preferences PreferencesDialog::preferences() const {
     chosen.theme = ThemeChoice(theme_->currentIndex());
     chosen.navigation = NavigationChoice(navigation_->currentIndex());
     chosen.filmPreset = film_->currentText();
+    chosen.printerProfile = printer_->currentData().toString();
     chosen.autosaveSeconds = autosave_->value();
     chosen.liveUpdate = live_->isChecked();
     return chosen;

@@ -9,6 +9,8 @@
 class QAction;
 class QCheckBox;
 class QComboBox;
+class QDialogButtonBox;
+class QLabel;
 class QSpinBox;
 class QTabWidget;
 class QTreeWidget;
@@ -28,6 +30,7 @@ public:
 private:
     QWidget* makeGeneralPage();
     QWidget* makeShortcutPage(const QList<QAction*>& actions);
+    void checkShortcuts(); // keys that two commands want work for neither
 
     Preferences preferences_;
     QComboBox* language_;
@@ -35,9 +38,12 @@ private:
     QComboBox* theme_;
     QComboBox* navigation_;
     QComboBox* film_;
+    QComboBox* printer_;
     QSpinBox* autosave_;
     QCheckBox* live_;
     QTreeWidget* shortcuts_;
+    QLabel* clash_;
+    QDialogButtonBox* buttons_;
 };
 
 } // namespace dipwright

@@ -36,6 +36,7 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidg
     for (std::size_t number = 0; number < outcome.result->immersions.size(); ++number) {
         auto* box = new QCheckBox(outcome.result->immersions[number].immersion.name);
         box->setChecked(number == immersion);
+        box->setToolTip(tr("Whether this immersion's sheet is printed."));
         connect(box, &QCheckBox::toggled, this, [this, number] {
             preview_->setPicture(outcome_.sheets[number].page, outcome_.sheets[number].size);
             judge();
@@ -85,7 +86,9 @@ QWidget* PrintDialog::makeChoices() {
     auto* form = new QFormLayout(box);
     form->setContentsMargins(0, 0, 0, 0);
     printer_->setAccessibleName(tr("Printer"));
+    printer_->setToolTip(tr("The printers that are set up on this machine."));
     copies_->setRange(1, 99);
+    copies_->setToolTip(tr("How often each sheet is printed."));
     form->addRow(tr("&Printer"), printer_);
     const auto& profile = outcome_.result->project.profiles.printer;
     auto* profileName = new QLabel(
@@ -107,6 +110,7 @@ QWidget* PrintDialog::makeExceptions() {
     auto* box = new QGroupBox(tr("Print even so"));
     auto* layout = new QVBoxLayout(box);
     for (QCheckBox* exception : {tile_, grey_, clipped_, otherPaper_}) {
+        exception->setToolTip(tr("Without this tick such a print is refused, with the reason."));
         layout->addWidget(exception);
         connect(exception, &QCheckBox::toggled, this, &PrintDialog::judge);
     }

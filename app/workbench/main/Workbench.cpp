@@ -52,6 +52,16 @@ MainWindow* Workbench::openWindow() {
     return window;
 }
 
+MainWindow* Workbench::emptyWindow() {
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+        auto* window = qobject_cast<MainWindow*>(widget);
+        if (window && window->isVisible() && window->isEmpty()) {
+            return window;
+        }
+    }
+    return openWindow();
+}
+
 void Workbench::offerRecovery() {
     for (const RecoveredDocument& recovered : findRecoveredDocuments(recovery_)) {
         QMessageBox question(
@@ -71,7 +81,7 @@ void Workbench::offerRecovery() {
         question.setDefaultButton(restore);
         question.exec();
         if (question.clickedButton() == restore) {
-            openWindow()->restore(recovered);
+            emptyWindow()->restore(recovered);
         } else if (question.clickedButton() == discard) {
             discardRecovered(recovered);
         }

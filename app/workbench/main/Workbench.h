@@ -33,6 +33,8 @@ signals:
     void preferencesChanged();
 
 private:
+    MainWindow* emptyWindow(); // one that shows the start page, or a new one
+
     SolverRegistry registry_;
     QString recovery_;
     Preferences preferences_;

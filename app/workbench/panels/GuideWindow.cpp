@@ -37,6 +37,7 @@ GuideWindow::GuideWindow(QWidget* parent) : QWidget(parent, Qt::Window) {
     contents->setSpacing(4);
     contents->setWordWrap(true);
     auto* text = new QTextBrowser;
+    text->setAccessibleName(tr("User Guide"));
     text->setFrameShape(QFrame::NoFrame);
     text->setOpenExternalLinks(true);
     text->setSearchPaths({QStringLiteral(":/guide")});

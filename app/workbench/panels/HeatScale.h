@@ -12,7 +12,7 @@
 namespace dipwright {
 
 struct HeatScale {
-    QString map = QStringLiteral("viridis");
+    QString map = QStringLiteral("lagoon");
     double low = 1, high = 2;
     std::optional<double> limit = {}; // values over it are shown in the warning colour
 

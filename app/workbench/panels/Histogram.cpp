@@ -46,13 +46,23 @@ void Histogram::setMark(const std::optional<double>& value) {
 }
 
 void Histogram::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    paint(painter, rect(), palette().color(QPalette::WindowText));
+}
+
+void Histogram::paint(QPainter& painter, const QRectF& place, const QColor& ink) const {
     if (counts_.empty()) {
         return;
     }
-    QPainter painter(this);
-    const int line = fontMetrics().height();
-    const QRectF key(12, height() - line - 16, width() - 24, 10);
-    const double top = 4, barsHeight = key.top() - top;
+    const QFontMetricsF metrics(painter.font());
+    const double keyHeight = 0.7 * metrics.height();
+    const QRectF key(place.left() + 12, place.bottom() - metrics.height() - 1.5 * keyHeight,
+                     place.width() - 24, keyHeight);
+    const double top = place.top() + 4, barsHeight = key.top() - top;
+    const auto across = [&](double value) {
+        const double share = (value - scale_.low) / (scale_.high - scale_.low);
+        return key.left() + std::clamp(share, 0.0, 1.0) * key.width();
+    };
     // The unstretched film would hide everything else: heights go by the square root.
     const double most = std::sqrt(double(*std::max_element(counts_.begin(), counts_.end())));
     const double barWidth = key.width() / barCount;
@@ -65,25 +75,22 @@ void Histogram::paintEvent(QPaintEvent*) {
                          colour);
         painter.fillRect(QRectF(left, key.top() + 1, barWidth + 0.5, key.height() - 1), colour);
     }
-    painter.setPen(palette().color(QPalette::WindowText));
-    const double labelWidth = fontMetrics().horizontalAdvance(QStringLiteral("0.000"));
+    painter.setPen(ink);
+    const double labelWidth = metrics.horizontalAdvance(QStringLiteral("0.000"));
     const double step = roundStep(scale_.high - scale_.low,
                                   std::max(2.0, std::floor(key.width() / (labelWidth * 2))));
     for (double tick = std::ceil(scale_.low / step - 1e-9) * step; tick <= scale_.high + 1e-9;
          tick += step) {
-        const double x =
-            key.left() + (tick - scale_.low) / (scale_.high - scale_.low) * key.width();
+        const double x = across(tick);
         painter.drawLine(QPointF(x, key.bottom()), QPointF(x, key.bottom() + 3));
         const QString label = locale().toString(tick, 'g', 4);
-        const double half = fontMetrics().horizontalAdvance(label) / 2.0;
-        const double left = std::clamp(x - half, 0.0, width() - 2 * half);
-        painter.drawText(QPointF(left, height() - fontMetrics().descent()), label);
+        const double width = metrics.horizontalAdvance(label);
+        const double left = std::clamp(x - width / 2, place.left(), place.right() - width);
+        painter.drawText(QPointF(left, place.bottom() - metrics.descent()), label);
     }
     if (mark_) {
-        const double share = (*mark_ - scale_.low) / (scale_.high - scale_.low);
-        const double x = key.left() + std::clamp(share, 0.0, 1.0) * key.width();
-        painter.setPen(QPen(palette().color(QPalette::WindowText), 2));
-        painter.drawLine(QPointF(x, top), QPointF(x, key.bottom()));
+        painter.setPen(QPen(ink, 2));
+        painter.drawLine(QPointF(across(*mark_), top), QPointF(across(*mark_), key.bottom()));
     }
 }
 

@@ -15,6 +15,8 @@ public:
 
     void setValues(const std::vector<float>& values, const HeatScale& scale);
     void setMark(const std::optional<double>& value); // the value under the cursor
+    // Draws it with the painter's font; nothing where there are no values.
+    void paint(QPainter& painter, const QRectF& place, const QColor& ink) const;
 
     QSize sizeHint() const override { return {320, 96}; }
     QSize minimumSizeHint() const override { return {160, 84}; }

@@ -2,8 +2,6 @@
 
 #include "look/Icons.h"
 
-#include <QClipboard>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -25,9 +23,10 @@ LogPanel::LogPanel(QWidget* parent) : QWidget(parent), text_(new QPlainTextEdit)
     text_->setPlaceholderText(tr("Nothing has happened yet."));
     auto* copy = new QPushButton(icon(QStringLiteral("copy")), tr("Copy Report"));
     copy->setToolTip(tr("Copies the log with facts about program and machine to the clipboard."));
-    connect(copy, &QPushButton::clicked, this,
-            [this] { QGuiApplication::clipboard()->setText(report()); });
+    copy->setObjectName(QStringLiteral("copyReport"));
+    connect(copy, &QPushButton::clicked, this, &LogPanel::reportAsked);
     auto* clear = new QPushButton(tr("Clear"));
+    clear->setToolTip(tr("Empties the log."));
     connect(clear, &QPushButton::clicked, text_, &QPlainTextEdit::clear);
     auto* row = new QHBoxLayout;
     row->addWidget(copy);
@@ -43,8 +42,8 @@ void LogPanel::add(const QString& line) {
     text_->appendPlainText(QTime::currentTime().toString(QStringLiteral("HH:mm:ss  ")) + line);
 }
 
-QString LogPanel::report() const {
-    return facts_.join(QLatin1Char('\n')) + QStringLiteral("\n\n") + text_->toPlainText();
+QString LogPanel::text() const {
+    return text_->toPlainText();
 }
 
 } // namespace dipwright

@@ -14,13 +14,13 @@ public:
     explicit LogPanel(QWidget* parent = nullptr);
 
     void add(const QString& line); // with the time of day in front
-    // Facts about program and machine that stand above the lines in the report.
-    void setFacts(const QStringList& facts) { facts_ = facts; }
-    QString report() const;
+    QString text() const;
+
+signals:
+    void reportAsked(); // the user wants it, with the facts about the machine, on the clipboard
 
 private:
     QPlainTextEdit* text_;
-    QStringList facts_;
 };
 
 } // namespace dipwright

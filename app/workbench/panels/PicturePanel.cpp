@@ -21,6 +21,9 @@ PicturePanel::PicturePanel(const QString& name, const QString& hint, QWidget* pa
                     [this] { view_->zoomBy(1.25); });
     bar_->addAction(icon(QStringLiteral("zoom-out")), tr("Zoom out"), this,
                     [this] { view_->zoomBy(0.8); });
+    for (QAction* button : bar_->actions()) {
+        takeFocus(button);
+    }
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -57,13 +60,19 @@ void PicturePanel::addButton(QAction* action) {
     }
     buttons_.append(action);
     bar_->addAction(action);
+    takeFocus(action);
     action->setEnabled(!view_->isEmpty());
 }
 
 void PicturePanel::offerTrueSize() {
-    bar_->addAction(icon(QStringLiteral("true-size")), tr("True size"), view_,
-                    &PictureView::zoomToTrueSize);
+    takeFocus(bar_->addAction(icon(QStringLiteral("true-size")), tr("True size"), view_,
+                              &PictureView::zoomToTrueSize));
     bar_->addWidget(zoomLabel_);
+}
+
+// Unlike those of a window's tool bars, its buttons stand in no menu.
+void PicturePanel::takeFocus(QAction* action) {
+    bar_->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
 }
 
 } // namespace dipwright

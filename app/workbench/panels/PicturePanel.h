@@ -23,6 +23,8 @@ public:
     void offerTrueSize();
 
 private:
+    void takeFocus(QAction* action);
+
     QString hint_;
     PictureView* view_;
     QToolBar* bar_;

@@ -10,8 +10,16 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
+#include <QVBoxLayout>
 
 namespace dipwright {
+
+namespace {
+
+constexpr int leastWidth = 290;
+
+} // namespace
 
 PropertyPanel::PropertyPanel(const SolverRegistry& registry, QWidget* parent)
     : QScrollArea(parent), registry_(registry) {
@@ -77,6 +85,9 @@ void PropertyPanel::rebuild() {
     }
     setWidget(page);
     refresh();
+    // It scrolls down only: nothing is cut off at the side.
+    setMinimumWidth(std::max(leastWidth, page->minimumSizeHint().width() +
+                                             verticalScrollBar()->sizeHint().width()));
 }
 
 void PropertyPanel::refresh() {
@@ -106,7 +117,18 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
     auto* label = new QLabel(spec.label);
     label->setBuddy(field);
     label->setToolTip(spec.help);
-    form.addRow(label, field);
+    QWidget* row = field;
+    if (spec.parts.size() > 1) { // its boxes take the panel's whole width
+        row = new QWidget;
+        auto* stack = new QVBoxLayout(row);
+        stack->setContentsMargins(0, 0, 0, 0);
+        stack->setSpacing(4);
+        stack->addWidget(label);
+        stack->addWidget(field);
+        form.addRow(row);
+    } else {
+        form.addRow(label, field);
+    }
     connect(field, &PropertyField::edited, this, [this, spec, field](const QJsonValue& value) {
         edit(tr("Change %1").arg(spec.label), spec.path,
              [&](Project& project) { setValueAt(project, spec.path, value); });
@@ -117,10 +139,10 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
             document_->endMerge();
         }
     });
-    refreshers_.push_back([this, &form, field, spec] {
+    refreshers_.push_back([this, &form, row, field, spec] {
         field->show(valueAt(document_->project(), spec.path));
         if (spec.relevant) {
-            form.setRowVisible(field, spec.relevant(document_->project()));
+            form.setRowVisible(row, spec.relevant(document_->project()));
         }
     });
 }

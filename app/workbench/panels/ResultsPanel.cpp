@@ -8,6 +8,7 @@ namespace dipwright {
 
 namespace {
 
+constexpr int leastWidth = 390;                // all tabs can be seen, marked as stale too
 constexpr double proofPixelsPerMillimetre = 8; // the proof has no size of its own
 
 } // namespace
@@ -22,6 +23,7 @@ ResultsPanel::ResultsPanel(QWidget* parent)
     setObjectName(QStringLiteral("results"));
     setDocumentMode(true);
     setUsesScrollButtons(true);
+    setMinimumWidth(leastWidth);
     sheet_->offerTrueSize();
     addTab(stretch_, tr("Stretch"));
     addTab(texture_, tr("Texture"));

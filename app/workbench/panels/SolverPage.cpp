@@ -4,34 +4,45 @@
 
 #include <QDir>
 #include <QHeaderView>
+#include <QLabel>
+#include <QTreeWidget>
+#include <QVBoxLayout>
 
 namespace dipwright {
 
-SolverPage::SolverPage(const SolverRegistry& registry, QWidget* parent) : QTreeWidget(parent) {
-    setAccessibleName(tr("Solvers"));
-    setHeaderLabels({tr("Solver"), tr("Version"), tr("Device")});
-    setRootIsDecorated(false);
-    setAlternatingRowColors(true);
-    setWordWrap(true);
+SolverPage::SolverPage(const SolverRegistry& registry, QWidget* parent) : QWidget(parent) {
+    auto* list = new QTreeWidget;
+    list->setAccessibleName(tr("Solvers"));
+    list->setHeaderLabels({tr("Solver"), tr("Version"), tr("Device")});
+    list->setRootIsDecorated(false);
+    list->setAlternatingRowColors(true);
+    list->setWordWrap(true);
     for (const SolverInfo& solver : registry.solvers()) {
-        auto* item = new QTreeWidgetItem(this, {solver.name, solver.version});
+        auto* item = new QTreeWidgetItem(list, {solver.name, solver.version});
         item->setIcon(0,
                       icon(solver.available ? QStringLiteral("done") : QStringLiteral("warning")));
         item->setText(2, solver.available ? solver.device : solver.reason);
-        for (int column = 0; column < columnCount(); ++column) {
+        for (int column = 0; column < list->columnCount(); ++column) {
             item->setToolTip(column, tr("%1 by %2\n%3")
                                          .arg(solver.id, solver.vendor,
                                               QDir::toNativeSeparators(solver.modulePath)));
         }
     }
-    if (topLevelItemCount() == 0) {
-        auto* item = new QTreeWidgetItem(this);
+    if (list->topLevelItemCount() == 0) {
+        auto* item = new QTreeWidgetItem(list);
         item->setText(0, tr("None found"));
         item->setText(2, tr("Put solver plugins into %1")
                              .arg(SolverRegistry::standardFolders().join(QStringLiteral(", "))));
     }
-    header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-    header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    auto* hint = new QLabel(tr("Each project chooses its solver under Dipping. “Best available” "
+                               "takes the best that can run here."));
+    hint->setWordWrap(true);
+    hint->setForegroundRole(QPalette::PlaceholderText);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(list);
+    layout->addWidget(hint);
 }
 
 } // namespace dipwright

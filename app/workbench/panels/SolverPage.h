@@ -3,11 +3,11 @@
 
 #include "solver/SolverRegistry.h"
 
-#include <QTreeWidget>
+#include <QWidget>
 
 namespace dipwright {
 
-class SolverPage : public QTreeWidget {
+class SolverPage : public QWidget {
     Q_OBJECT
 
 public:

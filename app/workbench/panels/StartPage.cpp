@@ -19,6 +19,7 @@ namespace {
 
 constexpr QSize pictureSize(192, 120);
 constexpr int sampleRowHeight = pictureSize.height() + 44;
+constexpr int actionsWidth = 320;
 
 QIcon projectIcon(const QString& path, const QPalette& palette) {
     QPixmap picture(pictureSize);
@@ -69,6 +70,7 @@ StartPage::StartPage(QWidget* parent)
       recentHint_(new QLabel(tr("Projects that you open or save appear here."))),
       samplesTitle_(makeTitle(tr("Samples"))) {
     setObjectName(QStringLiteral("startPage"));
+    setMinimumSize(400, 400); // less than it would like: it shares its place with the view
     recent_->setContextMenuPolicy(Qt::ActionsContextMenu);
     auto* forget = new QAction(tr("Remove from this list"), recent_);
     connect(forget, &QAction::triggered, this, [this] {
@@ -79,30 +81,30 @@ StartPage::StartPage(QWidget* parent)
     });
     recent_->addAction(forget);
     samples_->setFixedHeight(sampleRowHeight);
+    recentHint_->setWordWrap(true);
     recentHint_->setForegroundRole(QPalette::PlaceholderText);
-    auto* recentTitle = makeTitle(tr("Recent projects"));
-    for (QLabel* label : {samplesTitle_, recentTitle, recentHint_}) {
-        label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    }
-
     auto* right = new QVBoxLayout;
+    right->setSpacing(10);
     right->addWidget(samplesTitle_);
     right->addWidget(samples_);
     right->addSpacing(8);
-    right->addWidget(recentTitle);
+    right->addWidget(makeTitle(tr("Recent projects")));
     right->addWidget(recentHint_);
-    right->addWidget(recent_, 4);
+    right->addWidget(recent_, 1000); // all there is, where it is shown
     right->addStretch(1);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(40, 32, 32, 20);
     layout->setSpacing(48);
-    layout->addLayout(makeActions(), 2);
-    layout->addLayout(right, 5);
+    layout->addWidget(makeActions());
+    layout->addLayout(right, 1);
     refresh();
 }
 
-QVBoxLayout* StartPage::makeActions() {
-    auto* actions = new QVBoxLayout;
+QWidget* StartPage::makeActions() {
+    auto* column = new QWidget;
+    column->setFixedWidth(actionsWidth); // so that wrapped texts know their height
+    auto* actions = new QVBoxLayout(column);
+    actions->setContentsMargins(0, 0, 0, 0);
     auto* logo = new QLabel;
     logo->setPixmap(QIcon(QStringLiteral(":/icons/dipwright.svg")).pixmap(96, 96));
     auto* title = makeTitle(QStringLiteral("Dipwright"));
@@ -115,16 +117,13 @@ QVBoxLayout* StartPage::makeActions() {
     actions->addSpacing(4);
     actions->addWidget(title);
     actions->addWidget(subtitle);
-    for (QLabel* label : {logo, title, subtitle}) {
-        label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    }
     actions->addSpacing(20);
     const auto addButton = [this, actions](const QString& text, const QString& help,
                                            const QString& iconName, void (StartPage::*asked)()) {
         auto* button = new QCommandLinkButton(text, help);
         button->setIcon(icon(iconName));
         button->setIconSize({28, 28});
-        button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+        button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
         connect(button, &QCommandLinkButton::clicked, this, asked);
         actions->addWidget(button);
     };
@@ -139,7 +138,7 @@ QVBoxLayout* StartPage::makeActions() {
     drop->setWordWrap(true);
     drop->setForegroundRole(QPalette::PlaceholderText);
     actions->addWidget(drop);
-    return actions;
+    return column;
 }
 
 QListWidget* StartPage::makeList(const QString& name, void (StartPage::*chosen)(const QString&)) {

@@ -25,7 +25,7 @@ signals:
     void sampleChosen(const QString& path); // to be opened as a copy
 
 private:
-    QVBoxLayout* makeActions();
+    QWidget* makeActions();
     QListWidget* makeList(const QString& name, void (StartPage::*chosen)(const QString&));
 
     QListWidget* recent_;

@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -32,6 +33,9 @@ QDoubleSpinBox* rangeBox(const QString& name) {
     box->setToolTip(name);
     return box;
 }
+
+constexpr double shownPixels = 900;  // the map's longer edge
+constexpr int exportedPixels = 2400; // the same in a file
 
 // The spacing of isolines that divides the range into about ten.
 double isolineStep(const HeatScale& scale) {
@@ -68,6 +72,11 @@ StretchPanel::StretchPanel(QWidget* parent)
         3, tr("The stretch in the direction in which it is smallest. Below 1 the film wrinkles."),
         Qt::ToolTipRole);
     quantityBox_->setAccessibleName(tr("Quantity"));
+    quantityBox_->setToolTip(tr("What the map shows."));
+    automaticBox_->setToolTip(tr("The colours span what occurs on the body. Without it they span "
+                                 "the two numbers on the right, so that maps can be compared."));
+    limitTick_->setToolTip(tr("Shows all film over the limit in one warning colour."));
+    isolineTick_->setToolTip(tr("Lines of equal value on the map."));
     for (const QString& map : colourMaps()) {
         mapBox_->addItem(mapTitle(map), map);
     }
@@ -77,6 +86,7 @@ StretchPanel::StretchPanel(QWidget* parent)
     highBox_->setValue(2);
     lowBox_->setValue(1);
     limitBox_->setValue(1.3);
+    isolineTick_->setObjectName(QStringLiteral("isolines"));
     view_->setObjectName(QStringLiteral("stretchMap"));
     view_->setAccessibleName(tr("Stretch map"));
     summary_->setWordWrap(true);
@@ -168,7 +178,6 @@ void StretchPanel::redraw() {
         emit scaleChanged();
         return;
     }
-    const std::vector<float>& values = reading_->values(quantity());
     const std::vector<float> painted = reading_->paintedValues(quantity());
     if (automaticBox_->isChecked()) {
         scale_ = automaticScale(scale_, painted);
@@ -176,21 +185,61 @@ void StretchPanel::redraw() {
         lowBox_->setValue(scale_.low);
         highBox_->setValue(scale_.high);
     }
-    const solver::FilmGrid& grid = reading_->film().grid;
-    const QSizeF size(grid.width, grid.depth);
-    const double pixels = 900 / std::max(grid.width, grid.depth);
-    view_->setPicture(
-        heatPicture(values, grid.columns, grid.rows, (size * pixels).toSize(), scale_), size);
-    view_->setLines(isolineTick_->isChecked()
-                        ? isolines(values, grid.columns, grid.rows, size, isolineStep(scale_))
-                        : QList<QLineF>());
+    view_->setPicture(heatMap(shownPixels), filmSize());
+    view_->setLines(shownIsolines());
     histogram_->setValues(painted, scale_);
-    const Distribution spread = distribution(painted);
+    const Distribution& spread = reading_->spread(quantity());
     const auto number = [this](double value) { return locale().toString(value, 'f', 3); };
     summary_->setText(
         tr("On the body: mean %1 · 95 % below %2 · largest %3")
             .arg(number(spread.mean), number(spread.percentile95), number(spread.maximum)));
     emit scaleChanged();
+}
+
+QSizeF StretchPanel::filmSize() const {
+    const solver::FilmGrid& grid = reading_->film().grid;
+    return {grid.width, grid.depth};
+}
+
+QImage StretchPanel::heatMap(double longestEdge) const {
+    const solver::FilmGrid& grid = reading_->film().grid;
+    const double pixels = longestEdge / std::max(grid.width, grid.depth);
+    return heatPicture(reading_->values(quantity()), grid.columns, grid.rows,
+                       (filmSize() * pixels).toSize(), scale_);
+}
+
+QList<QLineF> StretchPanel::shownIsolines() const {
+    if (!isolineTick_->isChecked()) {
+        return {};
+    }
+    const solver::FilmGrid& grid = reading_->film().grid;
+    return isolines(reading_->values(quantity()), grid.columns, grid.rows, filmSize(),
+                    isolineStep(scale_));
+}
+
+QImage StretchPanel::picture() const {
+    const QImage map = heatMap(exportedPixels);
+    const double perMillimetre = map.width() / filmSize().width();
+    const int margin = exportedPixels / 40, keyHeight = exportedPixels / 7;
+    QImage picture(map.width() + 2 * margin, map.height() + 4 * margin + keyHeight,
+                   QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont font = painter.font();
+    font.setPixelSize(margin * 2 / 3);
+    painter.setFont(font);
+    painter.setPen(Qt::black);
+    painter.drawText(QRect(margin, 0, map.width(), 2 * margin), Qt::AlignVCenter,
+                     QStringLiteral("%1 · %2").arg(quantityBox_->currentText(), summary_->text()));
+    painter.drawImage(margin, 2 * margin, map);
+    histogram_->paint(painter, QRectF(margin, map.height() + 3.0 * margin, map.width(), keyHeight),
+                      Qt::black);
+    painter.translate(margin, 2 * margin);
+    painter.scale(perMillimetre, perMillimetre);
+    painter.setPen(QPen(QColor(0, 0, 0, 170), 2 / perMillimetre));
+    painter.drawLines(shownIsolines());
+    return picture;
 }
 
 void StretchPanel::showReading(const std::optional<FilmReadingPoint>& point) {

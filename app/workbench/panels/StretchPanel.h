@@ -27,6 +27,8 @@ public:
     void setReading(std::shared_ptr<const FilmReading> reading);
     FilmQuantity quantity() const;
     const HeatScale& scale() const { return scale_; }
+    // The map as it is shown, with isolines and key, large enough to print.
+    QImage picture() const;
     // The linked cursor; nullopt: nowhere.
     void showReading(const std::optional<FilmReadingPoint>& point);
 
@@ -39,6 +41,9 @@ signals:
 private:
     void makeScaleRow(QVBoxLayout& layout);
     void redraw();
+    QSizeF filmSize() const;
+    QImage heatMap(double longestEdge) const; // in pixels
+    QList<QLineF> shownIsolines() const;
 
     std::shared_ptr<const FilmReading> reading_;
     HeatScale scale_;

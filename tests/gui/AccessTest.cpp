@@ -1,0 +1,237 @@
+// Everything that can be operated has a name that a screen reader says, can be reached by keyboard,
+// and can be read: in all windows and dialogs, in both themes.
+#include "WindowDriver.h"
+#include "look/Theme.h"
+#include "main/NewProjectDialog.h"
+#include "main/PreferencesDialog.h"
+#include "main/PrintDialog.h"
+#include "panels/GuideWindow.h"
+#include "panels/PictureView.h"
+
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QRadioButton>
+#include <QScrollBar>
+#include <QTabWidget>
+#include <QTextEdit>
+#include <QToolBar>
+#include <QToolButton>
+#include <cmath>
+
+using namespace dipwright;
+
+namespace {
+
+// What belongs to another widget, which is looked at itself.
+bool isPart(const QWidget* widget) {
+    const QString name = widget->objectName();
+    return name.startsWith(QLatin1String("qt_")) || name.startsWith(QLatin1String("Scroll")) ||
+           qobject_cast<const QScrollBar*>(widget) || qobject_cast<const QHeaderView*>(widget) ||
+           qobject_cast<const QAbstractSpinBox*>(widget->parentWidget()) ||
+           qobject_cast<const QComboBox*>(widget->parentWidget()) ||
+           qobject_cast<const QDockWidget*>(widget->parentWidget()) ||
+           qobject_cast<const QMenuBar*>(widget->parentWidget()) ||
+           widget->parentWidget()->inherits("QKeySequenceEdit") ||
+           (widget->parentWidget()->parentWidget() &&
+            qobject_cast<const QComboBox*>(widget->parentWidget()->parentWidget()));
+}
+
+bool isOperated(const QWidget* widget) {
+    return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+           qobject_cast<const QAbstractSpinBox*>(widget) ||
+           qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSlider*>(widget) ||
+           qobject_cast<const QAbstractItemView*>(widget) ||
+           qobject_cast<const QTextEdit*>(widget) || qobject_cast<const PictureView*>(widget) ||
+           qobject_cast<const DipView*>(widget);
+}
+
+bool takesValues(const QWidget* widget) {
+    return qobject_cast<const QComboBox*>(widget) ||
+           qobject_cast<const QAbstractSpinBox*>(widget) ||
+           qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QCheckBox*>(widget) ||
+           qobject_cast<const QRadioButton*>(widget) ||
+           qobject_cast<const QAbstractSlider*>(widget);
+}
+
+QString spokenName(QWidget* widget) {
+    const QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
+    return spoken ? spoken->text(QAccessible::Name) : QString();
+}
+
+// A button of the main tool bars stands in a menu too, with its keys; others take the focus.
+bool isReachable(const QWidget* widget) {
+    const auto* button = qobject_cast<const QToolButton*>(widget);
+    if (button && qobject_cast<const QToolBar*>(button->parentWidget()) &&
+        qobject_cast<const QMainWindow*>(button->parentWidget()->parentWidget())) {
+        return true;
+    }
+    return widget->focusPolicy() & Qt::TabFocus;
+}
+
+// Relative luminance of WCAG 2.
+double luminance(const QColor& colour) {
+    const auto linear = [](double value) {
+        return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+double contrast(const QColor& a, const QColor& b) {
+    const double lighter = std::max(luminance(a), luminance(b));
+    const double darker = std::min(luminance(a), luminance(b));
+    return (lighter + 0.05) / (darker + 0.05);
+}
+
+QColor groundOf(const QWidget* widget) {
+    while (!widget->isWindow() && !widget->autoFillBackground()) {
+        if (qobject_cast<const QTabWidget*>(widget->parentWidget()->parentWidget())) {
+            return widget->palette().color(QPalette::Light); // a page of tabs
+        }
+        widget = widget->parentWidget();
+    }
+    return widget->palette().color(widget->backgroundRole());
+}
+
+} // namespace
+
+class AccessTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        workbench_ = std::make_unique<Workbench>(folder_.filePath(QStringLiteral("recovery")));
+        window_ = std::make_unique<MainWindow>(*workbench_);
+        window_->show();
+    }
+    void cleanupTestCase() {
+        window_.reset();
+        workbench_.reset();
+    }
+
+    void theStartPage() { check(*window_); }
+
+    void aProjectAndItsResults() {
+        WindowDriver driver(*window_);
+        QVERIFY(driver.create(QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/spot_triangulated.obj"),
+                              QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/spot_texture.png"), 90,
+                              [](Project& project) {
+                                  project.film.columns = 28;
+                                  project.film.rows = 40;
+                                  project.fieldResolution = 64;
+                                  project.sheet.resolution = DotsPerInch(72);
+                              }));
+        driver.find<QDockWidget>("logDock")->show();
+        auto* tree = driver.find<ProjectTree>("projectTree");
+        for (const ProjectPart part :
+             {ProjectPart::Project, ProjectPart::Model, ProjectPart::Film, ProjectPart::Process,
+              ProjectPart::Sheet, ProjectPart::Ink, ProjectPart::Immersion}) {
+            tree->select({part, 0});
+            check(*window_);
+        }
+        QVERIFY(driver.run());
+        auto* results = driver.find<QTabWidget>("results");
+        for (int tab = 0; tab < results->count(); ++tab) {
+            results->setCurrentIndex(tab);
+            check(*window_);
+        }
+        window_->document()->edit({}, {}, [](Project& project) { project.ink.limit = 1.5; });
+        QVERIFY(driver.find<QLabel>("staleBanner")->isVisible());
+        check(*window_);
+    }
+
+    void theDialogs() {
+        NewProjectDialog create({}, workbench_->preferences());
+        PreferencesDialog preferences(workbench_->preferences(), workbench_->registry(),
+                                      window_->actions());
+        PrintDialog print(window_->session().outcome(), 0);
+        GuideWindow guide;
+        for (QWidget* dialog : {static_cast<QWidget*>(&create), static_cast<QWidget*>(&preferences),
+                                static_cast<QWidget*>(&print), static_cast<QWidget*>(&guide)}) {
+            dialog->show();
+            auto* tabs = dialog->findChild<QTabWidget*>();
+            for (int page = 0; page < (tabs ? tabs->count() : 1); ++page) {
+                if (tabs) {
+                    tabs->setCurrentIndex(page);
+                }
+                check(*dialog);
+            }
+        }
+        window_->showTour();
+        check(*window_);
+        window_->findChild<QWidget*>(QStringLiteral("tour"))->close();
+    }
+
+private:
+    void check(QWidget& window) {
+        QTest::qWait(0); // layouts
+        for (const ThemeChoice theme : {ThemeChoice::Light, ThemeChoice::Dark}) {
+            Preferences preferences = workbench_->preferences();
+            preferences.theme = theme;
+            workbench_->setPreferences(preferences);
+            QStringList wrong;
+            for (QWidget* widget : window.findChildren<QWidget*>()) {
+                if (widget->isVisible() && widget->isEnabled() && !isPart(widget)) {
+                    wrong += faultsOf(*widget);
+                }
+            }
+            wrong.removeDuplicates();
+            QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+        }
+    }
+
+    static QStringList faultsOf(QWidget& widget) {
+        const QString what =
+            QStringLiteral("%1 “%2” in %3 “%4”")
+                .arg(QLatin1String(widget.metaObject()->className()), widget.objectName(),
+                     QLatin1String(widget.parentWidget()->metaObject()->className()),
+                     widget.parentWidget()->objectName());
+        QStringList faults;
+        if (isOperated(&widget) && spokenName(&widget).isEmpty()) {
+            faults += what + QStringLiteral(" has no name");
+        }
+        if (takesValues(&widget) && widget.toolTip().isEmpty() && widget.whatsThis().isEmpty()) {
+            faults +=
+                what + QStringLiteral(" “%1” does not say what it is for").arg(spokenName(&widget));
+        }
+        if (isOperated(&widget) && !isReachable(&widget)) {
+            faults += what + QStringLiteral(" cannot be reached by keyboard");
+        }
+        if (const auto* label = qobject_cast<QLabel*>(&widget); label && !label->text().isEmpty()) {
+            const double ratio =
+                contrast(label->palette().color(label->foregroundRole()), groundOf(label));
+            if (ratio < 4.5) {
+                faults += QStringLiteral("%1 “%2” has a contrast of %3")
+                              .arg(what, label->text())
+                              .arg(ratio);
+            }
+        }
+        return faults;
+    }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<Workbench> workbench_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+int main(int argc, char* argv[]) {
+    const QTemporaryDir home;
+    useOwnHome(home.path());
+    DipView::prepareSurfaceFormat();
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("dipwright"));
+    QApplication::setOrganizationName(QStringLiteral("Dipwright"));
+    AccessTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "AccessTest.moc"
