@@ -1158,8 +1158,8 @@
 <context>
     <name>dipwright::DistanceField</name>
     <message>
-        <source>The distance field's resolution is %1; choose 64 to 512</source>
-        <translation>A resolução do campo de distância é %1; escolha de 64 a 512</translation>
+        <source>The distance field's resolution is %1; choose 32 to 512</source>
+        <translation>A resolução do campo de distância é %1; escolha de 32 a 512</translation>
     </message>
     <message>
         <source>The body has no extent; choose a model with a surface</source>

@@ -62,7 +62,7 @@ public:
                 lastShown = Clock::now();
                 show(observer);
             }
-            timed([&] { state_ = solver_->advance(1); });
+            advance();
         }
         solver_->read(positions_, states_);
         if (observer) {
@@ -90,10 +90,24 @@ public:
 
 private:
     template <typename Work>
-    void timed(const Work& work) {
+    double timed(const Work& work) {
         const Clock::time_point start = Clock::now();
         work();
-        seconds_ += secondsSince(start);
+        const double seconds = secondsSince(start);
+        seconds_ += seconds;
+        return seconds;
+    }
+    // As many steps as take about a millisecond: to ask a GPU for every single one would take
+    // longer than the steps.
+    void advance() {
+        constexpr int mostSteps = 1024;
+        constexpr double shortest = 0.5e-3, longest = 2e-3; // s
+        const double seconds = timed([&] { state_ = solver_->advance(stepsAtOnce_); });
+        if (seconds < shortest && stepsAtOnce_ < mostSteps) {
+            stepsAtOnce_ *= 2;
+        } else if (seconds > longest && stepsAtOnce_ > 1) {
+            stepsAtOnce_ /= 2;
+        }
     }
     void show(const FilmObserver& observer) {
         solver_->read(positions_, states_);
@@ -105,6 +119,7 @@ private:
     std::vector<float> positions_;
     std::vector<solver::PointState> states_;
     solver::Progress state_;
+    int stepsAtOnce_ = 1;
     double seconds_ = 0;
 };
 

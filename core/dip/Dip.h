@@ -46,7 +46,7 @@ solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
 
 // Runs the dip on `module`. `observer` (may be empty) is called from the working thread, at most
 // about thirty times a second. Throws Error when the solver fails or the body never meets the film;
-// Cancelled within one step of being cancelled.
+// Cancelled within one step, or some milliseconds of steps, of being cancelled.
 DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
                        const Immersion& immersion, const FilmSettings& film,
                        const ProcessSettings& process, const solver::SolverModule& module,

@@ -33,9 +33,9 @@ std::size_t sampleIndex(const DistanceField& field, int i, int j, int k) {
 
 // A cube of samples round the body, without distances.
 DistanceField cubeRound(const TriangleMesh& body, int resolution) {
-    if (resolution < 64 || resolution > 512) {
+    if (resolution < 32 || resolution > 512) {
         throw Error(
-            Text::tr("The distance field's resolution is %1; choose 64 to 512").arg(resolution),
+            Text::tr("The distance field's resolution is %1; choose 32 to 512").arg(resolution),
             QString());
     }
     const BoundingBox box = boundingBox(body);

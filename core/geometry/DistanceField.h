@@ -22,7 +22,7 @@ struct DistanceField {
     Eigen::Vector3d gradient(const Eigen::Vector3d& position) const;
 };
 
-// `resolution` (64 … 512) samples along each edge of the cube round the body; the cube leaves at
+// `resolution` (32 … 512) samples along each edge of the cube round the body; the cube leaves at
 // least two cells free round the body. Exact (to float rounding) within three cells of the surface;
 // farther away a bound that is never too large in magnitude. All cores; deterministic; throws
 // Cancelled.

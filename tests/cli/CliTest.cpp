@@ -327,20 +327,6 @@ private slots:
         }
     }
 
-    void theBenchmarkPrintsTableOne() {
-        const Outcome bench = cli({"bench", "--json", "--rows", "1", "--runs", "1"});
-        QVERIFY2(bench.exitCode == 0, bench.err);
-        const QJsonObject json = QJsonDocument::fromJson(bench.out).object();
-        QCOMPARE(json["version"].toInt(), 1);
-        QVERIFY(!json["solver"].toString().isEmpty() && !json["device"].toString().isEmpty());
-        const QJsonObject row = json["table1"].toArray().first().toObject();
-        QCOMPARE(row["points"].toInt(), 96);
-        QCOMPARE(row["constraints"].toInt(), 172);
-        QCOMPARE(row["paper"].toInt(), 326);
-        QVERIFY(hasNumbers(row, {"steps_per_second", "min", "max"}));
-        QVERIFY(row["steps_per_second"].toDouble() > 0);
-    }
-
 #ifdef Q_OS_UNIX
     void aRequestToTerminateLeavesNothingBehind() {
         QProcess process;

@@ -268,7 +268,7 @@ void DistanceFieldTest::progressGrowsToOne() {
 
 void DistanceFieldTest::refusesWhatHasNoField() {
     const TriangleMesh box = boxMesh({10, 10, 10});
-    QVERIFY_EXCEPTION_THROWN(buildDistanceField(box, 63, Progress()), Error);
+    QVERIFY_EXCEPTION_THROWN(buildDistanceField(box, 31, Progress()), Error);
     QVERIFY_EXCEPTION_THROWN(buildDistanceField(box, 513, Progress()), Error);
     QVERIFY_EXCEPTION_THROWN(buildDistanceField(TriangleMesh(), 64, Progress()), Error);
     QVERIFY_EXCEPTION_THROWN(buildDistanceField(boxMesh({0, 0, 0}), 64, Progress()), Error);

@@ -1,6 +1,5 @@
 #include "document/RecentProjects.h"
 
-#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
@@ -45,17 +44,6 @@ void forgetRecentProject(const QString& path) {
 
 QImage projectThumbnail(const QString& path) {
     return QImage(thumbnailPath(QFileInfo(path).absoluteFilePath()));
-}
-
-QStringList sampleProjects() {
-    QStringList paths;
-    for (const char* place : {"/../share/samples", "/../share/dipwright/samples"}) {
-        const QDir folder(QCoreApplication::applicationDirPath() + QLatin1String(place));
-        for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("*.dipw")})) {
-            paths.append(file.canonicalFilePath());
-        }
-    }
-    return paths;
 }
 
 void keepProjectThumbnail(const QString& path, const QImage& picture) {

@@ -1,5 +1,4 @@
-// The projects opened last, the newest first, each with a small picture of its view; and the
-// samples.
+// The projects opened last, the newest first, each with a small picture of its view.
 #pragma once
 
 #include <QImage>
@@ -12,8 +11,6 @@ QStringList recentProjects();
 void addRecentProject(const QString& path);
 void forgetRecentProject(const QString& path);
 QImage projectThumbnail(const QString& path); // null: none kept
-// The sample projects that come with the program.
-QStringList sampleProjects();
 void keepProjectThumbnail(const QString& path, const QImage& picture);
 
 } // namespace dipwright

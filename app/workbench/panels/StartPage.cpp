@@ -2,6 +2,7 @@
 
 #include "document/RecentProjects.h"
 #include "look/Icons.h"
+#include "project/Samples.h"
 
 #include <QAction>
 #include <QCommandLinkButton>

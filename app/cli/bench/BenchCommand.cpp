@@ -1,0 +1,165 @@
+#include "cli/Arguments.h"
+#include "cli/bench/BenchReport.h"
+
+#include <QJsonDocument>
+
+namespace dipwright::cli {
+namespace {
+
+const QString jsonOption = QStringLiteral("json");
+const QString solverOption = QStringLiteral("solver");
+const QString rowsOption = QStringLiteral("rows");
+const QString runsOption = QStringLiteral("runs");
+const QString partsOption = QStringLiteral("parts");
+const QString quickOption = QStringLiteral("quick");
+const QString plotOption = QStringLiteral("plot");
+
+const QStringList allParts{QStringLiteral("steps"),      QStringLiteral("dips"),
+                           QStringLiteral("large-dips"), QStringLiteral("sweep"),
+                           QStringLiteral("field"),      QStringLiteral("texture"),
+                           QStringLiteral("run")};
+const QStringList usualParts{QStringLiteral("steps"), QStringLiteral("dips")};
+
+constexpr int tableOneRows = 8;
+
+// The parts asked for; a plot needs those that it shows. Throws UsageError for one that is unknown.
+QStringList chosenParts(const QCommandLineParser& parser) {
+    QStringList parts = usualParts;
+    if (parser.isSet(partsOption)) {
+        parts = parser.value(partsOption).split(QLatin1Char(','), Qt::SkipEmptyParts);
+    } else if (parser.isSet(plotOption)) {
+        parts += QStringLiteral("sweep");
+    }
+    if (parts == QStringList(QStringLiteral("all"))) {
+        parts = allParts;
+    }
+    for (const QString& part : parts) {
+        if (!allParts.contains(part)) {
+            throw UsageError(QStringLiteral("There is no part %1 to measure; choose among %2, all")
+                                 .arg(part, allParts.join(QStringLiteral(", "))),
+                             QStringLiteral("--parts"));
+        }
+    }
+    const bool isPlotted =
+        parts.contains(QLatin1String("steps")) || parts.contains(QLatin1String("sweep"));
+    if (parts.isEmpty() || (parser.isSet(plotOption) && !isPlotted)) {
+        throw UsageError(QStringLiteral("A plot shows the parts steps and sweep; name one of them"),
+                         QStringLiteral("--parts"));
+    }
+    return parts;
+}
+
+// The progress of one part after the other, each taken for as long as any other.
+class PartProgress {
+public:
+    PartProgress(const Progress& whole, const QStringList& parts) : whole_(whole), parts_(parts) {}
+    Progress next() {
+        const double share = 1.0 / double(parts_.size());
+        ++begun_;
+        return whole_.part((begun_ - 1) * share, begun_ * share);
+    }
+
+private:
+    const Progress& whole_;
+    const QStringList& parts_;
+    int begun_ = 0;
+};
+
+void append(std::vector<TimedRow>& rows, std::vector<TimedRow> more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+}
+
+BenchReport measured(const BenchSolver& solver, const QStringList& parts, int rows, bool isQuick,
+                     const Progress& progress) {
+    BenchReport report;
+    BenchBodies bodies;
+    PartProgress each(progress, parts);
+    report.runs = solver.runs;
+    for (const QString& part : parts) {
+        const Progress partProgress = each.next();
+        if (part == QLatin1String("steps")) {
+            report.tableOne = measureTableOne(solver, bodies, rows, partProgress);
+        } else if (part == QLatin1String("dips")) {
+            append(report.dips, measureDips(solver, bodies, 120, 170, partProgress));
+        } else if (part == QLatin1String("large-dips")) {
+            append(report.dips, measureDips(solver, bodies, 280, 396, partProgress));
+        } else if (part == QLatin1String("sweep")) {
+            report.fieldSweep = measureFieldSweep(solver, bodies, isQuick ? 64 : 512, partProgress);
+        } else if (part == QLatin1String("field")) {
+            report.fields = measureFields(solver.runs, isQuick ? 64 : 512, partProgress);
+        } else if (part == QLatin1String("texture")) {
+            const std::vector<int> resolutions =
+                isQuick ? std::vector<int>{100} : std::vector<int>{300, 600};
+            report.sheets = measureSheets(solver, resolutions, partProgress);
+        } else {
+            report.wholeRuns = measureRun(solver, partProgress);
+        }
+    }
+    return report;
+}
+
+class BenchCommand : public Command {
+public:
+    QString name() const override { return QStringLiteral("bench"); }
+    QString summary() const override {
+        return QStringLiteral("Measures the solver on the paper's Table I and on whole dips, and, "
+                              "if asked, all that a job does.");
+    }
+
+    void declare(QCommandLineParser& parser) const override {
+        parser.addOption({jsonOption, QStringLiteral("Prints JSON.")});
+        parser.addOption({solverOption, QStringLiteral("The solver plugin."), QStringLiteral("ID"),
+                          QStringLiteral("auto")});
+        parser.addOption({rowsOption, QStringLiteral("Only the first N rows of Table I, 1 to 8."),
+                          QStringLiteral("N"), QString::number(tableOneRows)});
+        parser.addOption({runsOption, QStringLiteral("Runs of each row; the median counts."),
+                          QStringLiteral("N"), QStringLiteral("3")});
+        parser.addOption(
+            {partsOption,
+             QStringLiteral("What to measure, joined by commas: steps (Table I), dips (of 20,400 "
+                            "points), large-dips (of 110,880), sweep (Figure 7), field (building "
+                            "it), texture (with the sheet), run (the whole job), or all; steps "
+                            "and dips without this option."),
+             QStringLiteral("LIST")});
+        parser.addOption({quickOption, QStringLiteral("Only the coarsest fields and sheets.")});
+        parser.addOption({plotOption,
+                          QStringLiteral("Draws the paper's Figures 6 and 7 with the rates of "
+                                         "steps and sweep."),
+                          QStringLiteral("FILE.png|FILE.svg")});
+        declareThreads(parser);
+    }
+
+    void run(const QCommandLineParser& parser, Console& console) const override {
+        const ThreadLimit threads(parser);
+        const int rows = wholeNumberOption(parser, rowsOption, 1, tableOneRows);
+        const int runs = wholeNumberOption(parser, runsOption, 1, 1000);
+        const QStringList parts = chosenParts(parser);
+        requireNoPositionalArgument(parser);
+        const SolverRegistry registry;
+        const QString id = registry.info(parser.value(solverOption)).id;
+        const Progress progress = console.progress();
+        BenchReport report =
+            measured({registry, id, runs}, parts, rows, parser.isSet(quickOption), progress);
+        report.device = QString::fromUtf8(registry.module(id).device());
+        report.solver = registry.info(id);
+        if (report.solver.deviceKind == QLatin1String("cpu")) {
+            report.ceiling = measuredCeiling();
+        }
+        if (parser.isSet(plotOption)) {
+            drawPlot(report, parser.value(plotOption));
+        }
+        if (parser.isSet(jsonOption)) {
+            console.out() << QJsonDocument(toJson(report)).toJson();
+        } else {
+            print(report, console.out());
+        }
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Command> benchCommand() {
+    return std::make_unique<BenchCommand>();
+}
+
+} // namespace dipwright::cli

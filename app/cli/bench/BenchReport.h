@@ -1,0 +1,26 @@
+// What the bench measured, as JSON, as text and as the paper's Figures 6 and 7.
+#pragma once
+
+#include "cli/bench/Ceiling.h"
+#include "cli/bench/Measurements.h"
+
+#include <QJsonObject>
+#include <QTextStream>
+
+namespace dipwright::cli {
+
+struct BenchReport {
+    SolverInfo solver;
+    QString device;
+    int runs = 1;
+    std::optional<Ceiling> ceiling; // of the processor; none for a solver on another device
+    std::vector<StepRow> tableOne, fieldSweep;
+    std::vector<TimedRow> dips, fields, sheets, wholeRuns;
+};
+
+QJsonObject toJson(const BenchReport& report);
+void print(const BenchReport& report, QTextStream& out);
+// Draws into FILE.png or FILE.svg. Throws Error when it cannot be written.
+void drawPlot(const BenchReport& report, const QString& path);
+
+} // namespace dipwright::cli
