@@ -69,7 +69,7 @@ void writeSheet(const Sheet& sheet, const PrintRequest& request, const QString& 
     }
     writeWhole(path, [&](QIODevice& device) {
         if (isTiff(path)) {
-            writeSheetTiff(sheet, device, correction.colour);
+            writeSheetTiff(sheet, device, correction);
         } else {
             writeSheetPdf(sheet, device, correction);
         }

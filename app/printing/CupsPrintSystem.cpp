@@ -31,6 +31,15 @@ struct FreeMessage {
 };
 using Message = std::unique_ptr<ipp_t, FreeMessage>;
 
+// What a queue may have been set up to do with every job, and what no sheet may be done to.
+constexpr std::pair<const char*, const char*> trueSizeOptions[] = {
+    {"print-scaling", "none"},  {"fit-to-page", "false"},
+    {"number-up", "1"},         {"sides", "one-sided"},
+    {"mirror", "false"},        {"copies", "1"},
+    {"job-sheets", "none"},     {"orientation-requested", "3"},
+    {"output-order", "normal"},
+};
+
 // Options of a job, freed with it.
 class Options {
 public:
@@ -242,7 +251,12 @@ public:
         const DestInfo info(dest ? cupsCopyDestInfo(CUPS_HTTP_DEFAULT, dest.get()) : nullptr);
         Options options;
         options.add("media-col", collection(task.media));
-        options.add("print-scaling", "none");
+        for (const auto& [name, value] : trueSizeOptions) {
+            options.add(name, value);
+        }
+        if (info && printsColour(dest, info.get())) {
+            options.add(CUPS_PRINT_COLOR_MODE, CUPS_PRINT_COLOR_MODE_COLOR);
+        }
         int id = 0;
         const QByteArray title = task.title.toUtf8();
         if (!info ||

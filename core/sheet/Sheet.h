@@ -86,8 +86,8 @@ QByteArray repeatedPdf(const QByteArray& pdf, int copies);
 
 // TIFF of the whole page, for raster image processors: RGB, or CMYK where the colour is in CMYK,
 // with resolution and ICC profile, compressed without loss. The film image is moved to whole pixels
-// and not resampled. Scales are not corrected. Same bytes for the same sheet. Throws Error when not
-// writable.
-void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrinterColour* colour = nullptr);
+// and not resampled: scales are corrected by the resolutions in X and Y. The page is never turned.
+// Same bytes for the same sheet. Throws Error when not writable.
+void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
 
 } // namespace dipwright

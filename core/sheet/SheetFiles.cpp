@@ -88,7 +88,11 @@ private:
     TIFF* tiff_;
 };
 
-void setTags(TIFF* tiff, QSize size, int channels, DotsPerInch resolution, const QByteArray& icc) {
+struct Resolution {
+    DotsPerInch x, y;
+};
+
+void setTags(TIFF* tiff, QSize size, int channels, Resolution resolution, const QByteArray& icc) {
     TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, size.width());
     TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, size.height());
     TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8);
@@ -102,8 +106,8 @@ void setTags(TIFF* tiff, QSize size, int channels, DotsPerInch resolution, const
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
     TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
     TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
-    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, resolution.value());
-    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, resolution.value());
+    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, resolution.x.value());
+    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, resolution.y.value());
     TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
     TIFFSetField(tiff, TIFFTAG_SOFTWARE, "Dipwright " DIPWRIGHT_VERSION);
     TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(icc.size()), icc.constData());
@@ -155,13 +159,16 @@ void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection&
     }
 }
 
-void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrinterColour* colour) {
+void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction) {
+    const PrinterColour* colour = correction.colour;
+    const DotsPerInch dpi = sheet.settings.resolution;
     const QImage page = pageImage(sheet);
     const bool cmyk = colour && colour->isCmyk();
     const QImage rgb = colour && !cmyk ? colour->rgb(page) : page;
     QByteArray inks = cmyk ? colour->cmyk(page) : QByteArray();
     TiffBuffer buffer;
-    setTags(buffer.tiff(), page.size(), cmyk ? 4 : 3, sheet.settings.resolution,
+    setTags(buffer.tiff(), page.size(), cmyk ? 4 : 3,
+            {dpi * correction.scaleX, dpi * correction.scaleY},
             colour ? colour->iccProfile() : QColorSpace(QColorSpace::SRgb).iccProfile());
     std::vector<uchar> row(std::size_t(page.width()) * 4);
     bool written = true;

@@ -19,6 +19,20 @@ const QString turtle = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw");
 const QStringList coarse{"--set", "film.points=41x58", "--set",  "body.sdf_resolution=64",
                          "--set", "sheet.dpi=150",     "--quiet"};
 
+// From 0 to 100 mm on the ruler of a calibration page, as received; 0 where there is none.
+double calibrationRuler(const QString& path, bool across, int ticksWanted) {
+    constexpr int dpi = 1200;
+    const QImage strip =
+        renderedPage(path, dpi, across ? QRectF(5, 280, 200, 10) : QRectF(7, 40, 10, 250));
+    for (int line = (across ? strip.height() : strip.width()) - 1; line > 0; --line) {
+        std::vector<double> ticks = darkMiddles(strip, across, line);
+        if (int(ticks.size()) == ticksWanted) {
+            return std::abs(ticks[100] - ticks[0]) / dpi * millimetresPerInch;
+        }
+    }
+    return 0;
+}
+
 double rulerLength(const QString& path) {
     constexpr int dpi = 1200;
     const QImage strip = renderedPage(path, dpi, QRectF(30, 297 - 9, 150, 7));
@@ -121,6 +135,16 @@ void PrintCommandTest::calibrationMakesPrintsTrue() {
     QCOMPARE(pages.size(), 2);
     QVERIFY(pdfWords(pages[0]).contains("Calibration"));
     QVERIFY(pdfWords(pages[1]).contains("Corrected for X 1.004, Y 0.997"));
+    const double first[] = {calibrationRuler(pages[0], true, 171),
+                            calibrationRuler(pages[0], false, 221)};
+    const double second[] = {calibrationRuler(pages[1], true, 171),
+                             calibrationRuler(pages[1], false, 221)};
+    const double error[] = {1.004, 0.997};
+    for (int axis : {0, 1}) {
+        QVERIFY2(std::abs(first[axis] - 100) < 0.02, qPrintable(QString::number(first[axis])));
+        const double length = second[axis] * error[axis];
+        QVERIFY2(std::abs(length - 100) <= 0.05, qPrintable(QString::number(length)));
+    }
     outcome = cli(QStringList{"print", turtle, "--printer", "pigment", "--immersion", "1",
                               "--profile", "Mine"} +
                   coarse);

@@ -105,6 +105,7 @@ private slots:
     void wideSheetLiesAcrossThePaper();
     void copiesArrive();
     void otherPaperThanTheDefaultIsAskedFor();
+    void habitsOfTheQueueAreOverruled();
     void largeSheetArrivesInPieces();
     void marksStayInReachOfThePrinter();
     void unknownPrinterIsRefused();
@@ -238,6 +239,42 @@ void PrintTest::otherPaperThanTheDefaultIsAskedFor() {
     QVERIFY(std::abs(pdfPage(paper).height() - 279.4) < 0.02);
     verifySquares(paper, true, 17);
     verifySquares(paper, false, 17);
+}
+
+// Whoever set the queue up may have wished for duplex, two pages on one, mirroring or grey.
+void PrintTest::habitsOfTheQueueAreOverruled() {
+    const QStringList habits{"sides=two-sided-long-edge",
+                             "number-up=2",
+                             "mirror=true",
+                             "fit-to-page=true",
+                             "print-scaling=fill",
+                             "orientation-requested=4",
+                             "copies=2",
+                             "print-color-mode=monochrome"};
+    QStringList taken{"-p", "pigment"};
+    QStringList given{"-p", "pigment"};
+    for (const QString& habit : habits) {
+        taken << "-o" << QString(habit).replace("=", "-default=");
+        given << "-R" << habit.section('=', 0, 0) + "-default";
+    }
+    QVERIFY(cups_->command("lpadmin", taken));
+    PrintRequest request = to("pigment");
+    request.copies = 2;
+    const Sheet sheet = chessSheet("Habits");
+    const int before = receivedBy("pigment");
+    QCOMPARE(print(sheet, request), JobState::Printed);
+    QVERIFY(cups_->command("lpadmin", given));
+    QCOMPARE(receivedBy("pigment"), before + 1);
+    const QString path = cups_->received("pigment").last();
+    QVERIFY(output("pdfinfo", {path}).contains("Pages:           2"));
+    verifySquares(path, true, 17);
+    verifySquares(path, false, 17);
+    QCOMPARE(pdfWords(path).count("Habits"), 1);
+    // The red square is to the right of the page's middle, and to the left there is none.
+    const QImage middle = renderedPage(path, 100, QRectF(105 - 17, 148.5, 34, 17));
+    const int red = qGray(middle.pixel(middle.width() * 3 / 4, middle.height() / 2));
+    QVERIFY2(red > 40 && red < 150, qPrintable(QString::number(red)));
+    QVERIFY(qGray(middle.pixel(middle.width() / 4, middle.height() / 2)) > 250);
 }
 
 void PrintTest::largeSheetArrivesInPieces() {

@@ -49,7 +49,7 @@ int difference(const QColor& a, const QColor& b) {
 struct Tiff {
     std::uint32_t width = 0, height = 0;
     std::uint16_t channels = 0, photometric = 0, unit = 0;
-    float dpi = 0;
+    float dpi = 0, dpiY = 0;
     QByteArray icc;
     QByteArray pixels;
 
@@ -71,6 +71,7 @@ Tiff readTiff(const QString& path) {
     TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &result.photometric);
     TIFFGetField(tiff, TIFFTAG_RESOLUTIONUNIT, &result.unit);
     TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &result.dpi);
+    TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &result.dpiY);
     std::uint32_t size = 0;
     void* icc = nullptr;
     if (TIFFGetField(tiff, TIFFTAG_ICCPROFILE, &size, &icc)) {
@@ -95,10 +96,10 @@ class ColourTest : public QObject {
     PrinterColour inks_{simpleCmykProfile(0.02), RenderingIntent::RelativeColorimetric, true,
                         "inks.icc"};
 
-    Tiff tiffOf(const Sheet& sheet, const PrinterColour* colour) {
+    Tiff tiffOf(const Sheet& sheet, const PrintCorrection& correction = {}) {
         QFile file(folder_.filePath("sheet.tiff"));
         if (file.open(QIODevice::WriteOnly)) {
-            writeSheetTiff(sheet, file, colour);
+            writeSheetTiff(sheet, file, correction);
         }
         file.close();
         return readTiff(file.fileName());
@@ -113,6 +114,7 @@ private slots:
     void gamutWarningPointsAtIt();
     void tiffHoldsThePageInSrgb();
     void tiffHoldsThePageInCmyk();
+    void tiffTakesOutThePrintersScale();
     void tiffIsTheSameEveryTime();
     void pdfCarriesThePrintersSpace();
     void pdfInCmykIsRefused();
@@ -172,7 +174,7 @@ void ColourTest::gamutWarningPointsAtIt() {
 
 void ColourTest::tiffHoldsThePageInSrgb() {
     Sheet sheet = smallSheet();
-    const Tiff tiff = tiffOf(sheet, nullptr);
+    const Tiff tiff = tiffOf(sheet);
     QCOMPARE(int(tiff.width), 591);
     QCOMPARE(int(tiff.height), 472);
     QCOMPARE(int(tiff.channels), 3);
@@ -186,7 +188,7 @@ void ColourTest::tiffHoldsThePageInSrgb() {
     // Film pixels are not resampled on larger paper either.
     sheet.settings.marks = false;
     sheet.settings.paper = QStringLiteral("A4");
-    const Tiff page = tiffOf(sheet, nullptr);
+    const Tiff page = tiffOf(sheet);
     QCOMPARE(int(page.width), 1240);
     int reds = 0;
     int others = 0;
@@ -202,13 +204,25 @@ void ColourTest::tiffHoldsThePageInSrgb() {
 }
 
 void ColourTest::tiffHoldsThePageInCmyk() {
-    const Tiff tiff = tiffOf(smallSheet(), &inks_);
+    const Tiff tiff = tiffOf(smallSheet(), {.colour = &inks_});
     QCOMPARE(int(tiff.channels), 4);
     QCOMPARE(int(tiff.photometric), int(PHOTOMETRIC_SEPARATED));
     QCOMPARE(tiff.icc, inks_.iccProfile());
     const uchar* red = tiff.pixel(300, 200);
     QVERIFY(red[0] < 20 && red[1] > 230 && red[2] > 230);
     QVERIFY(tiff.pixel(100, 200)[0] <= 2);
+}
+
+// A raster image processor prints as long as pixels and resolution say; the printer stretches that.
+void ColourTest::tiffTakesOutThePrintersScale() {
+    const Tiff plain = tiffOf(smallSheet());
+    const Tiff corrected = tiffOf(smallSheet(), {.scaleX = 1.004, .scaleY = 0.997});
+    QCOMPARE(corrected.pixels, plain.pixels);
+    const double ruler = 100 / millimetresPerInch * 150; // pixels of 100 mm
+    const double onPaperX = ruler / double(corrected.dpi) * millimetresPerInch * 1.004;
+    const double onPaperY = ruler / double(corrected.dpiY) * millimetresPerInch * 0.997;
+    QVERIFY2(std::abs(onPaperX - 100) < 0.001, qPrintable(QString::number(onPaperX)));
+    QVERIFY2(std::abs(onPaperY - 100) < 0.001, qPrintable(QString::number(onPaperY)));
 }
 
 void ColourTest::tiffIsTheSameEveryTime() {
