@@ -255,11 +255,11 @@
         <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film oder wählen Sie einen größeren Film</translation>
     </message>
     <message>
-        <source>%1: the body reaches past the film's edge</source>
+        <source>%1: the body reaches past the film&apos;s edge</source>
         <translation>%1: Der Körper reicht über den Rand des Films hinaus</translation>
     </message>
     <message>
-        <source>%1: the film's cells are coarse for this body, give the film more points</source>
+        <source>%1: the film&apos;s cells are coarse for this body, give the film more points</source>
         <translation>%1: Die Zellen des Films sind grob für diesen Körper; geben Sie dem Film mehr Punkte</translation>
     </message>
     <message>
@@ -312,6 +312,284 @@
     <message>
         <source>The project has no model, import one first</source>
         <translation>Das Projekt hat kein Modell; importieren Sie zuerst eines</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileSpecs</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What the profile is called in lists and in projects.</source>
+        <translation>Wie das Profil in Listen und Projekten heißt.</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Held by a barrier</source>
+        <translation>Von einer Barriere gehalten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>System&apos;s name</source>
+        <translation>Name im System</translation>
+    </message>
+    <message>
+        <source>The name under which the system knows the printer. It is then chosen at first when a sheet is printed.</source>
+        <translation>Der Name, unter dem das System den Drucker kennt. Beim Drucken eines Bogens ist er dann zuerst gewählt.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Printed length over true length, across the paper and along its feed. Sheets are drawn smaller by it. “Calibrate Printer” measures it.</source>
+        <translation>Gedruckte durch wahre Länge, quer zum Papier und entlang seinem Einzug. Bögen werden um so viel kleiner gezeichnet. „Drucker kalibrieren“ misst es.</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>Ränder</translation>
+    </message>
+    <message>
+        <source>What the printer does not reach at the paper&apos;s left, top, right and bottom edge.</source>
+        <translation>Was der Drucker am linken, oberen, rechten und unteren Rand des Papiers nicht erreicht.</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>left</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <comment>top</comment>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>right</comment>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <comment>bottom</comment>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Pixels an inch of the sheets for this printer.</source>
+        <translation>Pixel je Zoll der Bögen für diesen Drucker.</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Rendering intent</source>
+        <translation>Wiedergabeabsicht</translation>
+    </message>
+    <message>
+        <source>How colours that the printer cannot make are brought into its reach.</source>
+        <translation>Wie Farben, die der Drucker nicht kann, in seinen Bereich geholt werden.</translation>
+    </message>
+    <message>
+        <source>Perceptual</source>
+        <translation>Perzeptiv</translation>
+    </message>
+    <message>
+        <source>Relative colorimetric</source>
+        <translation>Relativ farbmetrisch</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Sättigung</translation>
+    </message>
+    <message>
+        <source>Absolute colorimetric</source>
+        <translation>Absolut farbmetrisch</translation>
+    </message>
+    <message>
+        <source>Fit black point</source>
+        <translation>Schwarzpunkt anpassen</translation>
+    </message>
+    <message>
+        <source>Fits the darkest dark to what the printer can print, so that shadows stay distinct.</source>
+        <translation>Passt das dunkelste Dunkel an das an, was der Drucker kann, damit Schatten unterscheidbar bleiben.</translation>
+    </message>
+    <message>
+        <source>Ink limit</source>
+        <translation>Farbgrenze</translation>
+    </message>
+    <message>
+        <source>The highest optical density a channel that the film holds.</source>
+        <translation>Die höchste optische Dichte je Kanal, die der Film hält.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Width and height of the dry film.</source>
+        <translation>Breite und Höhe des trockenen Films.</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>width</comment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <comment>height</comment>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Einzug</translation>
+    </message>
+    <message>
+        <source>The edge that goes into the printer first: a film swells more along its web.</source>
+        <translation>Die Kante, die zuerst in den Drucker geht: Ein Film quillt entlang seiner Bahn stärker.</translation>
+    </message>
+    <message>
+        <source>Short edge first</source>
+        <translation>Kurze Kante zuerst</translation>
+    </message>
+    <message>
+        <source>Long edge first</source>
+        <translation>Lange Kante zuerst</translation>
+    </message>
+    <message>
+        <source>Lot</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <source>The maker&apos;s number: another lot may swell otherwise.</source>
+        <translation>Die Nummer des Herstellers: Eine andere Charge quillt vielleicht anders.</translation>
+    </message>
+    <message>
+        <source>Use before</source>
+        <translation>Verwendbar bis</translation>
+    </message>
+    <message>
+        <source>A date such as 2027-03-31, or nothing.</source>
+        <translation>Ein Datum wie 2027-03-31 oder nichts.</translation>
+    </message>
+    <message>
+        <source>Behaviour on the water</source>
+        <translation>Verhalten auf dem Wasser</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Quellung</translation>
+    </message>
+    <message>
+        <source>How much the wetted film has grown over the printed one, across and down.</source>
+        <translation>Wie viel der nasse Film gegenüber dem gedruckten gewachsen ist, quer und längs.</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxation</translation>
+    </message>
+    <message>
+        <source>How fast the film forgets its stretch while it floats.</source>
+        <translation>Wie schnell der schwimmende Film seine Dehnung vergisst.</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Elastisch</translation>
+    </message>
+    <message>
+        <source>Contact distance</source>
+        <translation>Kontaktabstand</translation>
+    </message>
+    <message>
+        <source>The distance from the body at which the film begins to adhere.</source>
+        <translation>Der Abstand vom Körper, ab dem der Film haftet.</translation>
+    </message>
+    <message>
+        <source>Soak time</source>
+        <translation>Weichzeit</translation>
+    </message>
+    <message>
+        <source>From the water to the activator.</source>
+        <translation>Vom Auflegen bis zum Aktivator.</translation>
+    </message>
+    <message>
+        <source>Activator time</source>
+        <translation>Aktivatorzeit</translation>
+    </message>
+    <message>
+        <source>From the activator to the dip.</source>
+        <translation>Vom Aktivator bis zum Tauchen.</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Whether this side of the film floats freely or is held by a barrier.</source>
+        <translation>Ob diese Seite des Films frei schwimmt oder von einer Barriere gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Width and length of the water.</source>
+        <translation>Breite und Länge der Wasserfläche.</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>length</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>Water level</source>
+        <translation>Wasserstand</translation>
+    </message>
+    <message>
+        <source>How far the water stands under the tank&apos;s rim.</source>
+        <translation>Wie weit das Wasser unter dem Beckenrand steht.</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Between the tank&apos;s marks, across and along, which the sheet&apos;s registration marks are laid to. 0: there are none.</source>
+        <translation>Abstand der Marken des Beckens, quer und längs, an die die Passmarken des Bogens gelegt werden. 0: Es gibt keine.</translation>
+    </message>
+    <message>
+        <source>Barriers</source>
+        <translation>Barrieren</translation>
+    </message>
+    <message>
+        <source>Whether a barrier in the tank holds this side of the film.</source>
+        <translation>Ob eine Barriere im Becken diese Seite des Films hält.</translation>
     </message>
 </context>
 <context>
@@ -960,7 +1238,7 @@
 <context>
     <name>SolverRegistry</name>
     <message>
-        <source>Its description has no valid "%1"</source>
+        <source>Its description has no valid &quot;%1&quot;</source>
         <translation>Seine Beschreibung hat kein gültiges „%1“</translation>
     </message>
     <message>
@@ -1016,7 +1294,7 @@
         <translation>Sein Modul ist beim Start mit einer unbekannten Ausnahme gescheitert</translation>
     </message>
     <message>
-        <source>Its module does not fit this program's solver interface</source>
+        <source>Its module does not fit this program&apos;s solver interface</source>
         <translation>Sein Modul passt nicht zur Löserschnittstelle dieses Programms</translation>
     </message>
     <message>
@@ -1093,12 +1371,143 @@
         <translation>Textur wird umgekehrt</translation>
     </message>
     <message>
-        <source>The film's image is too large for this computer's memory; choose a lower resolution</source>
+        <source>The film&apos;s image is too large for this computer&apos;s memory; choose a lower resolution</source>
         <translation>Das Bild des Films ist zu groß für den Speicher dieses Rechners; wählen Sie eine kleinere Auflösung</translation>
     </message>
     <message>
         <source>Continuing the colour past the edge</source>
         <translation>Farbe wird über den Rand hinaus fortgesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::CalibrationDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Measure: the printer as it is</source>
+        <translation>Messen: der Drucker, wie er ist</translation>
+    </message>
+    <message>
+        <source>Verify: corrected by the profile</source>
+        <translation>Prüfen: durch das Profil korrigiert</translation>
+    </message>
+    <message>
+        <source>Horizontal ruler</source>
+        <translation>Waagerechtes Lineal</translation>
+    </message>
+    <message>
+        <source>Vertical ruler</source>
+        <translation>Senkrechtes Lineal</translation>
+    </message>
+    <message>
+        <source>&amp;Print Page</source>
+        <translation>Seite &amp;drucken</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Als PDF speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Take over into Profile</source>
+        <translation>Ins Profil &amp;übernehmen</translation>
+    </message>
+    <message>
+        <source>Calibrate Printer</source>
+        <translation>Drucker kalibrieren</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>1. Print the page</source>
+        <translation>1. Seite drucken</translation>
+    </message>
+    <message>
+        <source>P&amp;rofile</source>
+        <translation>P&amp;rofil</translation>
+    </message>
+    <message>
+        <source>Pr&amp;inter</source>
+        <translation>Druc&amp;ker</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>P&amp;apier</translation>
+    </message>
+    <message>
+        <source>The profile that the scale goes into. “Profiles” makes new ones.</source>
+        <translation>Das Profil, in das der Maßstab kommt. Unter „Profile“ entstehen neue.</translation>
+    </message>
+    <message>
+        <source>2. Measure its rulers</source>
+        <translation>2. Lineale messen</translation>
+    </message>
+    <message>
+        <source>&amp;Horizontal</source>
+        <translation>&amp;Waagerecht</translation>
+    </message>
+    <message>
+        <source>&amp;Vertical</source>
+        <translation>&amp;Senkrecht</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Looking for printers</source>
+        <translation>Drucker werden gesucht</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this machine. Save the page as PDF and print it elsewhere, at 100 %.</source>
+        <translation>Auf diesem Rechner ist kein Drucker eingerichtet. Speichern Sie die Seite als PDF und drucken Sie sie woanders, mit 100 %.</translation>
+    </message>
+    <message>
+        <source>instead of %1 mm</source>
+        <translation>statt %1 mm</translation>
+    </message>
+    <message>
+        <source>Print the page, measure both rulers from the first to the last line to a tenth of a millimetre, and type what they show. Then verify with the second page.</source>
+        <translation>Drucken Sie die Seite, messen Sie beide Lineale vom ersten bis zum letzten Strich auf einen Zehntelmillimeter und geben Sie ein, was sie zeigen. Prüfen Sie danach mit der zweiten Seite.</translation>
+    </message>
+    <message>
+        <source>X %1, Y %2</source>
+        <translation>X %1, Y %2</translation>
+    </message>
+    <message>
+        <source>Printing</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Printed on %1. Let it dry, then measure.</source>
+        <translation>Gedruckt auf %1. Lassen Sie die Seite trocknen, dann messen Sie.</translation>
+    </message>
+    <message>
+        <source>Handed to the queue of %1</source>
+        <translation>An die Warteschlange von %1 übergeben</translation>
+    </message>
+    <message>
+        <source>Save Page</source>
+        <translation>Seite speichern</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Wrote %1. Print it at 100 %, without “fit to page”.</source>
+        <translation>%1 geschrieben. Drucken Sie die Seite mit 100 %, ohne „An Seite anpassen“.</translation>
+    </message>
+    <message>
+        <source>%1 now has the scale X %2, Y %3. Print the second page to verify it.</source>
+        <translation>%1 hat jetzt den Maßstab X %2, Y %3. Drucken Sie zum Prüfen die zweite Seite.</translation>
     </message>
 </context>
 <context>
@@ -1112,7 +1521,7 @@
         <translation>Weicht eines um mehr als 0,2 mm ab, messen und kalibrieren Sie noch einmal.</translation>
     </message>
     <message>
-        <source>Type what they do measure, to a tenth of a millimetre, into the printer's profile.</source>
+        <source>Type what they do measure, to a tenth of a millimetre, into the printer&apos;s profile.</source>
         <translation>Tragen Sie ein, was sie wirklich messen, auf ein Zehntel Millimeter, in das Profil des Druckers.</translation>
     </message>
     <message>
@@ -1124,11 +1533,11 @@
         <translation>Nicht korrigiert: X 1, Y 1</translation>
     </message>
     <message>
-        <source>Verification of the printer's scale</source>
+        <source>Verification of the printer&apos;s scale</source>
         <translation>Prüfung des Druckermaßstabs</translation>
     </message>
     <message>
-        <source>Calibration of the printer's scale</source>
+        <source>Calibration of the printer&apos;s scale</source>
         <translation>Kalibrierung des Druckermaßstabs</translation>
     </message>
     <message>
@@ -1140,7 +1549,7 @@
         <translation>Die Kalibrierseite kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer's settings, print the page anew and measure again</source>
+        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer&apos;s settings, print the page anew and measure again</source>
         <translation>%1 mm statt %2 mm ist mehr als 10 % daneben; schalten Sie alle Skalierung in den Einstellungen des Druckers ab, drucken Sie die Seite neu und messen Sie wieder</translation>
     </message>
 </context>
@@ -1158,7 +1567,7 @@
 <context>
     <name>dipwright::DistanceField</name>
     <message>
-        <source>The distance field's resolution is %1; choose 32 to 512</source>
+        <source>The distance field&apos;s resolution is %1; choose 32 to 512</source>
         <translation>Die Auflösung des Abstandsfelds ist %1; wählen Sie 32 bis 512</translation>
     </message>
     <message>
@@ -1195,11 +1604,11 @@
         <translation>Modell wird gelesen</translation>
     </message>
     <message>
-        <source>The model's size must be more than 0 and at most %1 mm</source>
+        <source>The model&apos;s size must be more than 0 and at most %1 mm</source>
         <translation>Die Größe des Modells muss über 0 und höchstens %1 mm sein</translation>
     </message>
     <message>
-        <source>The model's unit must be a positive number of millimetres</source>
+        <source>The model&apos;s unit must be a positive number of millimetres</source>
         <translation>Die Einheit des Modells muss eine positive Zahl von Millimetern sein</translation>
     </message>
     <message>
@@ -1223,7 +1632,7 @@
         <translation>Die Texturdatei kann nicht gelesen werden; prüfen Sie Namen und Zugriffsrechte</translation>
     </message>
     <message>
-        <source>%1 corners of the model's triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
+        <source>%1 corners of the model&apos;s triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
         <translation>%1 Ecken der Dreiecke des Modells sind keine Zahlen (NaN oder unendlich); reparieren Sie das Modell und speichern Sie es neu</translation>
     </message>
     <message numerus="yes">
@@ -1234,7 +1643,7 @@
         </translation>
     </message>
     <message>
-        <source>None of the model's triangles has an area; choose another model</source>
+        <source>None of the model&apos;s triangles has an area; choose another model</source>
         <translation>Keines der Dreiecke des Modells hat eine Fläche; wählen Sie ein anderes Modell</translation>
     </message>
     <message numerus="yes">
@@ -1256,7 +1665,7 @@
         <translation>Das Modell hat keine Ausdehnung; wählen Sie ein anderes</translation>
     </message>
     <message>
-        <source>The model's longest edge would be %1 mm; give the size it is to have</source>
+        <source>The model&apos;s longest edge would be %1 mm; give the size it is to have</source>
         <translation>Die längste Kante des Modells wäre %1 mm; geben Sie die Größe an, die es haben soll</translation>
     </message>
     <message>
@@ -1268,11 +1677,11 @@
         <translation>Das Netz ist nicht geschlossen: Was innen ist, wird nach der Mehrheit der Blickrichtungen beurteilt</translation>
     </message>
     <message>
-        <source>The model's longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
+        <source>The model&apos;s longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
         <translation>Die längste Kante des Modells ist nur %1 mm; wenn seine Datei nicht in Millimetern ist, geben Sie die Größe an, die es haben soll</translation>
     </message>
     <message>
-        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials' colours are</source>
+        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials&apos; colours are</source>
         <translation>Das Modell hat keine Texturkoordinaten, daher kann seine Textur nicht aufgelegt werden; verwendet werden die Farben seiner Materialien</translation>
     </message>
     <message>
@@ -1280,7 +1689,7 @@
         <translation>Die Datei %1, die das Modell nennt, wurde nicht gefunden</translation>
     </message>
     <message>
-        <source>%1 texture coordinates are too large to be used; their triangles show the material's colour</source>
+        <source>%1 texture coordinates are too large to be used; their triangles show the material&apos;s colour</source>
         <translation>%1 Texturkoordinaten sind zu groß, um verwendet zu werden; ihre Dreiecke zeigen die Farbe des Materials</translation>
     </message>
     <message>
@@ -1292,7 +1701,7 @@
         <translation>Modell wird geprüft</translation>
     </message>
     <message>
-        <source>Finding the texture's charts</source>
+        <source>Finding the texture&apos;s charts</source>
         <translation>Teile der Textur werden gesucht</translation>
     </message>
     <message>
@@ -1300,7 +1709,7 @@
         <translation>Das Modell braucht mehr Speicher, als da ist; verkleinern Sie es</translation>
     </message>
     <message>
-        <source>The texture %1 was not found beside the model; its material's colour is used instead</source>
+        <source>The texture %1 was not found beside the model; its material&apos;s colour is used instead</source>
         <translation>Die Textur %1 wurde neben dem Modell nicht gefunden; stattdessen wird die Farbe ihres Materials verwendet</translation>
     </message>
     <message>
@@ -1344,7 +1753,7 @@
         <translation>eine Fläche nennt einen Punkt, den es nicht gibt</translation>
     </message>
     <message>
-        <source>The colours of the model's points are not used; bake them into a texture to print them</source>
+        <source>The colours of the model&apos;s points are not used; bake them into a texture to print them</source>
         <translation>Die Farben der Punkte des Modells werden nicht verwendet; backen Sie sie in eine Textur, um sie zu drucken</translation>
     </message>
     <message>
@@ -1396,7 +1805,7 @@
         <translation>es setzt ein Objekt, das es nicht gibt</translation>
     </message>
     <message>
-        <source>The texture %1 is not in the model's package; its material's colour is used instead</source>
+        <source>The texture %1 is not in the model&apos;s package; its material&apos;s colour is used instead</source>
         <translation>Die Textur %1 ist nicht im Paket des Modells; stattdessen wird die Farbe ihres Materials verwendet</translation>
     </message>
     <message>
@@ -1786,7 +2195,7 @@
         <translation>Bogen als P&amp;DF …</translation>
     </message>
     <message>
-        <source>Save this immersion's sheet as PDF at true size</source>
+        <source>Save this immersion&apos;s sheet as PDF at true size</source>
         <translation>Den Bogen dieses Tauchgangs als PDF in wahrer Größe speichern</translation>
     </message>
     <message>
@@ -1794,7 +2203,7 @@
         <translation>Bogen als P&amp;NG …</translation>
     </message>
     <message>
-        <source>Save this immersion's film image as PNG</source>
+        <source>Save this immersion&apos;s film image as PNG</source>
         <translation>Das Filmbild dieses Tauchgangs als PNG speichern</translation>
     </message>
     <message>
@@ -1850,7 +2259,7 @@
         <translation>Modell neu &amp;laden</translation>
     </message>
     <message>
-        <source>Read the model's file again and keep all settings</source>
+        <source>Read the model&apos;s file again and keep all settings</source>
         <translation>Die Datei des Modells neu lesen und alle Einstellungen behalten</translation>
     </message>
     <message>
@@ -2046,7 +2455,7 @@
         <translation>&amp;Linien alle 10 mm</translation>
     </message>
     <message>
-        <source>The &amp;Sheet's Image</source>
+        <source>The &amp;Sheet&apos;s Image</source>
         <translation>Das Bild des &amp;Bogens</translation>
     </message>
     <message>
@@ -2181,6 +2590,30 @@
         <source>&amp;Remove</source>
         <translation>&amp;Entfernen</translation>
     </message>
+    <message>
+        <source>Calibrated %1</source>
+        <translation>%1 kalibriert</translation>
+    </message>
+    <message>
+        <source>Use Profile %1</source>
+        <translation>Profil %1 verwenden</translation>
+    </message>
+    <message>
+        <source>Calibrate P&amp;rinter…</source>
+        <translation>D&amp;rucker kalibrieren …</translation>
+    </message>
+    <message>
+        <source>Print a page of rulers and put the printer&apos;s scale into its profile</source>
+        <translation>Eine Seite mit Linealen drucken und den Maßstab des Druckers in sein Profil übernehmen</translation>
+    </message>
+    <message>
+        <source>Pro&amp;files…</source>
+        <translation>Pro&amp;file …</translation>
+    </message>
+    <message>
+        <source>What is known of printers, films and tanks</source>
+        <translation>Was über Drucker, Filme und Becken bekannt ist</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ModelFile</name>
@@ -2224,7 +2657,7 @@
         <translation>Neues Projekt</translation>
     </message>
     <message>
-        <source>The model's own</source>
+        <source>The model&apos;s own</source>
         <translation>Die eigene des Modells</translation>
     </message>
     <message>
@@ -2332,7 +2765,7 @@
         <translation>Die Datei des Körpers, der getaucht werden soll.</translation>
     </message>
     <message>
-        <source>A picture to wear in place of the model's own texture, or nothing.</source>
+        <source>A picture to wear in place of the model&apos;s own texture, or nothing.</source>
         <translation>Ein Bild an Stelle der eigenen Textur des Modells, oder nichts.</translation>
     </message>
     <message>
@@ -2340,7 +2773,7 @@
         <translation>Das Modell wird vergrößert oder verkleinert, bis seine längste Kante so viel misst.</translation>
     </message>
     <message>
-        <source>In which unit the model's file gives its coordinates. The file does not say.</source>
+        <source>In which unit the model&apos;s file gives its coordinates. The file does not say.</source>
         <translation>In welcher Einheit die Datei des Modells ihre Koordinaten angibt. Die Datei selbst sagt es nicht.</translation>
     </message>
     <message>
@@ -2608,10 +3041,6 @@
         <translation>Der Drucker wird gefragt</translation>
     </message>
     <message>
-        <source>Ready to print at true size.</source>
-        <translation>Bereit zum Druck in wahrer Größe.</translation>
-    </message>
-    <message>
         <source>Printing …</source>
         <translation>Wird gedruckt …</translation>
     </message>
@@ -2628,7 +3057,7 @@
         <translation>An die Warteschlange von %1 übergeben</translation>
     </message>
     <message>
-        <source>Whether this immersion's sheet is printed.</source>
+        <source>Whether this immersion&apos;s sheet is printed.</source>
         <translation>Ob der Bogen dieses Tauchgangs gedruckt wird.</translation>
     </message>
     <message>
@@ -2643,11 +3072,99 @@
         <source>Without this tick such a print is refused, with the reason.</source>
         <translation>Ohne dieses Häkchen wird ein solcher Druck mit Begründung abgelehnt.</translation>
     </message>
+    <message>
+        <source>Save as File…</source>
+        <translation>Als Datei speichern …</translation>
+    </message>
+    <message>
+        <source>The sheet shown, as PDF or TIFF in the printer&apos;s scale and colours.</source>
+        <translation>Der gezeigte Bogen, als PDF oder TIFF im Maßstab und in den Farben des Druckers.</translation>
+    </message>
+    <message>
+        <source>Cancelled. What the printer has already begun may still come out.</source>
+        <translation>Abgebrochen. Was der Drucker schon begonnen hat, kommt vielleicht noch heraus.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>The film itself</source>
+        <translation>Der Film selbst</translation>
+    </message>
+    <message>
+        <source>Custom, as set under Sheet</source>
+        <translation>Eigenes, wie unter Bogen eingestellt</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Hochformat</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>P&amp;apier</translation>
+    </message>
+    <message>
+        <source>&amp;Orientation</source>
+        <translation>Aus&amp;richtung</translation>
+    </message>
+    <message>
+        <source>As designed</source>
+        <translation>Wie entworfen</translation>
+    </message>
+    <message>
+        <source>As printed (soft proof)</source>
+        <translation>Wie gedruckt (Softproof)</translation>
+    </message>
+    <message>
+        <source>As printed, colours out of reach in magenta</source>
+        <translation>Wie gedruckt, unerreichbare Farben in Magenta</translation>
+    </message>
+    <message>
+        <source>How the page is shown here. What is printed stays the same.</source>
+        <translation>Wie die Seite hier gezeigt wird. Gedruckt wird dasselbe.</translation>
+    </message>
+    <message>
+        <source>A soft proof needs a printer profile with an ICC profile.</source>
+        <translation>Ein Softproof braucht ein Druckerprofil mit ICC-Profil.</translation>
+    </message>
+    <message>
+        <source>Colours of the page</source>
+        <translation>Farben der Seite</translation>
+    </message>
+    <message>
+        <source>Proofing the colours</source>
+        <translation>Farben werden geprüft</translation>
+    </message>
+    <message>
+        <source>%1 % of the paint is out of the printer&apos;s reach.</source>
+        <translation>%1 % der Farbe kann der Drucker nicht wiedergeben.</translation>
+    </message>
+    <message>
+        <source>Save Sheet</source>
+        <translation>Bogen speichern</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Ready to print at true size. Pages: %1.</source>
+        <translation>Bereit zum Druck in wahrer Größe. Seiten: %1.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PrinterColour</name>
     <message>
-        <source>The ICC profile cannot be used for printing, choose the printer's output profile</source>
+        <source>The ICC profile cannot be used for printing, choose the printer&apos;s output profile</source>
         <translation>Das ICC-Profil taugt nicht zum Drucken; wählen Sie das Ausgabeprofil des Druckers</translation>
     </message>
     <message>
@@ -2655,7 +3172,7 @@
         <translation>Das ist kein ICC-Profil, oder es ist beschädigt</translation>
     </message>
     <message>
-        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer's output profile</source>
+        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer&apos;s output profile</source>
         <translation>Das ICC-Profil gehört zu keinem RGB- oder CMYK-Drucker; wählen Sie das Ausgabeprofil des Druckers</translation>
     </message>
 </context>
@@ -2690,15 +3207,15 @@
         <translation>Diesen Drucker gibt es nicht; es gibt: %1</translation>
     </message>
     <message>
-        <source>The printer is stopped%1; start it again in the system's settings</source>
+        <source>The printer is stopped%1; start it again in the system&apos;s settings</source>
         <translation>Der Drucker ist angehalten%1; starten Sie ihn in den Einstellungen des Systems</translation>
     </message>
     <message>
-        <source>The printer takes no jobs at the moment%1; let it in the system's settings</source>
+        <source>The printer takes no jobs at the moment%1; let it in the system&apos;s settings</source>
         <translation>Der Drucker nimmt im Augenblick keine Aufträge an%1; erlauben Sie es in den Einstellungen des Systems</translation>
     </message>
     <message>
-        <source>The printer has no paper of %1; set the sheet's paper to one that it has: %2</source>
+        <source>The printer has no paper of %1; set the sheet&apos;s paper to one that it has: %2</source>
         <translation>Der Drucker hat kein Papier von %1; stellen Sie das Papier des Bogens auf eines, das er hat: %2</translation>
     </message>
     <message>
@@ -2742,11 +3259,11 @@
         <translation>Wird gedruckt</translation>
     </message>
     <message>
-        <source>Held in the printer's queue</source>
+        <source>Held in the printer&apos;s queue</source>
         <translation>In der Warteschlange des Druckers angehalten</translation>
     </message>
     <message>
-        <source>Waiting in the printer's queue</source>
+        <source>Waiting in the printer&apos;s queue</source>
         <translation>Wartet in der Warteschlange des Druckers</translation>
     </message>
     <message>
@@ -2770,7 +3287,7 @@
         <translation>Der Drucker hat angehalten: %1; der Auftrag ist abgebrochen, starten Sie den Drucker und drucken Sie den Bogen neu</translation>
     </message>
     <message>
-        <source>This program was built without printing; print the sheet's PDF at 100 % instead</source>
+        <source>This program was built without printing; print the sheet&apos;s PDF at 100 % instead</source>
         <translation>Dieses Programm wurde ohne Drucken gebaut; drucken Sie stattdessen das PDF des Bogens mit 100 %</translation>
     </message>
     <message>
@@ -2792,6 +3309,141 @@
     <message>
         <source>Calibration of %1</source>
         <translation>Kalibrierung von %1</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ProfilesDialog</name>
+    <message>
+        <source>Profiles (%1)</source>
+        <translation>Profile (%1)</translation>
+    </message>
+    <message>
+        <source>None: the printer is sent sRGB</source>
+        <translation>Keines: Der Drucker bekommt sRGB</translation>
+    </message>
+    <message>
+        <source>%1 (CMYK: for TIFF files)</source>
+        <translation>%1 (CMYK: für TIFF-Dateien)</translation>
+    </message>
+    <message>
+        <source>%1 (RGB)</source>
+        <translation>%1 (RGB)</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1</source>
+        <translation>Die Datei kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Copy…</source>
+        <translation>Kopieren …</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>&amp;Use in Project</source>
+        <translation>Im Projekt &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Profile</translation>
+    </message>
+    <message>
+        <source>The project takes its values over and keeps a copy, so that it prints the same when the profile has since changed.</source>
+        <translation>Das Projekt übernimmt seine Werte und behält eine Kopie, damit es gleich druckt, auch wenn sich das Profil seither geändert hat.</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importieren …</translation>
+    </message>
+    <message>
+        <source>Makes a profile of your own from this one.</source>
+        <translation>Macht aus diesem ein eigenes Profil.</translation>
+    </message>
+    <message>
+        <source>Printers</source>
+        <translation>Drucker</translation>
+    </message>
+    <message>
+        <source>Films</source>
+        <translation>Filme</translation>
+    </message>
+    <message>
+        <source>Tanks</source>
+        <translation>Becken</translation>
+    </message>
+    <message>
+        <source>Comes with the program</source>
+        <translation>Kommt mit dem Programm</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>Choose an ICC profile</source>
+        <translation>ICC-Profil wählen</translation>
+    </message>
+    <message>
+        <source>No ICC profile</source>
+        <translation>Kein ICC-Profil</translation>
+    </message>
+    <message>
+        <source>ICC profile</source>
+        <translation>ICC-Profil</translation>
+    </message>
+    <message>
+        <source>The printer&apos;s output profile, made for its ink and film. Sheets are then sent in the printer&apos;s own colours.</source>
+        <translation>Das Ausgabeprofil des Druckers für seine Farben und den Film. Bögen werden dann in den Farben des Druckers gesendet.</translation>
+    </message>
+    <message>
+        <source>A profile needs a name</source>
+        <translation>Ein Profil braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>There is a profile of this name already, choose another</source>
+        <translation>Ein Profil dieses Namens gibt es schon, wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>Changes are kept at once. Profiles in italics come with the program; a changed one is yours, and Remove brings the first back.</source>
+        <translation>Änderungen werden sofort behalten. Kursive Profile kommen mit dem Programm; ein geändertes ist Ihres, und „Entfernen“ bringt das erste zurück.</translation>
+    </message>
+    <message>
+        <source>Import Profile</source>
+        <translation>Profil importieren</translation>
+    </message>
+    <message>
+        <source>Export Profile</source>
+        <translation>Profil exportieren</translation>
+    </message>
+    <message>
+        <source>Copy Profile</source>
+        <translation>Profil kopieren</translation>
+    </message>
+    <message>
+        <source>Name of the copy:</source>
+        <translation>Name der Kopie:</translation>
+    </message>
+    <message>
+        <source>%1, own</source>
+        <translation>%1, eigenes</translation>
+    </message>
+    <message>
+        <source>ICC profiles (%1)</source>
+        <translation>ICC-Profile (%1)</translation>
     </message>
 </context>
 <context>
@@ -2867,7 +3519,7 @@
         <translation>Beckenprofil</translation>
     </message>
     <message>
-        <source>A tank: its barriers hold the film's sides.</source>
+        <source>A tank: its barriers hold the film&apos;s sides.</source>
         <translation>Ein Becken: Seine Barrieren halten die Seiten des Films.</translation>
     </message>
     <message>
@@ -2923,7 +3575,7 @@
         <translation>Neu laden</translation>
     </message>
     <message>
-        <source>Reads the model's file again and keeps all settings.</source>
+        <source>Reads the model&apos;s file again and keeps all settings.</source>
         <translation>Liest die Datei des Modells neu und behält alle Einstellungen.</translation>
     </message>
     <message>
@@ -3057,7 +3709,7 @@
         <translation>Dehnung des Films</translation>
     </message>
     <message>
-        <source>Mean of each point's constraints, final over rest length; ink side up</source>
+        <source>Mean of each point&apos;s constraints, final over rest length; ink side up</source>
         <translation>Mittel der Fäden jedes Punkts, End- über Ruhelänge; Farbseite oben</translation>
     </message>
     <message>
@@ -3153,7 +3805,7 @@ mm je mm</translation>
         <translation>Ein Film von %1 × %2 mm bei %3 dpi ergibt kein Bild von 1 bis %4 Bildpunkten je Seite; wählen Sie eine andere Auflösung oder Filmgröße</translation>
     </message>
     <message>
-        <source>The sheet's image cannot be written: %1</source>
+        <source>The sheet&apos;s image cannot be written: %1</source>
         <translation>Das Bild des Bogens kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
@@ -3161,11 +3813,11 @@ mm je mm</translation>
         <translation>Im CMYK dieses ICC-Profils kann kein PDF geschrieben werden; schreiben Sie ein TIFF oder drucken Sie in sRGB</translation>
     </message>
     <message>
-        <source>The sheet's PDF cannot be written: %1</source>
+        <source>The sheet&apos;s PDF cannot be written: %1</source>
         <translation>Das PDF des Bogens kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>The sheet's TIFF cannot be written: %1</source>
+        <source>The sheet&apos;s TIFF cannot be written: %1</source>
         <translation>Das TIFF des Bogens kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
@@ -3173,7 +3825,7 @@ mm je mm</translation>
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Unknown paper "%1"; choose film, A4, A3, Letter or custom</source>
+        <source>Unknown paper &quot;%1&quot;; choose film, A4, A3, Letter or custom</source>
         <translation>Unbekanntes Papier „%1“; wählen Sie film, A4, A3, Letter oder custom</translation>
     </message>
     <message>
@@ -3332,7 +3984,7 @@ mm je mm</translation>
         <translation>Kleinste Dehnung</translation>
     </message>
     <message>
-        <source>Length of the film's threads after the dip over before: the mean round each point.</source>
+        <source>Length of the film&apos;s threads after the dip over before: the mean round each point.</source>
         <translation>Länge der Fäden des Films nach dem Tauchen über der davor: das Mittel um jeden Punkt.</translation>
     </message>
     <message>
@@ -3411,7 +4063,7 @@ mm je mm</translation>
 <context>
     <name>dipwright::SurfaceQuery</name>
     <message>
-        <source>The mesh is too large for this computer's memory; reduce its number of triangles</source>
+        <source>The mesh is too large for this computer&apos;s memory; reduce its number of triangles</source>
         <translation>Das Netz ist zu groß für den Speicher dieses Rechners; verringern Sie die Zahl der Dreiecke</translation>
     </message>
 </context>

@@ -255,11 +255,11 @@
         <translation>O corpo não encontra o filme; mova-o sobre o filme ou escolha um filme maior</translation>
     </message>
     <message>
-        <source>%1: the body reaches past the film's edge</source>
+        <source>%1: the body reaches past the film&apos;s edge</source>
         <translation>%1: o corpo ultrapassa a borda do filme</translation>
     </message>
     <message>
-        <source>%1: the film's cells are coarse for this body, give the film more points</source>
+        <source>%1: the film&apos;s cells are coarse for this body, give the film more points</source>
         <translation>%1: as células do filme são grossas para este corpo; dê mais pontos ao filme</translation>
     </message>
     <message>
@@ -312,6 +312,284 @@
     <message>
         <source>The project has no model, import one first</source>
         <translation>O projeto não tem modelo; importe um primeiro</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileSpecs</name>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>What the profile is called in lists and in projects.</source>
+        <translation>Como o perfil se chama em listas e projetos.</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Livre</translation>
+    </message>
+    <message>
+        <source>Held by a barrier</source>
+        <translation>Preso por uma barreira</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Esquerda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Direita</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Em cima</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Embaixo</translation>
+    </message>
+    <message>
+        <source>System&apos;s name</source>
+        <translation>Nome no sistema</translation>
+    </message>
+    <message>
+        <source>The name under which the system knows the printer. It is then chosen at first when a sheet is printed.</source>
+        <translation>O nome com que o sistema conhece a impressora. Ela já vem escolhida quando se imprime uma folha.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escala</translation>
+    </message>
+    <message>
+        <source>Printed length over true length, across the paper and along its feed. Sheets are drawn smaller by it. “Calibrate Printer” measures it.</source>
+        <translation>Comprimento impresso dividido pelo real, na largura do papel e no sentido do avanço. As folhas são desenhadas menores nessa proporção. “Calibrar impressora” mede isso.</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>Margens</translation>
+    </message>
+    <message>
+        <source>What the printer does not reach at the paper&apos;s left, top, right and bottom edge.</source>
+        <translation>O que a impressora não alcança nas bordas esquerda, superior, direita e inferior do papel.</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>left</comment>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <comment>top</comment>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>right</comment>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <comment>bottom</comment>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Resolução</translation>
+    </message>
+    <message>
+        <source>Pixels an inch of the sheets for this printer.</source>
+        <translation>Pixels por polegada das folhas para esta impressora.</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Cor</translation>
+    </message>
+    <message>
+        <source>Rendering intent</source>
+        <translation>Intenção de renderização</translation>
+    </message>
+    <message>
+        <source>How colours that the printer cannot make are brought into its reach.</source>
+        <translation>Como as cores que a impressora não consegue fazer são trazidas para o seu alcance.</translation>
+    </message>
+    <message>
+        <source>Perceptual</source>
+        <translation>Perceptual</translation>
+    </message>
+    <message>
+        <source>Relative colorimetric</source>
+        <translation>Colorimétrico relativo</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Saturação</translation>
+    </message>
+    <message>
+        <source>Absolute colorimetric</source>
+        <translation>Colorimétrico absoluto</translation>
+    </message>
+    <message>
+        <source>Fit black point</source>
+        <translation>Ajustar ponto preto</translation>
+    </message>
+    <message>
+        <source>Fits the darkest dark to what the printer can print, so that shadows stay distinct.</source>
+        <translation>Ajusta o tom mais escuro ao que a impressora consegue, para que as sombras continuem distintas.</translation>
+    </message>
+    <message>
+        <source>Ink limit</source>
+        <translation>Limite de tinta</translation>
+    </message>
+    <message>
+        <source>The highest optical density a channel that the film holds.</source>
+        <translation>A maior densidade óptica por canal que o filme suporta.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamanho</translation>
+    </message>
+    <message>
+        <source>Width and height of the dry film.</source>
+        <translation>Largura e altura do filme seco.</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>width</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <comment>height</comment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Alimentação</translation>
+    </message>
+    <message>
+        <source>The edge that goes into the printer first: a film swells more along its web.</source>
+        <translation>A borda que entra primeiro na impressora: um filme incha mais ao longo da bobina.</translation>
+    </message>
+    <message>
+        <source>Short edge first</source>
+        <translation>Borda curta primeiro</translation>
+    </message>
+    <message>
+        <source>Long edge first</source>
+        <translation>Borda longa primeiro</translation>
+    </message>
+    <message>
+        <source>Lot</source>
+        <translation>Lote</translation>
+    </message>
+    <message>
+        <source>The maker&apos;s number: another lot may swell otherwise.</source>
+        <translation>O número do fabricante: outro lote pode inchar de outro modo.</translation>
+    </message>
+    <message>
+        <source>Use before</source>
+        <translation>Usar até</translation>
+    </message>
+    <message>
+        <source>A date such as 2027-03-31, or nothing.</source>
+        <translation>Uma data como 2027-03-31, ou nada.</translation>
+    </message>
+    <message>
+        <source>Behaviour on the water</source>
+        <translation>Comportamento na água</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Inchamento</translation>
+    </message>
+    <message>
+        <source>How much the wetted film has grown over the printed one, across and down.</source>
+        <translation>Quanto o filme molhado cresceu em relação ao impresso, na largura e na altura.</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxação</translation>
+    </message>
+    <message>
+        <source>How fast the film forgets its stretch while it floats.</source>
+        <translation>Com que rapidez o filme esquece o estiramento enquanto flutua.</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Elástico</translation>
+    </message>
+    <message>
+        <source>Contact distance</source>
+        <translation>Distância de contato</translation>
+    </message>
+    <message>
+        <source>The distance from the body at which the film begins to adhere.</source>
+        <translation>A distância do corpo em que o filme começa a aderir.</translation>
+    </message>
+    <message>
+        <source>Soak time</source>
+        <translation>Tempo de molho</translation>
+    </message>
+    <message>
+        <source>From the water to the activator.</source>
+        <translation>Da água até o ativador.</translation>
+    </message>
+    <message>
+        <source>Activator time</source>
+        <translation>Tempo do ativador</translation>
+    </message>
+    <message>
+        <source>From the activator to the dip.</source>
+        <translation>Do ativador até a imersão.</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Lados</translation>
+    </message>
+    <message>
+        <source>Whether this side of the film floats freely or is held by a barrier.</source>
+        <translation>Se este lado do filme flutua livre ou é preso por uma barreira.</translation>
+    </message>
+    <message>
+        <source>Width and length of the water.</source>
+        <translation>Largura e comprimento da água.</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>length</comment>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Water level</source>
+        <translation>Nível da água</translation>
+    </message>
+    <message>
+        <source>How far the water stands under the tank&apos;s rim.</source>
+        <translation>A que distância da borda do tanque fica a água.</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Marcas</translation>
+    </message>
+    <message>
+        <source>Between the tank&apos;s marks, across and along, which the sheet&apos;s registration marks are laid to. 0: there are none.</source>
+        <translation>Distância entre as marcas do tanque, na largura e no comprimento, às quais se alinham as marcas de registro da folha. 0: não há.</translation>
+    </message>
+    <message>
+        <source>Barriers</source>
+        <translation>Barreiras</translation>
+    </message>
+    <message>
+        <source>Whether a barrier in the tank holds this side of the film.</source>
+        <translation>Se uma barreira no tanque prende este lado do filme.</translation>
     </message>
 </context>
 <context>
@@ -696,7 +974,7 @@
     </message>
     <message>
         <source>How far the lowest point of the body goes under the waterline. “Whole body” dips until all of it is under.</source>
-        <translation>Quanto o ponto mais baixo do corpo desce abaixo da linha d'água. “Corpo inteiro” mergulha até tudo ficar submerso.</translation>
+        <translation>Quanto o ponto mais baixo do corpo desce abaixo da linha d&apos;água. “Corpo inteiro” mergulha até tudo ficar submerso.</translation>
     </message>
     <message>
         <source>Whole body</source>
@@ -960,7 +1238,7 @@
 <context>
     <name>SolverRegistry</name>
     <message>
-        <source>Its description has no valid "%1"</source>
+        <source>Its description has no valid &quot;%1&quot;</source>
         <translation>Sua descrição não tem “%1” válido</translation>
     </message>
     <message>
@@ -1016,7 +1294,7 @@
         <translation>Seu módulo falhou ao iniciar com uma exceção desconhecida</translation>
     </message>
     <message>
-        <source>Its module does not fit this program's solver interface</source>
+        <source>Its module does not fit this program&apos;s solver interface</source>
         <translation>Seu módulo não serve à interface de solucionador deste programa</translation>
     </message>
     <message>
@@ -1093,12 +1371,143 @@
         <translation>Revertendo a textura</translation>
     </message>
     <message>
-        <source>The film's image is too large for this computer's memory; choose a lower resolution</source>
+        <source>The film&apos;s image is too large for this computer&apos;s memory; choose a lower resolution</source>
         <translation>A imagem do filme é grande demais para a memória deste computador; escolha uma resolução menor</translation>
     </message>
     <message>
         <source>Continuing the colour past the edge</source>
         <translation>Continuando a cor além da borda</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::CalibrationDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Measure: the printer as it is</source>
+        <translation>Medir: a impressora como ela é</translation>
+    </message>
+    <message>
+        <source>Verify: corrected by the profile</source>
+        <translation>Verificar: corrigida pelo perfil</translation>
+    </message>
+    <message>
+        <source>Horizontal ruler</source>
+        <translation>Régua horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical ruler</source>
+        <translation>Régua vertical</translation>
+    </message>
+    <message>
+        <source>&amp;Print Page</source>
+        <translation>Im&amp;primir página</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Salvar como PDF…</translation>
+    </message>
+    <message>
+        <source>&amp;Take over into Profile</source>
+        <translation>&amp;Guardar no perfil</translation>
+    </message>
+    <message>
+        <source>Calibrate Printer</source>
+        <translation>Calibrar impressora</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Página</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Cancelado.</translation>
+    </message>
+    <message>
+        <source>1. Print the page</source>
+        <translation>1. Imprimir a página</translation>
+    </message>
+    <message>
+        <source>P&amp;rofile</source>
+        <translation>Pe&amp;rfil</translation>
+    </message>
+    <message>
+        <source>Pr&amp;inter</source>
+        <translation>&amp;Impressora</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>P&amp;apel</translation>
+    </message>
+    <message>
+        <source>The profile that the scale goes into. “Profiles” makes new ones.</source>
+        <translation>O perfil que recebe a escala. Em “Perfis” se criam novos.</translation>
+    </message>
+    <message>
+        <source>2. Measure its rulers</source>
+        <translation>2. Medir as réguas</translation>
+    </message>
+    <message>
+        <source>&amp;Horizontal</source>
+        <translation>&amp;Horizontal</translation>
+    </message>
+    <message>
+        <source>&amp;Vertical</source>
+        <translation>&amp;Vertical</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escala</translation>
+    </message>
+    <message>
+        <source>Looking for printers</source>
+        <translation>Procurando impressoras</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this machine. Save the page as PDF and print it elsewhere, at 100 %.</source>
+        <translation>Nenhuma impressora está configurada nesta máquina. Salve a página como PDF e imprima em outro lugar, a 100 %.</translation>
+    </message>
+    <message>
+        <source>instead of %1 mm</source>
+        <translation>em vez de %1 mm</translation>
+    </message>
+    <message>
+        <source>Print the page, measure both rulers from the first to the last line to a tenth of a millimetre, and type what they show. Then verify with the second page.</source>
+        <translation>Imprima a página, meça as duas réguas do primeiro ao último traço com precisão de um décimo de milímetro e digite o que elas mostram. Depois verifique com a segunda página.</translation>
+    </message>
+    <message>
+        <source>X %1, Y %2</source>
+        <translation>X %1, Y %2</translation>
+    </message>
+    <message>
+        <source>Printing</source>
+        <translation>Imprimindo</translation>
+    </message>
+    <message>
+        <source>Printed on %1. Let it dry, then measure.</source>
+        <translation>Impresso em %1. Deixe secar e depois meça.</translation>
+    </message>
+    <message>
+        <source>Handed to the queue of %1</source>
+        <translation>Entregue à fila de %1</translation>
+    </message>
+    <message>
+        <source>Save Page</source>
+        <translation>Salvar página</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>calibração</translation>
+    </message>
+    <message>
+        <source>Wrote %1. Print it at 100 %, without “fit to page”.</source>
+        <translation>%1 gravado. Imprima a 100 %, sem “ajustar à página”.</translation>
+    </message>
+    <message>
+        <source>%1 now has the scale X %2, Y %3. Print the second page to verify it.</source>
+        <translation>%1 agora tem a escala X %2, Y %3. Imprima a segunda página para verificar.</translation>
     </message>
 </context>
 <context>
@@ -1112,7 +1521,7 @@
         <translation>Se alguma estiver mais de 0,2 mm fora, meça e calibre de novo.</translation>
     </message>
     <message>
-        <source>Type what they do measure, to a tenth of a millimetre, into the printer's profile.</source>
+        <source>Type what they do measure, to a tenth of a millimetre, into the printer&apos;s profile.</source>
         <translation>Digite o que elas medem de fato, ao décimo de milímetro, no perfil da impressora.</translation>
     </message>
     <message>
@@ -1124,11 +1533,11 @@
         <translation>Sem correção: X 1, Y 1</translation>
     </message>
     <message>
-        <source>Verification of the printer's scale</source>
+        <source>Verification of the printer&apos;s scale</source>
         <translation>Verificação da escala da impressora</translation>
     </message>
     <message>
-        <source>Calibration of the printer's scale</source>
+        <source>Calibration of the printer&apos;s scale</source>
         <translation>Calibração da escala da impressora</translation>
     </message>
     <message>
@@ -1140,7 +1549,7 @@
         <translation>A página de calibração não pode ser gravada: %1</translation>
     </message>
     <message>
-        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer's settings, print the page anew and measure again</source>
+        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer&apos;s settings, print the page anew and measure again</source>
         <translation>%1 mm em vez de %2 mm passa de 10 % de erro; desligue toda escala nas configurações da impressora, imprima a página de novo e meça outra vez</translation>
     </message>
 </context>
@@ -1158,7 +1567,7 @@
 <context>
     <name>dipwright::DistanceField</name>
     <message>
-        <source>The distance field's resolution is %1; choose 32 to 512</source>
+        <source>The distance field&apos;s resolution is %1; choose 32 to 512</source>
         <translation>A resolução do campo de distância é %1; escolha de 32 a 512</translation>
     </message>
     <message>
@@ -1195,11 +1604,11 @@
         <translation>Lendo o modelo</translation>
     </message>
     <message>
-        <source>The model's size must be more than 0 and at most %1 mm</source>
+        <source>The model&apos;s size must be more than 0 and at most %1 mm</source>
         <translation>O tamanho do modelo deve ser maior que 0 e no máximo %1 mm</translation>
     </message>
     <message>
-        <source>The model's unit must be a positive number of millimetres</source>
+        <source>The model&apos;s unit must be a positive number of millimetres</source>
         <translation>A unidade do modelo deve ser um número positivo de milímetros</translation>
     </message>
     <message>
@@ -1223,7 +1632,7 @@
         <translation>O arquivo de textura não pode ser lido; confira o nome e as permissões</translation>
     </message>
     <message>
-        <source>%1 corners of the model's triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
+        <source>%1 corners of the model&apos;s triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
         <translation>%1 vértices dos triângulos do modelo não são números (NaN ou infinito); repare o modelo e salve-o de novo</translation>
     </message>
     <message numerus="yes">
@@ -1234,7 +1643,7 @@
         </translation>
     </message>
     <message>
-        <source>None of the model's triangles has an area; choose another model</source>
+        <source>None of the model&apos;s triangles has an area; choose another model</source>
         <translation>Nenhum triângulo do modelo tem área; escolha outro modelo</translation>
     </message>
     <message numerus="yes">
@@ -1256,7 +1665,7 @@
         <translation>O modelo não tem extensão; escolha outro modelo</translation>
     </message>
     <message>
-        <source>The model's longest edge would be %1 mm; give the size it is to have</source>
+        <source>The model&apos;s longest edge would be %1 mm; give the size it is to have</source>
         <translation>A aresta mais longa do modelo teria %1 mm; informe o tamanho desejado</translation>
     </message>
     <message>
@@ -1268,11 +1677,11 @@
         <translation>A malha não é fechada: o interior é julgado pela maioria das direções de visão</translation>
     </message>
     <message>
-        <source>The model's longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
+        <source>The model&apos;s longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
         <translation>A aresta mais longa do modelo tem só %1 mm; se o arquivo não estiver em milímetros, informe o tamanho desejado</translation>
     </message>
     <message>
-        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials' colours are</source>
+        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials&apos; colours are</source>
         <translation>O modelo não tem coordenadas de textura, então a textura não pode ser aplicada; usam-se as cores dos materiais</translation>
     </message>
     <message>
@@ -1280,7 +1689,7 @@
         <translation>O arquivo %1, citado pelo modelo, não foi encontrado</translation>
     </message>
     <message>
-        <source>%1 texture coordinates are too large to be used; their triangles show the material's colour</source>
+        <source>%1 texture coordinates are too large to be used; their triangles show the material&apos;s colour</source>
         <translation>%1 coordenadas de textura são grandes demais; seus triângulos mostram a cor do material</translation>
     </message>
     <message>
@@ -1292,7 +1701,7 @@
         <translation>Verificando o modelo</translation>
     </message>
     <message>
-        <source>Finding the texture's charts</source>
+        <source>Finding the texture&apos;s charts</source>
         <translation>Localizando as partes da textura</translation>
     </message>
     <message>
@@ -1300,7 +1709,7 @@
         <translation>O modelo precisa de mais memória do que há; reduza-o</translation>
     </message>
     <message>
-        <source>The texture %1 was not found beside the model; its material's colour is used instead</source>
+        <source>The texture %1 was not found beside the model; its material&apos;s colour is used instead</source>
         <translation>A textura %1 não foi encontrada ao lado do modelo; usa-se a cor do material</translation>
     </message>
     <message>
@@ -1344,7 +1753,7 @@
         <translation>uma face cita um ponto que não existe</translation>
     </message>
     <message>
-        <source>The colours of the model's points are not used; bake them into a texture to print them</source>
+        <source>The colours of the model&apos;s points are not used; bake them into a texture to print them</source>
         <translation>As cores dos pontos do modelo não são usadas; grave-as em uma textura para imprimi-las</translation>
     </message>
     <message>
@@ -1396,7 +1805,7 @@
         <translation>posiciona um objeto que não existe</translation>
     </message>
     <message>
-        <source>The texture %1 is not in the model's package; its material's colour is used instead</source>
+        <source>The texture %1 is not in the model&apos;s package; its material&apos;s colour is used instead</source>
         <translation>A textura %1 não está no pacote do modelo; usa-se a cor do material</translation>
     </message>
     <message>
@@ -1786,7 +2195,7 @@
         <translation>Folha em P&amp;DF…</translation>
     </message>
     <message>
-        <source>Save this immersion's sheet as PDF at true size</source>
+        <source>Save this immersion&apos;s sheet as PDF at true size</source>
         <translation>Salva a folha desta imersão em PDF em tamanho real</translation>
     </message>
     <message>
@@ -1794,7 +2203,7 @@
         <translation>Folha em P&amp;NG…</translation>
     </message>
     <message>
-        <source>Save this immersion's film image as PNG</source>
+        <source>Save this immersion&apos;s film image as PNG</source>
         <translation>Salva a imagem do filme desta imersão em PNG</translation>
     </message>
     <message>
@@ -1850,7 +2259,7 @@
         <translation>&amp;Recarregar modelo</translation>
     </message>
     <message>
-        <source>Read the model's file again and keep all settings</source>
+        <source>Read the model&apos;s file again and keep all settings</source>
         <translation>Lê de novo o arquivo do modelo e mantém as configurações</translation>
     </message>
     <message>
@@ -2046,7 +2455,7 @@
         <translation>&amp;Linhas a cada 10 mm</translation>
     </message>
     <message>
-        <source>The &amp;Sheet's Image</source>
+        <source>The &amp;Sheet&apos;s Image</source>
         <translation>A imagem da &amp;folha</translation>
     </message>
     <message>
@@ -2181,6 +2590,30 @@
         <source>&amp;Remove</source>
         <translation>&amp;Remover</translation>
     </message>
+    <message>
+        <source>Calibrated %1</source>
+        <translation>%1 calibrado</translation>
+    </message>
+    <message>
+        <source>Use Profile %1</source>
+        <translation>Usar o perfil %1</translation>
+    </message>
+    <message>
+        <source>Calibrate P&amp;rinter…</source>
+        <translation>Calibrar imp&amp;ressora…</translation>
+    </message>
+    <message>
+        <source>Print a page of rulers and put the printer&apos;s scale into its profile</source>
+        <translation>Imprimir uma página de réguas e guardar a escala da impressora no perfil dela</translation>
+    </message>
+    <message>
+        <source>Pro&amp;files…</source>
+        <translation>Per&amp;fis…</translation>
+    </message>
+    <message>
+        <source>What is known of printers, films and tanks</source>
+        <translation>O que se sabe de impressoras, filmes e tanques</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ModelFile</name>
@@ -2224,7 +2657,7 @@
         <translation>Novo projeto</translation>
     </message>
     <message>
-        <source>The model's own</source>
+        <source>The model&apos;s own</source>
         <translation>A do próprio modelo</translation>
     </message>
     <message>
@@ -2332,7 +2765,7 @@
         <translation>O arquivo do corpo a ser mergulhado.</translation>
     </message>
     <message>
-        <source>A picture to wear in place of the model's own texture, or nothing.</source>
+        <source>A picture to wear in place of the model&apos;s own texture, or nothing.</source>
         <translation>Uma imagem no lugar da textura do próprio modelo, ou nada.</translation>
     </message>
     <message>
@@ -2340,7 +2773,7 @@
         <translation>O modelo é ampliado ou reduzido até que sua aresta mais longa tenha esta medida.</translation>
     </message>
     <message>
-        <source>In which unit the model's file gives its coordinates. The file does not say.</source>
+        <source>In which unit the model&apos;s file gives its coordinates. The file does not say.</source>
         <translation>Em que unidade o arquivo do modelo dá suas coordenadas. O arquivo não o diz.</translation>
     </message>
     <message>
@@ -2608,10 +3041,6 @@
         <translation>Consultando a impressora</translation>
     </message>
     <message>
-        <source>Ready to print at true size.</source>
-        <translation>Pronto para imprimir em tamanho real.</translation>
-    </message>
-    <message>
         <source>Printing …</source>
         <translation>Imprimindo…</translation>
     </message>
@@ -2628,7 +3057,7 @@
         <translation>Entregue à fila de %1</translation>
     </message>
     <message>
-        <source>Whether this immersion's sheet is printed.</source>
+        <source>Whether this immersion&apos;s sheet is printed.</source>
         <translation>Se a folha desta imersão é impressa.</translation>
     </message>
     <message>
@@ -2643,11 +3072,99 @@
         <source>Without this tick such a print is refused, with the reason.</source>
         <translation>Sem esta marca, uma impressão assim é recusada, com o motivo.</translation>
     </message>
+    <message>
+        <source>Save as File…</source>
+        <translation>Salvar como arquivo…</translation>
+    </message>
+    <message>
+        <source>The sheet shown, as PDF or TIFF in the printer&apos;s scale and colours.</source>
+        <translation>A folha mostrada, como PDF ou TIFF na escala e nas cores da impressora.</translation>
+    </message>
+    <message>
+        <source>Cancelled. What the printer has already begun may still come out.</source>
+        <translation>Cancelado. O que a impressora já começou ainda pode sair.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Filme</translation>
+    </message>
+    <message>
+        <source>The film itself</source>
+        <translation>O próprio filme</translation>
+    </message>
+    <message>
+        <source>Custom, as set under Sheet</source>
+        <translation>Personalizado, como definido em Folha</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Retrato</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Paisagem</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>P&amp;apel</translation>
+    </message>
+    <message>
+        <source>&amp;Orientation</source>
+        <translation>&amp;Orientação</translation>
+    </message>
+    <message>
+        <source>As designed</source>
+        <translation>Como projetado</translation>
+    </message>
+    <message>
+        <source>As printed (soft proof)</source>
+        <translation>Como impresso (prova virtual)</translation>
+    </message>
+    <message>
+        <source>As printed, colours out of reach in magenta</source>
+        <translation>Como impresso, cores fora de alcance em magenta</translation>
+    </message>
+    <message>
+        <source>How the page is shown here. What is printed stays the same.</source>
+        <translation>Como a página é mostrada aqui. O que se imprime não muda.</translation>
+    </message>
+    <message>
+        <source>A soft proof needs a printer profile with an ICC profile.</source>
+        <translation>A prova virtual precisa de um perfil de impressora com perfil ICC.</translation>
+    </message>
+    <message>
+        <source>Colours of the page</source>
+        <translation>Cores da página</translation>
+    </message>
+    <message>
+        <source>Proofing the colours</source>
+        <translation>Verificando as cores</translation>
+    </message>
+    <message>
+        <source>%1 % of the paint is out of the printer&apos;s reach.</source>
+        <translation>%1 % da pintura está fora do alcance da impressora.</translation>
+    </message>
+    <message>
+        <source>Save Sheet</source>
+        <translation>Salvar folha</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 gravado</translation>
+    </message>
+    <message>
+        <source>Ready to print at true size. Pages: %1.</source>
+        <translation>Pronto para imprimir em tamanho real. Páginas: %1.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PrinterColour</name>
     <message>
-        <source>The ICC profile cannot be used for printing, choose the printer's output profile</source>
+        <source>The ICC profile cannot be used for printing, choose the printer&apos;s output profile</source>
         <translation>O perfil ICC não serve para imprimir; escolha o perfil de saída da impressora</translation>
     </message>
     <message>
@@ -2655,7 +3172,7 @@
         <translation>Isto não é um perfil ICC, ou está danificado</translation>
     </message>
     <message>
-        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer's output profile</source>
+        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer&apos;s output profile</source>
         <translation>O perfil ICC não é de uma impressora RGB ou CMYK; escolha o perfil de saída da impressora</translation>
     </message>
 </context>
@@ -2690,15 +3207,15 @@
         <translation>Essa impressora não existe; existem: %1</translation>
     </message>
     <message>
-        <source>The printer is stopped%1; start it again in the system's settings</source>
+        <source>The printer is stopped%1; start it again in the system&apos;s settings</source>
         <translation>A impressora está parada%1; reinicie-a nas configurações do sistema</translation>
     </message>
     <message>
-        <source>The printer takes no jobs at the moment%1; let it in the system's settings</source>
+        <source>The printer takes no jobs at the moment%1; let it in the system&apos;s settings</source>
         <translation>A impressora não aceita trabalhos no momento%1; permita nas configurações do sistema</translation>
     </message>
     <message>
-        <source>The printer has no paper of %1; set the sheet's paper to one that it has: %2</source>
+        <source>The printer has no paper of %1; set the sheet&apos;s paper to one that it has: %2</source>
         <translation>A impressora não tem papel de %1; ajuste o papel da folha para um que ela tenha: %2</translation>
     </message>
     <message>
@@ -2742,11 +3259,11 @@
         <translation>Imprimindo</translation>
     </message>
     <message>
-        <source>Held in the printer's queue</source>
+        <source>Held in the printer&apos;s queue</source>
         <translation>Retido na fila da impressora</translation>
     </message>
     <message>
-        <source>Waiting in the printer's queue</source>
+        <source>Waiting in the printer&apos;s queue</source>
         <translation>Aguardando na fila da impressora</translation>
     </message>
     <message>
@@ -2770,7 +3287,7 @@
         <translation>A impressora parou: %1; o trabalho foi cancelado, inicie a impressora e imprima a folha de novo</translation>
     </message>
     <message>
-        <source>This program was built without printing; print the sheet's PDF at 100 % instead</source>
+        <source>This program was built without printing; print the sheet&apos;s PDF at 100 % instead</source>
         <translation>Este programa foi feito sem impressão; imprima o PDF da folha a 100 %</translation>
     </message>
     <message>
@@ -2792,6 +3309,141 @@
     <message>
         <source>Calibration of %1</source>
         <translation>Calibração de %1</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>O arquivo não pode ser gravado: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ProfilesDialog</name>
+    <message>
+        <source>Profiles (%1)</source>
+        <translation>Perfis (%1)</translation>
+    </message>
+    <message>
+        <source>None: the printer is sent sRGB</source>
+        <translation>Nenhum: a impressora recebe sRGB</translation>
+    </message>
+    <message>
+        <source>%1 (CMYK: for TIFF files)</source>
+        <translation>%1 (CMYK: para arquivos TIFF)</translation>
+    </message>
+    <message>
+        <source>%1 (RGB)</source>
+        <translation>%1 (RGB)</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1</source>
+        <translation>O arquivo não pode ser lido: %1</translation>
+    </message>
+    <message>
+        <source>Copy…</source>
+        <translation>Copiar…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Remover</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>&amp;Use in Project</source>
+        <translation>&amp;Usar no projeto</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Perfis</translation>
+    </message>
+    <message>
+        <source>The project takes its values over and keeps a copy, so that it prints the same when the profile has since changed.</source>
+        <translation>O projeto assume seus valores e guarda uma cópia, para imprimir igual mesmo que o perfil mude depois.</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importar…</translation>
+    </message>
+    <message>
+        <source>Makes a profile of your own from this one.</source>
+        <translation>Cria um perfil seu a partir deste.</translation>
+    </message>
+    <message>
+        <source>Printers</source>
+        <translation>Impressoras</translation>
+    </message>
+    <message>
+        <source>Films</source>
+        <translation>Filmes</translation>
+    </message>
+    <message>
+        <source>Tanks</source>
+        <translation>Tanques</translation>
+    </message>
+    <message>
+        <source>Comes with the program</source>
+        <translation>Vem com o programa</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Escolher…</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nenhum</translation>
+    </message>
+    <message>
+        <source>Choose an ICC profile</source>
+        <translation>Escolher um perfil ICC</translation>
+    </message>
+    <message>
+        <source>No ICC profile</source>
+        <translation>Sem perfil ICC</translation>
+    </message>
+    <message>
+        <source>ICC profile</source>
+        <translation>Perfil ICC</translation>
+    </message>
+    <message>
+        <source>The printer&apos;s output profile, made for its ink and film. Sheets are then sent in the printer&apos;s own colours.</source>
+        <translation>O perfil de saída da impressora, feito para sua tinta e filme. As folhas são então enviadas nas cores da própria impressora.</translation>
+    </message>
+    <message>
+        <source>A profile needs a name</source>
+        <translation>Um perfil precisa de um nome</translation>
+    </message>
+    <message>
+        <source>There is a profile of this name already, choose another</source>
+        <translation>Já existe um perfil com este nome, escolha outro</translation>
+    </message>
+    <message>
+        <source>Changes are kept at once. Profiles in italics come with the program; a changed one is yours, and Remove brings the first back.</source>
+        <translation>As mudanças são guardadas na hora. Perfis em itálico vêm com o programa; um perfil mudado é seu, e Remover traz o original de volta.</translation>
+    </message>
+    <message>
+        <source>Import Profile</source>
+        <translation>Importar perfil</translation>
+    </message>
+    <message>
+        <source>Export Profile</source>
+        <translation>Exportar perfil</translation>
+    </message>
+    <message>
+        <source>Copy Profile</source>
+        <translation>Copiar perfil</translation>
+    </message>
+    <message>
+        <source>Name of the copy:</source>
+        <translation>Nome da cópia:</translation>
+    </message>
+    <message>
+        <source>%1, own</source>
+        <translation>%1, próprio</translation>
+    </message>
+    <message>
+        <source>ICC profiles (%1)</source>
+        <translation>Perfis ICC (%1)</translation>
     </message>
 </context>
 <context>
@@ -2867,7 +3519,7 @@
         <translation>Perfil do tanque</translation>
     </message>
     <message>
-        <source>A tank: its barriers hold the film's sides.</source>
+        <source>A tank: its barriers hold the film&apos;s sides.</source>
         <translation>Um tanque: suas barreiras prendem os lados do filme.</translation>
     </message>
     <message>
@@ -2923,7 +3575,7 @@
         <translation>Recarregar do disco</translation>
     </message>
     <message>
-        <source>Reads the model's file again and keeps all settings.</source>
+        <source>Reads the model&apos;s file again and keeps all settings.</source>
         <translation>Lê de novo o arquivo do modelo e mantém as configurações.</translation>
     </message>
     <message>
@@ -3057,7 +3709,7 @@
         <translation>Estiramento do filme</translation>
     </message>
     <message>
-        <source>Mean of each point's constraints, final over rest length; ink side up</source>
+        <source>Mean of each point&apos;s constraints, final over rest length; ink side up</source>
         <translation>Média das restrições de cada ponto, comprimento final sobre o de repouso; lado da tinta para cima</translation>
     </message>
     <message>
@@ -3153,7 +3805,7 @@ mm por mm</translation>
         <translation>Um filme de %1 × %2 mm a %3 dpi não dá uma imagem de 1 a %4 pixels por lado; escolha outra resolução ou tamanho de filme</translation>
     </message>
     <message>
-        <source>The sheet's image cannot be written: %1</source>
+        <source>The sheet&apos;s image cannot be written: %1</source>
         <translation>A imagem da folha não pode ser gravada: %1</translation>
     </message>
     <message>
@@ -3161,11 +3813,11 @@ mm por mm</translation>
         <translation>Não é possível gravar um PDF no CMYK deste perfil ICC; grave um TIFF, ou imprima em sRGB</translation>
     </message>
     <message>
-        <source>The sheet's PDF cannot be written: %1</source>
+        <source>The sheet&apos;s PDF cannot be written: %1</source>
         <translation>O PDF da folha não pode ser gravado: %1</translation>
     </message>
     <message>
-        <source>The sheet's TIFF cannot be written: %1</source>
+        <source>The sheet&apos;s TIFF cannot be written: %1</source>
         <translation>O TIFF da folha não pode ser gravado: %1</translation>
     </message>
     <message>
@@ -3173,7 +3825,7 @@ mm por mm</translation>
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Unknown paper "%1"; choose film, A4, A3, Letter or custom</source>
+        <source>Unknown paper &quot;%1&quot;; choose film, A4, A3, Letter or custom</source>
         <translation>Papel “%1” desconhecido; escolha film, A4, A3, Letter ou custom</translation>
     </message>
     <message>
@@ -3332,7 +3984,7 @@ mm por mm</translation>
         <translation>Menor estiramento</translation>
     </message>
     <message>
-        <source>Length of the film's threads after the dip over before: the mean round each point.</source>
+        <source>Length of the film&apos;s threads after the dip over before: the mean round each point.</source>
         <translation>Comprimento dos fios do filme depois sobre antes da imersão: a média em volta de cada ponto.</translation>
     </message>
     <message>
@@ -3411,7 +4063,7 @@ mm por mm</translation>
 <context>
     <name>dipwright::SurfaceQuery</name>
     <message>
-        <source>The mesh is too large for this computer's memory; reduce its number of triangles</source>
+        <source>The mesh is too large for this computer&apos;s memory; reduce its number of triangles</source>
         <translation>A malha é grande demais para a memória deste computador; reduza o número de triângulos</translation>
     </message>
 </context>
@@ -3454,7 +4106,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>How far the lowest point of the body is under the waterline</source>
-        <translation>Quanto o ponto mais baixo do corpo está abaixo da linha d'água</translation>
+        <translation>Quanto o ponto mais baixo do corpo está abaixo da linha d&apos;água</translation>
     </message>
     <message>
         <source>Pause</source>

@@ -1,8 +1,7 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
 
-#include <QPageSize>
-#include <algorithm>
+#include "printing/Calibration.h"
 
 namespace dipwright::cli {
 namespace {
@@ -13,11 +12,9 @@ const QString measuredOption = QStringLiteral("measured");
 const QString profileOption = QStringLiteral("profile");
 
 QSizeF paperSize(const QString& name) {
-    for (const auto id :
-         {QPageSize::A5, QPageSize::A4, QPageSize::A3, QPageSize::A2, QPageSize::Letter}) {
-        if (QPageSize::name(id).section(QLatin1Char(' '), 0, 0) == name ||
-            QPageSize::key(id) == name) {
-            return QPageSize::size(id, QPageSize::Millimeter);
+    for (const QPageSize& paper : calibrationPapers()) {
+        if (paper.key() == name) {
+            return paper.size(QPageSize::Millimeter);
         }
     }
     throw UsageError(QStringLiteral("The paper is one of A5, A4, A3, A2 and Letter"),
@@ -26,29 +23,12 @@ QSizeF paperSize(const QString& name) {
 
 // The profile named, or a new one of that name.
 PrinterProfile namedProfile(const QString& name) {
-    for (const ProfileEntry& entry : ProfileLibrary().profiles(ProfileKind::Printer)) {
-        if (entry.name == name) {
-            return std::get<PrinterProfile>(ProfileLibrary().profile(ProfileKind::Printer, name));
-        }
+    if (ProfileLibrary().contains(ProfileKind::Printer, name)) {
+        return std::get<PrinterProfile>(ProfileLibrary().profile(ProfileKind::Printer, name));
     }
     PrinterProfile profile;
     profile.name = name;
     return profile;
-}
-
-// The first page measures the printer as it is, the second one what the profile makes of it.
-CalibrationPage pageOf(const QCommandLineParser& parser, const PrinterProfile& profile) {
-    CalibrationPage page;
-    page.paper = paperSize(parser.value(paperOption));
-    page.printer = profile.name;
-    for (const Millimetres margin : profile.margins) {
-        page.clearance = std::max(page.clearance, margin + Millimetres(1));
-    }
-    if (parser.isSet(verifyOption)) {
-        page.scaleX = profile.scaleX;
-        page.scaleY = profile.scaleY;
-    }
-    return page;
 }
 
 Millimetres parsedLength(const QString& text) {
@@ -78,9 +58,7 @@ Measured measured(const QCommandLineParser& parser) {
 
 void takeOver(const Measured& lengths, const CalibrationPage& page, PrinterProfile profile,
               QTextStream& out) {
-    const CalibrationLengths nominal = calibrationLengths(page);
-    profile.scaleX = calibratedScale(page.scaleX, nominal.x, lengths.x);
-    profile.scaleY = calibratedScale(page.scaleY, nominal.y, lengths.y);
+    profile = calibrated(profile, page, lengths.x, lengths.y);
     ProfileLibrary().save(profile);
     out << QStringLiteral("The printer profile %1 now has the scale %2 × %3\n")
                .arg(profile.name)
@@ -134,7 +112,8 @@ public:
                 QStringLiteral("--profile"));
         }
         const PrinterProfile profile = namedProfile(name);
-        const CalibrationPage page = pageOf(parser, profile);
+        const CalibrationPage page = calibrationPage(profile, paperSize(parser.value(paperOption)),
+                                                     parser.isSet(verifyOption));
         if (parser.isSet(measuredOption)) {
             takeOver(measured(parser), page, profile, console.out());
             return;

@@ -12,6 +12,7 @@ const QString tileOption = QStringLiteral("tile");
 const QString tilePaperOption = QStringLiteral("tile-paper");
 const QString greyOption = QStringLiteral("accept-grey");
 const QString clippingOption = QStringLiteral("accept-clipping");
+const QString proofOption = QStringLiteral("proof");
 const QString solverOption = QStringLiteral("solver");
 constexpr int mostCopies = 999;
 
@@ -58,22 +59,15 @@ void printSheets(PrintSystem& system, const JobResult& result, const PrintReques
     }
 }
 
-void writeSheet(const Sheet& sheet, const PrintRequest& request, const QString& path) {
+void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& path) {
     const std::unique_ptr<PrinterColour> colour =
         request.profile ? printerColour(*request.profile) : nullptr;
-    PrintCorrection correction;
-    correction.colour = colour.get();
-    if (request.profile) {
-        correction.scaleX = request.profile->scaleX;
-        correction.scaleY = request.profile->scaleY;
+    if (!colour) {
+        throw Error(QStringLiteral("A soft proof needs a printer profile with an ICC profile"),
+                    path);
     }
-    writeWhole(path, [&](QIODevice& device) {
-        if (isTiff(path)) {
-            writeSheetTiff(sheet, device, correction);
-        } else {
-            writeSheetPdf(sheet, device, correction);
-        }
-    });
+    const QImage proof = printProof(flattened(sheet.image), *colour, true).page;
+    writeWhole(path, [&](QIODevice& device) { proof.save(&device, "png"); });
 }
 
 void tellGamut(const Sheet& sheet, const PrintRequest& request, QTextStream& out) {
@@ -119,6 +113,10 @@ public:
         parser.addOption({greyOption, QStringLiteral("Prints coloured sheets on a grey printer.")});
         parser.addOption(
             {clippingOption, QStringLiteral("Gives up colour where the printer does not reach.")});
+        parser.addOption({proofOption,
+                          QStringLiteral("Also writes a soft proof of the film image as PNG, with "
+                                         "colours out of the printer's reach in magenta."),
+                          QStringLiteral("FILE")});
         parser.addOption({solverOption,
                           QStringLiteral("The solver plugin, in place of the project's choice."),
                           QStringLiteral("ID")});
@@ -137,10 +135,11 @@ public:
         chooseImmersion(project, parser);
         const PrintTarget target = printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
-        if (!target.file.isEmpty() && project.immersions.size() > 1) {
+        const QString proof = parser.value(proofOption);
+        if (!(target.file + proof).isEmpty() && project.immersions.size() > 1) {
             throw UsageError(
                 QStringLiteral("The project has two sheets, choose one with --immersion"),
-                target.file);
+                target.file + proof);
         }
         std::unique_ptr<PrintSystem> system;
         if (target.file.isEmpty()) {
@@ -156,11 +155,15 @@ public:
         for (const ImmersionResult& immersion : result.immersions) {
             tellGamut(immersion.sheet, request, console.out());
         }
+        if (!proof.isEmpty()) {
+            writeProof(result.immersions.front().sheet, request, proof);
+            console.out() << QStringLiteral("Wrote %1\n").arg(proof);
+        }
         if (system) {
             printSheets(*system, result, request, progress.part(0.8, 1), console.out());
             return;
         }
-        writeSheet(result.immersions.front().sheet, request, target.file);
+        writePrintFile(result.immersions.front().sheet, request.profile, target.file);
         console.out() << QStringLiteral("Wrote %1\n").arg(target.file);
     }
 };

@@ -1,6 +1,5 @@
 #include "cli/PrintOptions.h"
 
-#include <QSaveFile>
 #include <algorithm>
 
 namespace dipwright::cli {
@@ -105,29 +104,6 @@ PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& t
             ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
     }
     return request;
-}
-
-bool isTiff(const QString& path) {
-    return path.endsWith(QLatin1String(".tif"), Qt::CaseInsensitive) ||
-           path.endsWith(QLatin1String(".tiff"), Qt::CaseInsensitive);
-}
-
-void writeWhole(const QString& path, const std::function<void(QIODevice&)>& write) {
-    QSaveFile file(path);
-    const bool opened = file.open(QIODevice::WriteOnly);
-    if (opened) {
-        write(file);
-    }
-    if (!opened || !file.commit()) {
-        throw Error(QStringLiteral("The file cannot be written: %1").arg(file.errorString()), path);
-    }
-}
-
-std::unique_ptr<PrinterColour> printerColour(const PrinterProfile& profile) {
-    return profile.iccProfile.isEmpty()
-               ? nullptr
-               : std::make_unique<PrinterColour>(profile.iccProfile, profile.intent,
-                                                 profile.blackPoint, profile.name);
 }
 
 void printAndTell(PrintSystem& system, const PrintPlan& plan, const Progress& progress,

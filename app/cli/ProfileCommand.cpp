@@ -1,5 +1,6 @@
 #include "cli/Command.h"
 
+#include "project/ProfileFields.h"
 #include "project/ProfileLibrary.h"
 #include "project/ProjectStore.h"
 
@@ -92,34 +93,12 @@ void setIccProfile(Profile& profile, const QString& path) {
     PrinterColour(printer->iccProfile, printer->intent, printer->blackPoint, path);
 }
 
-Profile emptyProfile(ProfileKind kind) {
-    switch (kind) {
-    case ProfileKind::Printer:
-        return PrinterProfile{};
-    case ProfileKind::Film:
-        return FilmProfile{};
-    case ProfileKind::Tank:
-        break;
-    }
-    return TankProfile{};
-}
-
-bool isKnown(const ProfileLibrary& library, ProfileKind kind, const QString& name) {
-    for (const ProfileEntry& entry : library.profiles(kind)) {
-        if (entry.name == name) {
-            return true;
-        }
-    }
-    return false;
-}
-
 void change(Words words, const QCommandLineParser& parser, QTextStream& out) {
     const ProfileKind kind = words.takeKind();
     const QString name = words.take(QStringLiteral("NAME"));
     words.finish();
     const ProfileLibrary library;
-    Profile profile =
-        isKnown(library, kind, name) ? library.profile(kind, name) : emptyProfile(kind);
+    Profile profile = library.contains(kind, name) ? library.profile(kind, name) : newProfile(kind);
     std::visit([&](auto& value) { value.name = name; }, profile);
     for (const QString& setting : parser.values(setOption)) {
         const auto equals = setting.indexOf(QLatin1Char('='));

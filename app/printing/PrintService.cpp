@@ -1,6 +1,7 @@
 #include "printing/PrintService.h"
 
 #include "base/Error.h"
+#include "printing/PrintFile.h"
 #include "sheet/SheetLayout.h"
 #include "sheet/TiledSheet.h"
 
@@ -348,11 +349,8 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintReque
         const PrinterProfile& profile = *request.profile;
         correction.scaleX = profile.scaleX;
         correction.scaleY = profile.scaleY;
-        if (!profile.iccProfile.isEmpty()) {
-            colour = std::make_unique<PrinterColour>(profile.iccProfile, profile.intent,
-                                                     profile.blackPoint, profile.name);
-            correction.colour = colour.get();
-        }
+        colour = printerColour(profile);
+        correction.colour = colour.get();
     }
     plan.task.printer = request.printer;
     plan.task.title =

@@ -1,5 +1,5 @@
 // The file form of profiles, as tables of fields.
-#include "project/Profiles.h"
+#include "project/ProfileFields.h"
 
 #include "base/Error.h"
 #include "project/FieldJson.h"
@@ -190,12 +190,11 @@ Profile read(const QJsonObject& json, const QString& where) {
 }
 
 template <typename P>
-void set(P& profile, const QString& path, const QString& value) {
+const Field<P>& fieldAt(const P& profile, const QString& path) {
     QStringList paths;
     for (const Field<P>& field : fieldsOf(&profile)) {
         if (field.path == path) {
-            field.set(profile, parseValue(field.rule, value, path));
-            return;
+            return field;
         }
         paths << field.path;
     }
@@ -206,8 +205,58 @@ void set(P& profile, const QString& path, const QString& value) {
 
 } // namespace
 
+Profile newProfile(ProfileKind kind) {
+    switch (kind) {
+    case ProfileKind::Printer:
+        return PrinterProfile{};
+    case ProfileKind::Film:
+        return FilmProfile{};
+    case ProfileKind::Tank:
+        break;
+    }
+    return TankProfile{};
+}
+
+QStringList profilePaths(ProfileKind kind) {
+    return std::visit(
+        [](const auto& profile) {
+            QStringList paths;
+            for (const auto& field : fieldsOf(&profile)) {
+                paths << field.path;
+            }
+            return paths;
+        },
+        newProfile(kind));
+}
+
+FieldRule profileRule(ProfileKind kind, const QString& path) {
+    return std::visit([&](const auto& profile) { return fieldAt(profile, path).rule; },
+                      newProfile(kind));
+}
+
+QJsonValue profileValue(const Profile& profile, const QString& path) {
+    return std::visit([&](const auto& one) { return fieldAt(one, path).get(one); }, profile);
+}
+
+void setProfileValue(Profile& profile, const QString& path, const QJsonValue& value) {
+    std::visit(
+        [&](auto& one) {
+            const auto& field = fieldAt(one, path);
+            checkValue(field.rule, value, path, {});
+            auto changed = one;
+            field.set(changed, value);
+            one = changed;
+        },
+        profile);
+}
+
 void setByPath(Profile& profile, const QString& path, const QString& value) {
-    std::visit([&](auto& one) { set(one, path, value); }, profile);
+    std::visit(
+        [&](auto& one) {
+            const auto& field = fieldAt(one, path);
+            field.set(one, parseValue(field.rule, value, path));
+        },
+        profile);
 }
 
 QJsonObject toJson(const Profile& profile) {

@@ -75,6 +75,12 @@ std::vector<ProfileEntry> ProfileLibrary::profiles(ProfileKind kind) const {
     return entries;
 }
 
+bool ProfileLibrary::contains(ProfileKind kind, const QString& name) const {
+    const std::vector<ProfileEntry> all = profiles(kind);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const ProfileEntry& entry) { return entry.name == name; });
+}
+
 Profile ProfileLibrary::profile(ProfileKind kind, const QString& name) const {
     QStringList names;
     for (const ProfileEntry& entry : profiles(kind)) {

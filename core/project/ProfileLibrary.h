@@ -25,6 +25,7 @@ public:
 
     // By name, the user's and the program's together. Files that are no profiles are passed over.
     std::vector<ProfileEntry> profiles(ProfileKind kind) const;
+    bool contains(ProfileKind kind, const QString& name) const;
     // Throws Error when there is none of that name, or its file is damaged.
     Profile profile(ProfileKind kind, const QString& name) const;
 

@@ -2,10 +2,12 @@
 #include "WindowDriver.h"
 #include "base/Error.h"
 #include "look/Theme.h"
+#include "main/CalibrationDialog.h"
 #include "main/Languages.h"
 #include "main/NewProjectDialog.h"
 #include "main/PreferencesDialog.h"
 #include "main/PrintDialog.h"
+#include "main/ProfilesDialog.h"
 #include "panels/GuideWindow.h"
 #include "panels/ProjectTree.h"
 #include "panels/Timeline.h"
@@ -130,6 +132,15 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
     print.show();
     QTest::qWait(1500); // it looks for printers
     camera.take(print, QStringLiteral("print"));
+    CalibrationDialog calibration{ProfileLibrary()};
+    calibration.show();
+    camera.take(calibration, QStringLiteral("calibrate"));
+    ProfilesDialog profiles(ProfileLibrary(), workbench.preferences().unit);
+    profiles.show();
+    for (const ProfileKind kind : {ProfileKind::Printer, ProfileKind::Film, ProfileKind::Tank}) {
+        profiles.choose(kind, ProfileLibrary().profiles(kind).front().name);
+        camera.take(profiles, QStringLiteral("profile-") + profileKindName(kind));
+    }
     GuideWindow guide;
     guide.show();
     camera.take(guide, QStringLiteral("guide"));

@@ -6,6 +6,7 @@
 
 #include "base/Units.h"
 
+#include <QColorSpace>
 #include <QtTest>
 
 using namespace dipwright;
@@ -62,6 +63,7 @@ private slots:
     void chessboardIsTrue();
     void calibrationMakesPrintsTrue();
     void sheetsAreWrittenAsFiles();
+    void sheetsAreInThePrintersColours();
     void projectKeepsItsProfile();
     void refusalsPrintNothing();
     void wrongUsageIsToldApart();
@@ -165,17 +167,64 @@ void PrintCommandTest::sheetsAreWrittenAsFiles() {
     QCOMPARE(cli({"print", turtle, "--to", folder_.filePath("both.pdf")}).exitCode, 2);
 }
 
+// A printer whose colours are those of Adobe RGB: the sheet's sRGB gets other numbers there.
+void PrintCommandTest::sheetsAreInThePrintersColours() {
+    const QString icc = folder_.filePath("wide.icc");
+    const QColorSpace wide(QColorSpace::AdobeRgb);
+    QFile file(icc);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(wide.iccProfile());
+    file.close();
+    QVERIFY(cli({"profile", "set", "printer", "Wide", "--icc", icc}).exitCode == 0);
+    const auto image = [&](const QStringList& profile) {
+        const QString path = folder_.filePath("colour.pdf");
+        const Outcome outcome =
+            cli(QStringList{"print", turtle, "--immersion", "1", "--to", path} + profile + coarse);
+        output("pdfimages", {"-png", path, folder_.filePath("colour")});
+        return outcome.exitCode == 0 ? QImage(folder_.filePath("colour-000.png")) : QImage();
+    };
+    QImage expected = image({});
+    QVERIFY(!expected.isNull());
+    expected.setColorSpace(QColorSpace::SRgb);
+    expected.convertToColorSpace(wide);
+    const QImage found = image({"--profile", "Wide", "--proof", folder_.filePath("proof.png")});
+    QCOMPARE(found.size(), expected.size());
+    int changed = 0;
+    for (int y = 0; y < found.height(); y += 3) {
+        for (int x = 0; x < found.width(); x += 3) {
+            const QColor a = found.pixelColor(x, y);
+            const QColor b = expected.pixelColor(x, y);
+            QVERIFY(std::abs(a.red() - b.red()) <= 2 && std::abs(a.green() - b.green()) <= 2 &&
+                    std::abs(a.blue() - b.blue()) <= 2);
+            changed += a != Qt::white && a.saturation() > 60;
+        }
+    }
+    QVERIFY(changed > 1000);
+    QCOMPARE(QImage(folder_.filePath("proof.png")).size(), found.size());
+    QVERIFY(
+        output("qpdf", {"--qdf", folder_.filePath("colour.pdf"), "-"}).contains(wide.iccProfile()));
+}
+
 void PrintCommandTest::projectKeepsItsProfile() {
     const QString job = folder_.filePath("job.dipw");
     QVERIFY(QFile::copy(turtle, job));
     QVERIFY(cli({"profile", "set", "printer", "Old", "--set", "scale=1.004;0.997"}).exitCode == 0);
     QVERIFY(cli({"profile", "use", "printer", "Old", job}).exitCode == 0);
-    QVERIFY(cli({"profile", "remove", "printer", "Old"}).exitCode == 0);
+    const auto printed = [&](const QString& path) {
+        const Outcome outcome =
+            cli(QStringList{"print", job, "--immersion", "1", "--to", path} + coarse);
+        QFile file(path);
+        return outcome.exitCode == 0 && file.open(QIODevice::ReadOnly) ? file.readAll()
+                                                                       : QByteArray();
+    };
     const QString path = folder_.filePath("kept.pdf");
-    const Outcome outcome =
-        cli(QStringList{"print", job, "--immersion", "1", "--to", path} + coarse);
-    QVERIFY2(outcome.exitCode == 0, outcome.err);
+    const QByteArray before = printed(path);
     QVERIFY(std::abs(rulerLength(path) * 1.004 - 100) < 0.05);
+    // Next year the profile of that name is another one, and the year after there is none.
+    QVERIFY(cli({"profile", "set", "printer", "Old", "--set", "scale=0.98;1.02"}).exitCode == 0);
+    QVERIFY(printed(folder_.filePath("next.pdf")) == before);
+    QVERIFY(cli({"profile", "remove", "printer", "Old"}).exitCode == 0);
+    QVERIFY(printed(folder_.filePath("after.pdf")) == before);
 }
 
 void PrintCommandTest::refusalsPrintNothing() {

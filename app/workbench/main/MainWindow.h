@@ -69,6 +69,8 @@ public slots:
     void cancelJobs();
     void addImmersion();
     void printSheets();
+    void calibratePrinter();
+    void showProfiles();
     void resetLayout();
     void askLayoutName();
     void showPreferences();

@@ -9,7 +9,7 @@ namespace dipwright {
 
 struct MainWindow::Actions {
     QAction *newWindow, *newProject, *open, *save, *saveAs, *exportResults, *exportPdf, *exportPng,
-        *print, *close, *quit;
+        *print, *calibrate, *profiles, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *preferences;
     QAction *run, *cancel, *live, *resetLayout, *saveLayout;
     QAction *fit, *oblique, *front, *back, *left, *right, *top, *bottom, *parallel;

@@ -1,11 +1,14 @@
 // The dip of a window's document, its results and what is read off them under the cursor.
 #include "base/Error.h"
 #include "jobs/FilmTable.h"
+#include "main/CalibrationDialog.h"
 #include "main/MainWindow.h"
 #include "main/MainWindowActions.h"
 #include "main/NewProjectDialog.h"
 #include "main/PrintDialog.h"
+#include "main/ProfilesDialog.h"
 #include "main/Workbench.h"
+#include "panels/PropertyPanel.h"
 #include "panels/ResultsPanel.h"
 #include "panels/StretchPanel.h"
 #include "panels/Timeline.h"
@@ -158,6 +161,28 @@ void MainWindow::printSheets() {
         report(sentence);
         statusBar()->showMessage(sentence, 8000);
     });
+    dialog->open();
+}
+
+void MainWindow::calibratePrinter() {
+    auto* dialog = new CalibrationDialog(ProfileLibrary(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &CalibrationDialog::calibrated, this, [this](const PrinterProfile& profile) {
+        properties_->refresh();
+        report(tr("Calibrated %1").arg(profile.name));
+    });
+    dialog->open();
+}
+
+void MainWindow::showProfiles() {
+    auto* dialog = new ProfilesDialog(ProfileLibrary(), workbench_.preferences().unit, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->allowUse(document_ != nullptr);
+    connect(dialog, &ProfilesDialog::useAsked, this, [this](const Profile& profile) {
+        document_->edit(tr("Use Profile %1").arg(nameOf(profile)), {},
+                        [&](Project& project) { applyProfile(project, profile); });
+    });
+    connect(dialog, &QDialog::finished, properties_, &PropertyPanel::refresh);
     dialog->open();
 }
 

@@ -189,6 +189,14 @@ void MainWindow::makeFileActions() {
     a.print =
         addAction("print", QStringLiteral("print"), tr("&Print…"), tr("Print sheets at true size"),
                   QKeySequence::Print, [this] { printSheets(); });
+    a.calibrate =
+        addAction("calibratePrinter", QStringLiteral("measure"), tr("Calibrate P&rinter…"),
+                  tr("Print a page of rulers and put the printer's scale into its "
+                     "profile"),
+                  {}, [this] { calibratePrinter(); });
+    a.profiles =
+        addAction("profiles", {}, tr("Pro&files…"),
+                  tr("What is known of printers, films and tanks"), {}, [this] { showProfiles(); });
     a.close = addAction("close", {}, tr("&Close Window"), tr("Close this window"),
                         QKeySequence::Close, [this] { close(); });
     a.quit = addAction("quit", {}, tr("&Quit"), tr("Close all windows"), key("Ctrl+Q"),
@@ -336,7 +344,7 @@ void MainWindow::makeMenus() {
     file->addSeparator();
     file->addActions({a.save, a.saveAs});
     file->addSeparator();
-    file->addActions({a.print, a.exportResults, a.exportPdf, a.exportPng});
+    file->addActions({a.print, a.calibrate, a.exportResults, a.exportPdf, a.exportPng});
     file->addSeparator();
     file->addActions({a.close, a.quit});
 
@@ -347,7 +355,7 @@ void MainWindow::makeMenus() {
     edit->addSeparator();
     edit->addActions({a.reloadModel, a.replaceModel, a.replaceTexture});
     edit->addSeparator();
-    edit->addAction(a.preferences);
+    edit->addActions({a.profiles, a.preferences});
 
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addActions({a.fit, a.oblique, a.front, a.right, a.top, a.back, a.left, a.bottom});

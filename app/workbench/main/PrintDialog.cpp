@@ -1,11 +1,15 @@
 #include "main/PrintDialog.h"
 
 #include "base/Error.h"
+#include "panels/PicturePanel.h"
 #include "panels/PictureView.h"
+#include "printing/PrintFile.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
@@ -22,35 +26,54 @@ namespace {
 
 const char* const lastPrinterKey = "lastPrinter";
 
+struct Judgement {
+    QStringList warnings;
+    int pages = 0;
+};
+
+// All sheets are judged before the first is sent, so that a job is never printed by half.
+std::vector<PrintPlan> plans(PrintSystem& system, const std::vector<Sheet>& sheets,
+                             const PrintRequest& request) {
+    std::vector<PrintPlan> all;
+    for (const Sheet& sheet : sheets) {
+        all.push_back(planPrint(system, sheet, request));
+    }
+    return all;
+}
+
 } // namespace
 
 PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidget* parent)
-    : QDialog(parent), outcome_(outcome), preview_(new PictureView), printer_(new QComboBox),
-      copies_(new QSpinBox), tile_(new QCheckBox(tr("Cut into pieces where the paper is smaller"))),
+    : QDialog(parent), outcome_(outcome), shown_(immersion),
+      preview_(new PicturePanel(tr("Page"), {})), printer_(new QComboBox), paper_(new QComboBox),
+      orientation_(new QComboBox), proof_(new QComboBox), copies_(new QSpinBox),
+      tile_(new QCheckBox(tr("Cut into pieces where the paper is smaller"))),
       grey_(new QCheckBox(tr("Grey, on a printer without colour"))),
       clipped_(new QCheckBox(tr("Without what lies where the printer does not reach"))),
       otherPaper_(new QCheckBox(tr("Though the paper is not loaded as far as is known"))),
-      verdict_(new QLabel), progress_(new QProgressBar), print_(nullptr) {
+      verdict_(new QLabel), gamut_(new QLabel), progress_(new QProgressBar), print_(nullptr),
+      save_(nullptr) {
     setWindowTitle(tr("Print Sheets"));
     setObjectName(QStringLiteral("printDialog"));
-    for (std::size_t number = 0; number < outcome.result->immersions.size(); ++number) {
-        auto* box = new QCheckBox(outcome.result->immersions[number].immersion.name);
+    for (const ImmersionResult& result : outcome.result->immersions) {
+        const std::size_t number = sheets_.size();
+        sheets_.push_back(result.sheet);
+        auto* box = new QCheckBox(result.immersion.name);
         box->setChecked(number == immersion);
         box->setToolTip(tr("Whether this immersion's sheet is printed."));
         connect(box, &QCheckBox::toggled, this, [this, number] {
-            preview_->setPicture(outcome_.sheets[number].page, outcome_.sheets[number].size);
+            showSheet(number);
             judge();
         });
         immersions_.push_back(box);
     }
-    preview_->setAccessibleName(tr("Page"));
-    preview_->setMinimumSize(320, 420);
-    preview_->setPicture(outcome.sheets[immersion].page, outcome.sheets[immersion].size);
-
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     print_ = buttons->addButton(tr("Print"), QDialogButtonBox::ActionRole);
     print_->setDefault(true);
+    save_ = buttons->addButton(tr("Save as File…"), QDialogButtonBox::ActionRole);
+    save_->setToolTip(tr("The sheet shown, as PDF or TIFF in the printer's scale and colours."));
     connect(print_, &QPushButton::clicked, this, &PrintDialog::print);
+    connect(save_, &QPushButton::clicked, this, &PrintDialog::saveFile);
     connect(buttons, &QDialogButtonBox::rejected, this, [this] {
         if (printing_) {
             jobs_.cancelAll();
@@ -66,7 +89,7 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidg
     left->addWidget(buttons);
     auto* layout = new QHBoxLayout(this);
     layout->addLayout(left, 3);
-    layout->addWidget(preview_, 2);
+    layout->addWidget(makePreview(), 3);
     verdict_->setWordWrap(true);
     verdict_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     verdict_->setMinimumHeight(80);
@@ -77,7 +100,14 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidg
             verdict_->setText(text);
         }
     });
-    resize(860, 560);
+    connect(&jobs_, &JobRunner::idle, this, [this] {
+        if (printing_) { // neither done nor failed
+            printing_ = false;
+            setBusy(false, tr("Cancelled. What the printer has already begun may still come out."));
+        }
+    });
+    resize(940, 660);
+    showSheet(shown_);
     findPrinters();
 }
 
@@ -90,11 +120,33 @@ QWidget* PrintDialog::makeChoices() {
     copies_->setRange(1, 99);
     copies_->setToolTip(tr("How often each sheet is printed."));
     form->addRow(tr("&Printer"), printer_);
-    const auto& profile = outcome_.result->project.profiles.printer;
+    const Project& project = outcome_.result->project;
+    const auto& profile = project.profiles.printer;
     auto* profileName = new QLabel(
         profile ? profile->name : tr("None: true size and sRGB (choose one under Sheet)"));
     profileName->setWordWrap(true);
     form->addRow(tr("Profile"), profileName);
+    const QLocale locale;
+    auto* film = new QLabel(tr("%1 × %2 mm")
+                                .arg(locale.toString(project.film.width.value(), 'g', 6),
+                                     locale.toString(project.film.height.value(), 'g', 6)));
+    if (project.profiles.film) {
+        film->setText(project.profiles.film->name + QStringLiteral(", ") + film->text());
+    }
+    film->setWordWrap(true);
+    form->addRow(tr("Film"), film);
+    const SheetSettings& settings = sheets_.front().settings;
+    paper_->addItem(tr("The film itself"), QStringLiteral("film"));
+    for (const QString& name :
+         {QStringLiteral("A4"), QStringLiteral("A3"), QStringLiteral("Letter")}) {
+        paper_->addItem(name, name);
+    }
+    paper_->addItem(tr("Custom, as set under Sheet"), QStringLiteral("custom"));
+    paper_->setCurrentIndex(paper_->findData(settings.paper));
+    orientation_->addItems({tr("Portrait"), tr("Landscape")});
+    orientation_->setCurrentIndex(settings.landscape ? 1 : 0);
+    form->addRow(tr("P&aper"), paper_);
+    form->addRow(tr("&Orientation"), orientation_);
     form->addRow(tr("&Copies"), copies_);
     auto* sheets = new QVBoxLayout;
     for (QCheckBox* immersion : immersions_) {
@@ -103,7 +155,92 @@ QWidget* PrintDialog::makeChoices() {
     form->addRow(tr("Sheets"), sheets);
     connect(printer_, &QComboBox::currentIndexChanged, this, &PrintDialog::judge);
     connect(copies_, &QSpinBox::valueChanged, this, &PrintDialog::judge);
+    connect(paper_, &QComboBox::currentIndexChanged, this, &PrintDialog::choosePaper);
+    connect(orientation_, &QComboBox::currentIndexChanged, this, &PrintDialog::choosePaper);
     return box;
+}
+
+QWidget* PrintDialog::makePreview() {
+    preview_->view().setMinimumSize(320, 380);
+    preview_->offerTrueSize();
+    proof_->addItems({tr("As designed"), tr("As printed (soft proof)"),
+                      tr("As printed, colours out of reach in magenta")});
+    const auto& profile = outcome_.result->project.profiles.printer;
+    proof_->setEnabled(profile && !profile->iccProfile.isEmpty());
+    proof_->setToolTip(proof_->isEnabled()
+                           ? tr("How the page is shown here. What is printed stays the same.")
+                           : tr("A soft proof needs a printer profile with an ICC profile."));
+    proof_->setAccessibleName(tr("Colours of the page"));
+    gamut_->setWordWrap(true);
+    connect(proof_, &QComboBox::currentIndexChanged, this, [this] { showSheet(shown_); });
+    auto* box = new QWidget;
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(preview_, 1);
+    layout->addWidget(proof_);
+    layout->addWidget(gamut_);
+    return box;
+}
+
+void PrintDialog::choosePaper() {
+    for (Sheet& sheet : sheets_) {
+        sheet.settings.paper = paper_->currentData().toString();
+        sheet.settings.landscape = orientation_->currentIndex() == 1;
+    }
+    showSheet(shown_);
+    judge();
+}
+
+void PrintDialog::showSheet(std::size_t number) {
+    shown_ = number;
+    const SheetSettings& settings = sheets_[number].settings;
+    orientation_->setEnabled(settings.paper != QLatin1String("film") &&
+                             settings.paper != QLatin1String("custom"));
+    gamut_->clear();
+    const int proofing = ++proofing_;
+    try {
+        const SheetPreview page = sheetPreview(sheets_[number]);
+        preview_->setPicture(page.page, page.size);
+        if (proof_->currentIndex() > 0) {
+            startProof(page, proofing);
+        }
+    } catch (const Error&) {
+        preview_->clear(); // the verdict says why
+    }
+}
+
+void PrintDialog::startProof(const SheetPreview& page, int proofing) {
+    jobs_.start(std::make_unique<ValueJob<PrintProof>>(
+        tr("Proofing the colours"),
+        [page = page.page, profile = *outcome_.result->project.profiles.printer,
+         marked = proof_->currentIndex() == 2](const Progress&) {
+            return printProof(page, *printerColour(profile), marked);
+        },
+        [this, proofing, size = page.size](const PrintProof& proof) {
+            if (proofing == proofing_) {
+                preview_->setPicture(proof.page, size);
+                gamut_->setText(tr("%1 % of the paint is out of the printer's reach.")
+                                    .arg(QLocale().toString(100 * proof.outOfGamut, 'f', 1)));
+            }
+        },
+        [this](std::exception_ptr failure) { showFailure(failure); }));
+}
+
+void PrintDialog::saveFile() {
+    const QString name =
+        QStringLiteral("%1 %2.pdf")
+            .arg(outcome_.result->project.name, outcome_.result->immersions[shown_].immersion.name);
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Save Sheet"), name, QStringLiteral("PDF (*.pdf);;TIFF (*.tiff *.tif)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    try {
+        writePrintFile(sheets_[shown_], outcome_.result->project.profiles.printer, path);
+        verdict_->setText(tr("Wrote %1").arg(QDir::toNativeSeparators(path)));
+    } catch (const Error& error) {
+        verdict_->setText(error.sentence());
+    }
 }
 
 QWidget* PrintDialog::makeExceptions() {
@@ -164,7 +301,7 @@ std::vector<Sheet> PrintDialog::chosenSheets() const {
     std::vector<Sheet> sheets;
     for (std::size_t number = 0; number < immersions_.size(); ++number) {
         if (immersions_[number]->isChecked()) {
-            sheets.push_back(outcome_.result->immersions[number].sheet);
+            sheets.push_back(sheets_[number]);
         }
     }
     return sheets;
@@ -182,21 +319,23 @@ void PrintDialog::judge() {
     }
     setBusy(true, tr("Asking the printer …"));
     const int judgement = ++judgement_;
-    jobs_.start(std::make_unique<ValueJob<QStringList>>(
+    jobs_.start(std::make_unique<ValueJob<Judgement>>(
         tr("Asking the printer"),
         [sheets, request = request()](const Progress&) {
             const auto system = printSystem();
-            QStringList warnings;
-            for (const Sheet& sheet : sheets) {
-                warnings.append(planPrint(*system, sheet, request).warnings);
+            Judgement found;
+            for (const PrintPlan& plan : plans(*system, sheets, request)) {
+                found.warnings.append(plan.warnings);
+                found.pages += plan.task.pages;
             }
-            warnings.removeDuplicates();
-            return warnings;
+            found.warnings.removeDuplicates();
+            return found;
         },
-        [this, judgement](const QStringList& warnings) {
+        [this, judgement](Judgement found) {
             if (judgement == judgement_) {
-                setBusy(false, warnings.isEmpty() ? tr("Ready to print at true size.")
-                                                  : warnings.join(QStringLiteral("\n\n")));
+                setBusy(false, (found.warnings
+                                << tr("Ready to print at true size. Pages: %1.").arg(found.pages))
+                                   .join(QStringLiteral("\n\n")));
             }
         },
         [this, judgement](std::exception_ptr failure) {
@@ -215,17 +354,18 @@ void PrintDialog::print() {
         [sheets = chosenSheets(), request = request()](const Progress& progress) {
             const auto system = printSystem();
             JobState state = JobState::Printed;
-            for (std::size_t number = 0; number < sheets.size(); ++number) {
-                const PrintPlan plan = planPrint(*system, sheets[number], request);
+            const std::vector<PrintPlan> all = plans(*system, sheets, request);
+            const auto count = double(all.size());
+            for (std::size_t number = 0; number < all.size(); ++number) {
                 progress.cancelSwitch.throwIfCancelled();
-                const PrintJob job = system->submit(plan.task);
-                state = followJob(*system, job,
-                                  progress.part(double(number) / double(sheets.size()),
-                                                double(number + 1) / double(sheets.size())));
+                state =
+                    followJob(*system, system->submit(all[number].task),
+                              progress.part(double(number) / count, double(number + 1) / count));
             }
             return state;
         },
         [this](JobState state) {
+            printing_ = false;
             emit printed(state == JobState::Printed
                              ? tr("Printed on %1").arg(printer_->currentText())
                              : tr("Handed to the queue of %1").arg(printer_->currentText()));

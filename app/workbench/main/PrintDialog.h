@@ -1,5 +1,6 @@
 // Prints the sheets of a result: on which printer, which of them, how often, with a look at the
-// page, and with everything that the printer would get wrong said beforehand.
+// page in true size and true colour, and with everything that the printer would get wrong said
+// beforehand.
 #pragma once
 
 #include "jobs/DipJob.h"
@@ -17,7 +18,7 @@ class QSpinBox;
 
 namespace dipwright {
 
-class PictureView;
+class PicturePanel;
 
 class PrintDialog : public QDialog {
     Q_OBJECT
@@ -32,6 +33,11 @@ signals:
 private:
     QWidget* makeChoices();
     QWidget* makeExceptions();
+    QWidget* makePreview();
+    void choosePaper(); // for all sheets
+    void showSheet(std::size_t number);
+    void startProof(const SheetPreview& page, int proofing);
+    void saveFile();
     void findPrinters();
     void showPrinters(const QStringList& printers);
     void judge(); // whether it can be printed as chosen
@@ -42,20 +48,23 @@ private:
     std::vector<Sheet> chosenSheets() const;
 
     DipOutcome outcome_;
-    PictureView* preview_;
-    QComboBox* printer_;
+    std::vector<Sheet> sheets_; // as they are printed
+    std::size_t shown_;         // the one looked at
+    PicturePanel* preview_;
+    QComboBox *printer_, *paper_, *orientation_, *proof_;
     QSpinBox* copies_;
     std::vector<QCheckBox*> immersions_;
     QCheckBox* tile_;
     QCheckBox* grey_;
     QCheckBox* clipped_;
     QCheckBox* otherPaper_;
-    QLabel* verdict_;
+    QLabel *verdict_, *gamut_;
     QProgressBar* progress_;
-    QPushButton* print_;
+    QPushButton *print_, *save_;
     bool printing_ = false;
     int judgement_ = 0; // number of the last one asked for
-    JobRunner jobs_;    // ends before what it reports to
+    int proofing_ = 0;
+    JobRunner jobs_; // ends before what it reports to
 };
 
 } // namespace dipwright

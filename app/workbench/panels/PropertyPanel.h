@@ -22,6 +22,7 @@ public:
     void setDocument(Document* document); // may be null
     void setLengthUnit(LengthUnit unit);
     void showNode(const ProjectNode& node);
+    void refresh(); // profiles have changed
 
 signals:
     void failed(const QString& sentence);
@@ -31,7 +32,6 @@ signals:
 
 private:
     void rebuild();
-    void refresh();
     void addHeading(QFormLayout& form, const QString& text);
     void addField(QFormLayout& form, const PropertySpec& spec);
     void addModelFacts(QFormLayout& form);

@@ -1,0 +1,79 @@
+#include "printing/PrintFile.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QSaveFile>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
+};
+
+} // namespace
+
+std::unique_ptr<PrinterColour> printerColour(const PrinterProfile& profile) {
+    return profile.iccProfile.isEmpty()
+               ? nullptr
+               : std::make_unique<PrinterColour>(profile.iccProfile, profile.intent,
+                                                 profile.blackPoint, profile.name);
+}
+
+bool isTiff(const QString& path) {
+    return path.endsWith(QLatin1String(".tif"), Qt::CaseInsensitive) ||
+           path.endsWith(QLatin1String(".tiff"), Qt::CaseInsensitive);
+}
+
+void writeWhole(const QString& path, const std::function<void(QIODevice&)>& write) {
+    QSaveFile file(path);
+    const bool opened = file.open(QIODevice::WriteOnly);
+    if (opened) {
+        write(file);
+    }
+    if (!opened || !file.commit()) {
+        throw Error(Text::tr("The file cannot be written: %1").arg(file.errorString()), path);
+    }
+}
+
+void writePrintFile(const Sheet& sheet, const std::optional<PrinterProfile>& profile,
+                    const QString& path) {
+    const std::unique_ptr<PrinterColour> colour = profile ? printerColour(*profile) : nullptr;
+    PrintCorrection correction;
+    correction.colour = colour.get();
+    if (profile) {
+        correction.scaleX = profile->scaleX;
+        correction.scaleY = profile->scaleY;
+    }
+    writeWhole(path, [&](QIODevice& device) {
+        if (isTiff(path)) {
+            writeSheetTiff(sheet, device, correction);
+        } else {
+            writeSheetPdf(sheet, device, correction);
+        }
+    });
+}
+
+PrintProof printProof(const QImage& page, const PrinterColour& colour, bool marked) {
+    const GamutWarning warning = colour.gamutWarning(page);
+    PrintProof proof{colour.softProof(page).convertToFormat(QImage::Format_RGB32), 0};
+    qint64 painted = 0;
+    qint64 outside = 0;
+    for (int y = 0; y < page.height(); ++y) {
+        const uchar* mask = warning.mask.constScanLine(y);
+        auto* row = reinterpret_cast<QRgb*>(proof.page.scanLine(y));
+        for (int x = 0; x < page.width(); ++x) {
+            const bool isPaper = (page.pixel(x, y) & 0xffffff) == 0xffffff;
+            painted += !isPaper;
+            outside += !isPaper && mask[x] != 0;
+            if (marked && !isPaper && mask[x] != 0) {
+                row[x] = qRgb(255, 0, 255);
+            }
+        }
+    }
+    proof.outOfGamut = painted > 0 ? double(outside) / double(painted) : 0;
+    return proof;
+}
+
+} // namespace dipwright

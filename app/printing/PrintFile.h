@@ -1,0 +1,31 @@
+// A sheet as a file in a printer's scale and colours, in place of sending it there.
+#pragma once
+
+#include "project/Profiles.h"
+#include "sheet/Sheet.h"
+
+#include <functional>
+#include <memory>
+
+namespace dipwright {
+
+// The profile's colours; null where it has none. Throws Error.
+std::unique_ptr<PrinterColour> printerColour(const PrinterProfile& profile);
+
+bool isTiff(const QString& path);
+// Writes a file whole or not at all. Throws Error.
+void writeWhole(const QString& path, const std::function<void(QIODevice&)>& write);
+
+// PDF, or TIFF where the name ends so; without a profile at true scale and in sRGB. Throws Error.
+void writePrintFile(const Sheet& sheet, const std::optional<PrinterProfile>& profile,
+                    const QString& path);
+
+// A page as the printer will show it, and the share of its paint that the printer cannot make.
+struct PrintProof {
+    QImage page; // opaque, sRGB
+    double outOfGamut = 0;
+};
+// `page`: opaque, sRGB. What is out of reach is painted over in magenta where `marked`.
+PrintProof printProof(const QImage& page, const PrinterColour& colour, bool marked);
+
+} // namespace dipwright

@@ -1,0 +1,170 @@
+#include "panels/ProfileSpecs.h"
+
+#include <QCoreApplication>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ProfileSpecs)
+};
+
+PropertySpec nameSpec() {
+    return {.path = QStringLiteral("name"),
+            .label = Text::tr("Name"),
+            .help = Text::tr("What the profile is called in lists and in projects.")};
+}
+
+std::vector<PropertySpec> sides(const QByteArray& path, const QString& help) {
+    const QMap<QString, QString> words{{QStringLiteral("free"), Text::tr("Free")},
+                                       {QStringLiteral("pinned"), Text::tr("Held by a barrier")}};
+    const auto side = [&](const char* name, const QString& label) {
+        return PropertySpec{.path = QString::fromLatin1(path + '.' + name),
+                            .label = label,
+                            .help = help,
+                            .words = words};
+    };
+    return {side("left", Text::tr("Left")), side("right", Text::tr("Right")),
+            side("top", Text::tr("Top")), side("bottom", Text::tr("Bottom"))};
+}
+
+std::vector<PropertySection> printerSections() {
+    PropertySection size{{}, {nameSpec()}};
+    size.specs.push_back(
+        {.path = QStringLiteral("queue"),
+         .label = Text::tr("System's name"),
+         .help = Text::tr("The name under which the system knows the printer. It is then chosen "
+                          "at first when a sheet is printed.")});
+    size.specs.push_back(
+        {.path = QStringLiteral("scale"),
+         .label = Text::tr("Scale"),
+         .help = Text::tr("Printed length over true length, across the paper and along its feed. "
+                          "Sheets are drawn smaller by it. “Calibrate Printer” measures it."),
+         .unit = Unit::Ratio,
+         .parts = {Text::tr("X"), Text::tr("Y")}});
+    size.specs.push_back(
+        {.path = QStringLiteral("margins_mm"),
+         .label = Text::tr("Margins"),
+         .help = Text::tr("What the printer does not reach at the paper's left, top, right and "
+                          "bottom edge."),
+         .unit = Unit::Length,
+         .parts = {Text::tr("L", "left"), Text::tr("T", "top"), Text::tr("R", "right"),
+                   Text::tr("B", "bottom")}});
+    size.specs.push_back({.path = QStringLiteral("dpi"),
+                          .label = Text::tr("Resolution"),
+                          .help = Text::tr("Pixels an inch of the sheets for this printer."),
+                          .unit = Unit::Resolution});
+    PropertySection colour{Text::tr("Colour"), {}};
+    colour.specs = {
+        {.path = QStringLiteral("intent"),
+         .label = Text::tr("Rendering intent"),
+         .help = Text::tr("How colours that the printer cannot make are brought into its reach."),
+         .words = {{QStringLiteral("perceptual"), Text::tr("Perceptual")},
+                   {QStringLiteral("relative"), Text::tr("Relative colorimetric")},
+                   {QStringLiteral("saturation"), Text::tr("Saturation")},
+                   {QStringLiteral("absolute"), Text::tr("Absolute colorimetric")}}},
+        {.path = QStringLiteral("black_point_compensation"),
+         .label = Text::tr("Fit black point"),
+         .help = Text::tr("Fits the darkest dark to what the printer can print, so that shadows "
+                          "stay distinct.")},
+        {.path = QStringLiteral("ink_limit"),
+         .label = Text::tr("Ink limit"),
+         .help = Text::tr("The highest optical density a channel that the film holds."),
+         .unit = Unit::Density}};
+    return {size, colour};
+}
+
+std::vector<PropertySection> filmSections() {
+    PropertySection film{{}, {nameSpec()}};
+    film.specs.push_back({.path = QStringLiteral("size_mm"),
+                          .label = Text::tr("Size"),
+                          .help = Text::tr("Width and height of the dry film."),
+                          .unit = Unit::Length,
+                          .parts = {Text::tr("W", "width"), Text::tr("H", "height")}});
+    film.specs.push_back(
+        {.path = QStringLiteral("feed"),
+         .label = Text::tr("Feed"),
+         .help = Text::tr("The edge that goes into the printer first: a film swells more along "
+                          "its web."),
+         .words = {{QStringLiteral("short edge first"), Text::tr("Short edge first")},
+                   {QStringLiteral("long edge first"), Text::tr("Long edge first")}}});
+    film.specs.push_back(
+        {.path = QStringLiteral("lot"),
+         .label = Text::tr("Lot"),
+         .help = Text::tr("The maker's number: another lot may swell otherwise.")});
+    film.specs.push_back({.path = QStringLiteral("expiry"),
+                          .label = Text::tr("Use before"),
+                          .help = Text::tr("A date such as 2027-03-31, or nothing.")});
+    PropertySection water{Text::tr("Behaviour on the water"), {}};
+    water.specs = {
+        {.path = QStringLiteral("swell"),
+         .label = Text::tr("Swell"),
+         .help = Text::tr("How much the wetted film has grown over the printed one, across and "
+                          "down."),
+         .unit = Unit::Ratio,
+         .parts = {Text::tr("X"), Text::tr("Y")}},
+        {.path = QStringLiteral("relaxation_time_s"),
+         .label = Text::tr("Relaxation"),
+         .help = Text::tr("How fast the film forgets its stretch while it floats."),
+         .unit = Unit::Time,
+         .absent = Text::tr("Elastic"),
+         .whenPresent = 5},
+        {.path = QStringLiteral("contact_distance_mm"),
+         .label = Text::tr("Contact distance"),
+         .help = Text::tr("The distance from the body at which the film begins to adhere."),
+         .unit = Unit::Length},
+        {.path = QStringLiteral("soak_time_s"),
+         .label = Text::tr("Soak time"),
+         .help = Text::tr("From the water to the activator."),
+         .unit = Unit::Time},
+        {.path = QStringLiteral("activator_time_s"),
+         .label = Text::tr("Activator time"),
+         .help = Text::tr("From the activator to the dip."),
+         .unit = Unit::Time}};
+    return {film,
+            water,
+            {Text::tr("Sides"),
+             sides("edges", Text::tr("Whether this side of the film floats freely or is held by a "
+                                     "barrier."))}};
+}
+
+std::vector<PropertySection> tankSections() {
+    PropertySection tank{{}, {nameSpec()}};
+    tank.specs.push_back({.path = QStringLiteral("size_mm"),
+                          .label = Text::tr("Size"),
+                          .help = Text::tr("Width and length of the water."),
+                          .unit = Unit::Length,
+                          .parts = {Text::tr("W", "width"), Text::tr("L", "length")}});
+    tank.specs.push_back({.path = QStringLiteral("water_level_mm"),
+                          .label = Text::tr("Water level"),
+                          .help = Text::tr("How far the water stands under the tank's rim."),
+                          .unit = Unit::Length});
+    tank.specs.push_back(
+        {.path = QStringLiteral("mark_distance_mm"),
+         .label = Text::tr("Marks"),
+         .help = Text::tr("Between the tank's marks, across and along, which the sheet's "
+                          "registration marks are laid to. 0: there are none."),
+         .unit = Unit::Length,
+         .parts = {Text::tr("X"), Text::tr("Y")}});
+    return {tank,
+            {Text::tr("Barriers"),
+             sides("barriers", Text::tr("Whether a barrier in the tank holds this side of the "
+                                        "film."))}};
+}
+
+} // namespace
+
+std::vector<PropertySection> profileSections(ProfileKind kind) {
+    switch (kind) {
+    case ProfileKind::Printer:
+        return printerSections();
+    case ProfileKind::Film:
+        return filmSections();
+    case ProfileKind::Tank:
+        break;
+    }
+    return tankSections();
+}
+
+} // namespace dipwright

@@ -1,0 +1,153 @@
+// The dialogs between the program and the printer: profiles and calibration.
+#include "main/CalibrationDialog.h"
+#include "main/ProfilesDialog.h"
+
+#include "base/Error.h"
+#include "panels/ProfileSpecs.h"
+#include "panels/PropertyField.h"
+#include "project/ProfileFields.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace dipwright;
+
+namespace {
+
+PrinterProfile printer(const ProfileLibrary& library, const QString& name) {
+    return std::get<PrinterProfile>(library.profile(ProfileKind::Printer, name));
+}
+
+QPushButton* button(QDialog& dialog, const QString& text) {
+    for (auto* candidate : dialog.findChildren<QPushButton*>()) {
+        if (candidate->text().remove(QLatin1Char('&')) == text) {
+            return candidate;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
+class PaperDialogTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    ProfileLibrary library_{folder_.filePath("profiles")};
+
+private slots:
+    void initTestCase() {
+        PrinterProfile mine;
+        mine.name = QStringLiteral("Mine");
+        library_.save(mine);
+    }
+
+    void everyValueOfAProfileHasAField() {
+        for (const auto kind : {ProfileKind::Printer, ProfileKind::Film, ProfileKind::Tank}) {
+            QStringList shown{QStringLiteral("icc_profile")}; // a file to choose
+            for (const PropertySection& section : profileSections(kind)) {
+                for (const PropertySpec& spec : section.specs) {
+                    QVERIFY2(!spec.label.isEmpty() && !spec.help.isEmpty(), qPrintable(spec.path));
+                    shown << spec.path;
+                    const FieldRule rule = profileRule(kind, spec.path);
+                    QVERIFY(rule.kind != FieldKind::Choice ||
+                            QSet<QString>(spec.words.keyBegin(), spec.words.keyEnd()) ==
+                                QSet<QString>(rule.choices.begin(), rule.choices.end()));
+                }
+            }
+            for (const QString& path : profilePaths(kind)) {
+                QVERIFY2(shown.contains(path), qPrintable(path));
+            }
+        }
+    }
+
+    void typedValuesAreKept() {
+        ProfilesDialog dialog(library_, LengthUnit::Millimetre);
+        dialog.choose(ProfileKind::Printer, "Mine");
+        dialog.findChildren<QDoubleSpinBox*>("scale").at(0)->setValue(1.004);
+        dialog.findChildren<QDoubleSpinBox*>("margins_mm").at(1)->setValue(4.5);
+        QCOMPARE(printer(library_, "Mine").scaleX, 1.0); // while it is still typed in
+        dialog.reject();
+        QCOMPARE(printer(library_, "Mine").scaleX, 1.004);
+        QCOMPARE(printer(library_, "Mine").margins[1].value(), 4.5);
+    }
+
+    void aNewNameMovesTheProfile() {
+        ProfilesDialog dialog(library_, LengthUnit::Millimetre);
+        dialog.choose(ProfileKind::Printer, "Mine");
+        auto* name = dialog.findChild<QLineEdit*>("name");
+        name->clear();
+        QTest::keyClicks(name, "Ours");
+        dialog.choose(ProfileKind::Film, "Ideal film, A4"); // turns to something else
+        QVERIFY(library_.contains(ProfileKind::Printer, "Ours"));
+        QVERIFY(!library_.contains(ProfileKind::Printer, "Mine"));
+        PrinterProfile back = printer(library_, "Ours");
+        back.name = QStringLiteral("Mine");
+        library_.save(back);
+        library_.remove(ProfileKind::Printer, "Ours");
+    }
+
+    void aTakenNameIsRefused() {
+        const QString taken = library_.profiles(ProfileKind::Tank).front().name;
+        const QString other = library_.profiles(ProfileKind::Tank).back().name;
+        ProfilesDialog dialog(library_, LengthUnit::Millimetre);
+        dialog.choose(ProfileKind::Tank, other);
+        auto* name = dialog.findChild<QLineEdit*>("name");
+        name->clear();
+        QTest::keyClicks(name, taken);
+        dialog.choose(ProfileKind::Printer, "Mine");
+        QCOMPARE(kindOf(*dialog.chosen()), ProfileKind::Tank);
+        QVERIFY(dialog.findChild<QLabel*>("message")->text().contains("already"));
+        QVERIFY_EXCEPTION_THROWN(dialog.copyAs(taken), Error);
+    }
+
+    void aProfileTravelsAsAFile() {
+        const QString path = folder_.filePath("mine.json");
+        ProfilesDialog dialog(library_, LengthUnit::Millimetre);
+        dialog.choose(ProfileKind::Printer, "Mine");
+        dialog.exportFile(path);
+        dialog.copyAs("Copy of mine");
+        QCOMPARE(nameOf(*dialog.chosen()), QString("Copy of mine"));
+        library_.remove(ProfileKind::Printer, "Mine");
+        dialog.importFile(path);
+        QCOMPARE(nameOf(*dialog.chosen()), QString("Mine"));
+        QCOMPARE(printer(library_, "Mine").scaleX, 1.004);
+        QVERIFY_EXCEPTION_THROWN(dialog.setIccFile(path), Error);
+        QVERIFY(printer(library_, "Mine").iccProfile.isEmpty());
+    }
+
+    void measuredRulersBecomeTheScale() {
+        CalibrationDialog dialog(library_);
+        dialog.findChildren<QComboBox*>().at(0)->setCurrentText("Mine");
+        QVERIFY(!dialog.page().verifies());
+        const QList<QDoubleSpinBox*> lengths = dialog.findChildren<QDoubleSpinBox*>();
+        QCOMPARE(lengths.at(0)->value(), 170.0);
+        QCOMPARE(lengths.at(1)->value(), 220.0);
+        QPushButton* take = button(dialog, "Take over into Profile");
+        lengths.at(0)->setValue(250); // a printer that was told to scale
+        QVERIFY(!take->isEnabled());
+        lengths.at(0)->setValue(170 * 1.004);
+        lengths.at(1)->setValue(220 * 0.997);
+        QSignalSpy told(&dialog, &CalibrationDialog::calibrated);
+        take->click();
+        QCOMPARE(told.count(), 1);
+        QVERIFY(std::abs(printer(library_, "Mine").scaleX - 1.004) < 1e-9);
+        QVERIFY(std::abs(printer(library_, "Mine").scaleY - 0.997) < 1e-9);
+        // The second page is the next step; what is left on it comes on top.
+        QVERIFY(dialog.page().verifies());
+        QCOMPARE(dialog.page().scaleX, printer(library_, "Mine").scaleX);
+        lengths.at(0)->setValue(170.17);
+        take->click();
+        QVERIFY(std::abs(printer(library_, "Mine").scaleX - 1.004 * 1.001) < 1e-9);
+    }
+};
+
+QTEST_MAIN(PaperDialogTest)
+#include "PaperDialogTest.moc"
