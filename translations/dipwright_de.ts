@@ -3735,6 +3735,18 @@ mm je mm</translation>
         <translation>Umrandet: Film auf dem Körper · blass: übriger Film</translation>
     </message>
     <message>
+        <source>Wrinkling of the film</source>
+        <translation>Faltenbildung des Films</translation>
+    </message>
+    <message>
+        <source>Smaller principal stretch; below 1 the film is compressed and may fold</source>
+        <translation>Kleinere Hauptdehnung; unter 1 ist der Film gestaucht und kann Falten werfen</translation>
+    </message>
+    <message>
+        <source>On the body: compressed by over 1 % on %1 % of the film · smallest stretch %2</source>
+        <translation>Auf dem Körper: um über 1 % gestaucht auf %1 % des Films · kleinste Dehnung %2</translation>
+    </message>
+    <message>
         <source>The VTK file cannot be written: %1</source>
         <translation>Die VTK-Datei kann nicht geschrieben werden: %1</translation>
     </message>

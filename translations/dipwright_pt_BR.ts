@@ -3735,6 +3735,18 @@ mm por mm</translation>
         <translation>Contornado: filme no corpo · pálido: filme restante</translation>
     </message>
     <message>
+        <source>Wrinkling of the film</source>
+        <translation>Enrugamento do filme</translation>
+    </message>
+    <message>
+        <source>Smaller principal stretch; below 1 the film is compressed and may fold</source>
+        <translation>Menor estiramento principal; abaixo de 1 o filme está comprimido e pode dobrar</translation>
+    </message>
+    <message>
+        <source>On the body: compressed by over 1 % on %1 % of the film · smallest stretch %2</source>
+        <translation>No corpo: comprimido em mais de 1 % em %1 % do filme · menor estiramento %2</translation>
+    </message>
+    <message>
         <source>The VTK file cannot be written: %1</source>
         <translation>O arquivo VTK não pode ser gravado: %1</translation>
     </message>

@@ -1,6 +1,6 @@
 #include "dip/PaintedStretch.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace dipwright {
 
@@ -84,6 +84,36 @@ std::vector<float> paintedAreaStretches(const DippedFilm& film, const FilmContac
         }
     }
     return kept;
+}
+
+Wrinkling paintedWrinkling(const DippedFilm& film, const FilmContact& contact) {
+    const std::vector<PrincipalStretch> stretches = principalStretches(film);
+    const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
+    Wrinkling result;
+    result.pointStretches.assign(film.grid.pointCount(), 0);
+    std::vector<int> counts(film.grid.pointCount(), 0);
+    std::size_t painted = 0, wrinkled = 0;
+    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
+        if (!contact.painted[triangle]) {
+            continue;
+        }
+        const float smaller = stretches[triangle].smaller;
+        ++painted;
+        wrinkled += smaller < wrinkledBelow ? 1 : 0;
+        result.least = std::min(result.least, double(smaller));
+        for (const std::uint32_t point : triangles[triangle]) {
+            result.pointStretches[point] += smaller;
+            ++counts[point];
+        }
+    }
+    for (std::size_t point = 0; point < counts.size(); ++point) {
+        float& value = result.pointStretches[point];
+        value = counts[point] > 0 ? value / float(counts[point]) : 1.f;
+    }
+    const double triangleArea = film.grid.spacingX() * film.grid.spacingZ() / 2;
+    result.area = double(wrinkled) * triangleArea;
+    result.share = painted > 0 ? double(wrinkled) / double(painted) : 0;
+    return result;
 }
 
 std::vector<std::uint8_t> paintedPoints(const DippedFilm& film, const FilmContact& contact) {

@@ -24,6 +24,7 @@ QJsonObject immersionJson(const ImmersionResult& result) {
     const DippedFilm& film = *result.film;
     const FilmContact& contact = *result.contact;
     const Registration& registration = result.registration;
+    const Wrinkling wrinkling = paintedWrinkling(film, contact);
     qint64 adhered = 0;
     for (std::size_t point = 0; point < film.states.size(); ++point) {
         adhered += film.adhered(point) ? 1 : 0;
@@ -40,6 +41,9 @@ QJsonObject immersionJson(const ImmersionResult& result) {
             {"trapped_air_area_mm2", result.coverage->trappedAirArea},
             {"stretch", toJson(distribution(paintedConstraintStretches(film, contact)))},
             {"area_stretch", toJson(distribution(paintedAreaStretches(film, contact)))},
+            {"wrinkling", QJsonObject{{"film_area_mm2", wrinkling.area},
+                                      {"share", wrinkling.share},
+                                      {"least", wrinkling.least}}},
             {"texture", QJsonObject{{"contact", qint64(contact.contactCount)},
                                     {"filled", qint64(contact.filledCount)},
                                     {"seam_triangles", qint64(result.texture->seamTriangles)}}},

@@ -14,7 +14,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-constexpr int stretchMapEdge = 1600; // pixels
+constexpr int filmMapEdge = 1600; // pixels
 
 // The bytes that `write` puts into the device it is given.
 template <typename Write>
@@ -49,7 +49,9 @@ void writeImmersion(const ImmersionResult& result, const QString& name, const Re
     writeBodyVtp(*result.body, *result.coverage, path + QStringLiteral("body.vtp"));
     progress(0.9, Text::tr("Writing the stretch of %1").arg(result.immersion.name));
     folder.write(prefix + QStringLiteral("stretch.png"),
-                 png(stretchMap(*result.film, *result.contact, stretchMapEdge)));
+                 png(stretchMap(*result.film, *result.contact, filmMapEdge)));
+    folder.write(prefix + QStringLiteral("wrinkling.png"),
+                 png(wrinklingMap(*result.film, *result.contact, filmMapEdge)));
 }
 
 } // namespace

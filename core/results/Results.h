@@ -21,6 +21,10 @@ void writeBodyVtp(const PosedBody& body, const Coverage& coverage, const QString
 // outline of the painted area and its distribution. `longEdge` pixels tall.
 QImage stretchMap(const DippedFilm& film, const FilmContact& contact, int longEdge);
 
+// Where film on the body is compressed and may fold: the smaller principal stretch λ2 over the flat
+// film, drawn like stretchMap(); white where nothing is compressed.
+QImage wrinklingMap(const DippedFilm& film, const FilmContact& contact, int longEdge);
+
 // Colour maps of even lightness steps, made in OKLab: "lagoon" (dark blue over green to yellow),
 // "dusk" (blue over grey to yellow, the same to readers with any colour vision), both light at 1;
 // "balance" (blue over near-white to orange, the middle at 0.5); "grey".

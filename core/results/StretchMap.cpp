@@ -19,12 +19,12 @@ const QColor background(252, 252, 252);
 const QColor ink(38, 42, 48);
 const QColor paleInk(105, 112, 120);
 
-// Stretch of the film points, and which of the film is on the body.
-class FilmStretch {
+// A value a film point, and which of the film is on the body.
+class FilmValues {
 public:
-    FilmStretch(const DippedFilm& film, const FilmContact& contact)
-        : grid_(film.grid), values_(paintedPointStretches(film, contact)),
-          painted_(contact.painted), isOn_(paintedPoints(film, contact)) {}
+    FilmValues(const DippedFilm& film, const FilmContact& contact, std::vector<float> values)
+        : grid_(film.grid), values_(std::move(values)), painted_(contact.painted),
+          isOn_(paintedPoints(film, contact)) {}
 
     // At a place given in cells, columns to the right and rows down.
     double at(double column, double row) const {
@@ -73,8 +73,11 @@ struct Scale {
     double high = 1;
     double step = 0.1;
     QString map;
+    bool lowerHalf = false; // of the map's colours: up to its middle
 
     double share(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
+    // Of the colour map, from its first colour to its last.
+    QColor colour(double place) const { return mapColour(map, lowerHalf ? place / 2 : place); }
 };
 
 double niceStep(double span) {
@@ -115,10 +118,23 @@ Scale scaleOf(std::vector<float> values) {
     return scale;
 }
 
-std::array<QRgb, 256> colourTable(const QString& map) {
+// Up to 1, from the most compressed place on.
+Scale compressionScale(double least) {
+    constexpr double shallowest = 0.05; // noise is not blown up to a picture
+    const double depth = std::clamp(1 - least, shallowest, 1.0);
+    Scale scale;
+    scale.step = niceStep(depth);
+    scale.low = std::max(1 - std::ceil(depth / scale.step - 1e-6) * scale.step, 0.0);
+    scale.high = 1;
+    scale.map = QStringLiteral("balance");
+    scale.lowerHalf = true;
+    return scale;
+}
+
+std::array<QRgb, 256> colourTable(const Scale& scale) {
     std::array<QRgb, 256> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
-        table[i] = mapColour(map, double(i) / 255).rgb();
+        table[i] = scale.colour(double(i) / 255).rgb();
     }
     return table;
 }
@@ -130,9 +146,9 @@ QRgb faded(QRgb colour) {
 }
 
 // The film in colours; pale where it is not on the body, a dark line round what is.
-QImage filmPicture(const FilmStretch& stretch, const solver::FilmGrid& grid, const Scale& scale,
+QImage filmPicture(const FilmValues& film, const solver::FilmGrid& grid, const Scale& scale,
                    QSize size) {
-    const std::array<QRgb, 256> colours = colourTable(scale.map);
+    const std::array<QRgb, 256> colours = colourTable(scale);
     const auto column = [&](int x) { return (x + 0.5) / size.width() * (grid.columns - 1); };
     const auto row = [&](int y) { return (y + 0.5) / size.height() * (grid.rows - 1); };
     const int reach = std::max(1, size.height() / 1000); // of the line, to each side
@@ -140,12 +156,12 @@ QImage filmPicture(const FilmStretch& stretch, const solver::FilmGrid& grid, con
     for (int y = 0; y < size.height(); ++y) {
         auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
         for (int x = 0; x < size.width(); ++x) {
-            const bool painted = stretch.isPainted(column(x), row(y));
-            const bool border = painted && !(stretch.isPainted(column(x - reach), row(y)) &&
-                                             stretch.isPainted(column(x + reach), row(y)) &&
-                                             stretch.isPainted(column(x), row(y - reach)) &&
-                                             stretch.isPainted(column(x), row(y + reach)));
-            const double value = scale.share(stretch.at(column(x), row(y)));
+            const bool painted = film.isPainted(column(x), row(y));
+            const bool border = painted && !(film.isPainted(column(x - reach), row(y)) &&
+                                             film.isPainted(column(x + reach), row(y)) &&
+                                             film.isPainted(column(x), row(y - reach)) &&
+                                             film.isPainted(column(x), row(y + reach)));
+            const double value = scale.share(film.at(column(x), row(y)));
             const QRgb colour = colours[std::size_t(std::lround(255 * value))];
             line[x] = border ? ink.rgb() : painted ? colour : faded(colour);
         }
@@ -153,13 +169,21 @@ QImage filmPicture(const FilmStretch& stretch, const solver::FilmGrid& grid, con
     return picture;
 }
 
+// What a map is of, in words and colours.
+struct MapSubject {
+    QString title, explanation;
+    QString unit;    // under the scale
+    QString summary; // under the map
+    Scale scale;
+    bool goesOn = false; // there are values past the scale's upper end
+};
+
 // The picture's parts, all measured in hundredths of its height.
-class StretchPicture {
+class FilmMap {
 public:
-    StretchPicture(const DippedFilm& film, const FilmContact& contact, int longEdge)
-        : grid_(film.grid), stretch_(film, contact),
-          values_(distribution(stretch_.paintedValues())),
-          scale_(scaleOf(stretch_.paintedValues())), unit_(longEdge / 100.0) {
+    FilmMap(const solver::FilmGrid& grid, FilmValues values, MapSubject subject, int longEdge)
+        : grid_(grid), values_(std::move(values)), subject_(std::move(subject)),
+          unit_(longEdge / 100.0) {
         const double height = 78;
         const double width = std::clamp(height * grid_.width / grid_.depth, 20.0, 250.0);
         plot_ = QRectF(9, 12, width, height);
@@ -178,10 +202,10 @@ public:
         painter.scale(unit_, unit_);
         drawTitle(painter);
         const QSize pixels = (plot_.size() * unit_).toSize();
-        painter.drawImage(plot_, filmPicture(stretch_, grid_, scale_, pixels));
+        painter.drawImage(plot_, filmPicture(values_, grid_, subject_.scale, pixels));
         drawFrame(painter);
         drawScale(painter);
-        drawValues(painter);
+        drawSummary(painter);
         return picture_;
     }
 
@@ -203,10 +227,8 @@ private:
 
     void drawTitle(QPainter& painter) const {
         const QRectF box(plot_.left(), 2.5, plot_.width(), 3);
-        letter(painter, box, Qt::AlignLeft, Text::tr("Stretch of the film"), 2.6, ink, true);
-        letter(painter, box.translated(0, 4), Qt::AlignLeft,
-               Text::tr("Mean of each point's constraints, final over rest length; ink side up"),
-               1.6, paleInk);
+        letter(painter, box, Qt::AlignLeft, subject_.title, 2.6, ink, true);
+        letter(painter, box.translated(0, 4), Qt::AlignLeft, subject_.explanation, 1.6, paleInk);
     }
 
     void drawFrame(QPainter& painter) const {
@@ -245,56 +267,85 @@ private:
         const QRectF bar(plot_.right() + 5, plot_.top(), 2.6, height);
         QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
         for (int i = 0; i <= 64; ++i) {
-            gradient.setColorAt(i / 64.0, mapColour(scale_.map, i / 64.0));
+            gradient.setColorAt(i / 64.0, subject_.scale.colour(i / 64.0));
         }
         painter.setPen(QPen(ink, 0.12));
         painter.setBrush(gradient);
         painter.drawRect(bar);
-        for (double value = scale_.low; value < scale_.high + scale_.step / 2;
-             value += scale_.step) {
-            const double y = bar.bottom() - scale_.share(value) * bar.height();
+        const Scale& scale = subject_.scale;
+        for (double value = scale.low; value < scale.high + scale.step / 2; value += scale.step) {
+            const double y = bar.bottom() - scale.share(value) * bar.height();
             painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 0.7, y));
             letter(painter, QRectF(bar.right() + 1.2, y - 1, 8, 2),
                    Qt::AlignLeft | Qt::AlignVCenter, scaleLabel(value), 1.5, ink);
         }
-        letter(painter, QRectF(bar.left(), bar.bottom() + 1.6, 14, 2), Qt::AlignLeft,
-               Text::tr("stretch\nmm per mm"), 1.5, paleInk);
+        letter(painter, QRectF(bar.left(), bar.bottom() + 1.6, 14, 2), Qt::AlignLeft, subject_.unit,
+               1.5, paleInk);
     }
 
     QString scaleLabel(double value) const {
-        const int decimals = std::max(1, int(std::ceil(-std::log10(scale_.step) - 1e-9)));
+        const Scale& scale = subject_.scale;
+        const int decimals = std::max(1, int(std::ceil(-std::log10(scale.step) - 1e-9)));
         const QString number = QLocale().toString(value, 'f', decimals);
-        const bool goesOn = value > scale_.high - scale_.step / 2 && values_.maximum > scale_.high;
+        const bool goesOn = subject_.goesOn && value > scale.high - scale.step / 2;
         return goesOn ? Text::tr("%1 and more").arg(number) : number;
     }
 
-    void drawValues(QPainter& painter) const {
-        const auto number = [](double value) {
-            return value < 1000 ? QLocale().toString(value, 'f', 3)
-                                : QLocale().toString(value, 'g', 3);
-        };
-        const QString text = Text::tr("On the body: min %1 · mean %2 · 95 % %3 · max %4")
-                                 .arg(number(values_.minimum), number(values_.mean),
-                                      number(values_.percentile95), number(values_.maximum));
+    void drawSummary(QPainter& painter) const {
         const QRectF box(plot_.left(), plot_.bottom() + 4.6, plot_.width(), 2);
-        letter(painter, box, Qt::AlignLeft, text, 1.6, ink);
+        letter(painter, box, Qt::AlignLeft, subject_.summary, 1.6, ink);
         letter(painter, box.translated(0, 2.4), Qt::AlignLeft,
                Text::tr("Outlined: film on the body · pale: film left over"), 1.5, paleInk);
     }
 
     solver::FilmGrid grid_;
-    FilmStretch stretch_;
-    Distribution values_;
-    Scale scale_;
+    FilmValues values_;
+    MapSubject subject_;
     double unit_; // pixels
     QRectF plot_;
     QImage picture_;
 };
 
+QString rounded(double value) {
+    return value < 1000 ? QLocale().toString(value, 'f', 3) : QLocale().toString(value, 'g', 3);
+}
+
+MapSubject stretchSubject(const FilmValues& values) {
+    const std::vector<float> painted = values.paintedValues();
+    const Distribution stretch = distribution(painted);
+    const Scale scale = scaleOf(painted);
+    return {Text::tr("Stretch of the film"),
+            Text::tr("Mean of each point's constraints, final over rest length; ink side up"),
+            Text::tr("stretch\nmm per mm"),
+            Text::tr("On the body: min %1 · mean %2 · 95 % %3 · max %4")
+                .arg(rounded(stretch.minimum), rounded(stretch.mean), rounded(stretch.percentile95),
+                     rounded(stretch.maximum)),
+            scale,
+            stretch.maximum > scale.high};
+}
+
+MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling) {
+    return {
+        Text::tr("Wrinkling of the film"),
+        Text::tr("Smaller principal stretch; below 1 the film is compressed and may fold"),
+        Text::tr("stretch\nmm per mm"),
+        Text::tr("On the body: compressed by over 1 % on %1 % of the film · smallest stretch %2")
+            .arg(QLocale().toString(100 * wrinkling.share, 'f', 1), rounded(wrinkling.least)),
+        compressionScale(distribution(values.paintedValues()).minimum),
+        false};
+}
+
 } // namespace
 
 QImage stretchMap(const DippedFilm& film, const FilmContact& contact, int longEdge) {
-    return StretchPicture(film, contact, longEdge).draw();
+    const FilmValues values(film, contact, paintedPointStretches(film, contact));
+    return FilmMap(film.grid, values, stretchSubject(values), longEdge).draw();
+}
+
+QImage wrinklingMap(const DippedFilm& film, const FilmContact& contact, int longEdge) {
+    const Wrinkling wrinkling = paintedWrinkling(film, contact);
+    const FilmValues values(film, contact, wrinkling.pointStretches);
+    return FilmMap(film.grid, values, wrinklingSubject(values, wrinkling), longEdge).draw();
 }
 
 } // namespace dipwright

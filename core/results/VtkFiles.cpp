@@ -110,6 +110,21 @@ SplitBody splitAtSeams(const TexturedMesh& model) {
     return body;
 }
 
+void addPrincipalStretches(const DippedFilm& film, vtkCellData& cells) {
+    const std::vector<PrincipalStretch> stretches = principalStretches(film);
+    vtkNew<vtkFloatArray> larger = floatArray("larger_stretch", 1, stretches.size());
+    vtkNew<vtkFloatArray> smaller = floatArray("smaller_stretch", 1, stretches.size());
+    vtkNew<vtkFloatArray> area = floatArray("area_stretch", 1, stretches.size());
+    for (std::size_t triangle = 0; triangle < stretches.size(); ++triangle) {
+        larger->SetValue(vtkIdType(triangle), stretches[triangle].larger);
+        smaller->SetValue(vtkIdType(triangle), stretches[triangle].smaller);
+        area->SetValue(vtkIdType(triangle), stretches[triangle].area());
+    }
+    cells.AddArray(larger);
+    cells.AddArray(smaller);
+    cells.AddArray(area);
+}
+
 } // namespace
 
 void writeFilmVtp(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
@@ -138,6 +153,7 @@ void writeFilmVtp(const DippedFilm& film, const FilmContact& contact, const Pose
     data->GetPointData()->AddArray(adhered);
     data->GetPointData()->AddArray(uv);
     data->GetPointData()->AddArray(stretch);
+    addPrincipalStretches(film, *data->GetCellData());
     write(data, path);
 }
 

@@ -98,8 +98,8 @@ private slots:
     void aRunWritesWhatIsPromisedAndNothingElse() {
         QStringList expected{"proof.png", "report.json"};
         for (const char* immersion : {"immersion-1", "immersion-2"}) {
-            for (const char* file :
-                 {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp", "stretch.png"}) {
+            for (const char* file : {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp",
+                                     "stretch.png", "wrinkling.png"}) {
                 expected.append(QStringLiteral("%1/%2").arg(immersion, file));
             }
         }

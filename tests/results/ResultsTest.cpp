@@ -3,6 +3,7 @@
 #include "results/Results.h"
 
 #include "base/Error.h"
+#include "dip/PaintedStretch.h"
 #include "geometry/Shapes.h"
 #include "results/ProofScene.h"
 
@@ -142,6 +143,7 @@ private slots:
     void unknownColourMapIsRefused();
     void stretchMapShowsWhereFilmStretched();
     void stretchMapFitsWideFilm();
+    void wrinklingIsToldFromThinning();
     void proofShowsTheImageOnTheBody();
     void proofTakesInkBackToWhatShows();
     void laterFilmsLieOverEarlierOnes();
@@ -277,6 +279,30 @@ void ResultsTest::stretchMapFitsWideFilm() {
     const QImage map = stretchMap(wide, contact, 800);
     keep(map, "stretch-wide.png");
     QVERIFY(map.width() > map.height());
+}
+
+void ResultsTest::wrinklingIsToldFromThinning() {
+    // Drawn out to 1.5 along one direction, and the other way kept, then compressed to 0.9.
+    const auto drawn = [&](float across) {
+        DippedFilm film = dip_.film;
+        for (std::size_t i = 0; i < film.positions.size(); ++i) {
+            const Eigen::Vector2f rest = restPosition(film.grid, i);
+            film.positions[i] = {1.5f * rest.x(), 0, across * rest.y()};
+        }
+        return film;
+    };
+    const Wrinkling thinned = paintedWrinkling(drawn(1), dip_.contact);
+    QCOMPARE(thinned.share, 0.0);
+    QVERIFY(std::abs(thinned.least - 1) < 1e-4);
+    const DippedFilm compressed = drawn(0.9f);
+    const Wrinkling wrinkled = paintedWrinkling(compressed, dip_.contact);
+    QCOMPARE(wrinkled.share, 1.0);
+    QVERIFY(wrinkled.area > 0);
+    QVERIFY(std::abs(wrinkled.least - 0.9) < 1e-4);
+    const QImage map = wrinklingMap(dip_.film, dip_.contact, 1000);
+    keep(map, "wrinkling.png");
+    QCOMPARE(map.size(), stretchMap(dip_.film, dip_.contact, 1000).size());
+    QVERIFY(map != wrinklingMap(compressed, dip_.contact, 1000));
 }
 
 void ResultsTest::proofShowsTheImageOnTheBody() {
