@@ -241,7 +241,7 @@ private slots:
         QVERIFY(files.contains("note.txt"));
         QVERIFY(files.contains("immersion-1/sheet.png"));
         QVERIFY(files.filter("immersion-2").isEmpty());
-        QCOMPARE(files.size(), 8);
+        QCOMPARE(files.size(), 9);
         const QImage chess(path("two/immersion-1/sheet.png"));
         const int middle = chess.width() / 2;
         QVERIFY(qGray(chess.pixel(middle + 30, middle + 30)) !=
