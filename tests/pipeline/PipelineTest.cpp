@@ -284,7 +284,7 @@ private slots:
         QTemporaryDir home;
         writeResults(job_, first_, home.path(), {});
         const QStringList before = filesBelow(home.path());
-        QCOMPARE(before.size(), 12);
+        QCOMPARE(before.size(), 14);
         Progress progress;
         CancelSwitch cancelSwitch = progress.cancelSwitch;
         progress.report = [&](double share, const QString&) {
