@@ -3,6 +3,8 @@
 
 #include "printing/Calibration.h"
 
+#include <QRegularExpression>
+
 namespace dipwright::cli {
 namespace {
 
@@ -36,7 +38,7 @@ Millimetres parsedLength(const QString& text) {
     const double length = QLocale::c().toDouble(text.trimmed(), &isNumber);
     if (!isNumber || !(length > 0 && length < 10000)) {
         throw UsageError(
-            QStringLiteral("“%1” is no length in mm, give X and Y as 170.7;219.4").arg(text),
+            QStringLiteral("“%1” is no length in mm, give X and Y as 170.7x219.4").arg(text),
             QStringLiteral("--measured"));
     }
     return Millimetres(length);
@@ -47,10 +49,13 @@ struct Measured {
 };
 
 Measured measured(const QCommandLineParser& parser) {
-    const QStringList parts = parser.value(measuredOption).split(QLatin1Char(';'));
+    const QStringList parts =
+        parser.value(measuredOption).split(QRegularExpression(QStringLiteral("[x;]")));
     if (parts.size() != 2) {
         throw UsageError(
-            QStringLiteral("Give the lengths of the horizontal and the vertical ruler, X;Y in mm"),
+            QStringLiteral(
+                "Give the lengths of the horizontal and the vertical ruler in mm, such as "
+                "170.7x219.4"),
             QStringLiteral("--measured"));
     }
     return {parsedLength(parts[0]), parsedLength(parts[1])};
@@ -68,11 +73,11 @@ void takeOver(const Measured& lengths, const CalibrationPage& page, PrinterProfi
 
 void tellLengths(const CalibrationPage& page, QTextStream& out) {
     const CalibrationLengths lengths = calibrationLengths(page);
-    out << QStringLiteral(
-               "The rulers must measure %1 and %2 mm; give what they do measure with --measured "
-               "X;Y\n")
+    out << QStringLiteral("The rulers must measure %1 and %2 mm; give what they do measure with "
+                          "%3--measured %1x%2\n")
                .arg(lengths.x.value())
-               .arg(lengths.y.value());
+               .arg(lengths.y.value())
+               .arg(page.verifies() ? QStringLiteral("--verify ") : QString());
 }
 
 class CalibrateCommand : public Command {
@@ -95,7 +100,7 @@ public:
             {measuredOption,
              QStringLiteral("The measured lengths of the horizontal and the vertical ruler go "
                             "into the profile; nothing is printed."),
-             QStringLiteral("X;Y")});
+             QStringLiteral("XxY")});
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {
@@ -126,6 +131,7 @@ public:
             const auto system = printSystem();
             PrintRequest request;
             request.printer = target.printer;
+            request.acceptOtherPaper = acceptsOtherPaper(parser);
             const PrintPlan plan = planCalibration(*system, page, request);
             printAndTell(*system, plan, console.progress(), console.out());
         }

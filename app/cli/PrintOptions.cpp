@@ -52,6 +52,10 @@ void declarePrinter(QCommandLineParser& parser) {
          QStringLiteral("Prints though the printer says that the paper is not loaded.")});
 }
 
+bool acceptsOtherPaper(const QCommandLineParser& parser) {
+    return parser.isSet(otherPaperOption);
+}
+
 bool listsPrinters(const QCommandLineParser& parser) {
     return parser.isSet(printersOption);
 }
@@ -97,7 +101,7 @@ PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& t
                           const std::optional<PrinterProfile>& remembered) {
     PrintRequest request;
     request.printer = target.printer;
-    request.acceptOtherPaper = parser.isSet(otherPaperOption);
+    request.acceptOtherPaper = acceptsOtherPaper(parser);
     request.profile = remembered;
     if (parser.isSet(profileOption)) {
         request.profile = std::get<PrinterProfile>(

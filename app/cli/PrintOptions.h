@@ -11,6 +11,7 @@ namespace dipwright::cli {
 // --printer, --printers, --to, --profile, --accept-other-paper.
 void declarePrinter(QCommandLineParser& parser);
 bool listsPrinters(const QCommandLineParser& parser);
+bool acceptsOtherPaper(const QCommandLineParser& parser);
 void listPrinters(QTextStream& out);
 
 // Where to print: one of the two is empty.

@@ -129,10 +129,11 @@ void PrintCommandTest::calibrationMakesPrintsTrue() {
     QVERIFY2(outcome.exitCode == 0, outcome.err);
     QVERIFY(outcome.out.contains("must measure 170 and 220 mm"));
     outcome = cli({"calibrate", "--profile", "Mine", "--measured",
-                   QString("%1;%2").arg(170 * 1.004, 0, 'f', 2).arg(220 * 0.997, 0, 'f', 2)});
+                   QString("%1x%2").arg(170 * 1.004, 0, 'f', 2).arg(220 * 0.997, 0, 'f', 2)});
     QVERIFY2(outcome.out.contains("1.00400 × 0.99700"), outcome.out);
-    QCOMPARE(cli({"calibrate", "--profile", "Mine", "--printer", "pigment", "--verify"}).exitCode,
-             0);
+    outcome = cli({"calibrate", "--profile", "Mine", "--printer", "pigment", "--verify"});
+    QVERIFY2(outcome.exitCode == 0, outcome.err);
+    QVERIFY(outcome.out.contains("--verify --measured 170x220")); // else it would start anew
     const QStringList pages = cups_->received("pigment").mid(before);
     QCOMPARE(pages.size(), 2);
     QVERIFY(pdfWords(pages[0]).contains("Calibration"));
