@@ -97,6 +97,10 @@ struct PaperChoice {
     bool turned = false; // the page lies across the paper
 };
 
+bool hasPaperFor(const PrinterInfo& printer, QSizeF page) {
+    return mediaOfSize(printer.media, page) || mediaOfSize(printer.media, page.transposed());
+}
+
 PaperChoice paperFor(const PrinterInfo& printer, QSizeF page) {
     for (const bool turned : {false, true}) {
         if (const PrinterMedia* media =
@@ -337,9 +341,10 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintReque
     PrintPlan plan;
     plan.printer = readyPrinter(system, request.printer);
     checkColour(plan.printer, original, request, plan.warnings);
-    PaperChoice paper = request.tile
-                            ? PaperChoice{tilePaper(plan.printer, request.tilePaper), false}
-                            : paperFor(plan.printer, pageSize(original));
+    const bool tiled = request.tile && (!request.tilePaper.isEmpty() ||
+                                        !hasPaperFor(plan.printer, pageSize(original)));
+    const PaperChoice paper = tiled ? PaperChoice{tilePaper(plan.printer, request.tilePaper), false}
+                                    : paperFor(plan.printer, pageSize(original));
     checkLoaded(plan.printer, paper.media, request, plan.warnings);
     const QMarginsF margins = unreachable(paper.media, request);
     Sheet sheet = original;
@@ -356,7 +361,7 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintReque
     plan.task.title =
         QStringLiteral("%1 – %2").arg(sheet.job.project, sheet.job.immersion).simplified();
     plan.task.media = paper.media;
-    if (request.tile) {
+    if (tiled) {
         fillTiled(plan.task, sheet, margins, correction);
     } else {
         checkReach(sheet, paper, margins, request.printer, plan.warnings, request.acceptClipping);

@@ -17,8 +17,10 @@ struct PrintRequest {
     int copies = 1;
     // Scales, margins and colours of the printer; none: true scale and sRGB.
     std::optional<PrinterProfile> profile;
-    bool tile = false;             // cut a sheet that is larger than the paper into pieces
-    QString tilePaper;             // name of the media for the pieces; empty: the printer's largest
+    // Cut a sheet that no paper of the printer is made for into pieces of the largest one loaded,
+    // or any sheet into pieces of the media named.
+    bool tile = false;
+    QString tilePaper;
     bool acceptMonochrome = false; // print a coloured sheet in grey
     bool acceptClipping = false;   // lose what lies where the printer does not reach
     bool acceptOtherPaper = false; // the paper is not loaded, as far as the printer knows

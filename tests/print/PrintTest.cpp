@@ -286,6 +286,8 @@ void PrintTest::largeSheetArrivesInPieces() {
     const QString paper = cups_->received("office").last();
     QVERIFY(output("pdfinfo", {paper}).contains("Pages:           9"));
     QVERIFY(pdfWords(paper, 4).contains("row 2 of 3, column 1 of 3"));
+    // What has a paper of its own stays whole.
+    QCOMPARE(planPrint(*system_, chessSheet("Top"), request).task.pages, 1);
 }
 
 void PrintTest::marksStayInReachOfThePrinter() {
