@@ -5,7 +5,13 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QDir>
 #include <QJsonDocument>
+
+#include <tbb/parallel_for_each.h>
+
+#include <functional>
+#include <mutex>
 
 namespace dipwright {
 namespace {
@@ -34,24 +40,62 @@ QString immersionFolder(int number) {
     return QStringLiteral("immersion-%1").arg(number);
 }
 
-void writeImmersion(const ImmersionResult& result, const QString& name, const ResultFolder& folder,
-                    const Progress& progress) {
-    const QString prefix = name + QLatin1Char('/');
-    progress(0, Text::tr("Writing the sheet of %1").arg(result.immersion.name));
-    folder.write(prefix + QStringLiteral("sheet.png"),
-                 bytesOf([&](QBuffer& buffer) { writeSheetPng(result.sheet, buffer); }));
-    progress(0.4, Text::tr("Writing the sheet of %1").arg(result.immersion.name));
-    folder.write(prefix + QStringLiteral("sheet.pdf"),
-                 bytesOf([&](QBuffer& buffer) { writeSheetPdf(result.sheet, buffer); }));
-    progress(0.7, Text::tr("Writing the film of %1").arg(result.immersion.name));
-    const QString path = folder.path() + QLatin1Char('/') + prefix;
-    writeFilmVtp(*result.film, *result.contact, *result.body, path + QStringLiteral("film.vtp"));
-    writeBodyVtp(*result.body, *result.coverage, path + QStringLiteral("body.vtp"));
-    progress(0.9, Text::tr("Writing the stretch of %1").arg(result.immersion.name));
-    folder.write(prefix + QStringLiteral("stretch.png"),
-                 png(stretchMap(*result.film, *result.contact, filmMapEdge)));
-    folder.write(prefix + QStringLiteral("wrinkling.png"),
-                 png(wrinklingMap(*result.film, *result.contact, filmMapEdge)));
+// One of the pieces of writing that go on at the same time: packing pictures takes far longer than
+// the disk.
+struct Piece {
+    QString text;
+    std::function<void()> write;
+};
+
+void writeTogether(const std::vector<Piece>& pieces, const Progress& progress) {
+    std::mutex mutex;
+    std::size_t written = 0;
+    tbb::parallel_for_each(pieces, [&](const Piece& piece) {
+        {
+            const std::scoped_lock lock(mutex);
+            progress(double(written) / double(pieces.size()), piece.text);
+        }
+        piece.write();
+        const std::scoped_lock lock(mutex);
+        ++written;
+    });
+}
+
+void addSheet(std::vector<Piece>& pieces, const ImmersionResult& result, const QString& prefix,
+              const ResultFolder& folder) {
+    const QString text = Text::tr("Writing the sheet of %1").arg(result.immersion.name);
+    pieces.push_back(
+        {text, [&result, prefix, &folder] {
+             folder.write(prefix + QStringLiteral("sheet.png"),
+                          bytesOf([&](QBuffer& buffer) { writeSheetPng(result.sheet, buffer); }));
+         }});
+    pieces.push_back(
+        {text, [&result, prefix, &folder] {
+             folder.write(prefix + QStringLiteral("sheet.pdf"),
+                          bytesOf([&](QBuffer& buffer) { writeSheetPdf(result.sheet, buffer); }));
+         }});
+}
+
+void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QString& prefix,
+             const ResultFolder& folder) {
+    pieces.push_back(
+        {Text::tr("Writing the film of %1").arg(result.immersion.name), [&result, prefix, &folder] {
+             const QString path = folder.path() + QLatin1Char('/') + prefix;
+             QDir().mkpath(path);
+             writeFilmVtp(*result.film, *result.contact, *result.body,
+                          path + QStringLiteral("film.vtp"));
+             writeBodyVtp(*result.body, *result.coverage, path + QStringLiteral("body.vtp"));
+         }});
+    const QString text = Text::tr("Writing the stretch of %1").arg(result.immersion.name);
+    pieces.push_back({text, [&result, prefix, &folder] {
+                          folder.write(prefix + QStringLiteral("stretch.png"),
+                                       png(stretchMap(*result.film, *result.contact, filmMapEdge)));
+                      }});
+    pieces.push_back({text, [&result, prefix, &folder] {
+                          folder.write(
+                              prefix + QStringLiteral("wrinkling.png"),
+                              png(wrinklingMap(*result.film, *result.contact, filmMapEdge)));
+                      }});
 }
 
 } // namespace
@@ -64,11 +108,14 @@ void checkResultFolder(const QString& folder) {
 void writeResults(const Project& project, const JobResult& result, const QString& folder,
                   const Progress& progress) {
     ResultFolder results(folder);
-    const int count = int(result.immersions.size());
-    for (int index = 0; index < count; ++index) {
-        writeImmersion(result.immersions[std::size_t(index)], immersionFolder(index + 1), results,
-                       progress.part(double(index) / count, double(index + 1) / count));
+    std::vector<Piece> pieces;
+    int number = 0;
+    for (const ImmersionResult& immersion : result.immersions) {
+        const QString prefix = immersionFolder(++number) + QLatin1Char('/');
+        addSheet(pieces, immersion, prefix, results);
+        addFilm(pieces, immersion, prefix, results);
     }
+    writeTogether(pieces, progress);
     results.write(QStringLiteral("proof.png"), png(result.proof));
     results.write(QStringLiteral("report.json"), QJsonDocument(report(project, result)).toJson());
     progress(1, Text::tr("Moving the results in place"));

@@ -113,6 +113,9 @@ void setTags(TIFF* tiff, QSize size, int channels, Resolution resolution, const 
     TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(icc.size()), icc.constData());
 }
 
+// Of 100: half again as many bytes as the usual, in half the time.
+constexpr int fastCompression = 20;
+
 } // namespace
 
 void writeSheetPng(const Sheet& sheet, QIODevice& device) {
@@ -122,6 +125,7 @@ void writeSheetPng(const Sheet& sheet, QIODevice& device) {
     image.setDotsPerMeterX(dotsPerMetre);
     image.setDotsPerMeterY(dotsPerMetre);
     QImageWriter writer(&device, "png");
+    writer.setCompression(fastCompression);
     if (!writer.write(image)) {
         throw Error(Text::tr("The sheet's image cannot be written: %1").arg(writer.errorString()),
                     QStringLiteral("sheet.png"));

@@ -1,9 +1,10 @@
 // The films on the GPU: steps per second of the paper's film, whole dips of the production film,
 // and how far they end from the CPU's.
 //
-//   cuda_film_bench paper|production [batch=N] [dips=N] [check] [elastic|viscous]
-//   [sphere|cone|FIELD]
-//                   [COLUMNSxROWS …]
+//   cuda_film_bench paper|production [batch=N] [dips=N] [steps=N] [check] [elastic|viscous]
+//                   [sphere|cone|FIELD] [COLUMNSxROWS …]
+//
+// steps=N: only so many of a dip, for compute-sanitizer, under which a whole one takes hours.
 //
 // FIELD: a file of "nx ny nz x y z spacing lowest height" in text, an end of line, and the samples
 // as floats.
@@ -62,6 +63,7 @@ struct Options {
     bool isProduction = false;
     int batch = 1;
     int dips = 5;
+    int steps = std::numeric_limits<int>::max(); // of a dip, at most
     bool checks = false;
     double relaxationTime = std::numeric_limits<double>::infinity();
     std::string body = "sphere";
@@ -77,6 +79,8 @@ Options parsed(int argc, char** argv) {
             options.batch = std::max(1, std::atoi(argv[i] + 6));
         } else if (argument.starts_with("dips=")) {
             options.dips = std::max(1, std::atoi(argv[i] + 5));
+        } else if (argument.starts_with("steps=")) {
+            options.steps = std::max(1, std::atoi(argv[i] + 6));
         } else if (argument == "check") {
             options.checks = true;
         } else if (argument == "production") {
@@ -148,8 +152,8 @@ void run(const cuda::Device& device, const Options& options, const Body& body, i
     for (int dip = 0; dip < options.dips; ++dip) {
         const auto dips = makeDips(device, setups);
         const auto start = std::chrono::steady_clock::now();
-        while (!dips->progress(0).finished) {
-            dips->advance(256);
+        while (!dips->progress(0).finished && dips->progress(0).steps < options.steps) {
+            dips->advance(std::min(options.steps, 256));
         }
         seconds.push_back(secondsSince(start) / options.batch);
         const Ending end = gpuEnding(*dips, setups.size() - 1, setup.film);
