@@ -91,7 +91,7 @@ BodyActors::BodyActors(vtkRenderer* renderer)
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);
     waterline_->SetMapper(mapper);
-    waterline_->GetProperty()->SetLineWidth(2.5f);
+    setPixelRatio(1);
     waterline_->GetProperty()->LightingOff();
     waterline_->PickableOff();
 }
@@ -243,6 +243,10 @@ BoundingBox BodyActors::worldBox() const {
         }
     }
     return box;
+}
+
+void BodyActors::setPixelRatio(double ratio) {
+    waterline_->GetProperty()->SetLineWidth(float(2.5 * ratio));
 }
 
 } // namespace dipwright

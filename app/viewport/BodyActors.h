@@ -24,7 +24,8 @@ public:
     void setTriangleColours(const std::vector<QRgb>& colours); // empty: the model's own look
     void setVisible(bool visible);
     void setWaterlineColour(const QColor& colour);
-    BoundingBox worldBox() const; // empty without a body
+    BoundingBox worldBox() const;     // empty without a body
+    void setPixelRatio(double ratio); // pixels of the screen to one of the window
 
 private:
     struct Part {

@@ -9,6 +9,7 @@
 #include "VtkConversions.h"
 #include "base/Units.h"
 
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QOffscreenSurface>
@@ -104,6 +105,7 @@ struct DipView::Scene {
     QPointF pressed;
     bool leftPressed = false;
     bool shown = false;
+    int pictureTime = 0;
     int draggedAxis = -1;
     int litAxis = -1;
     double pressedAngle = 0;
@@ -367,8 +369,15 @@ void DipView::render() {
     if (!std::exchange(scene_->shown, true)) {
         fit(); // only now is the picture's shape known
     }
+    QElapsedTimer clock;
+    clock.start();
     scene_->renderer->ResetCameraClippingRange();
     scene_->window->Render();
+    scene_->pictureTime = int(clock.elapsed());
+}
+
+int DipView::pictureTime() const {
+    return scene_->pictureTime;
 }
 
 void DipView::showEvent(QShowEvent* event) {
@@ -378,6 +387,10 @@ void DipView::showEvent(QShowEvent* event) {
     }
     const double ratio = devicePixelRatioF();
     scene_->markers.setFontSize(int(font().pointSizeF() * 1.6 * ratio));
+    scene_->rings.setPixelRatio(ratio);
+    scene_->tank.setPixelRatio(ratio);
+    scene_->body.setPixelRatio(ratio);
+    scene_->markers.setPixelRatio(ratio);
     auto* axes =
         vtkCameraOrientationRepresentation::SafeDownCast(scene_->orientation->GetRepresentation());
     axes->SetSize(int(84 * ratio), int(84 * ratio));

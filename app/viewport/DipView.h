@@ -102,6 +102,8 @@ public:
 
     // What the view shows, at its own size; renders first.
     QImage picture();
+    // How long drawing the last one took, in milliseconds.
+    int pictureTime() const;
     // Asks for a new picture; many requests before the event loop turns make one picture.
     void requestPicture();
 

@@ -40,7 +40,7 @@ MarkerActors::MarkerActors(vtkRenderer* renderer)
     auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
     mapper->SetInputData(lineData_);
     line_->SetMapper(mapper);
-    line_->GetProperty()->SetLineWidth(2);
+    setPixelRatio(1);
     line_->GetProperty()->LightingOff();
     line_->VisibilityOff();
     line_->PickableOff();
@@ -105,6 +105,10 @@ void MarkerActors::setColours(const QColor& accent, const QColor& ink) {
 
 void MarkerActors::setFontSize(int pixels) {
     label_->GetTextProperty()->SetFontSize(pixels);
+}
+
+void MarkerActors::setPixelRatio(double ratio) {
+    line_->GetProperty()->SetLineWidth(float(2 * ratio));
 }
 
 } // namespace dipwright

@@ -24,6 +24,7 @@ public:
     void setSize(double sceneSize); // mm, of the whole scene
     void setColours(const QColor& accent, const QColor& ink);
     void setFontSize(int pixels);
+    void setPixelRatio(double ratio); // pixels of the screen to one of the window
 
 private:
     vtkSmartPointer<vtkSphereSource> ball_;

@@ -59,11 +59,17 @@ void RotationRings::setVisible(bool visible) {
     }
 }
 
+void RotationRings::setPixelRatio(double ratio) {
+    pixelRatio_ = ratio;
+    highlight(lit_);
+}
+
 void RotationRings::highlight(int axis) {
+    lit_ = axis;
     for (int ring = 0; ring < 3; ++ring) {
         vtkProperty* look = rings_[std::size_t(ring)]->GetProperty();
         const bool lit = ring == axis;
-        look->SetLineWidth(lit ? 4.5f : 2.5f);
+        look->SetLineWidth(float((lit ? 4.5 : 2.5) * pixelRatio_));
         const QColor colour = axisColours[std::size_t(ring)];
         look->SetColor(vtkColour(lit ? colour.lighter(130) : colour).data());
     }

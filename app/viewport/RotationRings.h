@@ -23,6 +23,7 @@ public:
     void setVisible(bool visible);
     bool isVisible() const { return visible_; }
     void highlight(int axis); // −1: none
+    void setPixelRatio(double ratio);
 
     // The ring that passes within some pixels of `position`, or nothing.
     std::optional<int> axisAt(QPointF position, const Projection& project) const;
@@ -36,6 +37,8 @@ private:
     Eigen::Vector3f centre_ = Eigen::Vector3f::Zero();
     double radius_ = 50;
     bool visible_ = false;
+    int lit_ = -1;
+    double pixelRatio_ = 1;
     std::array<vtkSmartPointer<vtkActor>, 3> rings_;
 };
 

@@ -37,7 +37,7 @@ TankActors::TankActors(vtkRenderer* renderer)
       edge_(actorOf(edgeData_)) {
     water_->GetProperty()->SetOpacity(0.3);
     edge_->GetProperty()->SetOpacity(0.6);
-    edge_->GetProperty()->SetLineWidth(1.5f);
+    setPixelRatio(1);
     renderer->AddActor(edge_);
     renderer->AddActor(water_);
     setSize({210, 297}, 80);
@@ -81,6 +81,10 @@ void TankActors::setVisible(bool visible) {
 void TankActors::setColours(const QColor& water, const QColor& edge) {
     water_->GetProperty()->SetColor(vtkColour(water).data());
     edge_->GetProperty()->SetColor(vtkColour(edge).data());
+}
+
+void TankActors::setPixelRatio(double ratio) {
+    edge_->GetProperty()->SetLineWidth(float(1.5 * ratio));
 }
 
 } // namespace dipwright

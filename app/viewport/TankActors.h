@@ -20,6 +20,7 @@ public:
     void setSize(QSizeF film, double depth);
     void setVisible(bool visible);
     void setColours(const QColor& water, const QColor& edge);
+    void setPixelRatio(double ratio); // pixels of the screen to one of the window
 
 private:
     vtkSmartPointer<vtkPolyData> waterData_, edgeData_;

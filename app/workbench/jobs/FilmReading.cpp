@@ -26,6 +26,18 @@ std::vector<float> perPoint(std::size_t points, const std::vector<FilmTriangle>&
     return sums;
 }
 
+// All of them where none is chosen.
+std::vector<float> chosen(const std::vector<float>& values,
+                          const std::vector<std::uint8_t>& isOne) {
+    std::vector<float> kept;
+    for (std::size_t entry = 0; entry < values.size(); ++entry) {
+        if (isOne[entry]) {
+            kept.push_back(values[entry]);
+        }
+    }
+    return kept.empty() ? values : kept;
+}
+
 // Barycentric weights of `place` in a triangle of the plane; negative where it lies outside.
 Eigen::Vector3f weightsIn(const std::array<Eigen::Vector2f, 3>& corners,
                           const Eigen::Vector2f& place) {
@@ -56,6 +68,10 @@ FilmReading::FilmReading(const ImmersionResult& result)
         mean([](const PrincipalStretch& stretch) { return stretch.larger; });
     values_[std::size_t(FilmQuantity::Smaller)] =
         mean([](const PrincipalStretch& stretch) { return stretch.smaller; });
+    const std::vector<std::uint8_t> isPainted = paintedPoints(*film_, *contact_);
+    for (std::size_t quantity = 0; quantity < filmQuantityCount; ++quantity) {
+        painted_[quantity] = chosen(values_[quantity], isPainted);
+    }
     for (const FilmQuantity quantity : {FilmQuantity::Larger, FilmQuantity::Smaller}) {
         spreads_[std::size_t(quantity)] = distribution(paintedValues(quantity));
     }
@@ -63,17 +79,6 @@ FilmReading::FilmReading(const ImmersionResult& result)
         distribution(paintedConstraintStretches(*film_, *contact_));
     spreads_[std::size_t(FilmQuantity::Area)] =
         distribution(paintedAreaStretches(*film_, *contact_));
-}
-
-std::vector<float> FilmReading::paintedValues(FilmQuantity quantity) const {
-    const std::vector<std::uint8_t> painted = paintedPoints(*film_, *contact_);
-    std::vector<float> kept;
-    for (std::size_t point = 0; point < painted.size(); ++point) {
-        if (painted[point]) {
-            kept.push_back(values(quantity)[point]);
-        }
-    }
-    return kept.empty() ? values(quantity) : kept;
 }
 
 std::optional<FilmReadingPoint> FilmReading::at(const Eigen::Vector2f& rest) const {

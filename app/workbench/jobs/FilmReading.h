@@ -30,7 +30,9 @@ public:
         return values_[std::size_t(quantity)];
     }
     // Of the points that paint the body only; of all where none does.
-    std::vector<float> paintedValues(FilmQuantity quantity) const;
+    const std::vector<float>& paintedValues(FilmQuantity quantity) const {
+        return painted_[std::size_t(quantity)];
+    }
     // The report's figures: of what paints the body, each constraint or triangle counted once.
     const Distribution& spread(FilmQuantity quantity) const {
         return spreads_[std::size_t(quantity)];
@@ -48,7 +50,7 @@ private:
     std::shared_ptr<const FilmContact> contact_;
     TriangleMesh mesh_; // the dipped film
     std::unique_ptr<SurfaceQuery> query_;
-    std::array<std::vector<float>, filmQuantityCount> values_;
+    std::array<std::vector<float>, filmQuantityCount> values_, painted_;
     std::array<Distribution, filmQuantityCount> spreads_;
 };
 

@@ -36,7 +36,6 @@ namespace dipwright {
 
 namespace {
 
-constexpr int liveInterval = 33; // ms between pictures of a running dip
 constexpr int updateDelay = 350; // ms from the last change to a new run
 
 QString sentenceOf(std::exception_ptr failure) {
@@ -290,6 +289,7 @@ void MainWindow::resetLayout() {
     for (QDockWidget* dock : {projectDock_, resultsDock_}) {
         dock->setVisible(document_ != nullptr);
     }
+    sizeDocks();
 }
 
 void MainWindow::askLayoutName() {

@@ -89,6 +89,7 @@ protected:
 
 private:
     struct Actions;
+    static constexpr int liveInterval = 33; // ms between pictures of a running dip
 
     // Building the window (MainWindowLayout.cpp).
     void makeCentre();
@@ -105,6 +106,7 @@ private:
     void makeMenus();
     void makeToolBars();
     void fillLayoutMenu();
+    void sizeDocks(); // as the window's width allows
     QAction* addAction(const char* name, const QString& iconName, const QString& text,
                        const QString& help, const QKeySequence& shortcut,
                        const std::function<void()>& triggered);

@@ -76,6 +76,8 @@ void MainWindow::showLiveFrame() {
     const auto frame = recording ? recording->latest() : nullptr;
     if (frame && frame.get() != shownFrame_) {
         shownFrame_ = frame.get();
+        // Where drawing is slow, most of the time stays free for what the user does.
+        liveTimer_.setInterval(std::max(liveInterval, 2 * view_->pictureTime()));
         scene_->showFrame(*recording, *frame);
         showMeasure();
         timeline_->setDepth(std::max(0.0, scene_->depth()), workbench_.preferences().unit);

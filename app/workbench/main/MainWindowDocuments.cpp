@@ -61,6 +61,9 @@ void MainWindow::setDocument(std::unique_ptr<Document> document) {
         dock->toggleViewAction()->setEnabled(any);
     }
     if (any) {
+        if (!QSettings().contains(QStringLiteral("window/state"))) {
+            sizeDocks();
+        }
         scene_->setProject(document_->project(), 0);
         tree_->select({ProjectPart::Immersion, 0});
         showResults();

@@ -97,8 +97,11 @@ void MainWindow::makeDocks() {
     logDock_->setWidget(log_);
     addDockWidget(Qt::BottomDockWidgetArea, logDock_);
     logDock_->hide();
-    resizeDocks({projectDock_, resultsDock_}, {320, 400}, Qt::Horizontal);
     resizeDocks({logDock_}, {160}, Qt::Vertical);
+}
+
+void MainWindow::sizeDocks() {
+    resizeDocks({projectDock_, resultsDock_}, {width() / 5, width() * 3 / 10}, Qt::Horizontal);
 }
 
 void MainWindow::makeStatusBar() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace dipwright {
 
@@ -21,12 +22,20 @@ std::vector<QRgb> colourTable(const QString& map) {
     return table;
 }
 
-QRgb lookUp(const std::vector<QRgb>& table, const HeatScale& scale, double value) {
-    if (scale.limit && value > *scale.limit) {
-        return warningColour;
+// Where a picture's pixels lie in a row or column of values: the value before, and how far past it.
+struct Place {
+    int before;
+    float past;
+};
+
+std::vector<Place> placesOf(int pixels, int values) {
+    std::vector<Place> places;
+    for (int pixel = 0; pixel < pixels; ++pixel) {
+        const double along = (pixel + 0.5) / pixels * (values - 1);
+        const int before = std::min(int(along), values - 2);
+        places.push_back({before, float(along - before)});
     }
-    const double share = (value - scale.low) / std::max(1e-9, scale.high - scale.low);
-    return table[std::size_t(std::clamp(share, 0.0, 1.0) * (tableSize - 1) + 0.5)];
+    return places;
 }
 
 } // namespace
@@ -55,22 +64,23 @@ HeatScale automaticScale(const HeatScale& scale, const std::vector<float>& value
 QImage heatPicture(const std::vector<float>& values, int columns, int rows, QSize pixels,
                    const HeatScale& scale) {
     const std::vector<QRgb> table = colourTable(scale.map);
+    const float low = float(scale.low);
+    const float perValue = float((tableSize - 1) / std::max(1e-9, scale.high - scale.low));
+    const float limit = scale.limit ? float(*scale.limit) : std::numeric_limits<float>::infinity();
+    const std::vector<Place> across = placesOf(pixels.width(), columns);
+    const std::vector<Place> down = placesOf(pixels.height(), rows);
     QImage picture(pixels, QImage::Format_RGB32);
     for (int y = 0; y < pixels.height(); ++y) {
-        const double down = (y + 0.5) / pixels.height() * (rows - 1);
-        const int row = std::min(int(down), rows - 2);
-        const double v = down - row;
+        const auto [row, v] = down[std::size_t(y)];
+        const float* upper = &values[std::size_t(row) * std::size_t(columns)];
+        const float* lower = upper + columns;
         auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
-        for (int x = 0; x < pixels.width(); ++x) {
-            const double across = (x + 0.5) / pixels.width() * (columns - 1);
-            const int column = std::min(int(across), columns - 2);
-            const double u = across - column;
-            const float* upper =
-                &values[std::size_t(row) * std::size_t(columns) + std::size_t(column)];
-            const float* lower = upper + columns;
-            const double value = (1 - v) * ((1 - u) * double(upper[0]) + u * double(upper[1])) +
-                                 v * ((1 - u) * double(lower[0]) + u * double(lower[1]));
-            line[x] = lookUp(table, scale, value);
+        for (const auto& [column, u] : across) {
+            const float above = std::lerp(upper[column], upper[column + 1], u);
+            const float below = std::lerp(lower[column], lower[column + 1], u);
+            const float value = std::lerp(above, below, v);
+            const float entry = std::clamp((value - low) * perValue, 0.0f, float(tableSize - 1));
+            *line++ = value > limit ? warningColour : table[std::size_t(entry + 0.5f)];
         }
     }
     return picture;

@@ -178,7 +178,7 @@ void StretchPanel::redraw() {
         emit scaleChanged();
         return;
     }
-    const std::vector<float> painted = reading_->paintedValues(quantity());
+    const std::vector<float>& painted = reading_->paintedValues(quantity());
     if (automaticBox_->isChecked()) {
         scale_ = automaticScale(scale_, painted);
         const QSignalBlocker quietLow(lowBox_), quietHigh(highBox_);

@@ -1,0 +1,144 @@
+// How long the window holds its breath: the longest times between two turns of its event loop while
+// a dip runs, when its results arrive, and how soon a cancelled dip stops.
+//
+//   window_heartbeat [--points=COLUMNSxROWS] [--without-view] PROJECT.dipw
+//
+// "Most work" is the processor time of the longest turn: on a busy machine it tells more than the
+// clock. Without the view no pictures are drawn: what is left is not the fault of a slow OpenGL.
+
+#include "gui/WindowDriver.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QElapsedTimer>
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr double longGap = 50; // ms
+
+// Processor time of this thread, where the system tells: what other programs take is not in it.
+double threadMilliseconds() {
+#ifdef CLOCK_THREAD_CPUTIME_ID
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) * 1e3 + double(time.tv_nsec) / 1e6;
+#else
+    return 0;
+#endif
+}
+
+class Heartbeat : public QObject {
+public:
+    Heartbeat() {
+        timer_.setTimerType(Qt::PreciseTimer);
+        timer_.setInterval(1);
+        connect(&timer_, &QTimer::timeout, this, [this] {
+            gaps_.push_back(double(clock_.nsecsElapsed()) / 1e6);
+            const double now = threadMilliseconds();
+            mostWork_ = std::max(mostWork_, now - workBefore_);
+            workBefore_ = now;
+            clock_.start();
+        });
+    }
+    void start() {
+        gaps_.clear();
+        mostWork_ = 0;
+        workBefore_ = threadMilliseconds();
+        clock_.start();
+        timer_.start();
+    }
+    void print(const char* what) {
+        timer_.stop();
+        std::sort(gaps_.begin(), gaps_.end());
+        const auto longOnes =
+            std::count_if(gaps_.begin(), gaps_.end(), [](double gap) { return gap > longGap; });
+        std::printf("%-12s beats %6zu  99 %% below %6.1f ms  longest %6.1f ms  over %.0f ms: %td  "
+                    "most work %6.1f ms\n",
+                    what, gaps_.size(), gaps_[gaps_.size() * 99 / 100], gaps_.back(), longGap,
+                    longOnes, mostWork_);
+        std::fflush(stdout);
+    }
+
+private:
+    QTimer timer_;
+    QElapsedTimer clock_;
+    std::vector<double> gaps_;
+    double workBefore_ = 0, mostWork_ = 0; // of this thread in one turn
+};
+
+void measureCancel(MainWindow& window, const WindowDriver& driver) {
+    window.document()->edit({}, {},
+                            [](Project& project) { project.process.margin = Millimetres(3); });
+    QSignalSpy stopped(&window.session(), &DipSession::stopped);
+    driver.trigger("run");
+    QTest::qWait(2000); // in the middle of the film
+    QElapsedTimer clock;
+    clock.start();
+    driver.trigger("cancel");
+    stopped.wait(60'000);
+    std::printf("cancelled after %lld ms\n", static_cast<long long>(clock.elapsed()));
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+    const QTemporaryDir home;
+    useOwnHome(home.path());
+    DipView::prepareSurfaceFormat();
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("dipwright"));
+    QCommandLineParser parser;
+    parser.addOptions(
+        {{QStringLiteral("points"), {}, QStringLiteral("COLUMNSxROWS"), QStringLiteral("280x396")},
+         {QStringLiteral("without-view"), {}}});
+    parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
+    parser.process(application);
+    const QStringList points = parser.value(QStringLiteral("points")).split(QLatin1Char('x'));
+
+    Workbench workbench(home.path());
+    Preferences preferences = workbench.preferences();
+    preferences.liveUpdate = false;
+    workbench.setPreferences(preferences);
+    MainWindow window(workbench);
+    window.resize(1280, 800);
+    window.show();
+    WindowDriver driver(window);
+    Heartbeat heart;
+    heart.start();
+    if (points.size() != 2 || !driver.open(parser.positionalArguments().value(0))) {
+        std::fputs("The project could not be opened\n", stderr);
+        return 1;
+    }
+    window.view().setVisible(!parser.isSet(QStringLiteral("without-view")));
+    QTest::qWait(1000);
+    heart.print("opening");
+    window.document()->edit({}, {}, [&points](Project& project) {
+        project.film.columns = points[0].toInt();
+        project.film.rows = points[1].toInt();
+        project.immersions.resize(1);
+    });
+    QTest::qWait(500);
+    heart.start();
+    bool arrived = false;
+    QObject::connect(&window.session(), &DipSession::finished, &heart, [&] { arrived = true; });
+    driver.trigger("run");
+    while (window.session().isRunning()) {
+        QTest::qWait(5);
+    }
+    QTest::qWait(500); // the results have arrived: that counts too
+    heart.print("dipping");
+    if (!arrived) {
+        std::fputs("The dip did not end\n", stderr);
+        return 1;
+    }
+    heart.start();
+    QTest::qWait(1000);
+    heart.print("afterwards");
+    measureCancel(window, driver);
+    return 0;
+}
