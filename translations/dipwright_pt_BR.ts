@@ -255,11 +255,11 @@
         <translation>O corpo não encontra o filme; mova-o sobre o filme ou escolha um filme maior</translation>
     </message>
     <message>
-        <source>%1: the body reaches past the film&apos;s edge</source>
+        <source>%1: the body reaches past the film's edge</source>
         <translation>%1: o corpo ultrapassa a borda do filme</translation>
     </message>
     <message>
-        <source>%1: the film&apos;s cells are coarse for this body, give the film more points</source>
+        <source>%1: the film's cells are coarse for this body, give the film more points</source>
         <translation>%1: as células do filme são grossas para este corpo; dê mais pontos ao filme</translation>
     </message>
     <message>
@@ -349,7 +349,7 @@
         <translation>Embaixo</translation>
     </message>
     <message>
-        <source>System&apos;s name</source>
+        <source>System's name</source>
         <translation>Nome no sistema</translation>
     </message>
     <message>
@@ -377,7 +377,7 @@
         <translation>Margens</translation>
     </message>
     <message>
-        <source>What the printer does not reach at the paper&apos;s left, top, right and bottom edge.</source>
+        <source>What the printer does not reach at the paper's left, top, right and bottom edge.</source>
         <translation>O que a impressora não alcança nas bordas esquerda, superior, direita e inferior do papel.</translation>
     </message>
     <message>
@@ -491,7 +491,7 @@
         <translation>Lote</translation>
     </message>
     <message>
-        <source>The maker&apos;s number: another lot may swell otherwise.</source>
+        <source>The maker's number: another lot may swell otherwise.</source>
         <translation>O número do fabricante: outro lote pode inchar de outro modo.</translation>
     </message>
     <message>
@@ -572,7 +572,7 @@
         <translation>Nível da água</translation>
     </message>
     <message>
-        <source>How far the water stands under the tank&apos;s rim.</source>
+        <source>How far the water stands under the tank's rim.</source>
         <translation>A que distância da borda do tanque fica a água.</translation>
     </message>
     <message>
@@ -580,7 +580,7 @@
         <translation>Marcas</translation>
     </message>
     <message>
-        <source>Between the tank&apos;s marks, across and along, which the sheet&apos;s registration marks are laid to. 0: there are none.</source>
+        <source>Between the tank's marks, across and along, which the sheet's registration marks are laid to. 0: there are none.</source>
         <translation>Distância entre as marcas do tanque, na largura e no comprimento, às quais se alinham as marcas de registro da folha. 0: não há.</translation>
     </message>
     <message>
@@ -974,7 +974,7 @@
     </message>
     <message>
         <source>How far the lowest point of the body goes under the waterline. “Whole body” dips until all of it is under.</source>
-        <translation>Quanto o ponto mais baixo do corpo desce abaixo da linha d&apos;água. “Corpo inteiro” mergulha até tudo ficar submerso.</translation>
+        <translation>Quanto o ponto mais baixo do corpo desce abaixo da linha d'água. “Corpo inteiro” mergulha até tudo ficar submerso.</translation>
     </message>
     <message>
         <source>Whole body</source>
@@ -1238,7 +1238,7 @@
 <context>
     <name>SolverRegistry</name>
     <message>
-        <source>Its description has no valid &quot;%1&quot;</source>
+        <source>Its description has no valid "%1"</source>
         <translation>Sua descrição não tem “%1” válido</translation>
     </message>
     <message>
@@ -1294,7 +1294,7 @@
         <translation>Seu módulo falhou ao iniciar com uma exceção desconhecida</translation>
     </message>
     <message>
-        <source>Its module does not fit this program&apos;s solver interface</source>
+        <source>Its module does not fit this program's solver interface</source>
         <translation>Seu módulo não serve à interface de solucionador deste programa</translation>
     </message>
     <message>
@@ -1371,7 +1371,7 @@
         <translation>Revertendo a textura</translation>
     </message>
     <message>
-        <source>The film&apos;s image is too large for this computer&apos;s memory; choose a lower resolution</source>
+        <source>The film's image is too large for this computer's memory; choose a lower resolution</source>
         <translation>A imagem do filme é grande demais para a memória deste computador; escolha uma resolução menor</translation>
     </message>
     <message>
@@ -1521,7 +1521,7 @@
         <translation>Se alguma estiver mais de 0,2 mm fora, meça e calibre de novo.</translation>
     </message>
     <message>
-        <source>Type what they do measure, to a tenth of a millimetre, into the printer&apos;s profile.</source>
+        <source>Type what they do measure, to a tenth of a millimetre, into the printer's profile.</source>
         <translation>Digite o que elas medem de fato, ao décimo de milímetro, no perfil da impressora.</translation>
     </message>
     <message>
@@ -1533,11 +1533,11 @@
         <translation>Sem correção: X 1, Y 1</translation>
     </message>
     <message>
-        <source>Verification of the printer&apos;s scale</source>
+        <source>Verification of the printer's scale</source>
         <translation>Verificação da escala da impressora</translation>
     </message>
     <message>
-        <source>Calibration of the printer&apos;s scale</source>
+        <source>Calibration of the printer's scale</source>
         <translation>Calibração da escala da impressora</translation>
     </message>
     <message>
@@ -1549,7 +1549,7 @@
         <translation>A página de calibração não pode ser gravada: %1</translation>
     </message>
     <message>
-        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer&apos;s settings, print the page anew and measure again</source>
+        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer's settings, print the page anew and measure again</source>
         <translation>%1 mm em vez de %2 mm passa de 10 % de erro; desligue toda escala nas configurações da impressora, imprima a página de novo e meça outra vez</translation>
     </message>
 </context>
@@ -1567,7 +1567,7 @@
 <context>
     <name>dipwright::DistanceField</name>
     <message>
-        <source>The distance field&apos;s resolution is %1; choose 32 to 512</source>
+        <source>The distance field's resolution is %1; choose 32 to 512</source>
         <translation>A resolução do campo de distância é %1; escolha de 32 a 512</translation>
     </message>
     <message>
@@ -1604,11 +1604,11 @@
         <translation>Lendo o modelo</translation>
     </message>
     <message>
-        <source>The model&apos;s size must be more than 0 and at most %1 mm</source>
+        <source>The model's size must be more than 0 and at most %1 mm</source>
         <translation>O tamanho do modelo deve ser maior que 0 e no máximo %1 mm</translation>
     </message>
     <message>
-        <source>The model&apos;s unit must be a positive number of millimetres</source>
+        <source>The model's unit must be a positive number of millimetres</source>
         <translation>A unidade do modelo deve ser um número positivo de milímetros</translation>
     </message>
     <message>
@@ -1632,7 +1632,7 @@
         <translation>O arquivo de textura não pode ser lido; confira o nome e as permissões</translation>
     </message>
     <message>
-        <source>%1 corners of the model&apos;s triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
+        <source>%1 corners of the model's triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
         <translation>%1 vértices dos triângulos do modelo não são números (NaN ou infinito); repare o modelo e salve-o de novo</translation>
     </message>
     <message numerus="yes">
@@ -1643,7 +1643,7 @@
         </translation>
     </message>
     <message>
-        <source>None of the model&apos;s triangles has an area; choose another model</source>
+        <source>None of the model's triangles has an area; choose another model</source>
         <translation>Nenhum triângulo do modelo tem área; escolha outro modelo</translation>
     </message>
     <message numerus="yes">
@@ -1665,7 +1665,7 @@
         <translation>O modelo não tem extensão; escolha outro modelo</translation>
     </message>
     <message>
-        <source>The model&apos;s longest edge would be %1 mm; give the size it is to have</source>
+        <source>The model's longest edge would be %1 mm; give the size it is to have</source>
         <translation>A aresta mais longa do modelo teria %1 mm; informe o tamanho desejado</translation>
     </message>
     <message>
@@ -1677,11 +1677,11 @@
         <translation>A malha não é fechada: o interior é julgado pela maioria das direções de visão</translation>
     </message>
     <message>
-        <source>The model&apos;s longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
+        <source>The model's longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
         <translation>A aresta mais longa do modelo tem só %1 mm; se o arquivo não estiver em milímetros, informe o tamanho desejado</translation>
     </message>
     <message>
-        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials&apos; colours are</source>
+        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials' colours are</source>
         <translation>O modelo não tem coordenadas de textura, então a textura não pode ser aplicada; usam-se as cores dos materiais</translation>
     </message>
     <message>
@@ -1689,7 +1689,7 @@
         <translation>O arquivo %1, citado pelo modelo, não foi encontrado</translation>
     </message>
     <message>
-        <source>%1 texture coordinates are too large to be used; their triangles show the material&apos;s colour</source>
+        <source>%1 texture coordinates are too large to be used; their triangles show the material's colour</source>
         <translation>%1 coordenadas de textura são grandes demais; seus triângulos mostram a cor do material</translation>
     </message>
     <message>
@@ -1701,7 +1701,7 @@
         <translation>Verificando o modelo</translation>
     </message>
     <message>
-        <source>Finding the texture&apos;s charts</source>
+        <source>Finding the texture's charts</source>
         <translation>Localizando as partes da textura</translation>
     </message>
     <message>
@@ -1709,7 +1709,7 @@
         <translation>O modelo precisa de mais memória do que há; reduza-o</translation>
     </message>
     <message>
-        <source>The texture %1 was not found beside the model; its material&apos;s colour is used instead</source>
+        <source>The texture %1 was not found beside the model; its material's colour is used instead</source>
         <translation>A textura %1 não foi encontrada ao lado do modelo; usa-se a cor do material</translation>
     </message>
     <message>
@@ -1753,7 +1753,7 @@
         <translation>uma face cita um ponto que não existe</translation>
     </message>
     <message>
-        <source>The colours of the model&apos;s points are not used; bake them into a texture to print them</source>
+        <source>The colours of the model's points are not used; bake them into a texture to print them</source>
         <translation>As cores dos pontos do modelo não são usadas; grave-as em uma textura para imprimi-las</translation>
     </message>
     <message>
@@ -1805,7 +1805,7 @@
         <translation>posiciona um objeto que não existe</translation>
     </message>
     <message>
-        <source>The texture %1 is not in the model&apos;s package; its material&apos;s colour is used instead</source>
+        <source>The texture %1 is not in the model's package; its material's colour is used instead</source>
         <translation>A textura %1 não está no pacote do modelo; usa-se a cor do material</translation>
     </message>
     <message>
@@ -2195,7 +2195,7 @@
         <translation>Folha em P&amp;DF…</translation>
     </message>
     <message>
-        <source>Save this immersion&apos;s sheet as PDF at true size</source>
+        <source>Save this immersion's sheet as PDF at true size</source>
         <translation>Salva a folha desta imersão em PDF em tamanho real</translation>
     </message>
     <message>
@@ -2203,7 +2203,7 @@
         <translation>Folha em P&amp;NG…</translation>
     </message>
     <message>
-        <source>Save this immersion&apos;s film image as PNG</source>
+        <source>Save this immersion's film image as PNG</source>
         <translation>Salva a imagem do filme desta imersão em PNG</translation>
     </message>
     <message>
@@ -2259,7 +2259,7 @@
         <translation>&amp;Recarregar modelo</translation>
     </message>
     <message>
-        <source>Read the model&apos;s file again and keep all settings</source>
+        <source>Read the model's file again and keep all settings</source>
         <translation>Lê de novo o arquivo do modelo e mantém as configurações</translation>
     </message>
     <message>
@@ -2455,7 +2455,7 @@
         <translation>&amp;Linhas a cada 10 mm</translation>
     </message>
     <message>
-        <source>The &amp;Sheet&apos;s Image</source>
+        <source>The &amp;Sheet's Image</source>
         <translation>A imagem da &amp;folha</translation>
     </message>
     <message>
@@ -2603,7 +2603,7 @@
         <translation>Calibrar imp&amp;ressora…</translation>
     </message>
     <message>
-        <source>Print a page of rulers and put the printer&apos;s scale into its profile</source>
+        <source>Print a page of rulers and put the printer's scale into its profile</source>
         <translation>Imprimir uma página de réguas e guardar a escala da impressora no perfil dela</translation>
     </message>
     <message>
@@ -2657,7 +2657,7 @@
         <translation>Novo projeto</translation>
     </message>
     <message>
-        <source>The model&apos;s own</source>
+        <source>The model's own</source>
         <translation>A do próprio modelo</translation>
     </message>
     <message>
@@ -2765,7 +2765,7 @@
         <translation>O arquivo do corpo a ser mergulhado.</translation>
     </message>
     <message>
-        <source>A picture to wear in place of the model&apos;s own texture, or nothing.</source>
+        <source>A picture to wear in place of the model's own texture, or nothing.</source>
         <translation>Uma imagem no lugar da textura do próprio modelo, ou nada.</translation>
     </message>
     <message>
@@ -2773,7 +2773,7 @@
         <translation>O modelo é ampliado ou reduzido até que sua aresta mais longa tenha esta medida.</translation>
     </message>
     <message>
-        <source>In which unit the model&apos;s file gives its coordinates. The file does not say.</source>
+        <source>In which unit the model's file gives its coordinates. The file does not say.</source>
         <translation>Em que unidade o arquivo do modelo dá suas coordenadas. O arquivo não o diz.</translation>
     </message>
     <message>
@@ -3057,7 +3057,7 @@
         <translation>Entregue à fila de %1</translation>
     </message>
     <message>
-        <source>Whether this immersion&apos;s sheet is printed.</source>
+        <source>Whether this immersion's sheet is printed.</source>
         <translation>Se a folha desta imersão é impressa.</translation>
     </message>
     <message>
@@ -3077,7 +3077,7 @@
         <translation>Salvar como arquivo…</translation>
     </message>
     <message>
-        <source>The sheet shown, as PDF or TIFF in the printer&apos;s scale and colours.</source>
+        <source>The sheet shown, as PDF or TIFF in the printer's scale and colours.</source>
         <translation>A folha mostrada, como PDF ou TIFF na escala e nas cores da impressora.</translation>
     </message>
     <message>
@@ -3145,7 +3145,7 @@
         <translation>Verificando as cores</translation>
     </message>
     <message>
-        <source>%1 % of the paint is out of the printer&apos;s reach.</source>
+        <source>%1 % of the paint is out of the printer's reach.</source>
         <translation>%1 % da pintura está fora do alcance da impressora.</translation>
     </message>
     <message>
@@ -3164,7 +3164,7 @@
 <context>
     <name>dipwright::PrinterColour</name>
     <message>
-        <source>The ICC profile cannot be used for printing, choose the printer&apos;s output profile</source>
+        <source>The ICC profile cannot be used for printing, choose the printer's output profile</source>
         <translation>O perfil ICC não serve para imprimir; escolha o perfil de saída da impressora</translation>
     </message>
     <message>
@@ -3172,7 +3172,7 @@
         <translation>Isto não é um perfil ICC, ou está danificado</translation>
     </message>
     <message>
-        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer&apos;s output profile</source>
+        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer's output profile</source>
         <translation>O perfil ICC não é de uma impressora RGB ou CMYK; escolha o perfil de saída da impressora</translation>
     </message>
 </context>
@@ -3207,15 +3207,15 @@
         <translation>Essa impressora não existe; existem: %1</translation>
     </message>
     <message>
-        <source>The printer is stopped%1; start it again in the system&apos;s settings</source>
+        <source>The printer is stopped%1; start it again in the system's settings</source>
         <translation>A impressora está parada%1; reinicie-a nas configurações do sistema</translation>
     </message>
     <message>
-        <source>The printer takes no jobs at the moment%1; let it in the system&apos;s settings</source>
+        <source>The printer takes no jobs at the moment%1; let it in the system's settings</source>
         <translation>A impressora não aceita trabalhos no momento%1; permita nas configurações do sistema</translation>
     </message>
     <message>
-        <source>The printer has no paper of %1; set the sheet&apos;s paper to one that it has: %2</source>
+        <source>The printer has no paper of %1; set the sheet's paper to one that it has: %2</source>
         <translation>A impressora não tem papel de %1; ajuste o papel da folha para um que ela tenha: %2</translation>
     </message>
     <message>
@@ -3259,11 +3259,11 @@
         <translation>Imprimindo</translation>
     </message>
     <message>
-        <source>Held in the printer&apos;s queue</source>
+        <source>Held in the printer's queue</source>
         <translation>Retido na fila da impressora</translation>
     </message>
     <message>
-        <source>Waiting in the printer&apos;s queue</source>
+        <source>Waiting in the printer's queue</source>
         <translation>Aguardando na fila da impressora</translation>
     </message>
     <message>
@@ -3287,7 +3287,7 @@
         <translation>A impressora parou: %1; o trabalho foi cancelado, inicie a impressora e imprima a folha de novo</translation>
     </message>
     <message>
-        <source>This program was built without printing; print the sheet&apos;s PDF at 100 % instead</source>
+        <source>This program was built without printing; print the sheet's PDF at 100 % instead</source>
         <translation>Este programa foi feito sem impressão; imprima o PDF da folha a 100 %</translation>
     </message>
     <message>
@@ -3406,7 +3406,7 @@
         <translation>Perfil ICC</translation>
     </message>
     <message>
-        <source>The printer&apos;s output profile, made for its ink and film. Sheets are then sent in the printer&apos;s own colours.</source>
+        <source>The printer's output profile, made for its ink and film. Sheets are then sent in the printer's own colours.</source>
         <translation>O perfil de saída da impressora, feito para sua tinta e filme. As folhas são então enviadas nas cores da própria impressora.</translation>
     </message>
     <message>
@@ -3519,7 +3519,7 @@
         <translation>Perfil do tanque</translation>
     </message>
     <message>
-        <source>A tank: its barriers hold the film&apos;s sides.</source>
+        <source>A tank: its barriers hold the film's sides.</source>
         <translation>Um tanque: suas barreiras prendem os lados do filme.</translation>
     </message>
     <message>
@@ -3575,7 +3575,7 @@
         <translation>Recarregar do disco</translation>
     </message>
     <message>
-        <source>Reads the model&apos;s file again and keeps all settings.</source>
+        <source>Reads the model's file again and keeps all settings.</source>
         <translation>Lê de novo o arquivo do modelo e mantém as configurações.</translation>
     </message>
     <message>
@@ -3709,7 +3709,7 @@
         <translation>Estiramento do filme</translation>
     </message>
     <message>
-        <source>Mean of each point&apos;s constraints, final over rest length; ink side up</source>
+        <source>Mean of each point's constraints, final over rest length; ink side up</source>
         <translation>Média das restrições de cada ponto, comprimento final sobre o de repouso; lado da tinta para cima</translation>
     </message>
     <message>
@@ -3817,7 +3817,7 @@ mm por mm</translation>
         <translation>Um filme de %1 × %2 mm a %3 dpi não dá uma imagem de 1 a %4 pixels por lado; escolha outra resolução ou tamanho de filme</translation>
     </message>
     <message>
-        <source>The sheet&apos;s image cannot be written: %1</source>
+        <source>The sheet's image cannot be written: %1</source>
         <translation>A imagem da folha não pode ser gravada: %1</translation>
     </message>
     <message>
@@ -3825,11 +3825,11 @@ mm por mm</translation>
         <translation>Não é possível gravar um PDF no CMYK deste perfil ICC; grave um TIFF, ou imprima em sRGB</translation>
     </message>
     <message>
-        <source>The sheet&apos;s PDF cannot be written: %1</source>
+        <source>The sheet's PDF cannot be written: %1</source>
         <translation>O PDF da folha não pode ser gravado: %1</translation>
     </message>
     <message>
-        <source>The sheet&apos;s TIFF cannot be written: %1</source>
+        <source>The sheet's TIFF cannot be written: %1</source>
         <translation>O TIFF da folha não pode ser gravado: %1</translation>
     </message>
     <message>
@@ -3837,7 +3837,7 @@ mm por mm</translation>
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Unknown paper &quot;%1&quot;; choose film, A4, A3, Letter or custom</source>
+        <source>Unknown paper "%1"; choose film, A4, A3, Letter or custom</source>
         <translation>Papel “%1” desconhecido; escolha film, A4, A3, Letter ou custom</translation>
     </message>
     <message>
@@ -3996,7 +3996,7 @@ mm por mm</translation>
         <translation>Menor estiramento</translation>
     </message>
     <message>
-        <source>Length of the film&apos;s threads after the dip over before: the mean round each point.</source>
+        <source>Length of the film's threads after the dip over before: the mean round each point.</source>
         <translation>Comprimento dos fios do filme depois sobre antes da imersão: a média em volta de cada ponto.</translation>
     </message>
     <message>
@@ -4075,7 +4075,7 @@ mm por mm</translation>
 <context>
     <name>dipwright::SurfaceQuery</name>
     <message>
-        <source>The mesh is too large for this computer&apos;s memory; reduce its number of triangles</source>
+        <source>The mesh is too large for this computer's memory; reduce its number of triangles</source>
         <translation>A malha é grande demais para a memória deste computador; reduza o número de triângulos</translation>
     </message>
 </context>
@@ -4118,7 +4118,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>How far the lowest point of the body is under the waterline</source>
-        <translation>Quanto o ponto mais baixo do corpo está abaixo da linha d&apos;água</translation>
+        <translation>Quanto o ponto mais baixo do corpo está abaixo da linha d'água</translation>
     </message>
     <message>
         <source>Pause</source>

@@ -1,6 +1,7 @@
 // Makes pictures of the program's windows, for the guide, the README and for looking at the layout.
 #include "WindowDriver.h"
 #include "base/Error.h"
+#include "document/RecentProjects.h"
 #include "look/Theme.h"
 #include "main/CalibrationDialog.h"
 #include "main/Languages.h"
@@ -28,7 +29,9 @@ namespace {
 class Photographer {
 public:
     Photographer(const QString& folder, const QString& prefix) : folder_(folder), prefix_(prefix) {
-        QDir().mkpath(folder);
+        if (!folder.isEmpty()) {
+            QDir().mkpath(folder);
+        }
     }
     void take(QWidget& widget, const QString& name) const {
         QTest::qWait(300); // layouts, the view's picture
@@ -149,6 +152,22 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
     window.findChild<QWidget*>(QStringLiteral("tour"))->close();
 }
 
+// The body over the film, for the start page.
+void photographSample(WindowDriver& driver, MainWindow& window, const QString& file) {
+    driver.trigger("rings");
+    driver.trigger("water");
+    driver.find<QWidget>("projectDock")->hide();
+    driver.find<QWidget>("resultsDock")->hide();
+    QTest::qWait(500);
+    window.view().look(ViewDirection::Oblique);
+    const auto box = boundingBox(window.document()->project().model->mesh);
+    const Eigen::Vector3f middle(0, 0.5f * box.sizes().y(), 0); // the body stands over the film
+    QRectF part(0, 0, 512, 320);
+    part.moveCenter(window.view().positionOf(middle));
+    part.moveTop(std::max(0.0, part.top()));
+    thumbnailOf(window.view().picture().copy(part.toRect())).save(file);
+}
+
 } // namespace
 
 int main(int argc, char* argv[]) {
@@ -165,6 +184,7 @@ int main(int argc, char* argv[]) {
          {QStringLiteral("size"), {}, QStringLiteral("WxH"), QStringLiteral("1280x800")},
          {QStringLiteral("theme"), {}, QStringLiteral("light|dark")},
          {QStringLiteral("language"), {}, QStringLiteral("CODE"), QStringLiteral("en")},
+         {QStringLiteral("sample-thumbnail"), {}, QStringLiteral("FILE")},
          {QStringLiteral("only-window"), {}}});
     parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
     parser.process(application);
@@ -183,13 +203,18 @@ int main(int argc, char* argv[]) {
     window.resize(size[0].toInt(), size[1].toInt());
     window.show();
     WindowDriver driver(window);
-    const bool all = !parser.isSet(QStringLiteral("only-window"));
+    const bool all = !parser.isSet(QStringLiteral("only-window")) &&
+                     !parser.isSet(QStringLiteral("sample-thumbnail"));
     if (all) {
         camera.take(window, QStringLiteral("start"));
     }
     if (!driver.open(parser.positionalArguments().value(0))) {
         qWarning("The project could not be opened");
         return 1;
+    }
+    if (parser.isSet(QStringLiteral("sample-thumbnail"))) {
+        photographSample(driver, window, parser.value(QStringLiteral("sample-thumbnail")));
+        return 0;
     }
     if (all) {
         photographParts(driver, window, camera);

@@ -1,5 +1,7 @@
 #include "document/RecentProjects.h"
 
+#include "project/Samples.h"
+
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
@@ -11,7 +13,7 @@ namespace dipwright {
 namespace {
 
 constexpr int mostRecent = 12;
-constexpr QSize thumbnailSize(320, 200);
+constexpr QSize thumbnailSize(384, 240);
 const QString settingsKey = QStringLiteral("recentProjects");
 
 QString thumbnailPath(const QString& path) {
@@ -43,7 +45,12 @@ void forgetRecentProject(const QString& path) {
 }
 
 QImage projectThumbnail(const QString& path) {
-    return QImage(thumbnailPath(QFileInfo(path).absoluteFilePath()));
+    const QFileInfo file(path);
+    const QImage kept(thumbnailPath(file.absoluteFilePath()));
+    if (!kept.isNull() || !sampleProjects().contains(file.canonicalFilePath())) {
+        return kept;
+    }
+    return QImage(QStringLiteral(":/thumbnails/%1.png").arg(file.completeBaseName()));
 }
 
 void keepProjectThumbnail(const QString& path, const QImage& picture) {
@@ -52,12 +59,15 @@ void keepProjectThumbnail(const QString& path, const QImage& picture) {
     }
     const QString file = thumbnailPath(QFileInfo(path).absoluteFilePath());
     QDir().mkpath(QFileInfo(file).absolutePath());
+    thumbnailOf(picture).save(file);
+}
+
+QImage thumbnailOf(const QImage& picture) {
     const QImage scaled =
         picture.scaled(thumbnailSize, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-    const QRect middle((scaled.width() - thumbnailSize.width()) / 2,
+    return scaled.copy((scaled.width() - thumbnailSize.width()) / 2,
                        (scaled.height() - thumbnailSize.height()) / 2, thumbnailSize.width(),
                        thumbnailSize.height());
-    scaled.copy(middle).save(file);
 }
 
 } // namespace dipwright

@@ -12,6 +12,8 @@ namespace dipwright {
 
 namespace {
 
+constexpr int pictureWidth = 580;
+
 // In the user's language where there is one.
 QString guideText() {
     const QString language = QLocale().name();
@@ -43,6 +45,11 @@ GuideWindow::GuideWindow(QWidget* parent) : QWidget(parent, Qt::Window) {
     text->setSearchPaths({QStringLiteral(":/guide")});
     text->document()->setDocumentMargin(24);
     text->setMarkdown(guideText());
+    text->document()->addResource(
+        QTextDocument::ImageResource,
+        QUrl(QStringLiteral("../../docs/pictures/workbench.png")), // as the file itself names it
+        QImage(QStringLiteral(":/guide/workbench.png"))
+            .scaledToWidth(pictureWidth, Qt::SmoothTransformation));
     for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next()) {
         if (block.blockFormat().headingLevel() == 2) {
             auto* item = new QListWidgetItem(block.text(), contents);

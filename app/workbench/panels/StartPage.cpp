@@ -22,8 +22,9 @@ constexpr QSize pictureSize(192, 120);
 constexpr int sampleRowHeight = pictureSize.height() + 44;
 constexpr int actionsWidth = 320;
 
-QIcon projectIcon(const QString& path, const QPalette& palette) {
-    QPixmap picture(pictureSize);
+QIcon projectIcon(const QString& path, const QPalette& palette, double pixelRatio) {
+    QPixmap picture(pictureSize * pixelRatio);
+    picture.setDevicePixelRatio(pixelRatio);
     picture.fill(palette.color(QPalette::Base));
     QPainter painter(&picture);
     const QImage thumbnail = projectThumbnail(path);
@@ -55,7 +56,8 @@ void fill(QListWidget& list, const QStringList& paths) {
         const QFileInfo file(path);
         if (file.exists()) {
             auto* item =
-                new QListWidgetItem(projectIcon(path, list.palette()), file.completeBaseName());
+                new QListWidgetItem(projectIcon(path, list.palette(), list.devicePixelRatioF()),
+                                    file.completeBaseName());
             item->setData(Qt::UserRole, path);
             item->setToolTip(QDir::toNativeSeparators(path));
             list.addItem(item);
