@@ -1509,6 +1509,26 @@
         <source>%1 now has the scale X %2, Y %3. Print the second page to verify it.</source>
         <translation>%1 hat jetzt den Maßstab X %2, Y %3. Drucken Sie zum Prüfen die zweite Seite.</translation>
     </message>
+    <message>
+        <source>What the printed ruler measures, to a tenth of a millimetre.</source>
+        <translation>Was das gedruckte Lineal misst, auf ein Zehntel Millimeter.</translation>
+    </message>
+    <message>
+        <source>The printers that are set up on this machine.</source>
+        <translation>Die Drucker, die auf diesem Rechner eingerichtet sind.</translation>
+    </message>
+    <message>
+        <source>The paper that is in the printer.</source>
+        <translation>Das Papier, das im Drucker liegt.</translation>
+    </message>
+    <message>
+        <source>Rulers without correction, to be measured.</source>
+        <translation>Lineale ohne Korrektur, zum Messen.</translation>
+    </message>
+    <message>
+        <source>The same rulers corrected, which must now measure what they say.</source>
+        <translation>Dieselben Lineale korrigiert: Sie müssen nun messen, was sie sagen.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::CalibrationPage</name>
@@ -3159,6 +3179,10 @@
     <message>
         <source>Ready to print at true size. Pages: %1.</source>
         <translation>Bereit zum Druck in wahrer Größe. Seiten: %1.</translation>
+    </message>
+    <message>
+        <source>The paper that the sheet is printed on.</source>
+        <translation>Das Papier, auf das der Bogen gedruckt wird.</translation>
     </message>
 </context>
 <context>

@@ -1509,6 +1509,26 @@
         <source>%1 now has the scale X %2, Y %3. Print the second page to verify it.</source>
         <translation>%1 agora tem a escala X %2, Y %3. Imprima a segunda página para verificar.</translation>
     </message>
+    <message>
+        <source>What the printed ruler measures, to a tenth of a millimetre.</source>
+        <translation>Quanto mede a régua impressa, até um décimo de milímetro.</translation>
+    </message>
+    <message>
+        <source>The printers that are set up on this machine.</source>
+        <translation>As impressoras instaladas nesta máquina.</translation>
+    </message>
+    <message>
+        <source>The paper that is in the printer.</source>
+        <translation>O papel que está na impressora.</translation>
+    </message>
+    <message>
+        <source>Rulers without correction, to be measured.</source>
+        <translation>Réguas sem correção, para medir.</translation>
+    </message>
+    <message>
+        <source>The same rulers corrected, which must now measure what they say.</source>
+        <translation>As mesmas réguas corrigidas, que agora devem medir o que dizem.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::CalibrationPage</name>
@@ -3159,6 +3179,10 @@
     <message>
         <source>Ready to print at true size. Pages: %1.</source>
         <translation>Pronto para imprimir em tamanho real. Páginas: %1.</translation>
+    </message>
+    <message>
+        <source>The paper that the sheet is printed on.</source>
+        <translation>O papel em que a folha é impressa.</translation>
     </message>
 </context>
 <context>

@@ -2,9 +2,11 @@
 // and can be read: in all windows and dialogs, in both themes.
 #include "WindowDriver.h"
 #include "look/Theme.h"
+#include "main/CalibrationDialog.h"
 #include "main/NewProjectDialog.h"
 #include "main/PreferencesDialog.h"
 #include "main/PrintDialog.h"
+#include "main/ProfilesDialog.h"
 #include "panels/GuideWindow.h"
 #include "panels/PictureView.h"
 
@@ -155,9 +157,14 @@ private slots:
         PreferencesDialog preferences(workbench_->preferences(), workbench_->registry(),
                                       window_->actions());
         PrintDialog print(window_->session().outcome(), 0);
+        const ProfileLibrary library;
+        ProfilesDialog profiles(library, LengthUnit::Millimetre);
+        CalibrationDialog calibration(library);
         GuideWindow guide;
-        for (QWidget* dialog : {static_cast<QWidget*>(&create), static_cast<QWidget*>(&preferences),
-                                static_cast<QWidget*>(&print), static_cast<QWidget*>(&guide)}) {
+        for (QWidget* dialog :
+             {static_cast<QWidget*>(&create), static_cast<QWidget*>(&preferences),
+              static_cast<QWidget*>(&print), static_cast<QWidget*>(&profiles),
+              static_cast<QWidget*>(&calibration), static_cast<QWidget*>(&guide)}) {
             dialog->show();
             auto* tabs = dialog->findChild<QTabWidget*>();
             for (int page = 0; page < (tabs ? tabs->count() : 1); ++page) {

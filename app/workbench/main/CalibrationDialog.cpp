@@ -45,6 +45,8 @@ QDoubleSpinBox* lengthBox(const QString& name) {
     box->setSingleStep(0.1);
     box->setSuffix(CalibrationDialog::tr(" mm"));
     box->setAccessibleName(name);
+    box->setToolTip(CalibrationDialog::tr("What the printed ruler measures, to a tenth of a "
+                                          "millimetre."));
     return box;
 }
 
@@ -119,6 +121,10 @@ QWidget* CalibrationDialog::makePageChoices() {
     row->addStretch();
     form->addRow(QString(), row);
     profile_->setToolTip(tr("The profile that the scale goes into. “Profiles” makes new ones."));
+    printer_->setToolTip(tr("The printers that are set up on this machine."));
+    paper_->setToolTip(tr("The paper that is in the printer."));
+    measures_->setToolTip(tr("Rulers without correction, to be measured."));
+    verifies_->setToolTip(tr("The same rulers corrected, which must now measure what they say."));
     connect(profile_, &QComboBox::currentIndexChanged, this, &CalibrationDialog::showPage);
     connect(paper_, &QComboBox::currentIndexChanged, this, &CalibrationDialog::showPage);
     connect(verifies_, &QRadioButton::toggled, this, &CalibrationDialog::showPage);

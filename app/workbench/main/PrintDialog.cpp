@@ -136,6 +136,7 @@ QWidget* PrintDialog::makeChoices() {
     film->setWordWrap(true);
     form->addRow(tr("Film"), film);
     const SheetSettings& settings = sheets_.front().settings;
+    paper_->setToolTip(tr("The paper that the sheet is printed on."));
     paper_->addItem(tr("The film itself"), QStringLiteral("film"));
     for (const QString& name :
          {QStringLiteral("A4"), QStringLiteral("A3"), QStringLiteral("Letter")}) {
