@@ -11,7 +11,7 @@ QStringList recentProjects();
 void addRecentProject(const QString& path);
 void forgetRecentProject(const QString& path);
 QImage projectThumbnail(const QString& path); // null: none kept
-QImage thumbnailOf(const QImage& picture); // its middle, small
+QImage thumbnailOf(const QImage& picture);    // its middle, small
 void keepProjectThumbnail(const QString& path, const QImage& picture);
 
 } // namespace dipwright
