@@ -15,6 +15,7 @@
 #include "project/ProjectStore.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QCommandLineParser>
 #include <QDir>
 #include <QMenu>
@@ -135,6 +136,12 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
     print.show();
     QTest::qWait(1500); // it looks for printers
     camera.take(print, QStringLiteral("print"));
+    auto* proof = print.findChild<QComboBox*>(QStringLiteral("proof"));
+    if (proof->isEnabled()) { // the project's printer has an ICC profile
+        proof->setCurrentIndex(2);
+        QTest::qWait(1500);
+        camera.take(print, QStringLiteral("print-proof"));
+    }
     CalibrationDialog calibration{ProfileLibrary()};
     calibration.show();
     camera.take(calibration, QStringLiteral("calibrate"));

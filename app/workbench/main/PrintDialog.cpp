@@ -171,6 +171,7 @@ QWidget* PrintDialog::makePreview() {
     proof_->setToolTip(proof_->isEnabled()
                            ? tr("How the page is shown here. What is printed stays the same.")
                            : tr("A soft proof needs a printer profile with an ICC profile."));
+    proof_->setObjectName(QStringLiteral("proof"));
     proof_->setAccessibleName(tr("Colours of the page"));
     gamut_->setWordWrap(true);
     connect(proof_, &QComboBox::currentIndexChanged, this, [this] { showSheet(shown_); });
@@ -228,14 +229,19 @@ void PrintDialog::startProof(const SheetPreview& page, int proofing) {
 }
 
 void PrintDialog::saveFile() {
-    const QString name =
-        QStringLiteral("%1 %2.pdf")
-            .arg(outcome_.result->project.name, outcome_.result->immersions[shown_].immersion.name);
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save Sheet"), name, QStringLiteral("PDF (*.pdf);;TIFF (*.tiff *.tif)"));
-    if (path.isEmpty()) {
+    QFileDialog dialog(this, tr("Save Sheet"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters({QStringLiteral("PDF (*.pdf)"), QStringLiteral("TIFF (*.tiff *.tif)")});
+    dialog.setDefaultSuffix(QStringLiteral("pdf"));
+    connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+        dialog.setDefaultSuffix(filter.section(QLatin1Char(' '), 0, 0).toLower());
+    });
+    dialog.selectFile(QStringLiteral("%1 %2").arg(
+        outcome_.result->project.name, outcome_.result->immersions[shown_].immersion.name));
+    if (dialog.exec() != QDialog::Accepted) {
         return;
     }
+    const QString path = dialog.selectedFiles().first();
     try {
         writePrintFile(sheets_[shown_], outcome_.result->project.profiles.printer, path);
         verdict_->setText(tr("Wrote %1").arg(QDir::toNativeSeparators(path)));
