@@ -73,6 +73,8 @@ public:
         QPrinter printer(named(task.printer), QPrinter::HighResolution);
         printer.setDocName(task.title);
         printer.setColorMode(QPrinter::Color);
+        printer.setDuplex(QPrinter::DuplexNone);
+        printer.setCopyCount(1);   // copies are pages
         printer.setFullPage(true); // the origin is the paper's corner, not the margins'
         printer.setPageLayout(QPageLayout(QPageSize(task.media.size, QPageSize::Millimeter),
                                           QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)));

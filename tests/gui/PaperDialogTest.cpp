@@ -1,8 +1,10 @@
 // The dialogs between the program and the printer: profiles and calibration.
 #include "main/CalibrationDialog.h"
+#include "main/PrintDialog.h"
 #include "main/ProfilesDialog.h"
 
 #include "base/Error.h"
+#include "panels/PictureView.h"
 #include "panels/ProfileSpecs.h"
 #include "panels/PropertyField.h"
 #include "project/ProfileFields.h"
@@ -121,6 +123,48 @@ private slots:
         QCOMPARE(printer(library_, "Mine").scaleX, 1.004);
         QVERIFY_EXCEPTION_THROWN(dialog.setIccFile(path), Error);
         QVERIFY(printer(library_, "Mine").iccProfile.isEmpty());
+    }
+
+    void printingFollowsPaperAndPrinter() {
+        qputenv("CUPS_SERVER", "/nonexistent");
+        Sheet sheet;
+        sheet.settings.resolution = DotsPerInch(50);
+        sheet.image = QImage(sheetPixels(sheet.filmWidth, sheet.filmHeight, DotsPerInch(50)),
+                             QImage::Format_RGBA8888);
+        sheet.image.fill(Qt::transparent);
+        auto result = std::make_shared<JobResult>();
+        result->immersions.resize(1);
+        result->immersions[0].sheet = sheet;
+        PrintDialog dialog({result, {}, {sheetPreview(sheet)}}, 0);
+        const auto shape = [&] { // of the page that is shown
+            const QImage& page = dialog.findChild<PictureView*>()->picture();
+            return double(page.width()) / page.height();
+        };
+        QVERIFY(std::abs(shape() - 210.0 / 297) < 0.01);
+        const QList<QComboBox*> choices = dialog.findChildren<QComboBox*>();
+        QComboBox* paper = nullptr;
+        QComboBox* orientation = nullptr;
+        for (QComboBox* box : choices) {
+            paper = box->findData("Letter") >= 0 ? box : paper;
+            orientation = box->findText("Landscape") >= 0 ? box : orientation;
+        }
+        QVERIFY(paper && orientation && !orientation->isEnabled());
+        paper->setCurrentText("A3");
+        QVERIFY(orientation->isEnabled());
+        orientation->setCurrentText("Landscape");
+        QVERIFY(std::abs(shape() - 420.0 / 297) < 0.01);
+        // Without a printer there is a word on what to do, and nothing to press.
+        const auto told = [&] {
+            for (const QLabel* label : dialog.findChildren<QLabel*>()) {
+                if (label->text().contains("No printer is set up")) {
+                    return true;
+                }
+            }
+            return false;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(told(), 20000);
+        QVERIFY(!button(dialog, "Print")->isEnabled());
+        QVERIFY(button(dialog, "Save as File…")->isEnabled());
     }
 
     void measuredRulersBecomeTheScale() {
