@@ -78,6 +78,13 @@ private slots:
         }
     }
 
+    void theGuideHasTheSameChaptersInEveryLanguage() {
+        const int chapters = chaptersOf(QStringLiteral("guide.md"));
+        QVERIFY(chapters > 5);
+        QCOMPARE(chaptersOf(QStringLiteral("guide.de.md")), chapters);
+        QCOMPARE(chaptersOf(QStringLiteral("guide.pt_BR.md")), chapters);
+    }
+
     // Reads the workbench's sources anew: a text that was changed needs its translation again.
     void theWorkbenchHasNoTextThatIsNotListed() {
         const QTemporaryDir folder;
@@ -102,6 +109,10 @@ private slots:
     }
 
 private:
+    static int chaptersOf(const QString& guide) {
+        QFile file(QStringLiteral(DIPWRIGHT_SOURCES "/resources/guide/") + guide);
+        return file.open(QIODevice::ReadOnly) ? int(file.readAll().count("\n## ")) : 0;
+    }
     void addLanguages() {
         QTest::addColumn<QString>("file");
         const QDir folder(QStringLiteral(DIPWRIGHT_SOURCES "/translations"));
