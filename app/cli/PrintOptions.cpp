@@ -33,6 +33,17 @@ QString mediaWords(const PrinterMedia& media) {
              media.ready ? QString() : QStringLiteral(", not loaded"));
 }
 
+// followJob, whose cancelling is told as what it is for a printer.
+JobState followed(PrintSystem& system, const PrintJob& job, const Progress& progress) {
+    try {
+        return followJob(system, job, progress);
+    } catch (const Cancelled&) {
+        throw Error(QStringLiteral("Cancelled; the job was taken back, what the printer had begun "
+                                   "may still come out"),
+                    job.printer);
+    }
+}
+
 } // namespace
 
 void declarePrinter(QCommandLineParser& parser) {
@@ -113,7 +124,7 @@ PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& t
 void printAndTell(PrintSystem& system, const PrintPlan& plan, const Progress& progress,
                   QTextStream& out) {
     const PrintJob job = system.submit(plan.task);
-    const JobState state = followJob(system, job, progress);
+    const JobState state = followed(system, job, progress);
     out << (state == JobState::Printed
                 ? QStringLiteral("Printed %1 on %2, job %3\n")
                 : QStringLiteral("Handed %1 over to %2, which does not tell when it is printed\n"))
