@@ -4153,7 +4153,7 @@ mm por mm</translation>
     <name>dipwright::Tour</name>
     <message>
         <source>Back</source>
-        <translation>Trás</translation>
+        <translation>Voltar</translation>
     </message>
     <message>
         <source>Close</source>
