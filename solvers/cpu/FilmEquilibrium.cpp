@@ -28,6 +28,14 @@ void scaleAndAdd(std::size_t count, float factor, const float* a, float* out) {
 }
 
 DIPWRIGHT_SIMD_CLONES
+void addDifference(std::size_t count, float factor, const float* a, const float* b, float* out) {
+    DIPWRIGHT_INDEPENDENT_LOOP
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] += factor * (a[i] - b[i]);
+    }
+}
+
+DIPWRIGHT_SIMD_CLONES
 void multiplyBy(std::size_t count, const float* a, float* out) {
     DIPWRIGHT_INDEPENDENT_LOOP
     for (std::size_t i = 0; i < count; ++i) {
@@ -65,7 +73,7 @@ void FilmEquilibrium::maskHeld(PlaneVector& v) const {
 
 // Solves Hessian · step_ = −gradient_ to a residual of `tolerance`, or as far as it goes: crossing
 // triangles make the Hessian slightly unsymmetric.
-void FilmEquilibrium::conjugateGradients(double tolerance) {
+void FilmEquilibrium::conjugateGradients(const Drag& drag, double tolerance) {
     const std::size_t count = step_.size();
     std::fill(step_.x.begin(), step_.x.end(), 0.f);
     std::fill(step_.z.begin(), step_.z.end(), 0.f);
@@ -84,6 +92,8 @@ void FilmEquilibrium::conjugateGradients(double tolerance) {
         scaleAndAdd(count, keep, preconditioned_.z.data(), direction_.z.data());
         before = now;
         film_.hessian(direction_, product_);
+        addScaled(count, float(drag.perPoint), direction_.x.data(), product_.x.data());
+        addScaled(count, float(drag.perPoint), direction_.z.data(), product_.z.data());
         maskHeld(product_);
         const double curvature = dot(direction_, product_);
         if (!(curvature > 1e-6 * now)) {
@@ -101,8 +111,12 @@ void FilmEquilibrium::conjugateGradients(double tolerance) {
     }
 }
 
-double FilmEquilibrium::force(const PlaneVector& displacement, double& elastic) {
+double FilmEquilibrium::force(const PlaneVector& displacement, const Drag& drag, double& elastic) {
     elastic = film_.gradient(displacement, gradient_);
+    addDifference(displacement.size(), float(drag.perPoint), displacement.x.data(),
+                  drag.before.x.data(), gradient_.x.data());
+    addDifference(displacement.size(), float(drag.perPoint), displacement.z.data(),
+                  drag.before.z.data(), gradient_.z.data());
     maskHeld(gradient_);
     return std::sqrt(dot(gradient_, gradient_));
 }
@@ -110,7 +124,8 @@ double FilmEquilibrium::force(const PlaneVector& displacement, double& elastic) 
 // Adds step_ to `displacement`, shortened until the forces shrink. Where no length helps, the whole
 // step is taken all the same: the forces may have to grow on the way past a crease. Returns the
 // force then.
-double FilmEquilibrium::advance(PlaneVector& displacement, double before, double& elastic) {
+double FilmEquilibrium::advance(PlaneVector& displacement, const Drag& drag, double before,
+                                double& elastic) {
     float longest = 0;
     for (std::size_t point = 0; point < step_.size(); ++point) {
         longest = std::max({longest, std::abs(step_.x[point]), std::abs(step_.z[point])});
@@ -123,7 +138,7 @@ double FilmEquilibrium::advance(PlaneVector& displacement, double before, double
         displacement = start_;
         addScaled(displacement.size(), float(length), step_.x.data(), displacement.x.data());
         addScaled(displacement.size(), float(length), step_.z.data(), displacement.z.data());
-        return force(displacement, elastic);
+        return force(displacement, drag, elastic);
     };
     const double whole = std::min(1.0, longestStep_ / std::max(double(longest), 1e-30));
     double length = whole;
@@ -136,11 +151,11 @@ double FilmEquilibrium::advance(PlaneVector& displacement, double before, double
     return tryLength(whole);
 }
 
-double FilmEquilibrium::solve(PlaneVector& displacement, double residual) {
+double FilmEquilibrium::solve(PlaneVector& displacement, const Drag& drag, double residual) {
     const FlushDenormals flush;
     // Below this the film is flat and whole to the precision of its numbers.
     const double floor = 1e-6 * std::sqrt(double(displacement.size()));
-    double elastic = 0, now = force(displacement, elastic);
+    double elastic = 0, now = force(displacement, drag, elastic);
     double best = now, bestElastic = elastic;
     best_ = displacement;
     for (int iteration = 0; iteration < pbd::maximumNewtonSteps; ++iteration) {
@@ -149,8 +164,8 @@ double FilmEquilibrium::solve(PlaneVector& displacement, double residual) {
             return elastic > 0 ? now / elastic : 0;
         }
         ++work_.newtonSteps;
-        conjugateGradients(std::max(0.5 * allowed, 0.02 * now));
-        now = advance(displacement, now, elastic);
+        conjugateGradients(drag, std::max(0.5 * allowed, 0.02 * now));
+        now = advance(displacement, drag, now, elastic);
         if (now < best) {
             best = now;
             bestElastic = elastic;

@@ -4,6 +4,7 @@
 
 #include "cpu/PlaneFilm.h"
 #include "cpu/PlaneMultigrid.h"
+#include "pbd/WaterDrag.h"
 
 namespace dipwright::cpu {
 
@@ -28,10 +29,12 @@ public:
         return film_.tornCrossing(displacement, limit);
     }
 
+    using Drag = pbd::Drag<PlaneVector>;
+
     // Moves the free points of `displacement` until the forces left on them are `residual` times
     // the elastic forces in the film (both as root of the sum of squares). Returns the ratio
     // reached.
-    double solve(PlaneVector& displacement, double residual);
+    double solve(PlaneVector& displacement, const Drag& drag, double residual);
 
     void relax(const PlaneVector& displacement, double keep) { film_.relax(displacement, keep); }
 
@@ -41,9 +44,9 @@ public:
     const Work& work() const { return work_; }
 
 private:
-    double force(const PlaneVector& displacement, double& elastic);
-    void conjugateGradients(double tolerance);
-    double advance(PlaneVector& displacement, double before, double& elastic);
+    double force(const PlaneVector& displacement, const Drag& drag, double& elastic);
+    void conjugateGradients(const Drag& drag, double tolerance);
+    double advance(PlaneVector& displacement, const Drag& drag, double before, double& elastic);
     double dot(const PlaneVector& a, const PlaneVector& b) const;
     void maskHeld(PlaneVector& v) const;
 

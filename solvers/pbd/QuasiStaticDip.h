@@ -9,6 +9,7 @@
 #pragma once
 
 #include "pbd/FilmContact.h"
+#include "pbd/WaterDrag.h"
 
 #include <dipwright/FilmSolver.h>
 
@@ -20,8 +21,8 @@ namespace dipwright::pbd {
 
 // `Equilibrium` has a type Vector (two arrays x, z of its Real, a film point each) and
 //   Equilibrium(grid), setFree(vector<float>), setCrossing(vector<CrossingTriangle<Real>>),
-//   solve(Vector& displacement, double residual) and relax(const Vector& displacement, double
-//   keep).
+//   solve(Vector& displacement, Drag<Vector>, double residual) and
+//   relax(const Vector& displacement, double keep).
 template <typename Equilibrium>
 class QuasiStaticDip {
 public:
@@ -80,7 +81,8 @@ private:
         if (anyAdhered_) {
             const std::vector<CrossingTriangle<Real>> crossing = crossingTriangles(frame);
             equilibrium_.moveCrossing(crossing);
-            equilibrium_.solve(displacement_, settings_.residual);
+            equilibrium_.solve(displacement_, {before_, pointDrag(grid_, increment)},
+                               settings_.residual);
             for (const std::size_t torn :
                  equilibrium_.tornCrossing(displacement_, settings_.tearStretch)) {
                 release(crossing[torn].cell, crossing[torn].second);

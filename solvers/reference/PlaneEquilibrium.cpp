@@ -90,7 +90,8 @@ bool PlaneEquilibrium::moves(const Triangle& triangle) const {
 
 // The gradient of the energy at the moving points, and its derivative when asked for. Returns the
 // root of the sum of squares of all edge forces of triangles that can move.
-double PlaneEquilibrium::assemble(const PlaneVector& displacement, Eigen::VectorXd& force,
+double PlaneEquilibrium::assemble(const PlaneVector& displacement, const Drag& drag,
+                                  Eigen::VectorXd& force,
                                   Eigen::SparseMatrix<double>* jacobian) const {
     force = Eigen::VectorXd::Zero(2 * unknowns_);
     std::vector<Eigen::Triplet<double>> entries;
@@ -157,9 +158,16 @@ double PlaneEquilibrium::assemble(const PlaneVector& displacement, Eigen::Vector
             }
         }
     }
+    for (std::size_t point = 0; point < unknown_.size(); ++point) {
+        const int row = unknown_[point];
+        if (row >= 0) {
+            force[2 * row] += drag.perPoint * (displacement.x[point] - drag.before.x[point]);
+            force[2 * row + 1] += drag.perPoint * (displacement.z[point] - drag.before.z[point]);
+        }
+    }
     if (jacobian) {
-        for (int i = 0; i < 2 * unknowns_; ++i) { // a point that nothing holds stays where it is
-            entries.emplace_back(i, i, 1e-9);
+        for (int i = 0; i < 2 * unknowns_; ++i) {
+            entries.emplace_back(i, i, drag.perPoint);
         }
         jacobian->resize(2 * unknowns_, 2 * unknowns_);
         jacobian->setFromTriplets(entries.begin(), entries.end());
@@ -167,12 +175,12 @@ double PlaneEquilibrium::assemble(const PlaneVector& displacement, Eigen::Vector
     return std::sqrt(squares);
 }
 
-double PlaneEquilibrium::solve(PlaneVector& displacement, double residual) {
+double PlaneEquilibrium::solve(PlaneVector& displacement, const Drag& drag, double residual) {
     Eigen::VectorXd force;
     Eigen::SparseMatrix<double> jacobian;
     double ratio = 0;
     for (int iteration = 0; iteration < maximumNewtonSteps && unknowns_ > 0; ++iteration) {
-        const double elastic = assemble(displacement, force, &jacobian);
+        const double elastic = assemble(displacement, drag, force, &jacobian);
         ratio = elastic > 1e-9 ? force.norm() / elastic : 0;
         if (ratio <= residual) {
             break;
@@ -193,7 +201,7 @@ double PlaneEquilibrium::solve(PlaneVector& displacement, double residual) {
                     displacement.z[point] = start.z[point] - share * step[2 * unknown_[point] + 1];
                 }
             }
-            assemble(displacement, force, nullptr);
+            assemble(displacement, drag, force, nullptr);
             return force.norm();
         };
         bool better = false;

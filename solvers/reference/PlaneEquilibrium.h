@@ -4,6 +4,7 @@
 #pragma once
 
 #include "pbd/CrossingTriangle.h"
+#include "pbd/WaterDrag.h"
 
 #include <dipwright/FilmSolver.h>
 
@@ -26,6 +27,7 @@ class PlaneEquilibrium {
 public:
     using Vector = PlaneVector;
     using Crossing = pbd::CrossingTriangle<double>;
+    using Drag = pbd::Drag<PlaneVector>;
 
     explicit PlaneEquilibrium(const solver::FilmGrid& grid);
 
@@ -33,7 +35,7 @@ public:
     void setCrossing(std::vector<Crossing> triangles, const PlaneVector& displacement);
     void moveCrossing(std::vector<Crossing> triangles);
     // Newton's method to `residual` (force left over elastic force). Returns what was reached.
-    double solve(PlaneVector& displacement, double residual);
+    double solve(PlaneVector& displacement, const Drag& drag, double residual);
     std::vector<std::size_t> tornCrossing(const PlaneVector& displacement, double limit) const;
     void relax(const PlaneVector& displacement, double keep);
 
@@ -51,7 +53,7 @@ private:
     pbd::Matrix2<double> wholeGradient(const Triangle& triangle,
                                        const PlaneVector& displacement) const;
     bool moves(const Triangle& triangle) const;
-    double assemble(const PlaneVector& displacement, Eigen::VectorXd& force,
+    double assemble(const PlaneVector& displacement, const Drag& drag, Eigen::VectorXd& force,
                     Eigen::SparseMatrix<double>* jacobian) const;
 
     solver::FilmGrid grid_;

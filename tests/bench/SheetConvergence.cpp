@@ -1,8 +1,9 @@
 // How much the sheet changes with the film's grid and the solver's step: dips one body several
 // times and compares, all over the body, where on the flat film its colour comes from.
 //
-//   sheet_convergence MODEL SIZE_MM COLUMNSxROWS,TRAVEL COLUMNSxROWS,TRAVEL …
+//   sheet_convergence MODEL SIZE_MM [turned=X,Y,Z] COLUMNSxROWS,TRAVEL COLUMNSxROWS,TRAVEL …
 //
+// `turned` is the pose in degrees.
 // TRAVEL is how many cells the contact line travels in one step. Each variant is compared with the
 // first. "A4" is the film, 128³ the field.
 
@@ -30,6 +31,7 @@ struct Variant {
 };
 
 struct Body {
+    Immersion immersion;
     PosedBody posed;
     DistanceField field;
     SurfaceQuery query;
@@ -46,9 +48,8 @@ Sheet sheet(const Body& body, const Variant& variant) {
     FilmSettings settings;
     settings.columns = variant.columns;
     settings.rows = variant.rows;
-    const Immersion immersion;
     const ProcessSettings process;
-    solver::DipSetup setup = dipSetup(body.posed, body.field, immersion, settings, process);
+    solver::DipSetup setup = dipSetup(body.posed, body.field, body.immersion, settings, process);
     setup.settings.contactTravel = variant.travel;
 
     const auto start = std::chrono::steady_clock::now();
@@ -122,13 +123,18 @@ int main(int argc, char** argv) {
     ImportOptions options;
     options.longestEdge = Millimetres(std::atof(argv[2]));
     const ImportedModel imported = importModel(QString::fromLocal8Bit(argv[1]), options, {});
-    Body body{posedBody(imported.model, Immersion()),
+    Immersion immersion;
+    double x = 0, y = 0, z = 0;
+    const bool isTurned = std::sscanf(argv[3], "turned=%lf,%lf,%lf", &x, &y, &z) == 3;
+    immersion.rotation = {Degrees(x), Degrees(y), Degrees(z)};
+    Body body{immersion,
+              posedBody(imported.model, immersion),
               buildDistanceField(imported.model.mesh, 128, {}),
-              SurfaceQuery(posedBody(imported.model, Immersion()).model.mesh),
+              SurfaceQuery(posedBody(imported.model, immersion).model.mesh),
               {}};
     body.samples = spreadOverSurface(body.posed.model.mesh, samplesOfBody);
     std::unique_ptr<Sheet> first;
-    for (int i = 3; i < argc; ++i) {
+    for (int i = isTurned ? 4 : 3; i < argc; ++i) {
         Variant variant;
         if (std::sscanf(argv[i], "%dx%d,%lf", &variant.columns, &variant.rows, &variant.travel) !=
             3) {

@@ -1,0 +1,30 @@
+// The drag of the water on the floating film.
+//
+// While the body has touched in one small place only, nothing elastic keeps the film from turning
+// about it: what the triangles on the contact line leave of a torque, however small, would spin the
+// whole sheet. The water does keep it: it resists in proportion to the film's speed over it. Here
+// it is so weak that it moves no film that is strained by more than hundredths of a millimetre, and
+// so strong that a turn of the whole film by a degree takes metres of descent.
+#pragma once
+
+#include <dipwright/FilmSolver.h>
+
+namespace dipwright::pbd {
+
+// Force on the film per mm² of it and per mm that it moves in one mm of descent, over the film's
+// shear stiffness.
+inline constexpr double waterDrag = 1e-5;
+
+// Force on one point per mm that it moves in a step in which the body comes down by `increment`.
+inline double pointDrag(const solver::FilmGrid& grid, double increment) {
+    return waterDrag * grid.spacingX() * grid.spacingZ() / increment;
+}
+
+// On the way from where the film was before a step; Vector as in QuasiStaticDip.
+template <typename Vector>
+struct Drag {
+    const Vector& before;
+    double perPoint = 0;
+};
+
+} // namespace dipwright::pbd
