@@ -85,16 +85,16 @@ __device__ inline void gatherForces(const QuasiStaticModel& model, const FilmTil
     __syncthreads();
 }
 
-// The forces at start + length·newtonStep, which become the displacement, or at the displacement
-// where `length` is 0; left in the multigrid's finest right side, and where they were taken in
-// `stress`. Returns the roots of the sums of squares of the forces on free points, and of those
-// within the film.
+// The forces, the water's drag of `drag` a point among them, at start + length·newtonStep, which
+// become the displacement, or at the displacement where `length` is 0; left in the multigrid's
+// finest right side, and where they were taken in `stress`. Returns the roots of the sums of
+// squares of the forces on free points, and of those within the film.
 struct FilmForce {
     double left, elastic;
 };
 
 __device__ inline FilmForce force(const QuasiStaticModel& model, const QuasiStaticDip& dip,
-                                  float length, Team& team, float2* memory) {
+                                  float drag, float length, Team& team, float2* memory) {
     double sums[2] = {0, 0};
     for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
         const FilmTile tile(model, t);
@@ -145,7 +145,10 @@ __device__ inline FilmForce force(const QuasiStaticModel& model, const QuasiStat
             },
             [&](int x, int z, float2 sum) {
                 const int point = z * model.columns + x;
-                const float2 left = sum * dip.levelFree[point];
+                const float2 way =
+                    values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0] -
+                    dip.before[point];
+                const float2 left = (sum + way * drag) * dip.levelFree[point];
                 dip.right[point] = left;
                 sums[0] += double(left.x * left.x + left.y * left.y);
             });
@@ -157,8 +160,8 @@ __device__ inline FilmForce force(const QuasiStaticModel& model, const QuasiStat
 // product = Hessian · direction, with direction = smoothed + keep·(the direction before). Returns
 // their product.
 __device__ inline double curvature(const QuasiStaticModel& model, const QuasiStaticDip& dip,
-                                   const float2* before, float2* direction, float keep, Team& team,
-                                   float2* memory) {
+                                   float drag, const float2* before, float2* direction, float keep,
+                                   Team& team, float2* memory) {
     double sums[1] = {0};
     for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
         const FilmTile tile(model, t);
@@ -192,7 +195,8 @@ __device__ inline double curvature(const QuasiStaticModel& model, const QuasiSta
             },
             [&](int x, int z, float2 sum) {
                 const int point = z * model.columns + x;
-                const float2 own = value(x, z), product = sum * dip.levelFree[point];
+                const float2 own = value(x, z);
+                const float2 product = (sum + own * drag) * dip.levelFree[point];
                 direction[point] = own;
                 dip.product[point] = product;
                 sums[0] += double(own.x * product.x + own.y * product.y);

@@ -5,6 +5,7 @@
 
 #include "cuda/PlaneForces.cuh"
 #include "pbd/NewtonLimits.h"
+#include "pbd/WaterDrag.h"
 
 #include <dipwright/FilmSolver.h>
 
@@ -27,7 +28,7 @@ public:
         team_.meet();
         if (state_.anyAdhered) {
             findCrossing(descent, false);
-            solve();
+            solve(float(pbd::pointDrag(model_.spacingX, model_.spacingZ, increment)));
         }
         bool hasTouched = false;
         if (state_.anyAdhered) {
@@ -337,10 +338,10 @@ private:
 
     // Moves the free points until the forces left on them are `residual` times those in the film:
     // Newton's method (FilmEquilibrium.h).
-    __device__ void solve() {
+    __device__ void solve(float drag) {
         // Below this the film is flat and whole to the precision of its numbers.
         const double floor = 1e-6 * sqrt(double(pointCount()));
-        FilmForce now = force(model_, dip_, 0, team_, memory_);
+        FilmForce now = force(model_, dip_, drag, 0, team_, memory_);
         double best = now.left;
         copy(dip_.displacement, dip_.best);
         for (int iteration = 0; iteration < pbd::maximumNewtonSteps; ++iteration) {
@@ -348,8 +349,8 @@ private:
             if (now.left <= allowed) {
                 return;
             }
-            conjugateGradients(now.left, fmax(0.5 * allowed, 0.02 * now.left));
-            if (!advance(now)) {
+            conjugateGradients(drag, now.left, fmax(0.5 * allowed, 0.02 * now.left));
+            if (!advance(drag, now)) {
                 break;
             }
             if (now.left < best) {
@@ -366,7 +367,7 @@ private:
     }
 
     // Solves Hessian · newtonStep = −forces to a residual of `tolerance`, or as far as it goes.
-    __device__ void conjugateGradients(double start, double tolerance) {
+    __device__ void conjugateGradients(float drag, double start, double tolerance) {
         forPoints([&](int point) { dip_.newtonStep[point] = {0, 0}; });
         double before = 0;
         for (int iteration = 0; iteration < pbd::maximumConjugateSteps; ++iteration) {
@@ -378,7 +379,7 @@ private:
             const float keep = before > 0 ? float(now[0] / before) : 0.0f;
             before = now[0];
             float2* direction = dip_.direction[iteration % 2];
-            const double bend = curvature(model_, dip_, dip_.direction[(iteration + 1) % 2],
+            const double bend = curvature(model_, dip_, drag, dip_.direction[(iteration + 1) % 2],
                                           direction, keep, team_, memory_);
             if (!(bend > 1e-6 * now[0])) {
                 return;
@@ -402,7 +403,7 @@ private:
     // Adds newtonStep to the displacement, shortened until the forces shrink. Where no length
     // helps, the whole step is taken all the same: the forces may have to grow on the way past a
     // crease. `now` becomes the force then. False where the step is no number.
-    __device__ bool advance(FilmForce& now) {
+    __device__ bool advance(float drag, FilmForce& now) {
         double longest[1] = {0};
         forPoints([&](int point) {
             const float2 step = dip_.newtonStep[point];
@@ -419,7 +420,7 @@ private:
         double length = whole;
         for (int attempt = 0; attempt <= pbd::maximumShortenings; ++attempt, length /= 2) {
             const bool isLast = attempt == pbd::maximumShortenings;
-            now = force(model_, dip_, float(isLast ? whole : length), team_, memory_);
+            now = force(model_, dip_, drag, float(isLast ? whole : length), team_, memory_);
             if (now.left <= before * (1 - 0.1 * length)) {
                 break;
             }

@@ -81,7 +81,8 @@ private:
         if (anyAdhered_) {
             const std::vector<CrossingTriangle<Real>> crossing = crossingTriangles(frame);
             equilibrium_.moveCrossing(crossing);
-            equilibrium_.solve(displacement_, {before_, pointDrag(grid_, increment)},
+            equilibrium_.solve(displacement_,
+                               {before_, pointDrag(grid_.spacingX(), grid_.spacingZ(), increment)},
                                settings_.residual);
             for (const std::size_t torn :
                  equilibrium_.tornCrossing(displacement_, settings_.tearStretch)) {

@@ -7,7 +7,7 @@
 // so strong that a turn of the whole film by a degree takes metres of descent.
 #pragma once
 
-#include <dipwright/FilmSolver.h>
+#include "pbd/HostDevice.h"
 
 namespace dipwright::pbd {
 
@@ -15,9 +15,10 @@ namespace dipwright::pbd {
 // shear stiffness.
 inline constexpr double waterDrag = 1e-5;
 
-// Force on one point per mm that it moves in a step in which the body comes down by `increment`.
-inline double pointDrag(const solver::FilmGrid& grid, double increment) {
-    return waterDrag * grid.spacingX() * grid.spacingZ() / increment;
+// Force on one point, which stands for a cell's area, per mm that it moves in a step in which the
+// body comes down by `increment`.
+DIPWRIGHT_HOST_DEVICE inline double pointDrag(double spacingX, double spacingZ, double increment) {
+    return waterDrag * spacingX * spacingZ / increment;
 }
 
 // On the way from where the film was before a step; Vector as in QuasiStaticDip.
