@@ -1,10 +1,9 @@
 // The drag of the water on the floating film.
 //
 // While the body has touched in one small place only, nothing elastic keeps the film from turning
-// about it: what the triangles on the contact line leave of a torque, however small, would spin the
-// whole sheet. The water does keep it: it resists in proportion to the film's speed over it. Here
-// it is so weak that it moves no film that is strained by more than hundredths of a millimetre, and
-// so strong that a turn of the whole film by a degree takes metres of descent.
+// about it: what the few triangles on the contact line leave of a torque would spin the whole sheet
+// by degrees. The water does keep it: it resists in proportion to the film's speed over it. The
+// drag taken here moves no film that is strained by more than a hundredth of a millimetre.
 #pragma once
 
 #include "pbd/HostDevice.h"

@@ -128,6 +128,7 @@ private slots:
     void sameBitsForAnyNumberOfThreads();
     void nothingMovesBeforeContact();
     void pinnedEdgesHold();
+    void aSmallFirstContactDoesNotSpinTheFilm();
     void doesNotHoldPastTheOverhang();
 };
 
@@ -224,6 +225,33 @@ void ProductionFilmTest::pinnedEdgesHold() {
         rightMoved = std::max(rightMoved, 75 - ending.at(row * 61 + 60).x());
     }
     QVERIFY(rightMoved > 0.5);
+}
+
+void ProductionFilmTest::aSmallFirstContactDoesNotSpinTheFilm() {
+    // A horn of three cells, askew to the grid but with a plane of symmetry: what turns the film
+    // about it is not the horn.
+    Immersion askew;
+    askew.rotation = {Degrees(12), Degrees(25), Degrees(0)};
+    askew.offset = {Millimetres(0.7), Millimetres(-0.4)};
+    TexturedMesh horn;
+    horn.mesh = ellipsoidMesh({3, 24, 2.5}, 60, 80);
+    horn.materials.resize(1);
+    const PosedBody posed = posedBody(horn, askew);
+    const DistanceField field = buildDistanceField(horn.mesh, 128, {});
+    FilmSettings film;
+    film.width = film.height = Millimetres(150);
+    film.columns = film.rows = 81;
+    ProcessSettings process;
+    process.depth = Millimetres(5);
+    const Ending end = dipOnCpu(dipSetup(posed, field, askew, film, process));
+    double turn = 0; // of the corners about the middle, degrees
+    for (const std::size_t corner : {0, 80, 80 * 81, 81 * 81 - 1}) {
+        const Eigen::Vector2d rest = restPosition(end.setup.film, corner).cast<double>();
+        const Eigen::Vector2d now(end.at(corner).x(), end.at(corner).z());
+        turn += std::atan2(rest.x() * now.y() - rest.y() * now.x(), rest.dot(now)) * 45 / pi;
+    }
+    qInfo("turned by %g degrees", turn);
+    QVERIFY(std::abs(turn) < 0.5);
 }
 
 void ProductionFilmTest::doesNotHoldPastTheOverhang() {
