@@ -263,6 +263,10 @@
         <translation>%1: Die Zellen des Films sind grob für diesen Körper; geben Sie dem Film mehr Punkte</translation>
     </message>
     <message>
+        <source>The CPU will take over from %1: %2</source>
+        <translation>%1 wird von der CPU vertreten: %2</translation>
+    </message>
+    <message>
         <source>The model is not closed, what is inside is guessed</source>
         <translation>Das Modell ist nicht geschlossen; was innen ist, wird geschätzt</translation>
     </message>

@@ -65,9 +65,21 @@ private:
                                                                    : nullptr;
     }
 
+    // Where the GPU is not there that a solver needs, the CPU takes over.
     void chooseSolver(const QString& id) {
-        registry_.module(id); // loads it, or throws the reason why it cannot run
-        result_.solver = registry_.info(id);
+        try {
+            registry_.module(id); // loads it, or throws the reason why it cannot run
+            result_.solver = registry_.info(id);
+        } catch (const Error& error) {
+            const std::optional<SolverInfo> wanted = registry_.found(id);
+            if (!wanted) {
+                throw;
+            }
+            result_.solver = *wanted;
+            if (!fallBackFrom(error)) {
+                throw;
+            }
+        }
     }
 
     void runImmersion(std::size_t index, const Progress& fieldProgress, const Progress& progress) {
@@ -136,7 +148,8 @@ private:
         }
     }
 
-    // Puts the best CPU solver in the place of a GPU solver that failed; false if there is none.
+    // Puts the best CPU solver in the place of a GPU solver that failed; false if there is none, or
+    // where it was not a GPU solver.
     bool fallBackFrom(const Error& error) {
         const QString failed = result_.solver.name;
         if (result_.solver.deviceKind != QLatin1String("gpu")) {

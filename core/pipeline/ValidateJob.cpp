@@ -45,16 +45,32 @@ void checkImmersion(const Project& project, const Immersion& immersion, QStringL
     }
 }
 
+// A solver that needs a GPU gives way to another where there is none; any other must be able to
+// run.
+void checkSolver(const QString& id, const SolverRegistry& registry, QStringList& warnings) {
+    try {
+        registry.module(id);
+    } catch (const Error& error) {
+        const std::optional<SolverInfo> wanted = registry.found(id);
+        if (!wanted || wanted->deviceKind != QLatin1String("gpu")) {
+            throw;
+        }
+        registry.module(QStringLiteral("auto"));
+        warnings.append(
+            Text::tr("The CPU will take over from %1: %2").arg(wanted->name, error.sentence()));
+    }
+}
+
 } // namespace
 
 QStringList validateJob(const Project& project, const SolverRegistry& registry) {
     if (!project.model) {
         throw Error(Text::tr("The project has no model, import one first"), project.name);
     }
-    registry.module(project.process.solver);
     sheetPixels(project.film.width, project.film.height, project.sheet.resolution);
     pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}});
     QStringList warnings;
+    checkSolver(project.process.solver, registry, warnings);
     if (!isClosed(project.model->mesh)) {
         warnings.append(Text::tr("The model is not closed, what is inside is guessed"));
     }

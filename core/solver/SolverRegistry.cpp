@@ -288,6 +288,15 @@ const solver::SolverModule& SolverRegistry::module(const QString& id) const {
     return *data_->plugin(id).module;
 }
 
+std::optional<SolverInfo> SolverRegistry::found(const QString& id) const {
+    for (const SolverInfo& solver : solvers()) {
+        if (solver.id == id) {
+            return solver;
+        }
+    }
+    return std::nullopt;
+}
+
 SolverInfo SolverRegistry::info(const QString& id) const {
     const std::lock_guard lock(data_->mutex);
     return data_->plugin(id).info;

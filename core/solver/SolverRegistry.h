@@ -12,6 +12,7 @@
 #include <QString>
 #include <QStringList>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dipwright {
@@ -43,6 +44,8 @@ public:
     // Lives as long as the registry.
     const solver::SolverModule& module(const QString& id) const;
     SolverInfo info(const QString& id) const; // of the same solver as module(id)
+    // The plugin `id` whether or not it can run here; nothing where none is found.
+    std::optional<SolverInfo> found(const QString& id) const;
 
 private:
     struct Data;

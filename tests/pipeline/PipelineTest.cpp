@@ -229,6 +229,22 @@ private slots:
         QCOMPARE(result.immersions[0].sheet.image, first_.immersions[0].sheet.image);
     }
 
+    void theCpuTakesOverFromAGpuThatIsNotThere() {
+        const PluginFolder folder;
+        QJsonObject description = PluginFolder::description(QStringLiteral("device"));
+        folder.add(QStringLiteral("device"), builtModule(QStringLiteral("device")));
+        description[QLatin1String("device")] = QStringLiteral("gpu");
+        folder.describe(description);
+        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        Project job = job_;
+        job.process.solver = QStringLiteral("device");
+        QVERIFY(validateJob(job, registry).join('\n').contains("The CPU will take over"));
+        const JobResult result = runJob(job, registry, {}, nullptr, {});
+        QCOMPARE(result.solver.id, QStringLiteral("pbd-cpu"));
+        QCOMPARE(result.notes.size(), 1);
+        QCOMPARE(result.immersions[0].sheet.image, first_.immersions[0].sheet.image);
+    }
+
     void aCpuThatFailsIsAnError() {
         const PluginFolder folder;
         folder.add(QStringLiteral("advance"), builtModule(QStringLiteral("advance")));
