@@ -6,6 +6,7 @@
 #include "geometry/Shapes.h"
 #include "model/ImportModel.h"
 
+#include <QColorSpace>
 #include <QtTest>
 
 #include <cmath>
@@ -173,6 +174,7 @@ private Q_SLOTS:
     void refusals();
     void textureRefusals_data();
     void textureRefusals();
+    void texturesColourProfilesAreHonoured();
     void optionsOutOfRangeAreRefused();
     void hostile3mfIsRefused_data();
     void hostile3mfIsRefused();
@@ -658,6 +660,33 @@ void ImportModelTest::textureRefusals() {
     const QString own =
         refusal(write(QStringLiteral("tex.obj"), cubeObj("mtllib tex.mtl\nusemtl skin\n")));
     QVERIFY2(own.contains(says), qPrintable(own));
+}
+
+void ImportModelTest::texturesColourProfilesAreHonoured() {
+    // One brown, once in sRGB and once with the numbers that it has in Adobe RGB.
+    QImage picture(8, 8, QImage::Format_RGB32);
+    picture.fill(QColor(146, 93, 43));
+    picture.setColorSpace(QColorSpace::SRgb);
+    QImage wide = picture.convertedToColorSpace(QColorSpace::AdobeRgb);
+    QVERIFY(std::abs(qRed(wide.pixel(3, 3)) - 146) > 5);
+    const auto imported = [&](const QImage& texture) {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        texture.save(&buffer, "PNG");
+        ImportOptions options;
+        options.texture = write(QStringLiteral("skin.png"), bytes);
+        const QString path = write(QStringLiteral("skin.obj"), cubeObj());
+        return importModel(path, options, {}).model.textures.front().pixelColor(3, 3);
+    };
+    const auto apart = [](const QColor& a, const QColor& b) {
+        return std::max({std::abs(a.red() - b.red()), std::abs(a.green() - b.green()),
+                         std::abs(a.blue() - b.blue())});
+    };
+    QVERIFY(apart(imported(picture), QColor(146, 93, 43)) <= 1);
+    QVERIFY(apart(imported(wide), QColor(146, 93, 43)) <= 1);
+    wide.setColorSpace(QColorSpace()); // without its profile the numbers count as they are
+    QVERIFY(apart(imported(wide), QColor(146, 93, 43)) > 5);
 }
 
 void ImportModelTest::optionsOutOfRangeAreRefused() {
