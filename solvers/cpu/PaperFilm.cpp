@@ -3,6 +3,7 @@
 #include "cpu/FlushDenormals.h"
 #include "cpu/PaperBand.h"
 #include "cpu/SelfContact.h"
+#include "pbd/SetupLimits.h"
 
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -23,36 +24,6 @@ void require(bool holds, const char* sentence) {
     if (!holds) {
         throw std::invalid_argument(sentence);
     }
-}
-
-bool isPositive(double value) {
-    return std::isfinite(value) && value > 0 && value < 1e6;
-}
-
-void requireValid(const solver::DipSetup& setup) {
-    const solver::FilmGrid& film = setup.film;
-    const solver::FieldView& field = setup.field;
-    const solver::Settings& settings = setup.settings;
-    require(film.columns >= 2 && film.rows >= 2 && film.columns <= 20000 && film.rows <= 20000,
-            "the film needs 2 to 20,000 points along each edge");
-    require(isPositive(film.width) && isPositive(film.depth), "the film's size has to be positive");
-    require(field.distance && std::min({field.size[0], field.size[1], field.size[2]}) >= 2 &&
-                isPositive(field.spacing),
-            "the body's distance field is empty");
-    require(isPositive(setup.motion.speed) && std::isfinite(setup.motion.travel) &&
-                setup.motion.travel >= 0,
-            "the body's speed and travel have to be positive");
-    require(isPositive(settings.timeStep) && settings.iterations >= 1 &&
-                settings.iterations <= 1000,
-            "the time step has to be positive, with 1 to 1,000 iterations");
-    require(std::isfinite(settings.contactDistance) && settings.contactDistance >= 0,
-            "the contact distance cannot be negative");
-    require(settings.threads >= 0, "the number of threads cannot be negative");
-    require(setup.pinned.empty() || setup.pinned.size() == film.pointCount(),
-            "the film's pinned points do not match its points");
-    require(settings.lattice == solver::Lattice::Structural ||
-                settings.support == solver::Support::None,
-            "this solver has no isotropic film on water");
 }
 
 class PaperFilm : public solver::FilmSolver {
@@ -85,7 +56,10 @@ private:
 };
 
 void PaperFilm::begin(const solver::DipSetup& setup) {
-    requireValid(setup);
+    pbd::requireValid(setup);
+    require(setup.settings.lattice == solver::Lattice::Structural ||
+                setup.settings.support == solver::Support::None,
+            "this solver has no isotropic film on water");
     bands_.clear();
     model_ = PaperModel(setup, kernels_);
     const int threads =

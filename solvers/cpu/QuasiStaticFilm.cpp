@@ -2,6 +2,7 @@
 
 #include "cpu/FilmEquilibrium.h"
 #include "pbd/QuasiStaticDip.h"
+#include "pbd/SetupLimits.h"
 
 #include <tbb/task_arena.h>
 
@@ -14,6 +15,7 @@ namespace {
 class QuasiStaticFilm final : public solver::FilmSolver {
 public:
     void begin(const solver::DipSetup& setup) override {
+        pbd::requireValid(setup);
         dip_.reset();
         arena_.emplace(setup.settings.threads > 0 ? setup.settings.threads
                                                   : int(tbb::task_arena::automatic));

@@ -3,7 +3,7 @@
 #include "cuda/Dips.h"
 #include "cuda/FieldUploads.h"
 #include "cuda/PaperStep.cuh"
-#include "cuda/SetupLimits.h"
+#include "pbd/SetupLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,7 +101,7 @@ int stepsOf(const solver::DipSetup& setup, double stepLength) {
 }
 
 void requireKnown(const solver::DipSetup& setup) {
-    requireValid(setup);
+    pbd::requireValid(setup);
     if (setup.settings.relaxation != solver::Relaxation::Jacobi || setup.settings.selfContact) {
         throw std::invalid_argument(
             "the GPU relaxes the paper's film by Jacobi sweeps and does not keep it from meeting "

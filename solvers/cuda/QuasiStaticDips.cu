@@ -3,7 +3,7 @@
 #include "cuda/Dips.h"
 #include "cuda/FieldUploads.h"
 #include "cuda/QuasiStaticStep.cuh"
-#include "cuda/SetupLimits.h"
+#include "pbd/SetupLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -255,7 +255,7 @@ QuasiStaticDips::QuasiStaticDips(const Device& device, Setups setups)
       model_(modelOf(*setups.front(), blocksPerDip_)),
       levels_((use(device), device), model_, blocksPerDip_) {
     for (const solver::DipSetup* setup : setups) {
-        requireValid(*setup);
+        pbd::requireValid(*setup);
     }
     QuasiStaticDip dip;
     const std::size_t bytes = placeArrays(dip, model_, levels_.pointCount(), nullptr);

@@ -87,20 +87,16 @@ void measureCancel(MainWindow& window, const WindowDriver& driver) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-    const QTemporaryDir home;
-    useOwnHome(home.path());
-    DipView::prepareSurfaceFormat();
-    QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("dipwright"));
+    const WindowApplication application(argc, argv);
     QCommandLineParser parser;
     parser.addOptions(
         {{QStringLiteral("points"), {}, QStringLiteral("COLUMNSxROWS"), QStringLiteral("280x396")},
          {QStringLiteral("without-view"), {}}});
     parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
-    parser.process(application);
+    parser.process(*qApp);
     const QStringList points = parser.value(QStringLiteral("points")).split(QLatin1Char('x'));
 
-    Workbench workbench(home.path());
+    Workbench workbench(application.home());
     Preferences preferences = workbench.preferences();
     preferences.liveUpdate = false;
     workbench.setPreferences(preferences);

@@ -232,12 +232,7 @@ private:
 };
 
 int main(int argc, char* argv[]) {
-    const QTemporaryDir home;
-    useOwnHome(home.path());
-    DipView::prepareSurfaceFormat();
-    QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("dipwright"));
-    QApplication::setOrganizationName(QStringLiteral("Dipwright"));
+    const WindowApplication application(argc, argv);
     AccessTest test;
     return QTest::qExec(&test, argc, argv);
 }

@@ -103,12 +103,7 @@ private slots:
 };
 
 int main(int argc, char* argv[]) {
-    const QTemporaryDir home;
-    useOwnHome(home.path());
-    DipView::prepareSurfaceFormat();
-    QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("dipwright"));
-    QApplication::setOrganizationName(QStringLiteral("Dipwright"));
+    const WindowApplication application(argc, argv);
     const QStringList arguments = QApplication::arguments();
     if (arguments.value(1) == QLatin1String("--edit")) {
         return editUntilKilled(arguments.value(2), arguments.value(3));

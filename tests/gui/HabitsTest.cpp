@@ -193,12 +193,7 @@ private:
 };
 
 int main(int argc, char* argv[]) {
-    const QTemporaryDir home;
-    useOwnHome(home.path());
-    DipView::prepareSurfaceFormat();
-    QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("dipwright"));
-    QApplication::setOrganizationName(QStringLiteral("Dipwright"));
+    const WindowApplication application(argc, argv);
     HabitsTest test;
     return QTest::qExec(&test, argc, argv);
 }

@@ -178,12 +178,7 @@ void photographSample(WindowDriver& driver, MainWindow& window, const QString& f
 } // namespace
 
 int main(int argc, char* argv[]) {
-    const QTemporaryDir home;
-    useOwnHome(home.path());
-    DipView::prepareSurfaceFormat();
-    QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("dipwright"));
-    QApplication::setOrganizationName(QStringLiteral("Dipwright"));
+    const WindowApplication application(argc, argv);
     QCommandLineParser parser;
     parser.addOptions(
         {{QStringLiteral("out"), {}, QStringLiteral("FOLDER")},
@@ -194,13 +189,13 @@ int main(int argc, char* argv[]) {
          {QStringLiteral("sample-thumbnail"), {}, QStringLiteral("FILE")},
          {QStringLiteral("only-window"), {}}});
     parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
-    parser.process(application);
-    installLanguage(application, parser.value(QStringLiteral("language")));
+    parser.process(*qApp);
+    installLanguage(*qApp, parser.value(QStringLiteral("language")));
     const Photographer camera(parser.value(QStringLiteral("out")),
                               parser.value(QStringLiteral("prefix")));
     const QStringList size = parser.value(QStringLiteral("size")).split(QLatin1Char('x'));
 
-    Workbench workbench(home.path());
+    Workbench workbench(application.home());
     Preferences preferences = workbench.preferences();
     preferences.theme = parser.value(QStringLiteral("theme")) == QLatin1String("dark")
                             ? ThemeChoice::Dark

@@ -1,5 +1,7 @@
 #include "WindowDriver.h"
 
+#include "viewport/DipView.h"
+
 namespace dipwright {
 
 namespace {
@@ -8,13 +10,17 @@ constexpr int patience = 120'000; // ms, for a slow machine; nothing is asserted
 
 } // namespace
 
-void useOwnHome(const QString& folder) {
-    const QByteArray home = folder.toLocal8Bit();
+WindowApplication::WindowApplication(int& argc, char** argv) {
+    const QByteArray home = home_.path().toLocal8Bit();
     for (const char* variable :
          {"HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME", "XDG_RUNTIME_DIR"}) {
         qputenv(variable, home);
     }
     qputenv("LC_ALL", "C.UTF-8");
+    DipView::prepareSurfaceFormat();
+    application_ = std::make_unique<QApplication>(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("dipwright"));
+    QApplication::setOrganizationName(QStringLiteral("Dipwright"));
 }
 
 bool WindowDriver::open(const QString& path) {

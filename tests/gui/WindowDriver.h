@@ -5,14 +5,25 @@
 #include "main/Workbench.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <memory>
 
 namespace dipwright {
 
-// Settings, caches and recovery copies in a folder of their own. To be called before QApplication.
-void useOwnHome(const QString& folder);
+// The application of a program that drives windows: its settings, caches and recovery copies are in
+// a folder of its own, which goes with it.
+class WindowApplication {
+public:
+    WindowApplication(int& argc, char** argv);
+    QString home() const { return home_.path(); }
+
+private:
+    QTemporaryDir home_;
+    std::unique_ptr<QApplication> application_;
+};
 
 class WindowDriver {
 public:

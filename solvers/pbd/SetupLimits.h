@@ -1,26 +1,32 @@
-#include "cuda/SetupLimits.h"
+// Which dips a film can be begun with.
+#pragma once
+
+#include <dipwright/FilmSolver.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-namespace dipwright::cuda {
+namespace dipwright::pbd {
 
-namespace {
+namespace detail {
 
-void require(bool holds, const char* sentence) {
+inline void require(bool holds, const char* sentence) {
     if (!holds) {
         throw std::invalid_argument(sentence);
     }
 }
 
-bool isPositive(double value) {
+inline bool isPositive(double value) {
     return std::isfinite(value) && value > 0 && value < 1e6;
 }
 
-} // namespace
+} // namespace detail
 
-void requireValid(const solver::DipSetup& setup) {
+// Throws std::invalid_argument with a sentence unless the numbers of `setup` make a dip.
+inline void requireValid(const solver::DipSetup& setup) {
+    using detail::isPositive;
+    using detail::require;
     const solver::FilmGrid& film = setup.film;
     const solver::FieldView& field = setup.field;
     const solver::Settings& settings = setup.settings;
@@ -36,10 +42,13 @@ void requireValid(const solver::DipSetup& setup) {
     require(isPositive(settings.timeStep) && settings.iterations >= 1 &&
                 settings.iterations <= 1000,
             "the time step has to be positive, with 1 to 1,000 iterations");
+    require(isPositive(settings.contactTravel),
+            "the contact line's travel in one step has to be positive");
     require(std::isfinite(settings.contactDistance) && settings.contactDistance >= 0,
             "the contact distance cannot be negative");
+    require(settings.threads >= 0, "the number of threads cannot be negative");
     require(setup.pinned.empty() || setup.pinned.size() == film.pointCount(),
             "the film's pinned points do not match its points");
 }
 
-} // namespace dipwright::cuda
+} // namespace dipwright::pbd
