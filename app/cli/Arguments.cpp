@@ -37,7 +37,7 @@ QImage readPicture(const QString& path) {
     QImageReader::setAllocationLimit(mostPictureMegabytes);
     QImageReader reader(path);
     reader.setDecideFormatFromContent(true);
-    const QImage picture = reader.read();
+    QImage picture = reader.read();
     if (picture.isNull()) {
         throw Error(QStringLiteral("The picture cannot be read: %1").arg(reader.errorString()),
                     path);

@@ -94,7 +94,7 @@ void listPrinters(QTextStream& out) {
 }
 
 PrintTarget printTarget(const QCommandLineParser& parser) {
-    const PrintTarget target{parser.value(printerOption), parser.value(toOption)};
+    PrintTarget target{parser.value(printerOption), parser.value(toOption)};
     if (target.printer.isEmpty() == target.file.isEmpty()) {
         throw UsageError(
             QStringLiteral("Name the printer with --printer NAME (--printers lists them), or a "

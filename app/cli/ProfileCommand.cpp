@@ -46,7 +46,7 @@ private:
     QStringList words_;
 };
 
-void list(Words words, const QCommandLineParser& parser, QTextStream& out) {
+void list(const Words& words, const QCommandLineParser& parser, QTextStream& out) {
     words.finish();
     QJsonArray array;
     for (const ProfileKind kind : {ProfileKind::Printer, ProfileKind::Film, ProfileKind::Tank}) {

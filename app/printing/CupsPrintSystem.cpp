@@ -265,7 +265,7 @@ public:
             throw Error(Text::tr("The printer does not take the job: %1").arg(lastMessage()),
                         task.printer);
         }
-        const PrintJob job{task.printer, id};
+        PrintJob job{task.printer, id};
         const bool sent =
             cupsStartDestDocument(CUPS_HTTP_DEFAULT, dest.get(), info.get(), id, title.constData(),
                                   CUPS_FORMAT_PDF, 0, nullptr, 1) == HTTP_STATUS_CONTINUE &&

@@ -39,7 +39,10 @@ void writeWhole(const QString& path, const std::function<void(QIODevice&)>& writ
 
 void writePrintFile(const Sheet& sheet, const std::optional<PrinterProfile>& profile,
                     const QString& path) {
-    const std::unique_ptr<PrinterColour> colour = profile ? printerColour(*profile) : nullptr;
+    std::unique_ptr<PrinterColour> colour;
+    if (profile) {
+        colour = printerColour(*profile);
+    }
     PrintCorrection correction;
     correction.colour = colour.get();
     if (profile) {

@@ -127,7 +127,7 @@ void BodyActors::addPart(std::size_t material, const std::vector<Eigen::Vector3f
     if (part.triangles.empty()) {
         return;
     }
-    const auto corners = vtkIdType(part.triangles.size() * 3);
+    const auto corners = 3 * vtkIdType(part.triangles.size());
     auto points = vtkSmartPointer<vtkPoints>::New();
     points->SetNumberOfPoints(corners);
     auto shading = vtkSmartPointer<vtkFloatArray>::New();

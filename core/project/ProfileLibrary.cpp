@@ -69,6 +69,7 @@ std::vector<ProfileEntry> ProfileLibrary::profiles(ProfileKind kind) const {
     addFolder(found, kind, folder_);
     addFolder(found, kind, shippedFolder());
     std::vector<ProfileEntry> entries;
+    entries.reserve(found.size());
     for (const auto& [name, entry] : found) {
         entries.push_back(entry);
     }

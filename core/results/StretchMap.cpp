@@ -242,7 +242,9 @@ private:
     // Millimetres along the film's lower or left edge, from its upper left corner.
     void drawRule(QPainter& painter, double length, bool across) const {
         const double step = niceStep(length);
-        for (double mm = 0; mm <= length * 1.0001; mm += step) {
+        const int ticks = int(std::floor(length * 1.0001 / step));
+        for (int number = 0; number <= ticks; ++number) {
+            const double mm = number * step;
             const double share = mm / length;
             const QPointF end = across
                                     ? QPointF(plot_.left() + share * plot_.width(), plot_.bottom())
@@ -273,7 +275,9 @@ private:
         painter.setBrush(gradient);
         painter.drawRect(bar);
         const Scale& scale = subject_.scale;
-        for (double value = scale.low; value < scale.high + scale.step / 2; value += scale.step) {
+        const int ticks = int(std::lround((scale.high - scale.low) / scale.step));
+        for (int number = 0; number <= ticks; ++number) {
+            const double value = scale.low + number * scale.step;
             const double y = bar.bottom() - scale.share(value) * bar.height();
             painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 0.7, y));
             letter(painter, QRectF(bar.right() + 1.2, y - 1, 8, 2),

@@ -69,7 +69,7 @@ vtkNew<vtkPoints> points(const std::vector<Eigen::Vector3f>& positions) {
 
 vtkNew<vtkCellArray> cells(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
     vtkNew<vtkCellArray> result;
-    result->AllocateExact(vtkIdType(triangles.size()), vtkIdType(3 * triangles.size()));
+    result->AllocateExact(vtkIdType(triangles.size()), 3 * vtkIdType(triangles.size()));
     for (const auto& corners : triangles) {
         result->InsertNextCell(
             {vtkIdType(corners[0]), vtkIdType(corners[1]), vtkIdType(corners[2])});

@@ -45,8 +45,9 @@ double powerOfTenBelow(double value) {
 // Out to whole powers of ten.
 Scale logarithmicScale(double low, double high) {
     Scale scale{true, powerOfTenBelow(low), 10 * powerOfTenBelow(high), {}};
-    for (double tick = scale.first; tick <= 1.001 * scale.last; tick *= 10) {
-        scale.ticks.push_back(tick);
+    const int decades = int(std::lround(std::log10(scale.last / scale.first)));
+    for (int decade = 0; decade <= decades; ++decade) {
+        scale.ticks.push_back(scale.first * std::pow(10, decade));
     }
     return scale;
 }
@@ -60,9 +61,10 @@ Scale linearScale(double high) {
             break;
         }
     }
-    Scale scale{false, 0, step * std::ceil(high / step), {}};
-    for (double tick = 0; tick <= scale.last + step / 2; tick += step) {
-        scale.ticks.push_back(tick);
+    const int steps = int(std::ceil(high / step));
+    Scale scale{false, 0, steps * step, {}};
+    for (int tick = 0; tick <= steps; ++tick) {
+        scale.ticks.push_back(tick * step);
     }
     return scale;
 }

@@ -31,6 +31,7 @@ double secondsOf(const Work& work) {
 template <typename Work>
 Statistics timed(int runs, const Work& work) {
     std::vector<double> seconds;
+    seconds.reserve(std::size_t(runs));
     for (int run = 0; run < runs; ++run) {
         seconds.push_back(secondsOf(work));
     }

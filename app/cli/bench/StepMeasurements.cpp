@@ -73,6 +73,7 @@ std::vector<DippedFilm> dips(const BenchSolver& solver, const BenchBodies::Body&
     const PosedBody posed = posedBody(*body.model, body.immersion);
     const solver::SolverModule& module = solver.registry.module(solver.id);
     std::vector<DippedFilm> films;
+    films.reserve(std::size_t(solver.runs));
     for (int run = 0; run < solver.runs; ++run) {
         films.push_back(simulateDip(
             posed, field, body.immersion, project.film, project.process, module,
@@ -177,6 +178,7 @@ std::vector<TimedRow> measureDips(const BenchSolver& solver, BenchBodies& bodies
         const std::vector<DippedFilm> films = dips(
             solver, sphere, field, projectOf(preset, columns, rows), progress.part(begin, end));
         std::vector<double> seconds;
+        seconds.reserve(films.size());
         for (const DippedFilm& film : films) {
             seconds.push_back(film.wallSeconds);
         }

@@ -46,7 +46,7 @@ void forgetRecentProject(const QString& path) {
 
 QImage projectThumbnail(const QString& path) {
     const QFileInfo file(path);
-    const QImage kept(thumbnailPath(file.absoluteFilePath()));
+    QImage kept(thumbnailPath(file.absoluteFilePath()));
     if (!kept.isNull() || !sampleProjects().contains(file.canonicalFilePath())) {
         return kept;
     }

@@ -123,7 +123,7 @@ bool systemIsDark() {
 
 void applyTheme(QApplication& application, Theme theme) {
     static const bool desktopIsDark = systemIsDark();
-    application.setStyle(new WorkbenchStyle);
+    application.setStyle(new WorkbenchStyle); // NOLINT: it is the application's own now
     application.setPalette(
         themePalette(theme == Theme::Dark || (theme == Theme::System && desktopIsDark)));
 }

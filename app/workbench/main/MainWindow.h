@@ -60,7 +60,7 @@ public:
 
     void selectImmersion(std::size_t number);
 
-public slots:
+public slots: // NOLINT: moc reads it
     void newProject(const QString& model = {});
     void open();
     bool save();   // false: not saved

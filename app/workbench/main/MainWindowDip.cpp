@@ -145,7 +145,7 @@ void MainWindow::wearPicture(const QString& path) {
         tr("Reading the picture"),
         [path](const Progress&) {
             QImageReader reader(path);
-            const QImage picture = reader.read();
+            QImage picture = reader.read();
             if (picture.isNull()) {
                 throw Error(tr("The picture cannot be read: %1").arg(reader.errorString()), path);
             }
