@@ -43,7 +43,7 @@ void drawLaw(QPainter& painter, const QRectF& frame, const std::vector<PhysicsRe
                        plot.bottom() - plot.height() * radius / longest);
     };
     const QFontMetricsF metrics(painter.font());
-    for (double tick = 0; tick <= longest; tick += 10) {
+    for (int tick = 0; tick <= int(longest); tick += 10) {
         painter.setPen(QPen(QColor(225, 225, 225), 1));
         painter.drawLine(at(tick, 0), at(tick, longest));
         painter.drawLine(at(0, tick), at(longest, tick));

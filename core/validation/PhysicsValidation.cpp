@@ -50,8 +50,9 @@ struct DipRun {
     Eigen::Vector2d rest(std::size_t point) const {
         const solver::FilmGrid& film = setup.film;
         const std::size_t columns = std::size_t(film.columns);
-        return {-film.width / 2 + double(point % columns) * film.spacingX(),
-                -film.depth / 2 + double(point / columns) * film.spacingZ()};
+        const std::size_t column = point % columns, row = point / columns;
+        return {-film.width / 2 + double(column) * film.spacingX(),
+                -film.depth / 2 + double(row) * film.spacingZ()};
     }
     // With the pole of the body at the origin.
     Eigen::Vector3d onBody(std::size_t point) const {

@@ -45,14 +45,14 @@ using CellStiffness = std::array<std::array<float, 8>, 8>;
 
 inline CellStiffness cellStiffness(double hx, double hz) {
     std::array<std::array<double, 8>, 8> sum{};
-    for (int horizontal = 0; horizontal < 2; ++horizontal) {
-        for (int vertical = 0; vertical < 2; ++vertical) {
+    for (std::size_t horizontal = 0; horizontal < 2; ++horizontal) {
+        for (std::size_t vertical = 0; vertical < 2; ++vertical) {
             std::array<double, 8> a{}, b{}, c{}, d{}; // F − 1 from the nodes
-            const int h0 = 2 * horizontal, h1 = h0 + 1, v0 = vertical, v1 = vertical + 2;
-            a[std::size_t(2 * h1)] += 1 / hx, a[std::size_t(2 * h0)] -= 1 / hx;
-            c[std::size_t(2 * h1 + 1)] += 1 / hx, c[std::size_t(2 * h0 + 1)] -= 1 / hx;
-            b[std::size_t(2 * v1)] += 1 / hz, b[std::size_t(2 * v0)] -= 1 / hz;
-            d[std::size_t(2 * v1 + 1)] += 1 / hz, d[std::size_t(2 * v0 + 1)] -= 1 / hz;
+            const std::size_t h0 = 2 * horizontal, h1 = h0 + 1, v0 = vertical, v1 = vertical + 2;
+            a[2 * h1] += 1 / hx, a[2 * h0] -= 1 / hx;
+            c[2 * h1 + 1] += 1 / hx, c[2 * h0 + 1] -= 1 / hx;
+            b[2 * v1] += 1 / hz, b[2 * v0] -= 1 / hz;
+            d[2 * v1 + 1] += 1 / hz, d[2 * v0 + 1] -= 1 / hz;
             for (std::size_t m = 0; m < 8; ++m) {
                 for (std::size_t n = 0; n < 8; ++n) {
                     sum[m][n] += hx * hz / 4 *

@@ -67,8 +67,9 @@ private:
 
     Vector3<Real> rest(std::size_t point) const {
         const std::size_t columns = std::size_t(grid_.columns);
-        return {Real(-grid_.width / 2 + double(point % columns) * grid_.spacingX()), Real(0),
-                Real(-grid_.depth / 2 + double(point / columns) * grid_.spacingZ())};
+        const std::size_t column = point % columns, row = point / columns;
+        return {Real(-grid_.width / 2 + double(column) * grid_.spacingX()), Real(0),
+                Real(-grid_.depth / 2 + double(row) * grid_.spacingZ())};
     }
     Vector3<Real> planePosition(const Vector& displacement, std::size_t point) const {
         return rest(point) + Vector3<Real>{displacement.x[point], Real(0), displacement.z[point]};
