@@ -209,21 +209,6 @@ void upload(Value* to, const std::vector<Value>& values) {
     check(cudaMemcpy(to, values.data(), values.size() * sizeof(Value), cudaMemcpyHostToDevice));
 }
 
-std::vector<int> trianglesPerPoint(const solver::FilmGrid& film) {
-    std::vector<int> counts(film.pointCount());
-    for (int row = 0; row + 1 < film.rows; ++row) {
-        for (int column = 0; column + 1 < film.columns; ++column) {
-            for (const bool second : {false, true}) {
-                const auto corners = pbd::triangleCorners(film.columns, column, row, second);
-                for (const std::uint32_t point : corners.points) {
-                    ++counts[point];
-                }
-            }
-        }
-    }
-    return counts;
-}
-
 class QuasiStaticDips final : public Dips {
 public:
     QuasiStaticDips(const Device& device, Setups setups);
@@ -283,7 +268,7 @@ void QuasiStaticDips::layFlat(const solver::DipSetup& setup, const QuasiStaticDi
         free[point] = setup.pinned[point] ? 0.0f : 1.0f;
     }
     upload(dip.free, free);
-    upload(dip.holding, trianglesPerPoint(film_));
+    upload(dip.holding, pbd::trianglesPerPoint(film_));
     const float4 shape{float(1 / film_.spacingX()), 0, 0, float(1 / film_.spacingZ())};
     upload(dip.inverseShape,
            std::vector<float4>(2 * std::size_t(film_.columns - 1) * std::size_t(film_.rows - 1),

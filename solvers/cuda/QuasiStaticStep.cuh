@@ -5,6 +5,7 @@
 
 #include "cuda/PlaneForces.cuh"
 #include "pbd/NewtonLimits.h"
+#include "pbd/StepLength.h"
 #include "pbd/WaterDrag.h"
 
 #include <dipwright/FilmSolver.h>
@@ -32,7 +33,7 @@ public:
         }
         bool hasTouched = false;
         if (state_.anyAdhered) {
-            relax(float(keptStress(increment)));
+            relax(float(pbd::keptStress(increment, dip_.body.motion.speed, model_.relaxationTime)));
         }
         touch(increment, hasTouched);
         agree(hasTouched);
@@ -81,13 +82,10 @@ private:
                                     triangle % 2 != 0);
     }
 
-    // Descent in which the contact line travels `contactTravel` cells along the surface.
     __device__ double nextIncrement() {
         const double travel = model_.contactTravel * double(model_.cell);
-        if (!state_.anyAdhered) { // nothing has touched: as far as the nearest point is away
-            return fmax(nearestClearance(), 0.1 * travel);
-        }
-        return travel * double(fmaxf(state_.steepness, 0.15f));
+        return state_.anyAdhered ? pbd::contactIncrement(travel, double(state_.steepness))
+                                 : pbd::approachIncrement(travel, nearestClearance());
     }
 
     __device__ double nearestClearance() {
@@ -120,11 +118,6 @@ private:
             }
             dip_.before[point] = now;
         });
-    }
-
-    __device__ double keptStress(double increment) const {
-        const double time = increment / dip_.body.motion.speed;
-        return model_.relaxationTime > 0 ? exp(-time / model_.relaxationTime) : 0.0;
     }
 
     // The triangles that cross the contact line with the body at `descent`; with `sets`, their

@@ -6,7 +6,10 @@
 
 #include "pbd/PlaneStress.h"
 
+#include <dipwright/FilmSolver.h>
+
 #include <cstdint>
+#include <vector>
 
 namespace dipwright::pbd {
 
@@ -31,6 +34,22 @@ DIPWRIGHT_HOST_DEVICE inline TriangleCorners triangleCorners(int columns, int co
     const std::uint32_t base = second ? upper : lower;
     const std::uint32_t third = (second ? lower : upper) + (onRight ? 1 : 0);
     return {{base, base + 1, third}, onRight, !second};
+}
+
+// How many triangles meet in each point.
+inline std::vector<int> trianglesPerPoint(const solver::FilmGrid& film) {
+    std::vector<int> counts(film.pointCount(), 0);
+    for (int row = 0; row + 1 < film.rows; ++row) {
+        for (int column = 0; column + 1 < film.columns; ++column) {
+            for (const bool second : {false, true}) {
+                for (const std::uint32_t point :
+                     triangleCorners(film.columns, column, row, second).points) {
+                    ++counts[point];
+                }
+            }
+        }
+    }
+    return counts;
 }
 
 // x and z of a triangle's horizontal and vertical edge, from lower to higher grid index; or of the

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "pbd/FilmContact.h"
+#include "pbd/StepLength.h"
 #include "pbd/WaterDrag.h"
 
 #include <dipwright/FilmSolver.h>
@@ -89,7 +90,8 @@ private:
                  equilibrium_.tornCrossing(displacement_, settings_.tearStretch)) {
                 release(crossing[torn].cell, crossing[torn].second);
             }
-            equilibrium_.relax(displacement_, keptStress(increment));
+            equilibrium_.relax(displacement_,
+                               keptStress(increment, body_.motion.speed, settings_.relaxationTime));
         }
         const std::vector<std::size_t> touching = touchingPoints(increment, frame);
         for (const std::size_t point : touching) {
@@ -108,19 +110,10 @@ private:
         ++steps_;
     }
 
-    // The share of its stress that the film keeps over a step.
-    double keptStress(double increment) const {
-        const double time = increment / body_.motion.speed;
-        return settings_.relaxationTime > 0 ? std::exp(-time / settings_.relaxationTime) : 0.0;
-    }
-
-    // Descent in which the contact line travels settings.contactTravel cells along the surface.
     double nextIncrement() const {
         const double travel = settings_.contactTravel * double(cell());
-        if (!anyAdhered_) { // nothing has touched: as far as the nearest point is away
-            return std::max(nearestClearance(), 0.1 * travel);
-        }
-        return travel * double(std::max(steepness_, Real(0.15)));
+        return anyAdhered_ ? contactIncrement(travel, double(steepness_))
+                           : approachIncrement(travel, nearestClearance());
     }
 
     double nearestClearance() const {
@@ -168,23 +161,6 @@ private:
                 freeChanged_ = true;
             }
         }
-    }
-
-    // How many triangles meet in each point.
-    static std::vector<std::uint8_t> trianglesPerPoint(const solver::FilmGrid& grid) {
-        std::vector<std::uint8_t> counts(grid.pointCount(), 0);
-        for (int row = 0; row + 1 < grid.rows; ++row) {
-            for (int column = 0; column + 1 < grid.columns; ++column) {
-                for (const bool second : {false, true}) {
-                    const TriangleCorners triangle =
-                        triangleCorners(grid.columns, column, row, second);
-                    for (const std::uint32_t point : triangle.points) {
-                        ++counts[point];
-                    }
-                }
-            }
-        }
-        return counts;
     }
 
     // Unfolds the surface under every triangle that crosses the contact line. Where there is no
@@ -297,7 +273,7 @@ private:
     std::vector<Vector3<Real>> attached_; // where an adhered point sits, body coordinates
     std::vector<float> free_;             // 1: the equilibrium moves it
     std::vector<Real> clearance_;         // how far from contact a free point is at least
-    std::vector<std::uint8_t> holding_;   // triangles of a point that have not come off
+    std::vector<int> holding_;            // triangles of a point that have not come off
     std::vector<std::uint8_t> released_; // two triangles a cell: 1 once the film has come off there
     Real steepness_ = Real(1);           // the least of all contact-line places
     double descent_ = 0, increment_ = 0;
