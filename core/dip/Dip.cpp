@@ -49,42 +49,34 @@ Eigen::Vector3d poseToWorld(const Immersion& immersion, double descent) {
 // The solver's film and the loop that drives it. Exceptions of the module pass through.
 class Run {
 public:
-    Run(const solver::DipSetup& setup, const solver::SolverModule& module)
-        : setup_(setup), solver_(module.create()), positions_(3 * setup.film.pointCount()),
-          states_(setup.film.pointCount()) {}
+    Run(solver::DipSetup setup, const solver::SolverModule& module)
+        : dip_{std::move(setup), {}, {}, 0}, solver_(module.create()) {
+        dip_.positions.resize(3 * dip_.setup.film.pointCount());
+        dip_.states.resize(dip_.setup.film.pointCount());
+    }
 
     void toTheEnd(const Progress& progress, const FilmObserver& observer) {
-        timed([&] { solver_->begin(setup_); });
+        timed([&] { solver_->begin(dip_.setup); });
         Clock::time_point lastShown = Clock::now() - observerInterval;
         while (!state_.finished) {
-            progress(state_.descent / setup_.motion.travel, Text::tr("Dipping"));
+            progress(state_.descent / dip_.setup.motion.travel, Text::tr("Dipping"));
             if (observer && Clock::now() - lastShown >= observerInterval) {
                 lastShown = Clock::now();
                 show(observer);
             }
             advance();
         }
-        solver_->read(positions_, states_);
+        solver_->read(dip_.positions, dip_.states);
+        dip_.steps = state_.steps;
         if (observer) {
-            observer({positions_, states_, state_.descent, state_.steps});
+            observer({dip_.positions, dip_.states, state_.descent, state_.steps});
         }
         progress(1, Text::tr("Dipping"));
     }
 
     DippedFilm film(const Immersion& immersion) const {
-        DippedFilm film;
-        film.grid = setup_.film;
-        film.isotropic = setup_.settings.lattice == solver::Lattice::Isotropic;
-        film.states = states_;
-        film.steps = state_.steps;
+        DippedFilm film = dippedFilm(dip_, immersion);
         film.wallSeconds = seconds_;
-        const Eigen::Vector3d shift = poseToWorld(immersion, state_.descent);
-        film.positions.reserve(states_.size());
-        for (std::size_t point = 0; point < states_.size(); ++point) {
-            const Eigen::Vector3d world =
-                Eigen::Map<const Eigen::Vector3f>(&positions_[3 * point]).cast<double>();
-            film.positions.push_back((world - shift).cast<float>());
-        }
         return film;
     }
 
@@ -110,29 +102,23 @@ private:
         }
     }
     void show(const FilmObserver& observer) {
-        solver_->read(positions_, states_);
-        observer({positions_, states_, state_.descent, state_.steps});
+        solver_->read(dip_.positions, dip_.states);
+        observer({dip_.positions, dip_.states, state_.descent, state_.steps});
     }
 
-    const solver::DipSetup& setup_;
+    solver::BatchItem dip_;
     std::unique_ptr<solver::FilmSolver> solver_;
-    std::vector<float> positions_;
-    std::vector<solver::PointState> states_;
     solver::Progress state_;
     int stepsAtOnce_ = 1;
     double seconds_ = 0;
 };
 
-// A film point may move by much, but not by many times the film and the way the body goes.
 void requireStable(const DippedFilm& film, double travel, const QString& where) {
-    const double farthest = 10 * (film.grid.width + film.grid.depth + travel);
-    for (const Eigen::Vector3f& position : film.positions) {
-        if (!position.allFinite() || double(position.cwiseAbs().maxCoeff()) > farthest) {
-            throw Error(
-                Text::tr(
-                    "The simulation became unstable; choose a smaller time step or contact travel"),
-                where);
-        }
+    if (!isStable(film, travel)) {
+        throw Error(
+            Text::tr(
+                "The simulation became unstable; choose a smaller time step or contact travel"),
+            where);
     }
 }
 
@@ -170,6 +156,30 @@ solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
     setup.settings.tearStretch = process.tearStretch;
     setup.pinned = pinnedPoints(film);
     return setup;
+}
+
+DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion) {
+    DippedFilm film;
+    film.grid = dip.setup.film;
+    film.isotropic = dip.setup.settings.lattice == solver::Lattice::Isotropic;
+    film.states = dip.states;
+    film.steps = dip.steps;
+    const Eigen::Vector3d shift = poseToWorld(immersion, dip.setup.motion.travel);
+    film.positions.reserve(dip.states.size());
+    for (std::size_t point = 0; point < dip.states.size(); ++point) {
+        const Eigen::Vector3d world =
+            Eigen::Map<const Eigen::Vector3f>(&dip.positions[3 * point]).cast<double>();
+        film.positions.push_back((world - shift).cast<float>());
+    }
+    return film;
+}
+
+bool isStable(const DippedFilm& film, double travel) {
+    const double farthest = 10 * (film.grid.width + film.grid.depth + travel);
+    return std::all_of(
+        film.positions.begin(), film.positions.end(), [&](const Eigen::Vector3f& position) {
+            return position.allFinite() && double(position.cwiseAbs().maxCoeff()) <= farthest;
+        });
 }
 
 DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,

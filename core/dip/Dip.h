@@ -44,6 +44,11 @@ solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process);
 
+// The film as a solver has left it at the end of `dip`, which was set up for `immersion`.
+DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion);
+// Film points may move by much, but not by many times the film and the way the body goes.
+bool isStable(const DippedFilm& film, double travel);
+
 // Runs the dip on `module`. `observer` (may be empty) is called from the working thread, at most
 // about thirty times a second. Throws Error when the solver fails or the body never meets the film;
 // Cancelled within one step, or some milliseconds of steps, of being cancelled.

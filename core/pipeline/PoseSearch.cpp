@@ -104,25 +104,6 @@ FilmSettings coarseFilm(FilmSettings film, const TriangleMesh& mesh) {
     return film;
 }
 
-DippedFilm dippedFilm(const solver::BatchItem& item) {
-    DippedFilm film;
-    film.grid = item.setup.film;
-    film.isotropic = item.setup.settings.lattice == solver::Lattice::Isotropic;
-    film.states = item.states;
-    film.steps = item.steps;
-    const auto shift = float(startHeight - item.setup.motion.travel);
-    for (std::size_t point = 0; point < item.states.size(); ++point) {
-        const float* p = item.positions.data() + 3 * point;
-        film.positions.emplace_back(p[0], p[1] - shift, p[2]);
-    }
-    return film;
-}
-
-bool isSound(const DippedFilm& film) {
-    return std::all_of(film.positions.begin(), film.positions.end(),
-                       [](const Eigen::Vector3f& position) { return position.allFinite(); });
-}
-
 class Search {
 public:
     Search(const Project& project, const solver::SolverModule& module,
@@ -138,7 +119,7 @@ public:
         for (const Eigen::Vector3d& down : directions(options_.candidates)) {
             poses_.push_back(immersionFor(mesh_, down, filmGrid(film_)));
         }
-        qualities_.resize(poses_.size());
+        qualities_.resize(poses_.size(), std::vector<float>(samples_.size(), 0.f));
         for (std::size_t begin = 0; begin < poses_.size(); begin += batchSize) {
             const double share = 0.05 + (simulated - 0.05) * double(begin) / double(poses_.size());
             progress_(share, Text::tr("Trying poses"));
@@ -159,7 +140,11 @@ private:
         }
         simulate(items);
         tbb::parallel_for(begin, end, [&](std::size_t index) {
-            qualities_[index] = judged(dippedFilm(items[index - begin]), bodies[index - begin]);
+            const solver::BatchItem& item = items[index - begin];
+            const DippedFilm film = dippedFilm(item, poses_[index]);
+            if (isStable(film, item.setup.motion.travel)) {
+                qualities_[index] = judged(film, bodies[index - begin]);
+            }
         });
     }
 
@@ -180,9 +165,6 @@ private:
     // A quality for each sample: 0 where nothing is painted, never below a trace where it is.
     std::vector<float> judged(const DippedFilm& film, const PosedBody& body) const {
         std::vector<float> qualities(samples_.size(), 0.f);
-        if (!isSound(film)) {
-            return qualities;
-        }
         const SurfaceQuery query(body.model.mesh);
         const FilmContact contact = locateFilm(film, body, query, process_);
         const FilmOnBody filmOnBody(film, contact, body);

@@ -7,14 +7,14 @@
 // TRAVEL is how many cells the contact line travels in one step. Each variant is compared with the
 // first. "A4" is the film, 128³ the field.
 
-#include "cpu/QuasiStaticFilm.h"
+#include "dip/Dip.h"
 #include "dip/FilmOnBody.h"
 #include "model/ImportModel.h"
 #include "pipeline/SurfaceSamples.h"
+#include "solver/SolverRegistry.h"
 
 #include <QGuiApplication>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -31,6 +31,11 @@ struct Variant {
 };
 
 struct Body {
+    Body(const TexturedMesh& model, const Immersion& held)
+        : immersion(held), posed(posedBody(model, held)),
+          field(buildDistanceField(model.mesh, 128, {})), query(posed.model.mesh),
+          samples(spreadOverSurface(posed.model.mesh, samplesOfBody)) {}
+
     Immersion immersion;
     PosedBody posed;
     DistanceField field;
@@ -44,35 +49,17 @@ struct Sheet {
     std::vector<std::uint8_t> painted;
 };
 
-Sheet sheet(const Body& body, const Variant& variant) {
+Sheet sheet(const Body& body, const Variant& variant, const solver::SolverModule& solver) {
     FilmSettings settings;
     settings.columns = variant.columns;
     settings.rows = variant.rows;
-    const ProcessSettings process;
-    solver::DipSetup setup = dipSetup(body.posed, body.field, body.immersion, settings, process);
-    setup.settings.contactTravel = variant.travel;
-
-    const auto start = std::chrono::steady_clock::now();
-    const std::unique_ptr<solver::FilmSolver> solver = cpu::makeQuasiStaticFilm();
-    solver->begin(setup);
-    solver::Progress progress;
-    while (!progress.finished) {
-        progress = solver->advance(16);
-    }
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    ProcessSettings process;
+    process.contactTravel = variant.travel;
+    const DippedFilm film =
+        simulateDip(body.posed, body.field, body.immersion, settings, process, solver, {}, {});
     std::printf("%d x %d, travel %g: %lld steps, %.1f s\n", variant.columns, variant.rows,
-                variant.travel, static_cast<long long>(progress.steps), time.count());
+                variant.travel, static_cast<long long>(film.steps), film.wallSeconds);
 
-    std::vector<float> positions(3 * setup.film.pointCount());
-    DippedFilm film;
-    film.grid = setup.film;
-    film.states.resize(setup.film.pointCount());
-    solver->read(positions, film.states);
-    for (std::size_t point = 0; point < film.states.size(); ++point) {
-        film.positions.emplace_back(
-            positions[3 * point], positions[3 * point + 1] + float(progress.descent - startHeight),
-            positions[3 * point + 2]);
-    }
     const FilmContact contact = locateFilm(film, body.posed, body.query, process);
     const FilmOnBody onBody(film, contact, body.posed);
     Sheet result;
@@ -127,12 +114,9 @@ int main(int argc, char** argv) {
     double x = 0, y = 0, z = 0;
     const bool isTurned = std::sscanf(argv[3], "turned=%lf,%lf,%lf", &x, &y, &z) == 3;
     immersion.rotation = {Degrees(x), Degrees(y), Degrees(z)};
-    Body body{immersion,
-              posedBody(imported.model, immersion),
-              buildDistanceField(imported.model.mesh, 128, {}),
-              SurfaceQuery(posedBody(imported.model, immersion).model.mesh),
-              {}};
-    body.samples = spreadOverSurface(body.posed.model.mesh, samplesOfBody);
+    const Body body(imported.model, immersion);
+    const SolverRegistry registry({QStringLiteral(DIPWRIGHT_PLUGINS)});
+    const solver::SolverModule& solver = registry.module(QStringLiteral("pbd-cpu"));
     std::unique_ptr<Sheet> first;
     for (int i = isTurned ? 4 : 3; i < argc; ++i) {
         Variant variant;
@@ -141,7 +125,7 @@ int main(int argc, char** argv) {
             std::fprintf(stderr, "%s is not COLUMNSxROWS,TRAVEL\n", argv[i]);
             return 2;
         }
-        const Sheet result = sheet(body, variant);
+        const Sheet result = sheet(body, variant, solver);
         if (first) {
             compare(body, *first, result);
         } else {

@@ -116,6 +116,7 @@ private Q_SLOTS:
     void setupGoesUnderByTheMarginOrToTheDepth();
     void setupCarriesTheFilm();
     void resultIsInThePoseFrame();
+    void batchedDipEndsInThePoseFrameToo();
     void progressGrowsToTheEnd();
     void observerSeesTheLastFrame();
     void cancellingStopsWithTheNextSteps();
@@ -182,6 +183,26 @@ void DipTest::resultIsInThePoseFrame() {
     QVERIFY((film.positions[5] - Eigen::Vector3f(rest.x() - 12, 42, rest.y() + 7)).norm() < 1e-3f);
     QVERIFY(film.adhered(film.grid.pointCount() / 2));
     QVERIFY(!film.adhered(0));
+}
+
+void DipTest::batchedDipEndsInThePoseFrameToo() {
+    Dip dip;
+    dip.immersion.offset = {Millimetres(12), Millimetres(-7)};
+    Script script;
+    const DippedFilm alone = dip.run(script);
+
+    solver::BatchItem item;
+    item.setup = dipSetup(dip.body, dip.field, dip.immersion, dip.film, dip.process);
+    item.positions.resize(3 * item.setup.film.pointCount());
+    item.states.resize(item.setup.film.pointCount());
+    ScriptedSolver solver(script);
+    solver.begin(item.setup);
+    item.steps = solver.advance(script.steps).steps;
+    solver.read(item.positions, item.states);
+    const DippedFilm batched = dippedFilm(item, dip.immersion);
+    QCOMPARE(batched.steps, alone.steps);
+    QVERIFY(batched.positions == alone.positions);
+    QVERIFY(batched.states == alone.states);
 }
 
 void DipTest::progressGrowsToTheEnd() {
