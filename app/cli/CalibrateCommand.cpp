@@ -133,7 +133,7 @@ public:
             request.printer = target.printer;
             request.acceptOtherPaper = acceptsOtherPaper(parser);
             const PrintPlan plan = planCalibration(*system, page, request);
-            printAndTell(*system, plan, console.progress(), console.out());
+            printAndTell(*system, {plan}, console.progress(), console.out());
         }
         tellLengths(page, console.out());
     }

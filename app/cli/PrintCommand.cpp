@@ -42,26 +42,23 @@ void checkBefore(PrintSystem& system, const Project& project, const PrintRequest
     planPrint(system, blank, request);
 }
 
-// All sheets are judged before the first is sent, so that a job is never printed by half.
 void printSheets(PrintSystem& system, const JobResult& result, const PrintRequest& request,
                  const Progress& progress, QTextStream& out) {
-    std::vector<PrintPlan> plans;
+    std::vector<Sheet> sheets;
     for (const ImmersionResult& immersion : result.immersions) {
-        plans.push_back(planPrint(system, immersion.sheet, request));
-        for (const QString& warning : plans.back().warnings) {
-            out << QStringLiteral("%1: %2\n").arg(immersion.immersion.name, warning);
+        sheets.push_back(immersion.sheet);
+    }
+    const std::vector<PrintPlan> plans = planPrints(system, sheets, request);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        for (const QString& warning : plans[i].warnings) {
+            out << QStringLiteral("%1: %2\n").arg(sheets[i].job.immersion, warning);
         }
     }
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-        const double share = 1.0 / double(plans.size());
-        printAndTell(system, plans[i], progress.part(double(i) * share, double(i + 1) * share),
-                     out);
-    }
+    printAndTell(system, plans, progress, out);
 }
 
 void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& path) {
-    const std::unique_ptr<PrinterColour> colour =
-        request.profile ? printerColour(*request.profile) : nullptr;
+    const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     if (!colour) {
         throw Error(QStringLiteral("A soft proof needs a printer profile with an ICC profile"),
                     path);
@@ -71,8 +68,7 @@ void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& 
 }
 
 void tellGamut(const Sheet& sheet, const PrintRequest& request, QTextStream& out) {
-    const std::unique_ptr<PrinterColour> colour =
-        request.profile ? printerColour(*request.profile) : nullptr;
+    const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     if (colour) {
         const double share = colour->gamutWarning(sheet.image).share;
         out << QStringLiteral("%1: %2 % of the printed colour is out of the printer's reach\n")

@@ -33,17 +33,6 @@ QString mediaWords(const PrinterMedia& media) {
              media.ready ? QString() : QStringLiteral(", not loaded"));
 }
 
-// followJob, whose cancelling is told as what it is for a printer.
-JobState followed(PrintSystem& system, const PrintJob& job, const Progress& progress) {
-    try {
-        return followJob(system, job, progress);
-    } catch (const Cancelled&) {
-        throw Error(QStringLiteral("Cancelled; the job was taken back, what the printer had begun "
-                                   "may still come out"),
-                    job.printer);
-    }
-}
-
 } // namespace
 
 void declarePrinter(QCommandLineParser& parser) {
@@ -121,16 +110,25 @@ PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& t
     return request;
 }
 
-void printAndTell(PrintSystem& system, const PrintPlan& plan, const Progress& progress,
-                  QTextStream& out) {
-    const PrintJob job = system.submit(plan.task);
-    const JobState state = followed(system, job, progress);
-    out << (state == JobState::Printed
-                ? QStringLiteral("Printed %1 on %2, job %3\n")
-                : QStringLiteral("Handed %1 over to %2, which does not tell when it is printed\n"))
-               .arg(plan.task.title, job.printer)
-               .arg(job.id);
-    out.flush();
+void printAndTell(PrintSystem& system, const std::vector<PrintPlan>& plans,
+                  const Progress& progress, QTextStream& out) {
+    const auto tell = [&](const PrintTask& task, const PrintJob& job, JobState state) {
+        out << (state == JobState::Printed
+                    ? QStringLiteral("Printed %1 on %2, job %3\n")
+                          .arg(task.title, job.printer)
+                          .arg(job.id)
+                    : QStringLiteral(
+                          "Handed %1 over to %2, which does not tell when it is printed\n")
+                          .arg(task.title, job.printer));
+        out.flush();
+    };
+    try {
+        printPlans(system, plans, progress, tell);
+    } catch (const Cancelled&) {
+        throw Error(QStringLiteral("Cancelled; the job was taken back, what the printer had begun "
+                                   "may still come out"),
+                    plans.front().task.printer);
+    }
 }
 
 } // namespace dipwright::cli

@@ -24,8 +24,8 @@ PrintTarget printTarget(const QCommandLineParser& parser);
 // With the profile of --profile, else the `remembered` one. Throws Error for an unknown profile.
 PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& target,
                           const std::optional<PrinterProfile>& remembered);
-// Submits, follows to the end, and tells in a line what became of it.
-void printAndTell(PrintSystem& system, const PrintPlan& plan, const Progress& progress,
-                  QTextStream& out);
+// Prints what was planned, and tells in a line what became of each job.
+void printAndTell(PrintSystem& system, const std::vector<PrintPlan>& plans,
+                  const Progress& progress, QTextStream& out);
 
 } // namespace dipwright::cli

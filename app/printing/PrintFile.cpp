@@ -14,11 +14,22 @@ struct Text {
 
 } // namespace
 
-std::unique_ptr<PrinterColour> printerColour(const PrinterProfile& profile) {
-    return profile.iccProfile.isEmpty()
+std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>& profile) {
+    return !profile || profile->iccProfile.isEmpty()
                ? nullptr
-               : std::make_unique<PrinterColour>(profile.iccProfile, profile.intent,
-                                                 profile.blackPoint, profile.name);
+               : std::make_unique<PrinterColour>(profile->iccProfile, profile->intent,
+                                                 profile->blackPoint, profile->name);
+}
+
+PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
+                                const PrinterColour* colour) {
+    PrintCorrection correction;
+    correction.colour = colour;
+    if (profile) {
+        correction.scaleX = profile->scaleX;
+        correction.scaleY = profile->scaleY;
+    }
+    return correction;
 }
 
 bool isTiff(const QString& path) {
@@ -39,16 +50,8 @@ void writeWhole(const QString& path, const std::function<void(QIODevice&)>& writ
 
 void writePrintFile(const Sheet& sheet, const std::optional<PrinterProfile>& profile,
                     const QString& path) {
-    std::unique_ptr<PrinterColour> colour;
-    if (profile) {
-        colour = printerColour(*profile);
-    }
-    PrintCorrection correction;
-    correction.colour = colour.get();
-    if (profile) {
-        correction.scaleX = profile->scaleX;
-        correction.scaleY = profile->scaleY;
-    }
+    const std::unique_ptr<PrinterColour> colour = printerColour(profile);
+    const PrintCorrection correction = printCorrection(profile, colour.get());
     writeWhole(path, [&](QIODevice& device) {
         if (isTiff(path)) {
             writeSheetTiff(sheet, device, correction);

@@ -6,11 +6,15 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace dipwright {
 
-// The profile's colours; null where it has none. Throws Error.
-std::unique_ptr<PrinterColour> printerColour(const PrinterProfile& profile);
+// The profile's colours; null where it has none, or there is no profile. Throws Error.
+std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>& profile);
+// The profile's scales, true size without one, with these colours (may be null).
+PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
+                                const PrinterColour* colour);
 
 bool isTiff(const QString& path);
 // Writes a file whole or not at all. Throws Error.

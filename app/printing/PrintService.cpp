@@ -1,11 +1,11 @@
 #include "printing/PrintService.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 #include "printing/PrintFile.h"
 #include "sheet/SheetLayout.h"
 #include "sheet/TiledSheet.h"
 
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QThread>
 #include <algorithm>
@@ -246,14 +246,6 @@ void checkLoaded(const PrinterInfo& printer, const PrinterMedia& media, const Pr
     warnings << sentence;
 }
 
-template <typename Write>
-QByteArray bytesOf(Write write) {
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    write(buffer);
-    return buffer.data();
-}
-
 void fillTiled(PrintTask& task, const Sheet& sheet, const QMarginsF& margins,
                const PrintCorrection& correction) {
     TileSettings settings;
@@ -348,15 +340,8 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintReque
     checkLoaded(plan.printer, paper.media, request, plan.warnings);
     const QMarginsF margins = unreachable(paper.media, request);
     Sheet sheet = original;
-    std::unique_ptr<PrinterColour> colour;
-    PrintCorrection correction;
-    if (request.profile) {
-        const PrinterProfile& profile = *request.profile;
-        correction.scaleX = profile.scaleX;
-        correction.scaleY = profile.scaleY;
-        colour = printerColour(profile);
-        correction.colour = colour.get();
-    }
+    const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
+    const PrintCorrection correction = printCorrection(request.profile, colour.get());
     plan.task.printer = request.printer;
     plan.task.title =
         QStringLiteral("%1 – %2").arg(sheet.job.project, sheet.job.immersion).simplified();
@@ -372,6 +357,15 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintReque
         repeat(plan.task, request.copies);
     }
     return plan;
+}
+
+std::vector<PrintPlan> planPrints(PrintSystem& system, const std::vector<Sheet>& sheets,
+                                  const PrintRequest& request) {
+    std::vector<PrintPlan> plans;
+    for (const Sheet& sheet : sheets) {
+        plans.push_back(planPrint(system, sheet, request));
+    }
+    return plans;
 }
 
 PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
@@ -420,6 +414,23 @@ JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& pro
         system.cancel(job);
         throw;
     }
+}
+
+JobState printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
+                    const Progress& progress, const JobEndObserver& ended) {
+    const double share = 1.0 / double(plans.size());
+    double done = 0;
+    JobState state = JobState::Waiting;
+    for (const PrintPlan& plan : plans) {
+        progress.cancelSwitch.throwIfCancelled();
+        const PrintJob job = system.submit(plan.task);
+        state = followJob(system, job, progress.part(done, done + share));
+        if (ended) {
+            ended(plan.task, job, state);
+        }
+        done += share;
+    }
+    return state;
 }
 
 } // namespace dipwright

@@ -44,10 +44,22 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& sheet, const PrintRequest&
 PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
                           const PrintRequest& request);
 
+// The plans of several sheets: all are judged before the first is sent, so that a job is never
+// printed by half.
+std::vector<PrintPlan> planPrints(PrintSystem& system, const std::vector<Sheet>& sheets,
+                                  const PrintRequest& request);
+
 // Follows a job that was submitted until it is printed ("HandedOver" where the system cannot tell),
 // asking a few times a second. Throws Error when it fails, is cancelled by somebody else, or when
 // the printer stops: the job is then cancelled, so that it does not come out unasked later.
 // Cancelled by `progress`: cancels the job and throws Cancelled.
 JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress);
+
+// Hears of each job when it has come to its end.
+using JobEndObserver = std::function<void(const PrintTask&, const PrintJob&, JobState)>;
+
+// Sends what was planned, one job after the other, each followed as above. The state of the last.
+JobState printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
+                    const Progress& progress, const JobEndObserver& ended = {});
 
 } // namespace dipwright

@@ -6,10 +6,10 @@
 //   texture (i32), textures: u32 length, PNG.
 #include "model/ImportModel.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 #include "model/Texture.h"
 
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QDataStream>
 #include <QImageWriter>
@@ -29,16 +29,14 @@ struct Text {
 };
 
 QByteArray asPng(const QImage& image) {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    QImageWriter writer(&buffer, "png");
-    writer.setCompression(30); // zlib's level 3: twice as fast as its own choice, 10 % larger
-    if (!writer.write(image)) {
-        throw Error(Text::tr("A texture cannot be stored as PNG: %1").arg(writer.errorString()),
-                    QString());
-    }
-    return bytes;
+    return bytesOf([&](QIODevice& device) {
+        QImageWriter writer(&device, "png");
+        writer.setCompression(30); // zlib's level 3: twice as fast as its own choice, 10 % larger
+        if (!writer.write(image)) {
+            throw Error(Text::tr("A texture cannot be stored as PNG: %1").arg(writer.errorString()),
+                        QString());
+        }
+    });
 }
 
 void prepare(QDataStream& stream) {

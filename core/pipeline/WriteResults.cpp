@@ -1,9 +1,9 @@
 #include "pipeline/Pipeline.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 #include "pipeline/ResultFolder.h"
 
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QDir>
 #include <QJsonDocument>
@@ -22,18 +22,8 @@ struct Text {
 
 constexpr int filmMapEdge = 1600; // pixels
 
-// The bytes that `write` puts into the device it is given.
-template <typename Write>
-QByteArray bytesOf(Write write) {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    write(buffer);
-    return bytes;
-}
-
 QByteArray png(const QImage& image) {
-    return bytesOf([&](QBuffer& buffer) { image.save(&buffer, "PNG"); });
+    return bytesOf([&](QIODevice& device) { image.save(&device, "PNG"); });
 }
 
 QString immersionFolder(int number) {
@@ -67,12 +57,12 @@ void addSheet(std::vector<Piece>& pieces, const ImmersionResult& result, const Q
     pieces.push_back(
         {text, [&result, prefix, &folder] {
              folder.write(prefix + QStringLiteral("sheet.png"),
-                          bytesOf([&](QBuffer& buffer) { writeSheetPng(result.sheet, buffer); }));
+                          bytesOf([&](QIODevice& device) { writeSheetPng(result.sheet, device); }));
          }});
     pieces.push_back(
         {text, [&result, prefix, &folder] {
              folder.write(prefix + QStringLiteral("sheet.pdf"),
-                          bytesOf([&](QBuffer& buffer) { writeSheetPdf(result.sheet, buffer); }));
+                          bytesOf([&](QIODevice& device) { writeSheetPdf(result.sheet, device); }));
          }});
 }
 

@@ -1,5 +1,6 @@
 #include "project/ProjectStore.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 #include "model/ImportModel.h"
 #include "project/Archive.h"
@@ -30,12 +31,11 @@ QByteArray sha256(const QByteArray& bytes) {
 }
 
 QByteArray pngBytes(const QImage& image) {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    if (!buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG")) {
-        throw Error(Text::tr("A texture cannot be stored"), {});
-    }
-    return bytes;
+    return bytesOf([&](QIODevice& device) {
+        if (!image.save(&device, "PNG")) {
+            throw Error(Text::tr("A texture cannot be stored"), {});
+        }
+    });
 }
 
 // The model without its pictures: they stand beside it in the file, where any program can look at

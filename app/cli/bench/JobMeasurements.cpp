@@ -1,11 +1,11 @@
 #include "cli/bench/Measurements.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 #include "geometry/Shapes.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/Pipeline.h"
 
-#include <QBuffer>
 #include <QTemporaryDir>
 
 namespace dipwright::cli {
@@ -44,14 +44,6 @@ private:
     Project project_;
     JobResult job_;
 };
-
-template <typename Write>
-void intoMemory(const Write& write) {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    write(buffer);
-}
 
 TimedRow sheetRow(const QString& what, int dpi, const Statistics& seconds) {
     return {QStringLiteral("%1, A4, %2 dpi").arg(what).arg(dpi),
@@ -105,8 +97,7 @@ std::vector<TimedRow> measureSheets(const BenchSolver& solver, const std::vector
                                    timed(solver.runs, [&] { turtle.texture(dpi); })));
         const Sheet sheet = turtle.sheet(dpi);
         const auto timedWrite = [&](const auto& write) {
-            return timed(solver.runs,
-                         [&] { intoMemory([&](QIODevice& device) { write(device); }); });
+            return timed(solver.runs, [&] { bytesOf(write); });
         };
         results.push_back(
             sheetRow(QStringLiteral("sheet as PNG"), dpi,

@@ -228,8 +228,7 @@ void CalibrationDialog::print() {
         [page = page(), request](const Progress& progress) {
             const auto system = printSystem();
             const PrintPlan plan = planCalibration(*system, page, request);
-            progress.cancelSwitch.throwIfCancelled();
-            return followJob(*system, system->submit(plan.task), progress);
+            return printPlans(*system, {plan}, progress);
         },
         [this](JobState state) {
             setPrinting(false);

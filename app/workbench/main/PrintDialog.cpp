@@ -31,16 +31,6 @@ struct Judgement {
     int pages = 0;
 };
 
-// All sheets are judged before the first is sent, so that a job is never printed by half.
-std::vector<PrintPlan> plans(PrintSystem& system, const std::vector<Sheet>& sheets,
-                             const PrintRequest& request) {
-    std::vector<PrintPlan> all;
-    for (const Sheet& sheet : sheets) {
-        all.push_back(planPrint(system, sheet, request));
-    }
-    return all;
-}
-
 } // namespace
 
 PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidget* parent)
@@ -331,7 +321,7 @@ void PrintDialog::judge() {
         [sheets, request = request()](const Progress&) {
             const auto system = printSystem();
             Judgement found;
-            for (const PrintPlan& plan : plans(*system, sheets, request)) {
+            for (const PrintPlan& plan : planPrints(*system, sheets, request)) {
                 found.warnings.append(plan.warnings);
                 found.pages += plan.task.pages;
             }
@@ -360,16 +350,7 @@ void PrintDialog::print() {
         tr("Printing"),
         [sheets = chosenSheets(), request = request()](const Progress& progress) {
             const auto system = printSystem();
-            JobState state = JobState::Printed;
-            const std::vector<PrintPlan> all = plans(*system, sheets, request);
-            const auto count = double(all.size());
-            for (std::size_t number = 0; number < all.size(); ++number) {
-                progress.cancelSwitch.throwIfCancelled();
-                state =
-                    followJob(*system, system->submit(all[number].task),
-                              progress.part(double(number) / count, double(number + 1) / count));
-            }
-            return state;
+            return printPlans(*system, planPrints(*system, sheets, request), progress);
         },
         [this](JobState state) {
             printing_ = false;
