@@ -2,7 +2,7 @@
 
 #include "base/Error.h"
 #include "dip/FilmOnBody.h"
-#include "pipeline/SurfaceSamples.h"
+#include "geometry/SurfaceSamples.h"
 #include "project/FilmSizes.h"
 
 #include <QCoreApplication>
@@ -110,7 +110,8 @@ public:
            const PoseSearchOptions& options, const Progress& progress)
         : project_(project), module_(module), options_(options), progress_(progress),
           mesh_(project.model->mesh), film_(coarseFilm(project.film, mesh_)),
-          process_(project.process), samples_(spreadOverSurface(mesh_, samplesOfBody)),
+          process_(project.process),
+          samples_(evenSamples(mesh_, surfaceArea(mesh_) / samplesOfBody)),
           field_(cachedDistanceField(mesh_, coarseField, progress.part(0, 0.05))) {
         process_.contactTravel = std::max(process_.contactTravel, coarseTravel);
     }
@@ -172,7 +173,7 @@ private:
         for (std::size_t index = 0; index < samples_.size(); ++index) {
             Eigen::Vector2f rest;
             std::uint32_t triangle = 0;
-            if (filmOnBody.locate(samples_[index].point, rest, triangle)) {
+            if (filmOnBody.locate(samples_[index], rest, triangle)) {
                 const PrincipalStretch& stretch = stretches[triangle];
                 qualities[index] =
                     std::max(float(printQuality(stretch.larger, stretch.smaller)), 1e-6f);
@@ -184,19 +185,16 @@ private:
     // Of the poses `members` together, each place painted by the one that does it best.
     RankedPoses together(const std::vector<std::size_t>& members) const {
         RankedPoses ranked;
-        double total = 0;
         for (std::size_t index = 0; index < samples_.size(); ++index) {
             float best = 0;
             for (const std::size_t member : members) {
                 best = std::max(best, qualities_[member][index]);
             }
-            const double area = samples_[index].area;
-            total += area;
-            ranked.quality += area * double(best);
-            ranked.coverage += best > 0 ? area : 0;
+            ranked.quality += double(best);
+            ranked.coverage += best > 0 ? 1 : 0;
         }
-        ranked.quality /= total;
-        ranked.coverage /= total;
+        ranked.quality /= double(samples_.size());
+        ranked.coverage /= double(samples_.size());
         for (const std::size_t member : members) {
             ranked.immersions.push_back(poses_[member]);
         }
@@ -252,7 +250,7 @@ private:
     const TriangleMesh& mesh_;
     FilmSettings film_;
     ProcessSettings process_;
-    std::vector<SurfaceSample> samples_;
+    std::vector<SurfacePoint> samples_;
     std::shared_ptr<const DistanceField> field_;
     std::vector<Immersion> poses_;
     std::vector<std::vector<float>> qualities_; // of each pose: one a sample

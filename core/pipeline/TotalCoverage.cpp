@@ -1,7 +1,7 @@
 #include "pipeline/TotalCoverage.h"
 
 #include "dip/FilmOnBody.h"
-#include "pipeline/SurfaceSamples.h"
+#include "geometry/SurfaceSamples.h"
 
 #include <algorithm>
 
@@ -27,17 +27,14 @@ double totalCoverage(const std::vector<ImmersionResult>& immersions, const Progr
         progress.cancelSwitch.throwIfCancelled();
         films.emplace_back(*immersion.film, *immersion.contact, *immersion.body);
     }
-    double painted = 0;
-    double total = 0;
-    for (const SurfaceSample& sample :
-         spreadOverSurface(immersions.front().body->model.mesh, samplesOfBody)) {
-        total += sample.area;
-        if (std::any_of(films.begin(), films.end(),
-                        [&](const FilmOnBody& film) { return covers(film, sample.point); })) {
-            painted += sample.area;
-        }
-    }
-    return painted / total;
+    const TriangleMesh& mesh = immersions.front().body->model.mesh;
+    const std::vector<SurfacePoint> samples = evenSamples(mesh, surfaceArea(mesh) / samplesOfBody);
+    const auto painted =
+        std::count_if(samples.begin(), samples.end(), [&](const SurfacePoint& sample) {
+            return std::any_of(films.begin(), films.end(),
+                               [&](const FilmOnBody& film) { return covers(film, sample); });
+        });
+    return double(painted) / double(samples.size());
 }
 
 } // namespace dipwright

@@ -1,5 +1,6 @@
 #include "texture/Registration.h"
 
+#include "geometry/SurfaceSamples.h"
 #include "texture/ReverseMap.h"
 
 #include <Eigen/LU>
@@ -44,27 +45,6 @@ std::vector<std::uint8_t> cellsWellInside(const solver::FilmGrid& grid,
         }
     }
     return inside;
-}
-
-// Points at equal steps of area over the body, spread within each triangle by a low-discrepancy
-// sequence (the additive recurrence of the plastic number).
-std::vector<SurfacePoint> evenSamples(const TriangleMesh& mesh, double step) {
-    std::vector<SurfacePoint> samples;
-    double area = step / 2;
-    double u = 0.5;
-    double v = 0.5;
-    for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-        area += triangleArea(mesh, triangle);
-        while (area >= step) {
-            area -= step;
-            u = std::fmod(u + 0.7548776662466927, 1.0);
-            v = std::fmod(v + 0.5698402909980532, 1.0);
-            const double root = std::sqrt(u);
-            samples.push_back(
-                {triangle, Eigen::Vector3d(1 - root, root * (1 - v), root * v).cast<float>()});
-        }
-    }
-    return samples;
 }
 
 double paintedArea(const DippedFilm& film, const FilmContact& contact) {

@@ -9,8 +9,8 @@
 
 #include "dip/Dip.h"
 #include "dip/FilmOnBody.h"
+#include "geometry/SurfaceSamples.h"
 #include "model/ImportModel.h"
-#include "pipeline/SurfaceSamples.h"
 #include "solver/SolverRegistry.h"
 
 #include <QGuiApplication>
@@ -34,13 +34,13 @@ struct Body {
     Body(const TexturedMesh& model, const Immersion& held)
         : immersion(held), posed(posedBody(model, held)),
           field(buildDistanceField(model.mesh, 128, {})), query(posed.model.mesh),
-          samples(spreadOverSurface(posed.model.mesh, samplesOfBody)) {}
+          samples(evenSamples(posed.model.mesh, surfaceArea(posed.model.mesh) / samplesOfBody)) {}
 
     Immersion immersion;
     PosedBody posed;
     DistanceField field;
     SurfaceQuery query;
-    std::vector<SurfaceSample> samples;
+    std::vector<SurfacePoint> samples;
 };
 
 // Where on the flat film the colour of each sample comes from, where it is painted.
@@ -63,10 +63,10 @@ Sheet sheet(const Body& body, const Variant& variant, const solver::SolverModule
     const FilmContact contact = locateFilm(film, body.posed, body.query, process);
     const FilmOnBody onBody(film, contact, body.posed);
     Sheet result;
-    for (const SurfaceSample& sample : body.samples) {
+    for (const SurfacePoint& sample : body.samples) {
         Eigen::Vector2f place = Eigen::Vector2f::Zero();
         std::uint32_t triangle = 0;
-        result.painted.push_back(onBody.locate(sample.point, place, triangle));
+        result.painted.push_back(onBody.locate(sample, place, triangle));
         result.places.push_back(place);
     }
     return result;
@@ -74,13 +74,11 @@ Sheet sheet(const Body& body, const Variant& variant, const solver::SolverModule
 
 void compare(const Body& body, const Sheet& first, const Sheet& other) {
     std::vector<std::pair<float, std::size_t>> changes;
-    double area = 0, both = 0, gained = 0, lost = 0;
+    int both = 0, gained = 0, lost = 0;
     for (std::size_t i = 0; i < body.samples.size(); ++i) {
-        const double share = body.samples[i].area;
-        area += share;
-        both += first.painted[i] && other.painted[i] ? share : 0;
-        gained += !first.painted[i] && other.painted[i] ? share : 0;
-        lost += first.painted[i] && !other.painted[i] ? share : 0;
+        both += first.painted[i] && other.painted[i] ? 1 : 0;
+        gained += !first.painted[i] && other.painted[i] ? 1 : 0;
+        lost += first.painted[i] && !other.painted[i] ? 1 : 0;
         if (first.painted[i] && other.painted[i]) {
             changes.emplace_back((first.places[i] - other.places[i]).norm(), i);
         }
@@ -89,12 +87,13 @@ void compare(const Body& body, const Sheet& first, const Sheet& other) {
     const auto percentile = [&](double share) {
         return changes[std::size_t(share * double(changes.size() - 1))].first;
     };
+    const auto percent = [&](int count) { return 100.0 * count / double(body.samples.size()); };
     std::printf("  change of the sheet, mm: median %.4f, 95 %% %.4f, 99 %% %.4f, most %.3f; "
                 "painted in both %.1f %%, only here %.2f %%, no longer here %.2f %%\n",
-                percentile(0.5), percentile(0.95), percentile(0.99), percentile(1),
-                100 * both / area, 100 * gained / area, 100 * lost / area);
+                percentile(0.5), percentile(0.95), percentile(0.99), percentile(1), percent(both),
+                percent(gained), percent(lost));
     const std::size_t worst = changes.back().second;
-    const Eigen::Vector3f place = position(body.posed.model.mesh, body.samples[worst].point);
+    const Eigen::Vector3f place = position(body.posed.model.mesh, body.samples[worst]);
     std::printf("  most at %.1f %.1f %.1f\n", place.x(), place.y(), place.z());
 }
 

@@ -1,6 +1,7 @@
 // Meshes and shapes against their closed forms.
 #include "base/Units.h"
 #include "geometry/Shapes.h"
+#include "geometry/SurfaceSamples.h"
 
 #include <QtTest>
 
@@ -40,6 +41,7 @@ private Q_SLOTS:
     void vertexNormalsOfASphereAreRadial();
     void transformMovesPositions();
     void surfacePointInterpolates();
+    void samplesStandForTheWholeSurface();
 };
 
 void MeshTest::shapesAreClosedAndLookOutwards() {
@@ -166,6 +168,24 @@ void MeshTest::surfacePointInterpolates() {
     QVERIFY(point.isValid());
     QVERIFY(position(box, point).isApprox(middle, 1e-5F));
     QVERIFY(!SurfacePoint().isValid());
+}
+
+void MeshTest::samplesStandForTheWholeSurface() {
+    const TriangleMesh sphere = sphereMesh(20, 20, 40);
+    constexpr double area = 1;
+    const std::vector<SurfacePoint> samples = evenSamples(sphere, area);
+    QVERIFY(std::abs(double(samples.size()) * area - surfaceArea(sphere)) <= area);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    qsizetype above = 0;
+    for (const SurfacePoint& sample : samples) {
+        QVERIFY(sample.weights.minCoeff() >= 0);
+        const Eigen::Vector3d place = position(sphere, sample).cast<double>();
+        sum += place;
+        above += place.y() > 10 ? 1 : 0;
+    }
+    const auto count = double(samples.size());
+    QVERIFY((sum / count).norm() < 0.1);
+    QVERIFY2(std::abs(double(above) / count - 0.25) < 0.01, "the cap's share, by Archimedes");
 }
 
 QTEST_APPLESS_MAIN(MeshTest)

@@ -2,7 +2,6 @@
 #include "pipeline/PoseSearch.h"
 #include "base/Error.h"
 #include "geometry/Shapes.h"
-#include "pipeline/SurfaceSamples.h"
 
 #include <QStandardPaths>
 #include <QtTest>
@@ -94,21 +93,6 @@ private slots:
         QVERIFY(printQuality(1, 0.6) > printQuality(1, 0.4));
         QCOMPARE(printQuality(3, 1), 0.0);
         QCOMPARE(printQuality(1, 0.1), 0.0);
-    }
-
-    void samplesStandForTheWholeSurface() {
-        const TriangleMesh mesh = sphereMesh(20, 20, 40);
-        double area = 0;
-        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-        const std::vector<SurfaceSample> samples = spreadOverSurface(mesh, 5000);
-        for (const SurfaceSample& sample : samples) {
-            QVERIFY(sample.point.weights.minCoeff() >= 0);
-            area += sample.area;
-            middle += sample.area * position(mesh, sample.point).cast<double>();
-        }
-        QVERIFY(samples.size() > 4000 && samples.size() < 6000);
-        QVERIFY(std::abs(area / surfaceArea(mesh) - 1) < 1e-9);
-        QVERIFY((middle / area).norm() < 0.1);
     }
 
 private:
