@@ -1,6 +1,7 @@
 // Whatever a user hands to dipwright-cli: one sentence, the right exit code, nothing half-written.
 #include "BallModel.h"
 #include "CliProcess.h"
+#include "TestFiles.h"
 
 #include <QImage>
 #include <QtTest>
@@ -9,16 +10,6 @@
 using namespace dipwright::testing;
 
 namespace {
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void write(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
-}
 
 // A PNG that claims these many pixels a side and holds none.
 QByteArray pngClaiming(quint32 width, quint32 height) {
@@ -63,23 +54,23 @@ private slots:
         qputenv("DIPWRIGHT_CACHE", cache_.path().toLocal8Bit());
         writeBall(folder_.path());
         QVERIFY(cli({"new", path("ball.dipw"), "--model", path("ball.obj")}).exitCode == 0);
-        write(path("empty.obj"), {});
-        write(path("picture.obj"), bytesOf(path("ball.png")));
-        write(path("text.stl"), "once upon a time");
-        write(path("cut.stl"),
-              QByteArray(80, ' ') + QByteArray("\xff\x00\x00\x00", 4) + QByteArray(70, 0));
-        write(path("points.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
-        write(path("nan.obj"), "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
-        write(path("flat.obj"), "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n");
-        write(path("empty.png"), {});
-        write(path("text.png"), "this is no picture");
-        write(path("none.png"), pngClaiming(0, 0));
-        write(path("vast.png"), pngClaiming(100'000, 100'000));
+        writeFile(path("empty.obj"), {});
+        writeFile(path("picture.obj"), bytesOf(path("ball.png")));
+        writeFile(path("text.stl"), "once upon a time");
+        writeFile(path("cut.stl"),
+                  QByteArray(80, ' ') + QByteArray("\xff\x00\x00\x00", 4) + QByteArray(70, 0));
+        writeFile(path("points.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+        writeFile(path("nan.obj"), "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
+        writeFile(path("flat.obj"), "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n");
+        writeFile(path("empty.png"), {});
+        writeFile(path("text.png"), "this is no picture");
+        writeFile(path("none.png"), pngClaiming(0, 0));
+        writeFile(path("vast.png"), pngClaiming(100'000, 100'000));
         const QByteArray project = bytesOf(path("ball.dipw"));
-        write(path("empty.dipw"), {});
-        write(path("cut.dipw"), project.left(project.size() / 2));
-        write(path("text.dipw"), "once upon a time");
-        write(path("file"), "a file, not a folder");
+        writeFile(path("empty.dipw"), {});
+        writeFile(path("cut.dipw"), project.left(project.size() / 2));
+        writeFile(path("text.dipw"), "once upon a time");
+        writeFile(path("file"), "a file, not a folder");
     }
 
     void usageIsTwo_data() {

@@ -1,8 +1,8 @@
 #include "BallModel.h"
 
+#include "TestFiles.h"
 #include "base/Units.h"
 
-#include <QFile>
 #include <QImage>
 #include <QTextStream>
 #include <cmath>
@@ -13,13 +13,6 @@ namespace {
 constexpr int rings = 24;
 constexpr int segments = 48;
 constexpr double radius = 20;
-
-void write(const QString& path, const QString& text) {
-    QFile file(path);
-    if (file.open(QIODevice::WriteOnly)) {
-        file.write(text.toUtf8());
-    }
-}
 
 QString ballObj() {
     QString text = QStringLiteral("mtllib ball.mtl\nusemtl ball\n");
@@ -60,9 +53,8 @@ QImage stripes() {
 } // namespace
 
 QString writeBall(const QString& folder) {
-    write(folder + QStringLiteral("/ball.obj"), ballObj());
-    write(folder + QStringLiteral("/ball.mtl"),
-          QStringLiteral("newmtl ball\nKd 1 1 1\nmap_Kd ball.png\n"));
+    writeFile(folder + QStringLiteral("/ball.obj"), ballObj().toUtf8());
+    writeFile(folder + QStringLiteral("/ball.mtl"), "newmtl ball\nKd 1 1 1\nmap_Kd ball.png\n");
     stripes().save(folder + QStringLiteral("/ball.png"));
     return folder + QStringLiteral("/ball.obj");
 }

@@ -1,6 +1,7 @@
 // `dipwright-cli bench` as a user's shell runs it.
 
 #include "CliProcess.h"
+#include "TestFiles.h"
 
 #include <QFile>
 #include <QImage>
@@ -12,16 +13,6 @@
 #include <cmath>
 
 using namespace dipwright::testing;
-
-namespace {
-
-bool hasNumbers(const QJsonObject& object, const QStringList& keys) {
-    return std::all_of(keys.begin(), keys.end(), [&](const QString& key) {
-        return object[key].isDouble() && std::isfinite(object[key].toDouble());
-    });
-}
-
-} // namespace
 
 class BenchTest : public QObject {
     Q_OBJECT

@@ -1,6 +1,7 @@
 // dipwright-cli from a model to a sheet, through the program itself.
 #include "BallModel.h"
 #include "CliProcess.h"
+#include "TestFiles.h"
 
 #include <QColorSpace>
 #include <QImage>
@@ -25,23 +26,8 @@ namespace {
 const QStringList quickly{"--set", "film.size_mm=120x120",   "--set", "film.points=41x41",
                           "--set", "body.sdf_resolution=64", "--set", "sheet.dpi=100"};
 
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 QJsonObject jsonOf(const QString& path) {
     return QJsonDocument::fromJson(bytesOf(path)).object();
-}
-
-QStringList filesBelow(const QString& folder) {
-    QStringList files;
-    QDirIterator all(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
-    while (all.hasNext()) {
-        files.append(QDir(folder).relativeFilePath(all.next()));
-    }
-    files.sort();
-    return files;
 }
 
 void compareArray(vtkDataArray* array, int components, vtkIdType tuples, int type) {
@@ -49,12 +35,6 @@ void compareArray(vtkDataArray* array, int components, vtkIdType tuples, int typ
     QCOMPARE(array->GetNumberOfComponents(), components);
     QCOMPARE(array->GetNumberOfTuples(), tuples);
     QCOMPARE(array->GetDataType(), type);
-}
-
-bool hasNumbers(const QJsonObject& object, const QStringList& keys) {
-    return std::all_of(keys.begin(), keys.end(), [&](const QString& key) {
-        return object[key].isDouble() && std::isfinite(object[key].toDouble());
-    });
 }
 
 } // namespace

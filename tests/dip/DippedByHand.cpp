@@ -2,6 +2,7 @@
 
 #include "geometry/Shapes.h"
 
+#include <QPainter>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,6 +35,16 @@ solver::FilmGrid a4Grid(int columns, int rows) {
 
 PosedBody posed(const TexturedMesh& model) {
     return posedBody(model, Immersion{});
+}
+
+QImage letterF() {
+    QImage image(600, 600, QImage::Format_RGBA8888);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.fillRect(90, 60, 60, 300, Qt::black);
+    painter.fillRect(150, 60, 120, 60, Qt::black);
+    painter.fillRect(150, 180, 80, 60, Qt::black);
+    return image;
 }
 
 TexturedMesh plainModel(const TriangleMesh& mesh, const QColor& colour) {

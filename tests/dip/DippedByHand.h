@@ -12,6 +12,8 @@ solver::FilmGrid a4Grid(int columns = 120, int rows = 170);
 
 // A body of one plain colour, in the pose frame of an immersion as modelled.
 PosedBody posed(const TexturedMesh& model);
+// A letter F of three bars, black on white, in the upper left of its picture.
+QImage letterF();
 TexturedMesh plainModel(const TriangleMesh& mesh, const QColor& colour);
 
 // A box whose outer bottom wears `picture`, upright for who looks at it from below with −Z up; its

@@ -2,7 +2,6 @@
 
 #include <QBuffer>
 #include <QDataStream>
-#include <QFile>
 #include <QPainter>
 
 #include <quazip.h>
@@ -61,13 +60,6 @@ void addEntry(QuaZip& zip, const QString& name, const QByteArray& bytes) {
 }
 
 } // namespace
-
-void writeFile(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
-        throw std::runtime_error("cannot write a test file");
-    }
-}
 
 QImage quarters(int side) {
     QImage image(side, side, QImage::Format_RGBA8888);

@@ -1,6 +1,8 @@
 // Small model files in every format, written by the tests themselves.
 #pragma once
 
+#include "TestFiles.h"
+
 #include <QByteArray>
 #include <QImage>
 #include <QString>
@@ -8,8 +10,6 @@
 #include <vector>
 
 namespace dipwright::testing {
-
-void writeFile(const QString& path, const QByteArray& bytes);
 
 // Four colours, one a quarter: red upper left, green upper right, blue lower left, white lower
 // right.

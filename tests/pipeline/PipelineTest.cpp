@@ -1,5 +1,6 @@
 // The main job as a value: what is computed anew, what is taken over, who takes over from whom.
 #include "pipeline/Pipeline.h"
+#include "TestFiles.h"
 #include "base/Error.h"
 #include "geometry/Shapes.h"
 #include "pipeline/ResultFolder.h"
@@ -13,6 +14,7 @@
 
 using namespace dipwright;
 using namespace dipwright::test;
+using namespace dipwright::testing;
 
 namespace {
 
@@ -51,16 +53,6 @@ Project ballJob() {
 
 QString builtModule(const QString& name) {
     return QStringLiteral(DIPWRIGHT_BAD_MODULES "/") + PluginFolder::moduleName(name);
-}
-
-QStringList filesBelow(const QString& folder) {
-    QStringList files;
-    QDirIterator all(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
-    while (all.hasNext()) {
-        files.append(QDir(folder).relativeFilePath(all.next()));
-    }
-    files.sort();
-    return files;
 }
 
 } // namespace

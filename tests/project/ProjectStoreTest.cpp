@@ -1,6 +1,7 @@
 // Project files: whole after every save, and nothing hostile is opened.
 #include "HostileZip.h"
 #include "SampleProject.h"
+#include "TestFiles.h"
 
 #include "base/Error.h"
 #include "project/ProjectStore.h"
@@ -15,16 +16,6 @@ using namespace dipwright::testing;
 namespace {
 
 const QString savingArgument = QStringLiteral("--save-until-killed");
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void write(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
-}
 
 QString refusal(const QString& path) {
     try {
@@ -167,7 +158,7 @@ private slots:
     void filesThatAreNoProjectAreRefused() {
         QFETCH(QByteArray, bytes);
         QFETCH(QString, says);
-        write(path("bad.dipw"), bytes);
+        writeFile(path("bad.dipw"), bytes);
         const QString sentence = refusal(path("bad.dipw"));
         QVERIFY2(sentence.contains(says) && sentence.contains("bad.dipw"), qPrintable(sentence));
         QVERIFY(!sentence.contains('\n'));
@@ -180,7 +171,7 @@ private slots:
 
     void aFileCutOffAnywhereIsRefused() {
         for (qsizetype length = 1; length < good_.size(); length += 1 + length / 40) {
-            write(path("cut.dipw"), good_.left(length));
+            writeFile(path("cut.dipw"), good_.left(length));
             QVERIFY2(!refusal(path("cut.dipw")).isEmpty(), qPrintable(QString::number(length)));
         }
     }

@@ -1,6 +1,7 @@
 // The files and pictures of a run, on a film laid round a ball by its closed form: no solver
 // needed.
 #include "results/Results.h"
+#include "TestFiles.h"
 
 #include "base/Error.h"
 #include "dip/PaintedStretch.h"
@@ -22,6 +23,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 using namespace dipwright;
+using namespace dipwright::testing;
 
 namespace {
 
@@ -91,11 +93,6 @@ vtkNew<vtkPolyData> readBack(const QString& path) {
     vtkNew<vtkPolyData> data;
     data->ShallowCopy(reader->GetOutput());
     return data;
-}
-
-QByteArray contents(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 int countColours(const QImage& image) {
@@ -204,8 +201,8 @@ void ResultsTest::bodyFileHoldsTheBody() {
 void ResultsTest::filesAreTheSameEveryTime() {
     writeFilmVtp(dip_.film, dip_.contact, dip_.body, folder_.filePath("a.vtp"));
     writeFilmVtp(dip_.film, dip_.contact, dip_.body, folder_.filePath("b.vtp"));
-    QVERIFY(!contents(folder_.filePath("a.vtp")).isEmpty());
-    QCOMPARE(contents(folder_.filePath("a.vtp")), contents(folder_.filePath("b.vtp")));
+    QVERIFY(!bytesOf(folder_.filePath("a.vtp")).isEmpty());
+    QCOMPARE(bytesOf(folder_.filePath("a.vtp")), bytesOf(folder_.filePath("b.vtp")));
 }
 
 void ResultsTest::unwritableFileIsAnError() {

@@ -6,7 +6,6 @@
 #include "texture/Registration.h"
 #include "texture/ReverseTexture.h"
 
-#include <QPainter>
 #include <QtTest>
 
 #include <algorithm>
@@ -61,24 +60,13 @@ FilmSettings filmOf(Millimetres width, Millimetres height, int columns) {
     return settings;
 }
 
-// A letter F of three bars, in the upper left of its picture.
-QImage letterF() {
-    QImage image(600, 600, QImage::Format_RGBA8888);
-    image.fill(Qt::white);
-    QPainter painter(&image);
-    painter.fillRect(90, 60, 60, 300, Qt::black);
-    painter.fillRect(150, 60, 120, 60, Qt::black);
-    painter.fillRect(150, 180, 80, 60, Qt::black);
-    return image;
-}
-
 const Eigen::Vector3d boxSize(60, 20, 60);
 
 // A box over a place off the film's middle, dipped by 2 mm.
 Print printedBox() {
     Immersion beside;
     beside.offset = {Millimetres(12), Millimetres(-7)};
-    return {test::boxWithPicture(boxSize, letterF()), beside,
+    return {test::boxWithPicture(boxSize, test::letterF()), beside,
             filmOf(Millimetres(120), Millimetres(100), 97), Millimetres(2)};
 }
 
@@ -134,7 +122,7 @@ void PrintedBodyTest::letterOnTheBottomIsMirroredOnTheSheet() {
             .image;
     // The letter as it has to stand on the sheet: mirrored, 60 mm wide, its middle 12 mm right of
     // the film's and 7 mm above it.
-    const QImage mirrored = letterF().mirrored(true, false);
+    const QImage mirrored = test::letterF().mirrored(true, false);
     int wrong = 0;
     int inked = 0;
     for (int y = -290; y < 290; ++y) {

@@ -5,7 +5,6 @@
 #include "geometry/Shapes.h"
 #include "texture/LinearLight.h"
 
-#include <QPainter>
 #include <QtTest>
 #include <tbb/global_control.h>
 
@@ -85,17 +84,6 @@ int difference(const unsigned char* pixel, const LinearColour& expected) {
     return most;
 }
 
-// A letter F of three bars, in the upper left of its picture.
-QImage letterF() {
-    QImage image(600, 600, QImage::Format_RGBA8888);
-    image.fill(Qt::white);
-    QPainter painter(&image);
-    painter.fillRect(90, 60, 60, 300, Qt::black);
-    painter.fillRect(150, 60, 120, 60, Qt::black);
-    painter.fillRect(150, 180, 80, 60, Qt::black);
-    return image;
-}
-
 } // namespace
 
 class ReverseTextureTest : public QObject {
@@ -138,7 +126,7 @@ void ReverseTextureTest::flatFaceGivesThePictureBack() {
 }
 
 void ReverseTextureTest::letterStandsMirroredInItsPlace() {
-    const QImage letter = letterF();
+    const QImage letter = test::letterF();
     const ReverseTexture texture =
         reversed(test::boxWithPicture(boxSize, letter), test::flatUnderBox(test::a4Grid(), boxSize),
                  uncompensated({2480, 3508}));
@@ -256,7 +244,7 @@ void ReverseTextureTest::bodyWithoutTextureIsItsColour() {
 void ReverseTextureTest::textureWithoutCoordinatesIsTheColour() {
     TexturedMesh model = test::plainModel(boxMesh(boxSize), QColor(10, 200, 30));
     model.materials[0].texture = 0;
-    model.textures.push_back(letterF());
+    model.textures.push_back(test::letterF());
     const ReverseTexture texture =
         reversed(model, test::flatUnderBox(test::a4Grid(), boxSize), uncompensated());
     QCOMPARE(texture.image.pixelColor(620, 877), QColor(10, 200, 30));
