@@ -2,22 +2,26 @@
 //
 // World frame: millimetres, right-handed, Y up, the waterline is the plane y = 0. The view shows
 // what it is given and decides nothing; it knows no project and no solver. UI thread only.
+//
+// The pictures are drawn on a thread of its own: however long one takes, the window does not wait.
 #pragma once
 
+#include "ViewProjection.h"
 #include "model/TexturedMesh.h"
 
 #include <Eigen/Geometry>
 #include <QImage>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
-class QKeyEvent;
-class QMouseEvent;
-
 namespace dipwright {
+
+class ViewScene;
+struct ViewMouse;
+struct ViewPicture;
 
 // How dragging with the left button turns the camera.
 enum class Navigation {
@@ -26,12 +30,6 @@ enum class Navigation {
 };
 
 enum class ViewDirection { Front, Back, Left, Right, Top, Bottom, Oblique };
-
-// What lies under the cursor: from the camera through the pixel, world frame.
-struct ViewRay {
-    Eigen::Vector3f origin = Eigen::Vector3f::Zero();
-    Eigen::Vector3f direction = -Eigen::Vector3f::UnitY(); // unit length
-};
 
 // The topology of the film as drawn; `texture` holds (u to the right, v down the sheet, 0 … 1) a
 // point.
@@ -54,11 +52,9 @@ public:
     explicit DipView(QWidget* parent = nullptr);
     ~DipView() override;
 
-    // To be called once before the application object is made: the surface that VTK draws on.
-    static void prepareSurfaceFormat();
     // False where no OpenGL 3.2 context could be made; `graphicsDevice` then says why.
     bool isUsable() const;
-    // The renderer's name as the driver gives it. Meaningful after the first picture.
+    // The renderer's name as the driver gives it.
     QString graphicsDevice() const;
     // A renderer without a GPU: draw less while things move.
     bool isSoftwareRendered() const;
@@ -71,11 +67,11 @@ public:
     void setBodyVisible(bool visible);
 
     // Film. Positions: x, y, z a point; the transform takes them to the world.
-    void setFilm(const FilmShape& shape, std::span<const float> positions);
-    void setFilmPositions(std::span<const float> positions); // as many as the shape has points
+    void setFilm(FilmShape shape, std::vector<float> positions);
+    void setFilmPositions(std::vector<float> positions); // as many as the shape has points
     void setFilmTransform(const Eigen::Isometry3d& filmToWorld);
-    void setFilmPicture(const QImage& picture);            // clears colours
-    void setFilmColours(const std::vector<QRgb>& colours); // a point each; empty: the picture
+    void setFilmPicture(const QImage& picture);     // clears colours
+    void setFilmColours(std::vector<QRgb> colours); // a point each; empty: the picture
     void setFilmVisible(bool visible);
 
     // Tank and water: a frame of water round the film, `film` its floating size, `depth` of the
@@ -97,14 +93,16 @@ public:
     void look(ViewDirection direction); // and fit
     void fit();
     void setColours(const ViewColours& colours);
-    ViewRay rayAt(QPointF position) const;                  // widget coordinates
-    QPointF positionOf(const Eigen::Vector3f& point) const; // world to widget coordinates
+    // In widget coordinates, as the picture that was drawn last shows the world.
+    ViewRay rayAt(QPointF position) const;
+    QPointF positionOf(const Eigen::Vector3f& point) const;
 
-    // What the view shows, at its own size; renders first.
+    // What the view is to show, at its own size: waits until it has been drawn.
     QImage picture();
-    // How long drawing the last one took, in milliseconds.
+    const QImage& shownPicture() const; // the one drawn last; null before the first
+    // How long drawing it took, in milliseconds.
     int pictureTime() const;
-    // Asks for a new picture; many requests before the event loop turns make one picture.
+    // Asks for a new picture; many requests on the way of one make one more.
     void requestPicture();
 
 signals:
@@ -115,18 +113,28 @@ signals:
     void rotationFinished();
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    struct Scene;
-    bool mousePressed(QMouseEvent* event);
-    bool mouseMoved(QMouseEvent* event);
-    bool mouseReleased(QMouseEvent* event);
-    bool keyPressed(QKeyEvent* event);
-    void render();
+    struct State;
+    // Has it done on the drawing thread, before the next picture.
+    void change(std::function<void(ViewScene&)> what);
+    void sendMouse(const ViewMouse& mouse);
+    void updateSize();
+    void draw();
+    void take(const ViewPicture& picture);
+    void dragRing(const QMouseEvent& event);
+    void lightRing(int axis);
 
-    std::unique_ptr<Scene> scene_;
+    std::unique_ptr<State> state_;
 };
 
 } // namespace dipwright

@@ -3,6 +3,7 @@
 
 #include "DipView.h"
 
+#include <span>
 #include <vtkActor.h>
 #include <vtkFloatArray.h>
 #include <vtkPolyData.h>

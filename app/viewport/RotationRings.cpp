@@ -24,7 +24,7 @@ double lengthOf(QPointF vector) {
 
 } // namespace
 
-RotationRings::RotationRings(vtkRenderer* renderer) {
+RingActors::RingActors(vtkRenderer* renderer) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         auto circle = vtkSmartPointer<vtkRegularPolygonSource>::New();
         circle->SetNumberOfSides(segments);
@@ -43,28 +43,20 @@ RotationRings::RotationRings(vtkRenderer* renderer) {
     highlight(-1);
 }
 
-void RotationRings::setPlace(const Eigen::Vector3f& centre, double radius) {
-    centre_ = centre;
-    radius_ = radius;
+void RingActors::set(const RotationRings& rings) {
     for (const auto& ring : rings_) {
-        ring->SetPosition(centre.x(), centre.y(), centre.z());
-        ring->SetScale(radius);
+        ring->SetPosition(rings.centre.x(), rings.centre.y(), rings.centre.z());
+        ring->SetScale(rings.radius);
+        ring->SetVisibility(rings.visible);
     }
 }
 
-void RotationRings::setVisible(bool visible) {
-    visible_ = visible;
-    for (const auto& ring : rings_) {
-        ring->SetVisibility(visible);
-    }
-}
-
-void RotationRings::setPixelRatio(double ratio) {
+void RingActors::setPixelRatio(double ratio) {
     pixelRatio_ = ratio;
     highlight(lit_);
 }
 
-void RotationRings::highlight(int axis) {
+void RingActors::highlight(int axis) {
     lit_ = axis;
     for (int ring = 0; ring < 3; ++ring) {
         vtkProperty* look = rings_[std::size_t(ring)]->GetProperty();
@@ -80,18 +72,18 @@ Eigen::Vector3f RotationRings::ringPoint(int axis, double degrees) const {
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();
     offset[(axis + 1) % 3] = std::cos(angle);
     offset[(axis + 2) % 3] = std::sin(angle);
-    return centre_ + (radius_ * offset).cast<float>();
+    return centre + (radius * offset).cast<float>();
 }
 
-std::optional<int> RotationRings::axisAt(QPointF position, const Projection& project) const {
-    if (!visible_) {
+std::optional<int> RotationRings::axisAt(QPointF position, const ViewProjection& shown) const {
+    if (!visible) {
         return std::nullopt;
     }
     std::optional<int> nearest;
     double least = reachPixels;
     for (int axis = 0; axis < 3; ++axis) {
-        const double angle = angleAt(axis, position, project);
-        const double distance = lengthOf(project(ringPoint(axis, angle)) - position);
+        const double angle = angleAt(axis, position, shown);
+        const double distance = lengthOf(shown.positionOf(ringPoint(axis, angle)) - position);
         if (distance < least) {
             least = distance;
             nearest = axis;
@@ -100,11 +92,11 @@ std::optional<int> RotationRings::axisAt(QPointF position, const Projection& pro
     return nearest;
 }
 
-double RotationRings::angleAt(int axis, QPointF position, const Projection& project) const {
+double RotationRings::angleAt(int axis, QPointF position, const ViewProjection& shown) const {
     double best = 0, least = INFINITY;
     for (int step = 0; step < 720; ++step) {
         const double angle = step * 0.5;
-        const double distance = lengthOf(project(ringPoint(axis, angle)) - position);
+        const double distance = lengthOf(shown.positionOf(ringPoint(axis, angle)) - position);
         if (distance < least) {
             least = distance;
             best = angle;

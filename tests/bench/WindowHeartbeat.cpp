@@ -1,7 +1,9 @@
 // How long the window holds its breath: the longest times between two turns of its event loop while
 // a dip runs, when its results arrive, and how soon a cancelled dip stops.
 //
-//   window_heartbeat [--points=COLUMNSxROWS] [--without-view] PROJECT.dipw
+//   window_heartbeat [--points=COLUMNSxROWS] [--size=WIDTHxHEIGHT] [--without-view] PROJECT.dipw
+//
+// The solvers are looked for in DIPWRIGHT_PLUGIN_PATH.
 //
 // "Most work" is the processor time of the longest turn: on a busy machine it tells more than the
 // clock. Without the view no pictures are drawn: what is left is not the fault of a slow OpenGL.
@@ -91,22 +93,25 @@ int main(int argc, char* argv[]) {
     QCommandLineParser parser;
     parser.addOptions(
         {{QStringLiteral("points"), {}, QStringLiteral("COLUMNSxROWS"), QStringLiteral("280x396")},
+         {QStringLiteral("size"), {}, QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("1280x800")},
          {QStringLiteral("without-view"), {}}});
     parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
     parser.process(*qApp);
     const QStringList points = parser.value(QStringLiteral("points")).split(QLatin1Char('x'));
+    const QStringList size = parser.value(QStringLiteral("size")).split(QLatin1Char('x'));
 
     Workbench workbench(application.home());
     Preferences preferences = workbench.preferences();
     preferences.liveUpdate = false;
     workbench.setPreferences(preferences);
     MainWindow window(workbench);
-    window.resize(1280, 800);
+    window.resize(size.value(0).toInt(), size.value(1).toInt());
     window.show();
     WindowDriver driver(window);
     Heartbeat heart;
     heart.start();
-    if (points.size() != 2 || !driver.open(parser.positionalArguments().value(0))) {
+    if (points.size() != 2 || size.size() != 2 ||
+        !driver.open(parser.positionalArguments().value(0))) {
         std::fputs("The project could not be opened\n", stderr);
         return 1;
     }

@@ -1,7 +1,5 @@
 #include "WindowDriver.h"
 
-#include "viewport/DipView.h"
-
 namespace dipwright {
 
 namespace {
@@ -17,7 +15,6 @@ WindowApplication::WindowApplication(int& argc, char** argv) {
         qputenv(variable, home);
     }
     qputenv("LC_ALL", "C.UTF-8");
-    DipView::prepareSurfaceFormat();
     application_ = std::make_unique<QApplication>(argc, argv);
     QApplication::setApplicationName(QStringLiteral("dipwright"));
     QApplication::setOrganizationName(QStringLiteral("Dipwright"));

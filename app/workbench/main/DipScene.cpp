@@ -137,7 +137,7 @@ void DipScene::placeBody(const Immersion& immersion, double descent) {
 }
 
 void DipScene::setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
-                        std::span<const float> positions) {
+                        const std::vector<float>& positions) {
     shape_ = film;
     shapeGrid_ = grid;
     view_.setFilm(shapeOfGrid(grid, film), positions);

@@ -49,7 +49,7 @@ private:
 
     void placeBody(const Immersion& immersion, double descent);
     void setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
-                  std::span<const float> positions);
+                  const std::vector<float>& positions);
     void dressFilm();
     void dressBody();
     std::vector<QRgb> frameColours() const;

@@ -209,7 +209,7 @@ bool MainWindow::save() {
 void MainWindow::saveAsFile(const QString& path) {
     document_->saveAs(path);
     addRecentProject(path);
-    keepProjectThumbnail(path, view_->picture());
+    keepProjectThumbnail(path, view_->shownPicture());
     report(tr("Saved %1").arg(QDir::toNativeSeparators(path)));
 }
 
@@ -259,7 +259,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     if (document_ && !document_->path().isEmpty()) {
-        keepProjectThumbnail(document_->path(), view_->picture());
+        keepProjectThumbnail(document_->path(), view_->shownPicture());
     }
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());

@@ -10,7 +10,6 @@
 #include <QTimer>
 
 int main(int argc, char* argv[]) {
-    dipwright::DipView::prepareSurfaceFormat();
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("dipwright"));

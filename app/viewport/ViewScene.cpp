@@ -1,0 +1,212 @@
+#include "ViewScene.h"
+
+#include "VtkConversions.h"
+#include "base/Units.h"
+
+#include <QElapsedTimer>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <utility>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCameraOrientationRepresentation.h>
+
+namespace dipwright {
+
+namespace {
+
+// Moves the camera, without turning it, to where it shows all places as large as can be and in the
+// middle.
+void fitCamera(vtkCamera& camera, const std::vector<Eigen::Vector3d>& places, double aspect) {
+    constexpr double room = 1.06; // some round the places
+    const Eigen::Vector3d view = Eigen::Vector3d(camera.GetDirectionOfProjection()).normalized();
+    const Eigen::Vector3d right = view.cross(Eigen::Vector3d(camera.GetViewUp())).normalized();
+    const Eigen::Vector3d up = right.cross(view);
+    const double down = std::tan(radians(Degrees(camera.GetViewAngle())) / 2) / room;
+    const bool parallel = camera.GetParallelProjection() != 0;
+    // Along an axis of the picture: the middle, and how far the camera stands away from it (or, in
+    // parallel projection, half of what it shows), so that no place is past either edge.
+    const auto fitAlong = [&](const Eigen::Vector3d& axis, double slope) {
+        double after = -std::numeric_limits<double>::infinity(), before = after;
+        for (const Eigen::Vector3d& place : places) {
+            const double nearer = parallel ? 0 : slope * place.dot(view);
+            after = std::max(after, place.dot(axis) - nearer);
+            before = std::max(before, -place.dot(axis) - nearer);
+        }
+        return std::pair((after - before) / 2, (after + before) / 2);
+    };
+    const auto [middleX, reachX] = fitAlong(right, down * aspect);
+    const auto [middleY, reachY] = fitAlong(up, down);
+    const double half = std::max(reachX / aspect, reachY);
+    camera.SetParallelScale(half * room);
+    const double distance = std::max(reachX / (down * aspect), reachY / down);
+    const Eigen::Vector3d middle = middleX * right + middleY * up;
+    const Eigen::Vector3d place = middle - distance * view;
+    camera.SetFocalPoint(middle.x(), middle.y(), middle.z());
+    camera.SetPosition(place.x(), place.y(), place.z());
+}
+
+ViewProjection projectionOf(vtkRenderer& renderer, QSizeF size) {
+    const vtkMatrix4x4* matrix = renderer.GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+        renderer.GetTiledAspectRatio(), -1, 1);
+    return {Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(matrix->GetData()),
+            size};
+}
+
+unsigned long eventOf(const ViewMouse& mouse) {
+    switch (mouse.action) {
+    case MouseAction::Move:
+        return vtkCommand::MouseMoveEvent;
+    case MouseAction::WheelForward:
+        return vtkCommand::MouseWheelForwardEvent;
+    case MouseAction::WheelBackward:
+        return vtkCommand::MouseWheelBackwardEvent;
+    case MouseAction::Press:
+        return mouse.button == Qt::LeftButton     ? vtkCommand::LeftButtonPressEvent
+               : mouse.button == Qt::MiddleButton ? vtkCommand::MiddleButtonPressEvent
+                                                  : vtkCommand::RightButtonPressEvent;
+    case MouseAction::Release:
+        break;
+    }
+    return mouse.button == Qt::LeftButton     ? vtkCommand::LeftButtonReleaseEvent
+           : mouse.button == Qt::MiddleButton ? vtkCommand::MiddleButtonReleaseEvent
+                                              : vtkCommand::RightButtonReleaseEvent;
+}
+
+} // namespace
+
+ViewScene::ViewScene(PictureWindow& window, const std::function<void()>& pictureAsked)
+    : window_(window), pictureAsked_(pictureAsked) {
+    window_.open();
+    window_.vtk()->AddRenderer(renderer_);
+    renderer_->UseFXAAOn(); // smooth edges that are cheap without a GPU
+    renderer_->GradientBackgroundOn();
+    style_->SetDefaultRenderer(renderer_);
+    style_->SetCurrentRenderer(renderer_);
+    interactor_->SetRenderWindow(window_.vtk());
+    interactor_->SetInteractorStyle(style_);
+    interactor_->EnableRenderOff(); // pictures are drawn when they are asked for
+    interactor_->Initialize();
+    vtkNew<vtkCallbackCommand> asked;
+    asked->SetClientData(this);
+    asked->SetCallback([](vtkObject*, unsigned long, void* scene, void*) {
+        static_cast<ViewScene*>(scene)->pictureAsked_();
+    });
+    interactor_->AddObserver(vtkCommand::RenderEvent, asked);
+    orientation_->SetParentRenderer(renderer_);
+    orientation_->SetAnimate(false); // its animation would draw picture after picture
+    orientation_->On();
+    markers_.setSize(std::hypot(filmSize_.width(), filmSize_.height()));
+    look(ViewDirection::Oblique);
+}
+
+ViewScene::~ViewScene() {
+    orientation_->Off();
+    window_.finish();
+}
+
+void ViewScene::setSize(const ViewSize& size) {
+    size_ = size;
+    const double ratio = size.pixelRatio;
+    const QSize pixels = size.size * ratio;
+    interactor_->UpdateSize(pixels.width(), pixels.height());
+    window_.vtk()->SetScreenSize(pixels.width(), pixels.height());
+    window_.vtk()->SetDPI(int(72 * ratio));
+    markers_.setFontSize(int(size.fontSize * 1.6 * ratio));
+    rings_.setPixelRatio(ratio);
+    tank_.setPixelRatio(ratio);
+    body_.setPixelRatio(ratio);
+    markers_.setPixelRatio(ratio);
+    auto* axes =
+        vtkCameraOrientationRepresentation::SafeDownCast(orientation_->GetRepresentation());
+    axes->SetSize(int(84 * ratio), int(84 * ratio));
+    axes->SetPadding(int(14 * ratio), int(14 * ratio));
+}
+
+void ViewScene::setFilmSize(QSizeF film, double tankDepth) {
+    filmSize_ = film;
+    tank_.setSize(film, tankDepth);
+    markers_.setSize(std::hypot(film.width(), film.height()));
+}
+
+void ViewScene::setColours(const ViewColours& colours) {
+    renderer_->SetBackground(vtkColour(colours.bottom).data());
+    renderer_->SetBackground2(vtkColour(colours.top).data());
+    tank_.setColours(colours.water, colours.ink);
+    body_.setWaterlineColour(colours.accent);
+    markers_.setColours(colours.accent, colours.ink);
+}
+
+void ViewScene::look(ViewDirection direction) {
+    const CameraAngles angles = [direction]() -> CameraAngles {
+        switch (direction) {
+        case ViewDirection::Front:
+            return {0, 0};
+        case ViewDirection::Back:
+            return {180, 0};
+        case ViewDirection::Left:
+            return {-90, 0};
+        case ViewDirection::Right:
+            return {90, 0};
+        case ViewDirection::Top:
+            return {0, 90};
+        case ViewDirection::Bottom:
+            return {0, -90};
+        case ViewDirection::Oblique:
+            break;
+        }
+        return {30, 28};
+    }();
+    setCameraAngles(camera(), angles);
+    fit();
+}
+
+void ViewScene::fit() {
+    const double margin = 2 * TankActors::margin(filmSize_);
+    const Eigen::Vector3f half(float(filmSize_.width() + margin) / 2, 1,
+                               float(filmSize_.height() + margin) / 2);
+    std::vector<Eigen::Vector3d> places;
+    for (const BoundingBox& box : {body_.worldBox(), BoundingBox(-half, half)}) {
+        for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {
+            places.emplace_back(box.corner(BoundingBox::CornerType(corner)).cast<double>());
+        }
+    }
+    const double aspect =
+        double(std::max(1, size_.size.width())) / std::max(1, size_.size.height());
+    fitCamera(camera(), places, aspect);
+    renderer_->ResetCameraClippingRange();
+}
+
+void ViewScene::zoom(double factor) {
+    if (camera().GetParallelProjection()) {
+        camera().SetParallelScale(camera().GetParallelScale() / factor);
+    } else {
+        camera().Dolly(factor);
+    }
+}
+
+void ViewScene::mouse(const ViewMouse& mouse) {
+    const QPoint pixel = (mouse.position * size_.pixelRatio).toPoint();
+    interactor_->SetEventInformationFlipY(pixel.x(), pixel.y(),
+                                          mouse.modifiers.testFlag(Qt::ControlModifier),
+                                          mouse.modifiers.testFlag(Qt::ShiftModifier));
+    interactor_->InvokeEvent(eventOf(mouse));
+}
+
+ViewPicture ViewScene::draw() {
+    static std::mutex oneAtATime; // VTK's fonts are shared by all windows
+    const std::lock_guard lock(oneAtATime);
+    if (!std::exchange(fitted_, true)) {
+        fit();
+    }
+    QElapsedTimer clock;
+    clock.start();
+    renderer_->ResetCameraClippingRange();
+    ViewPicture picture{window_.draw(), projectionOf(*renderer_, size_.size), 0};
+    picture.image.setDevicePixelRatio(size_.pixelRatio);
+    picture.milliseconds = int(clock.elapsed());
+    return picture;
+}
+
+} // namespace dipwright

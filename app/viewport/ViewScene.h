@@ -1,0 +1,82 @@
+// All that VTK draws of a dip, with camera and mouse. Lives on the view's drawing thread: nothing
+// of it may be touched from another one.
+#pragma once
+
+#include "BodyActors.h"
+#include "FilmActor.h"
+#include "MarkerActors.h"
+#include "NavigationStyle.h"
+#include "PictureWindow.h"
+#include "RotationRings.h"
+#include "TankActors.h"
+
+#include <vtkCameraOrientationWidget.h>
+#include <vtkGenericRenderWindowInteractor.h>
+#include <vtkOpenGLRenderer.h>
+
+namespace dipwright {
+
+// A picture, what it shows where, and how long drawing it took.
+struct ViewPicture {
+    QImage image;
+    ViewProjection projection;
+    int milliseconds = 0;
+};
+
+// The widget that shows the pictures.
+struct ViewSize {
+    QSize size{1, 1};
+    double pixelRatio = 1; // pixels of the screen to one of the window
+    double fontSize = 10;  // points
+};
+
+enum class MouseAction { Press, Release, Move, WheelForward, WheelBackward };
+
+struct ViewMouse {
+    MouseAction action = MouseAction::Move;
+    Qt::MouseButton button = Qt::NoButton;
+    QPointF position; // widget coordinates
+    Qt::KeyboardModifiers modifiers;
+};
+
+class ViewScene {
+public:
+    // `pictureAsked` is called when the mouse has changed what is to be seen.
+    ViewScene(PictureWindow& window, const std::function<void()>& pictureAsked);
+    ~ViewScene();
+
+    BodyActors& body() { return body_; }
+    FilmActor& film() { return film_; }
+    TankActors& tank() { return tank_; }
+    RingActors& rings() { return rings_; }
+    MarkerActors& markers() { return markers_; }
+    NavigationStyle& style() { return *style_; }
+    vtkCamera& camera() { return *renderer_->GetActiveCamera(); }
+
+    void setSize(const ViewSize& size);
+    void setFilmSize(QSizeF film, double tankDepth);
+    void setColours(const ViewColours& colours);
+    void look(ViewDirection direction); // and fit
+    void fit();
+    void zoom(double factor);
+    void mouse(const ViewMouse& mouse);
+    ViewPicture draw();
+
+private:
+    PictureWindow& window_;
+    vtkNew<vtkOpenGLRenderer> renderer_;
+    vtkNew<NavigationStyle> style_;
+    vtkNew<vtkGenericRenderWindowInteractor> interactor_;
+    vtkNew<vtkCameraOrientationWidget> orientation_;
+    BodyActors body_{renderer_};
+    FilmActor film_{renderer_};
+    TankActors tank_{renderer_};
+    RingActors rings_{renderer_};
+    MarkerActors markers_{renderer_};
+    ViewSize size_;
+    QSizeF filmSize_{210, 297};
+    std::function<void()> pictureAsked_;
+    bool fitted_ = false; // since the picture's shape is known
+};
+
+} // namespace dipwright

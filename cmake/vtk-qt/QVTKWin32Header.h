@@ -1,2 +1,0 @@
-// Included by VTK's Qt widget on Windows for warnings that are of no concern here.
-#pragma once
