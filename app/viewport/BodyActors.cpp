@@ -17,49 +17,6 @@ namespace dipwright {
 
 namespace {
 
-// Faces that meet at a blunter angle than this are shaded as one smooth surface.
-const float creaseCosine = std::cos(40.0f * float(pi) / 180);
-
-std::vector<Eigen::Vector3f> cornerNormals(const TriangleMesh& mesh) {
-    const std::size_t count = mesh.triangles.size();
-    std::vector<Eigen::Vector3f> weighted(count); // length: twice the area
-    std::vector<Eigen::Vector3f> unit(count);
-    std::vector<std::uint32_t> first(mesh.positions.size() + 1, 0);
-    for (std::size_t t = 0; t < count; ++t) {
-        const auto& [a, b, c] = mesh.triangles[t];
-        weighted[t] =
-            (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
-        unit[t] = weighted[t].normalized();
-        for (const std::uint32_t corner : mesh.triangles[t]) {
-            ++first[corner + 1];
-        }
-    }
-    for (std::size_t p = 1; p < first.size(); ++p) {
-        first[p] += first[p - 1];
-    }
-    std::vector<std::uint32_t> around(count * 3);
-    std::vector<std::uint32_t> filled(first.begin(), first.end() - 1);
-    for (std::size_t t = 0; t < count; ++t) {
-        for (const std::uint32_t corner : mesh.triangles[t]) {
-            around[filled[corner]++] = std::uint32_t(t);
-        }
-    }
-    std::vector<Eigen::Vector3f> normals(count * 3);
-    for (std::size_t t = 0; t < count; ++t) {
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const std::uint32_t point = mesh.triangles[t][corner];
-            Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-            for (std::uint32_t entry = first[point]; entry < first[point + 1]; ++entry) {
-                if (unit[around[entry]].dot(unit[t]) >= creaseCosine) {
-                    sum += weighted[around[entry]];
-                }
-            }
-            normals[t * 3 + corner] = sum.normalized();
-        }
-    }
-    return normals;
-}
-
 vtkSmartPointer<vtkPolyData> weldedSurface(const TriangleMesh& mesh) {
     auto points = vtkSmartPointer<vtkPoints>::New();
     points->SetNumberOfPoints(vtkIdType(mesh.positions.size()));
@@ -117,7 +74,7 @@ void BodyActors::setModel(std::shared_ptr<const TexturedMesh> model) {
     setVisible(visible_);
 }
 
-void BodyActors::addPart(std::size_t material, const std::vector<Eigen::Vector3f>& normals) {
+void BodyActors::addPart(std::size_t material, const CornerNormals& normals) {
     Part part;
     for (std::size_t t = 0; t < model_->mesh.triangles.size(); ++t) {
         if (model_->material[t] == material) {
@@ -142,7 +99,7 @@ void BodyActors::addPart(std::size_t material, const std::vector<Eigen::Vector3f
         cells->InsertNextCell({corner, corner + 1, corner + 2});
         for (std::size_t c = 0; c < 3; ++c, ++corner) {
             const Eigen::Vector3f& p = model_->mesh.positions[model_->mesh.triangles[t][c]];
-            const Eigen::Vector3f& n = normals[std::size_t(t) * 3 + c];
+            const Eigen::Vector3f& n = normals[t][c];
             Eigen::Vector2f uv = model_->textureCoordinates[t][c];
             if (!uv.allFinite()) {
                 uv.setZero();

@@ -1,6 +1,7 @@
 // The body in the view: an actor a material, and the line in which the water meets it.
 #pragma once
 
+#include "geometry/CornerNormals.h"
 #include "model/TexturedMesh.h"
 
 #include <QRgb>
@@ -35,7 +36,7 @@ private:
         vtkSmartPointer<vtkTexture> texture;
         QColor colour;
     };
-    void addPart(std::size_t material, const std::vector<Eigen::Vector3f>& cornerNormals);
+    void addPart(std::size_t material, const CornerNormals& normals);
     void wearOwnLook(const Part& part) const;
 
     vtkRenderer* renderer_;

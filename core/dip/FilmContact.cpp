@@ -1,5 +1,7 @@
 #include "dip/FilmContact.h"
 
+#include "dip/ContactLimit.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -167,6 +169,15 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const Surf
         contact.torn[triangle] = isTorn(stretches[triangle], process.tearStretch);
         contact.painted[triangle] = !contact.torn[triangle] && test.isPainted(triangles[triangle]);
     });
+    contact.places = film.positions;
+    for (std::size_t point = 0; point < contact.places.size(); ++point) {
+        if (contact.surface[point].isValid()) {
+            contact.places[point] = position(body.model.mesh, contact.surface[point]);
+        }
+    }
+    if (film.isotropic) {
+        continueToLimit(film, body, query, process, contact);
+    }
     return contact;
 }
 

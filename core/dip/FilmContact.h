@@ -4,6 +4,8 @@
 #include "dip/Dip.h"
 #include "geometry/SurfaceQuery.h"
 
+#include <map>
+
 namespace dipwright {
 
 // Where each film point lies on the body: an invalid SurfacePoint where it is not on it.
@@ -16,6 +18,22 @@ struct FilmContact {
     std::vector<std::uint8_t> torn; // a film triangle each: 1 = area or length past the tear limit
     std::size_t contactCount = 0;   // points that are on the body themselves
     std::size_t filledCount = 0;    // points that were filled
+
+    // A film point each: where it lies on the body, or where the film is. Of a point just past the
+    // limit of contact: where it would lie if the film went on evenly.
+    std::vector<Eigen::Vector3f> places;
+    // The film triangles, none of them `painted`, that the limit of contact runs through: film at
+    // the corners' weights w is on the body where w · limit ≥ 0.
+    std::map<std::uint32_t, Eigen::Vector3f> limits;
+
+    // Whether any of a film triangle is on the body, and whether it is at the corners' weights.
+    bool reaches(std::uint32_t triangle) const {
+        return painted[triangle] != 0 || limits.contains(triangle);
+    }
+    bool reaches(std::uint32_t triangle, const Eigen::Vector3f& weights) const {
+        const auto limit = limits.find(triangle);
+        return limit == limits.end() ? painted[triangle] != 0 : weights.dot(limit->second) >= 0;
+    }
 };
 
 // Hollows up to this deep, in film cells, count as touched by the film that spans them; the film's
@@ -26,8 +44,10 @@ inline constexpr double touchedHollow = 0.3;
 // the closest one where that ray goes astray. A point that has none is filled from its neighbours
 // where it has some on both sides, along the rows and along the columns. A film triangle is painted
 // when all its corners lie on the body and it neither tears, nor spans a hollow, nor is folded
-// across the body, nor lies on a face that turns up by more than `process.overhang`.
-// `film` and `body` are in the same pose frame; `query` asks body.model.mesh. All cores.
+// across the body, nor lies on a face that turns up by more than `process.overhang`. The film's
+// last points on the body are short of the limit of contact by up to a cell; isotropic film is
+// continued up to it, see ContactLimit.h. `film` and `body` are in the same pose frame; `query`
+// asks body.model.mesh. All cores.
 FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
                        const ProcessSettings& process);
 

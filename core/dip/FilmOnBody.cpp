@@ -18,6 +18,7 @@ constexpr float noWeight = 1e-5f;
 
 struct FilmOnBody::Data {
     const DippedFilm& film;
+    const FilmContact& contact;
     const TriangleMesh& body;
     std::vector<std::uint32_t> filmTriangle; // of each painted triangle
     TriangleMesh painted;
@@ -26,9 +27,9 @@ struct FilmOnBody::Data {
     SurfaceQuery query;
     float reach;
 
-    Data(const DippedFilm& dipped, const PosedBody& posed, std::vector<std::uint32_t> indices,
-         TriangleMesh mesh)
-        : film(dipped), body(posed.model.mesh), filmTriangle(std::move(indices)),
+    Data(const DippedFilm& dipped, const FilmContact& located, const PosedBody& posed,
+         std::vector<std::uint32_t> indices, TriangleMesh mesh)
+        : film(dipped), contact(located), body(posed.model.mesh), filmTriangle(std::move(indices)),
           painted(std::move(mesh)), opposite(oppositeEdges(painted)),
           isBorderPoint(painted.positions.size(), 0), query(painted),
           reach(float(std::max(dipped.grid.spacingX(), dipped.grid.spacingZ()))) {
@@ -82,20 +83,15 @@ struct FilmOnBody::Data {
 FilmOnBody::FilmOnBody(const DippedFilm& film, const FilmContact& contact, const PosedBody& body) {
     const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
     std::vector<std::uint32_t> indices;
-    TriangleMesh painted{film.positions, {}};
     // On the body itself, should the film have stopped short of it by a contact distance.
-    for (std::size_t point = 0; point < painted.positions.size(); ++point) {
-        if (contact.surface[point].isValid()) {
-            painted.positions[point] = position(body.model.mesh, contact.surface[point]);
-        }
-    }
+    TriangleMesh painted{contact.places, {}};
     for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
-        if (contact.painted[triangle]) {
+        if (contact.reaches(std::uint32_t(triangle))) {
             indices.push_back(std::uint32_t(triangle));
             painted.triangles.push_back(triangles[triangle]);
         }
     }
-    data_ = std::make_unique<Data>(film, body, std::move(indices), std::move(painted));
+    data_ = std::make_unique<Data>(film, contact, body, std::move(indices), std::move(painted));
 }
 
 FilmOnBody::~FilmOnBody() = default;
@@ -116,6 +112,9 @@ bool FilmOnBody::locate(const SurfacePoint& point, Eigen::Vector2f& rest,
         return false;
     }
     triangle = data_->filmTriangle[found.point.triangle];
+    if (!data_->contact.reaches(triangle, found.point.weights)) {
+        return false;
+    }
     const FilmTriangle& corners = data_->painted.triangles[found.point.triangle];
     rest.setZero();
     for (int corner = 0; corner < 3; ++corner) {

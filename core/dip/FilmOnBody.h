@@ -5,7 +5,8 @@
 
 namespace dipwright {
 
-// A hierarchy over the painted, deformed film. Keeps references to `film` and `body`.
+// A hierarchy over the painted, deformed film. Keeps references to its
+// arguments.
 class FilmOnBody {
 public:
     FilmOnBody(const DippedFilm& film, const FilmContact& contact, const PosedBody& body);

@@ -1,6 +1,7 @@
 #include "results/Results.h"
 
 #include "dip/FilmOnBody.h"
+#include "geometry/CornerNormals.h"
 #include "results/ProofScene.h"
 #include "texture/AreaStretch.h"
 #include "texture/Ink.h"
@@ -205,7 +206,7 @@ private:
 
     const TriangleMesh& mesh_;
     SurfaceQuery query_;
-    std::vector<std::array<Eigen::Vector3f, 3>> normals_;
+    CornerNormals normals_;
     SkyLight sky_;
     Eigen::Vector3f middle_;
     float size_;

@@ -8,8 +8,6 @@
 namespace dipwright {
 namespace {
 
-const float creaseCosine = std::cos(35 * std::numbers::pi_v<float> / 180);
-
 // Evenly spread over the half sphere round +Z, denser towards its pole as light counts there more
 // (cosine-weighted Fibonacci spiral).
 std::vector<Eigen::Vector3f> hemisphere(int count) {
@@ -40,44 +38,6 @@ float openShare(const SurfaceQuery& query, const Eigen::Vector3f& place,
 }
 
 } // namespace
-
-std::vector<std::array<Eigen::Vector3f, 3>> cornerNormals(const TriangleMesh& mesh) {
-    std::vector<Eigen::Vector3f> faces(mesh.triangles.size());
-    std::vector<float> areas(mesh.triangles.size());
-    std::vector<std::uint32_t> first(mesh.positions.size() + 1, 0); // into `around`, by position
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        faces[i] = triangleNormal(mesh, i);
-        areas[i] = float(triangleArea(mesh, i));
-        for (std::uint32_t position : mesh.triangles[i]) {
-            ++first[position + 1];
-        }
-    }
-    for (std::size_t i = 1; i < first.size(); ++i) {
-        first[i] += first[i - 1];
-    }
-    std::vector<std::uint32_t> around(3 * faces.size());
-    std::vector<std::uint32_t> next = first;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        for (std::uint32_t position : mesh.triangles[i]) {
-            around[next[position]++] = std::uint32_t(i);
-        }
-    }
-    std::vector<std::array<Eigen::Vector3f, 3>> normals(faces.size());
-    tbb::parallel_for(std::size_t(0), faces.size(), [&](std::size_t i) {
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const std::uint32_t position = mesh.triangles[i][corner];
-            Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-            for (std::uint32_t at = first[position]; at < first[position + 1]; ++at) {
-                const std::uint32_t other = around[at];
-                if (faces[i].dot(faces[other]) >= creaseCosine) {
-                    sum += areas[other] * faces[other];
-                }
-            }
-            normals[i][corner] = sum.squaredNorm() > 0 ? sum.normalized() : faces[i];
-        }
-    });
-    return normals;
-}
 
 SkyLight::SkyLight(const TriangleMesh& mesh, const SurfaceQuery& query)
     : mesh_(mesh), body_(mesh.positions.size()),

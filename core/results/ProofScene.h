@@ -5,9 +5,6 @@
 
 namespace dipwright {
 
-// Normals of a mesh for shading, one a corner: smooth over gentle edges, sharp at creases.
-std::vector<std::array<Eigen::Vector3f, 3>> cornerNormals(const TriangleMesh& mesh);
-
 // How much of the sky is open, 0 … 1, over each position of a mesh (ambient occlusion), and over
 // the table under it. Computed once, by rays on all cores; read from any thread.
 class SkyLight {

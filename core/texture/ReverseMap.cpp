@@ -69,12 +69,7 @@ Eigen::Vector3f FilmPiece::childWeights(const Eigen::Vector3f& weights, std::siz
 ReverseMap::ReverseMap(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
                        const SurfaceQuery& query)
     : contact_(contact), model_(body.model), query_(query), triangles_(filmTriangles(film.grid)),
-      contactPoints_(film.positions), seam_(triangles_.size(), 0) {
-    for (std::size_t point = 0; point < contactPoints_.size(); ++point) {
-        if (contact.surface[point].isValid()) {
-            contactPoints_[point] = position(model_.mesh, contact.surface[point]);
-        }
-    }
+      seam_(triangles_.size(), 0) {
     markSeams(film, body);
 }
 
@@ -121,9 +116,9 @@ std::size_t ReverseMap::seamCount() const {
 
 SurfacePoint ReverseMap::surface(const FilmPlace& place) const {
     const FilmTriangle& corners = triangles_[place.triangle];
-    const Eigen::Vector3f& a = contactPoints_[corners[0]];
-    const Eigen::Vector3f& b = contactPoints_[corners[1]];
-    const Eigen::Vector3f& c = contactPoints_[corners[2]];
+    const Eigen::Vector3f& a = contact_.places[corners[0]];
+    const Eigen::Vector3f& b = contact_.places[corners[1]];
+    const Eigen::Vector3f& c = contact_.places[corners[2]];
     const Eigen::Vector3f flat = place.weights[0] * a + place.weights[1] * b + place.weights[2] * c;
     const float reach = (b - a).norm() + (c - a).norm(); // the corners are on the body
     const ClosestPoint closest = query_.closest(flat, reach);
@@ -169,7 +164,7 @@ Eigen::Matrix2f ReverseMap::textureSteps(std::uint32_t bodyTriangle,
 Eigen::Matrix3f ReverseMap::contactPoints(std::uint32_t filmTriangle) const {
     const FilmTriangle& corners = triangles_[filmTriangle];
     Eigen::Matrix3f points;
-    points << contactPoints_[corners[0]], contactPoints_[corners[1]], contactPoints_[corners[2]];
+    points << contact_.places[corners[0]], contact_.places[corners[1]], contact_.places[corners[2]];
     return points;
 }
 
@@ -178,8 +173,9 @@ FilmPiece ReverseMap::whole(std::uint32_t triangle) const {
     piece.triangle = triangle;
     for (int corner = 0; corner < 3; ++corner) {
         piece.corners[std::size_t(corner)] = Eigen::Vector3f::Unit(corner);
+        const SurfacePoint& touched = contact_.surface[triangles_[triangle][std::size_t(corner)]];
         piece.surface[std::size_t(corner)] =
-            contact_.surface[triangles_[triangle][std::size_t(corner)]];
+            touched.isValid() ? touched : surface({triangle, Eigen::Vector3f::Unit(corner)});
     }
     return piece;
 }

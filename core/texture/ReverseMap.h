@@ -57,7 +57,7 @@ public:
                const SurfaceQuery& query);
 
     const std::vector<FilmTriangle>& triangles() const { return triangles_; }
-    bool isPainted(std::uint32_t triangle) const { return contact_.painted[triangle] != 0; }
+    const FilmContact& contact() const { return contact_; }
     // Whether a border between charts runs through a painted triangle, by the body's topology.
     bool isSeam(std::uint32_t triangle) const { return seam_[triangle] != 0; }
     std::size_t seamCount() const;
@@ -97,8 +97,7 @@ private:
     const TexturedMesh& model_;
     const SurfaceQuery& query_;
     std::vector<FilmTriangle> triangles_;
-    std::vector<Eigen::Vector3f> contactPoints_; // a film point each, on the body
-    std::vector<std::uint8_t> seam_;             // a film triangle each
+    std::vector<std::uint8_t> seam_; // a film triangle each
 };
 
 } // namespace dipwright

@@ -66,8 +66,11 @@ public:
             const auto cell =
                 std::uint32_t(row) * std::uint32_t(film_.grid.columns - 1) + std::uint32_t(column);
             for (const std::uint32_t triangle : {2 * cell, 2 * cell + 1}) {
-                if (map_.isPainted(triangle)) {
+                if (map_.contact().reaches(triangle)) {
                     collect(column, row, triangle % 2 == 1, pixels);
+                    std::erase_if(pixels, [&](const Pixel& pixel) {
+                        return !map_.contact().reaches(triangle, pixel.weights);
+                    });
                     shortfall += paint(map_.whole(triangle), pixels);
                 }
             }

@@ -73,6 +73,7 @@ private Q_SLOTS:
     void filmAcrossAHollowIsNotPainted();
     void coverageOfABoxIsItsBottom();
     void coverageOfABallIsItsCap();
+    void paintEndsEvenlyWhereTheBodyTurnsUp();
     void filmOnBodyGivesThePlaceBack();
     void filmOnBodyEndsWhereThePaintEnds();
     void filmOnBodyTellsTheSidesOfAThinPlateApart();
@@ -220,9 +221,39 @@ void FilmContactTest::coverageOfABallIsItsCap() {
     const double end = 1.2;
     const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, end));
     const Coverage cover = coverage(globe.film, globe.contact, globe.body, globe.query);
-    // The film's last whole cells end up to a cell before the contact line.
-    QVERIFY(cover.share < (1 - std::cos(end)) / 2);
-    QVERIFY(cover.share > (1 - std::cos(end - 1.5 / ballRadius)) / 2);
+    // The film's last whole cells end up to a cell before the contact line, and are continued to
+    // it.
+    QVERIFY(std::abs(cover.share - (1 - std::cos(end)) / 2) < 0.001);
+}
+
+void FilmContactTest::paintEndsEvenlyWhereTheBodyTurnsUp() {
+    // The last points on the ball are up to two cells short of the limit; the others float above.
+    const ProcessSettings process;
+    const double limit = pi / 2 + radians(process.overhang);
+    DippedFilm film = test::viscousOnSphere(test::a4Grid(), ballRadius, limit - 1.8 / ballRadius);
+    for (std::size_t point = 0; point < film.positions.size(); ++point) {
+        if (!film.adhered(point)) {
+            film.positions[point].y() = 2 * ballRadius + 2;
+        }
+    }
+    const Located globe(ball(), film);
+    const FilmOnBody filmOnBody(globe.film, globe.contact, globe.body);
+    for (double turn = 0; turn < 2 * pi; turn += 0.01) {
+        for (const double beside : {-0.3, 0.3}) { // mm along the ball
+            const double angle = limit + beside / ballRadius;
+            const Eigen::Vector3d place(std::sin(angle) * std::cos(turn), 1 - std::cos(angle),
+                                        std::sin(angle) * std::sin(turn));
+            Eigen::Vector2f rest;
+            std::uint32_t triangle = 0;
+            const bool covered = filmOnBody.locate(
+                globe.query.closest((ballRadius * place).cast<float>()).point, rest, triangle);
+            QCOMPARE(covered, beside < 0);
+            if (covered) {
+                const double fromMiddle = 2 * ballRadius * std::sin(angle / 2);
+                QVERIFY(std::abs(double(rest.norm()) - fromMiddle) < 0.3);
+            }
+        }
+    }
 }
 
 void FilmContactTest::filmOnBodyGivesThePlaceBack() {

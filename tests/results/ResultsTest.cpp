@@ -5,6 +5,7 @@
 
 #include "base/Error.h"
 #include "dip/PaintedStretch.h"
+#include "geometry/CornerNormals.h"
 #include "geometry/Shapes.h"
 #include "results/ProofScene.h"
 

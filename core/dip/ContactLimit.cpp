@@ -1,0 +1,238 @@
+#include "dip/ContactLimit.h"
+
+#include "geometry/CornerNormals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace dipwright {
+
+namespace {
+
+// Of a cell: how far film between two places on the body may lie off it.
+constexpr float offBody = 0.1f;
+constexpr int stepsOfACell = 8;
+// The limit is kept off the corners, so that no triangle is without one.
+constexpr float leastShare = 1e-3f;
+// The solver ends up to so many cells before the limit.
+constexpr int rings = 2;
+constexpr int triedPlaces = 8;
+constexpr int halvings = 10;
+
+class LimitFinder {
+public:
+    LimitFinder(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
+                const ProcessSettings& process, FilmContact& contact)
+        : film_(film), mesh_(body.model.mesh), normals_(cornerNormals(mesh_)), query_(query),
+          contact_(contact), cell_(float(std::max(film.grid.spacingX(), film.grid.spacingZ()))),
+          triangles_(filmTriangles(film.grid)),
+          steepest_(float(std::sin(radians(process.overhang)))),
+          mostStretch_(float(process.tearStretch)), state_(film.positions.size(), Reach::None) {}
+
+    void find() {
+        for (std::size_t triangle = 0; triangle < triangles_.size(); ++triangle) {
+            for (const std::uint32_t point : triangles_[triangle]) {
+                if (contact_.painted[triangle]) {
+                    state_[point] = Reach::Held;
+                }
+            }
+        }
+        for (int ring = 0; ring < rings; ++ring) {
+            continueByACell();
+        }
+        for (std::uint32_t triangle = 0; triangle < triangles_.size(); ++triangle) {
+            const FilmTriangle& corners = triangles_[triangle];
+            const bool isNew = std::any_of(corners.begin(), corners.end(), [&](auto point) {
+                return !contact_.surface[point].isValid();
+            });
+            if (isNew && !contact_.painted[triangle] && isContinued(corners)) {
+                contact_.limits.emplace(triangle, limit(corners));
+            }
+        }
+    }
+
+private:
+    // What becomes of a film point.
+    enum class Reach : std::uint8_t {
+        None, // nothing is known of it, or it floats
+        Held, // it is on the body, or would be if the film went on
+        Past, // it would be past the limit if the film went on
+    };
+
+    void continueByACell() {
+        std::vector<std::pair<std::uint32_t, Eigen::Vector3f>> continued;
+        for (std::uint32_t point = 0; point < state_.size(); ++point) {
+            if (const auto place = continuedPlace(point)) {
+                continued.emplace_back(point, *place);
+            }
+        }
+        for (const auto& [point, place] : continued) {
+            contact_.places[point] = place;
+            const bool held = isHeld(place, film_.positions[point].y());
+            state_[point] = held ? Reach::Held : Reach::Past;
+        }
+    }
+
+    // Where a free point would lie if the film went on over the body past its last two points, in
+    // the mean of all ways to it; nothing where there is none, or where the film is near and does
+    // not touch.
+    std::optional<Eigen::Vector3f> continuedPlace(std::uint32_t point) const {
+        if (film_.states[point] != solver::PointState::Free || state_[point] != Reach::None ||
+            contact_.surface[point].isValid()) {
+            return std::nullopt;
+        }
+        const int columns = film_.grid.columns;
+        const int column = int(point) % columns;
+        const int row = int(point) / columns;
+        const auto lies = [&](int c, int r) {
+            return c >= 0 && r >= 0 && c < columns && r < film_.grid.rows &&
+                   state_[std::size_t(r * columns + c)] == Reach::Held;
+        };
+        Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+        float way = 0;
+        int count = 0;
+        for (int down = -1; down <= 1; ++down) {
+            for (int right = -1; right <= 1; ++right) {
+                if (lies(column + right, row + down) && lies(column + 2 * right, row + 2 * down)) {
+                    const int last = (row + down) * columns + column + right;
+                    const Eigen::Vector3f& near = contact_.places[std::size_t(last)];
+                    const Eigen::Vector3f& before =
+                        contact_.places[std::size_t(last + down * columns + right)];
+                    sum += continued(before, near);
+                    way += (near - before).norm();
+                    ++count;
+                }
+            }
+        }
+        if (count == 0) {
+            return std::nullopt;
+        }
+        const Eigen::Vector3f place = sum / float(count);
+        const Eigen::Vector3f& floats = film_.positions[point];
+        const bool hangs = place.y() > floats.y() || (floats - place).norm() > way / float(count);
+        return hangs ? std::optional(place) : std::nullopt;
+    }
+
+    // As far again from `before` over `near`, along the body; straight on where the body ends.
+    Eigen::Vector3f continued(const Eigen::Vector3f& before, const Eigen::Vector3f& near) const {
+        const float step = (near - before).norm() / stepsOfACell;
+        Eigen::Vector3f place = near;
+        Eigen::Vector3f ahead = (near - before).normalized();
+        for (int left = stepsOfACell; left > 0; --left) {
+            const ClosestPoint under = query_.closest(place + step * ahead);
+            const Eigen::Vector3f next = position(mesh_, under.point);
+            if ((next - place).dot(ahead) < step / 2) {
+                return place + float(left) * step * ahead;
+            }
+            const Eigen::Vector3f outward = normal(under.point);
+            ahead = (ahead - ahead.dot(outward) * outward).normalized();
+            place = next;
+        }
+        return place;
+    }
+
+    // Whether the film goes on over a triangle: some of its corners are held, none is unknown, and
+    // the film would neither be folded there nor tear.
+    bool isContinued(const FilmTriangle& triangle) const {
+        const auto count = [&](Reach reach) {
+            return std::count_if(triangle.begin(), triangle.end(),
+                                 [&](std::uint32_t point) { return state_[point] == reach; });
+        };
+        if (count(Reach::None) > 0 || count(Reach::Held) == 0) {
+            return false;
+        }
+        const Eigen::Vector3f& a = contact_.places[triangle[0]];
+        const Eigen::Vector3f& b = contact_.places[triangle[1]];
+        const Eigen::Vector3f& c = contact_.places[triangle[2]];
+        const Eigen::Vector3f turn = (b - a).cross(c - a);
+        const Eigen::Vector3f outward = normal(query_.closest(a).point) +
+                                        normal(query_.closest(b).point) +
+                                        normal(query_.closest(c).point);
+        const auto restArea = float(film_.grid.spacingX() * film_.grid.spacingZ());
+        return outward.dot(turn) < 0 && turn.norm() <= mostStretch_ * restArea;
+    }
+
+    // Linear over the triangle, and zero where the limit crosses its sides.
+    Eigen::Vector3f limit(const FilmTriangle& triangle) const {
+        const auto isPast = [&](std::size_t corner) {
+            return state_[triangle[corner]] == Reach::Past;
+        };
+        const int past = isPast(0) + isPast(1) + isPast(2);
+        Eigen::Vector3f result = Eigen::Vector3f::Constant(past == 1 ? -1 : 1);
+        if (past == 0) {
+            return result;
+        }
+        // The corner that is alone on its side of the limit, and the two others.
+        std::size_t alone = 0;
+        while (isPast(alone) != (past == 1)) {
+            ++alone;
+        }
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            if (corner != alone && past == 1) {
+                const float share = shareOnBody(triangle[corner], triangle[alone]);
+                result[int(corner)] = share / (1 - share);
+            } else if (corner != alone) {
+                const float share = shareOnBody(triangle[alone], triangle[corner]);
+                result[int(corner)] = -(1 - share) / share;
+            }
+        }
+        return result;
+    }
+
+    // The share of the way from a point on the body to one past the limit that is on the body.
+    float shareOnBody(std::uint32_t from, std::uint32_t past) const {
+        const Eigen::Vector3f& start = contact_.places[from];
+        const Eigen::Vector3f way = contact_.places[past] - start;
+        const auto holds = [&](float share) {
+            return isHeld(start + share * way, film_.positions[past].y());
+        };
+        float held = 0;
+        float lost = 1;
+        for (int place = 1; place <= triedPlaces; ++place) {
+            lost = float(place) / triedPlaces;
+            if (!holds(lost)) {
+                break;
+            }
+            held = lost;
+        }
+        for (int i = 0; i < halvings && held < lost; ++i) {
+            const float middle = (held + lost) / 2;
+            (holds(middle) ? held : lost) = middle;
+        }
+        return std::clamp(held, leastShare, 1 - leastShare);
+    }
+
+    // Whether the body holds film at this place; the water stands at `water`.
+    bool isHeld(const Eigen::Vector3f& place, float water) const {
+        const ClosestPoint under = query_.closest(place, offBody * cell_);
+        return under.point.isValid() && position(mesh_, under.point).y() <= water &&
+               normal(under.point).y() <= steepest_;
+    }
+    Eigen::Vector3f normal(const SurfacePoint& point) const {
+        const auto& corners = normals_[point.triangle];
+        return (point.weights[0] * corners[0] + point.weights[1] * corners[1] +
+                point.weights[2] * corners[2])
+            .normalized();
+    }
+
+    const DippedFilm& film_;
+    const TriangleMesh& mesh_;
+    CornerNormals normals_;
+    const SurfaceQuery& query_;
+    FilmContact& contact_;
+    float cell_;
+    std::vector<FilmTriangle> triangles_;
+    float steepest_;
+    float mostStretch_;
+    std::vector<Reach> state_; // a film point each
+};
+
+} // namespace
+
+void continueToLimit(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
+                     const ProcessSettings& process, FilmContact& contact) {
+    LimitFinder(film, body, query, process, contact).find();
+}
+
+} // namespace dipwright

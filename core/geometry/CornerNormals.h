@@ -1,0 +1,12 @@
+// Normals of a mesh that is looked at as the smooth body that it stands for.
+#pragma once
+
+#include "geometry/TriangleMesh.h"
+
+namespace dipwright {
+
+// Of each triangle's corners: smooth over gentle edges, sharp at creases.
+using CornerNormals = std::vector<std::array<Eigen::Vector3f, 3>>;
+CornerNormals cornerNormals(const TriangleMesh& mesh);
+
+} // namespace dipwright
