@@ -20,7 +20,7 @@ struct FilmContact {
     std::size_t filledCount = 0;    // points that were filled
 
     // A film point each: where it lies on the body, or where the film is. Of a point just past the
-    // limit of contact: where it would lie if the film went on evenly.
+    // limit of contact: where it would lie if the film went on.
     std::vector<Eigen::Vector3f> places;
     // The film triangles, none of them `painted`, that the limit of contact runs through: film at
     // the corners' weights w is on the body where w · limit ≥ 0.
@@ -45,7 +45,7 @@ inline constexpr double touchedHollow = 0.3;
 // where it has some on both sides, along the rows and along the columns. A film triangle is painted
 // when all its corners lie on the body and it neither tears, nor spans a hollow, nor is folded
 // across the body, nor lies on a face that turns up by more than `process.overhang`. The film's
-// last points on the body are short of the limit of contact by up to a cell; isotropic film is
+// last points on the body are short of the limit of contact by a cell or so; isotropic film is
 // continued up to it, see ContactLimit.h. `film` and `body` are in the same pose frame; `query`
 // asks body.model.mesh. All cores.
 FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
