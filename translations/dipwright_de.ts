@@ -599,6 +599,14 @@
 <context>
     <name>Profiles</name>
     <message>
+        <source>%1, lot %2,</source>
+        <translation>%1, Charge %2,</translation>
+    </message>
+    <message>
+        <source>The film %1 expired on %2; take a fresh lot, or try this one first</source>
+        <translation>Der Film %1 ist am %2 abgelaufen; nehmen Sie eine frische Charge oder proben Sie erst mit dieser</translation>
+    </message>
+    <message>
         <source>The ICC profile is not stored as base64 text, import it anew</source>
         <translation>Das ICC-Profil ist nicht als Base64-Text gespeichert; importieren Sie es neu</translation>
     </message>

@@ -599,6 +599,14 @@
 <context>
     <name>Profiles</name>
     <message>
+        <source>%1, lot %2,</source>
+        <translation>%1, lote %2,</translation>
+    </message>
+    <message>
+        <source>The film %1 expired on %2; take a fresh lot, or try this one first</source>
+        <translation>O filme %1 venceu em %2; use um lote novo ou teste este antes</translation>
+    </message>
+    <message>
         <source>The ICC profile is not stored as base64 text, import it anew</source>
         <translation>O perfil ICC não está guardado como texto base64; importe-o de novo</translation>
     </message>

@@ -148,6 +148,9 @@ public:
         const SolverRegistry registry;
         const Progress progress = console.progress();
         const JobResult result = runJob(project, registry, options, nullptr, progress.part(0, 0.8));
+        for (const QString& note : result.notes) {
+            console.out() << note << '\n';
+        }
         for (const ImmersionResult& immersion : result.immersions) {
             tellGamut(immersion.sheet, request, console.out());
         }

@@ -42,6 +42,9 @@ public:
         result_.project = project_;
         result_.options = options_;
         result_.options.observer = nullptr;
+        if (const QString expiry = expiryWarning(project_.profiles.film); !expiry.isEmpty()) {
+            result_.notes.append(expiry);
+        }
         chooseSolver(options_.solver.isEmpty() ? project_.process.solver : options_.solver);
         if (sameModel() && previous_->project.fieldResolution == project_.fieldResolution) {
             result_.field = previous_->field;

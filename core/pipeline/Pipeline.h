@@ -37,7 +37,8 @@ struct JobResult {
     std::vector<ImmersionResult> immersions;
     double coverageTotal = 0; // share of the body's surface that any immersion paints
     QImage proof;
-    QStringList notes; // sentences for the user: a solver that failed and which took over
+    // Sentences for the user: a solver that failed and which took over, a film past its date.
+    QStringList notes;
 };
 
 // Edge of the built-in chessboard's squares on the printed sheet, mm (the paper's experiment).

@@ -80,6 +80,9 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     for (const Immersion& immersion : project.immersions) {
         checkImmersion(project, immersion, warnings);
     }
+    if (const QString expiry = expiryWarning(project.profiles.film); !expiry.isEmpty()) {
+        warnings.append(expiry);
+    }
     return warnings;
 }
 

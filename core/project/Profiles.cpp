@@ -5,6 +5,7 @@
 #include "project/Project.h"
 
 #include <QCoreApplication>
+#include <QDate>
 #include <QStringList>
 
 namespace dipwright {
@@ -62,6 +63,17 @@ const QString& nameOf(const Profile& profile) {
 
 void applyProfile(Project& project, const Profile& profile) {
     std::visit([&](const auto& value) { apply(project, value); }, profile);
+}
+
+QString expiryWarning(const std::optional<FilmProfile>& film) {
+    const QDate expiry = film ? QDate::fromString(film->expiry, Qt::ISODate) : QDate();
+    if (!expiry.isValid() || QDate::currentDate() <= expiry) {
+        return {};
+    }
+    const QString name =
+        film->lot.isEmpty() ? film->name : Text::tr("%1, lot %2,").arg(film->name, film->lot);
+    return Text::tr("The film %1 expired on %2; take a fresh lot, or try this one first")
+        .arg(name, film->expiry);
 }
 
 } // namespace dipwright

@@ -84,6 +84,9 @@ struct Project;
 // and contact distance; a printer's resolution and ink limit; a tank's barriers.
 void applyProfile(Project& project, const Profile& profile);
 
+// A sentence where the film has expired by today, else empty.
+QString expiryWarning(const std::optional<FilmProfile>& film);
+
 // Sets one value by its path in the file ("scale", "edges.left"), parts of an array joined by x or
 // ;. Throws Error naming the path when it is unknown or out of range.
 void setByPath(Profile& profile, const QString& path, const QString& value);

@@ -246,6 +246,24 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(runJob(job_, registry, options, nullptr, {}), Error);
     }
 
+    void anExpiredFilmIsToldOf() {
+        Project job = job_;
+        FilmProfile film;
+        film.name = QStringLiteral("Blue box");
+        film.lot = QStringLiteral("B-17");
+        film.expiry = QStringLiteral("2001-03-31");
+        job.profiles.film = film;
+        const JobResult result = runJob(job, *registry_, {}, &first_, {});
+        QCOMPARE(result.notes.size(), 1);
+        QVERIFY2(result.notes.front().contains("Blue box, lot B-17, expired on 2001-03-31"),
+                 qPrintable(result.notes.front()));
+        QVERIFY(validateJob(job, *registry_).contains(result.notes.front()));
+        job.profiles.film->expiry = QStringLiteral("9999-12-31");
+        QVERIFY(runJob(job, *registry_, {}, &first_, {}).notes.isEmpty());
+        job.profiles.film->expiry.clear();
+        QVERIFY(runJob(job, *registry_, {}, &first_, {}).notes.isEmpty());
+    }
+
     void withoutAModelThereIsNoJob() {
         Project job = job_;
         job.model = nullptr;

@@ -318,9 +318,13 @@ void PrintDialog::judge() {
     const int judgement = ++judgement_;
     jobs_.start(std::make_unique<ValueJob<Judgement>>(
         tr("Asking the printer"),
-        [sheets, request = request()](const Progress&) {
+        [sheets, request = request(),
+         expiry = expiryWarning(outcome_.result->project.profiles.film)](const Progress&) {
             const auto system = printSystem();
             Judgement found;
+            if (!expiry.isEmpty()) {
+                found.warnings.append(expiry);
+            }
             for (const PrintPlan& plan : planPrints(*system, sheets, request)) {
                 found.warnings.append(plan.warnings);
                 found.pages += plan.task.pages;
