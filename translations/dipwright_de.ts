@@ -1248,6 +1248,85 @@
     </message>
 </context>
 <context>
+    <name>ShippedNames</name>
+    <message>
+        <source>Ideal film, A3</source>
+        <translation>Idealer Film, A3</translation>
+    </message>
+    <message>
+        <source>Ideal film, A4</source>
+        <translation>Idealer Film, A4</translation>
+    </message>
+    <message>
+        <source>Soft film, A4, swells by 5 %</source>
+        <translation>Weicher Film, A4, quillt um 5 %</translation>
+    </message>
+    <message>
+        <source>Pigment printer, borderless, 600 dpi</source>
+        <translation>Pigmentdrucker, randlos, 600 dpi</translation>
+    </message>
+    <message>
+        <source>Office printer, 5 mm margins</source>
+        <translation>Bürodrucker, 5 mm Rand</translation>
+    </message>
+    <message>
+        <source>True size, sRGB</source>
+        <translation>Wahre Größe, sRGB</translation>
+    </message>
+    <message>
+        <source>Tank with barriers on all sides</source>
+        <translation>Becken mit Barrieren an allen Seiten</translation>
+    </message>
+    <message>
+        <source>Open tank</source>
+        <translation>Offenes Becken</translation>
+    </message>
+    <message>
+        <source>Position-based film on the CPU</source>
+        <translation>Positionsbasierter Film auf der CPU</translation>
+    </message>
+    <message>
+        <source>Position-based film on an NVIDIA GPU</source>
+        <translation>Positionsbasierter Film auf einer NVIDIA-GPU</translation>
+    </message>
+    <message>
+        <source>No NVIDIA driver was found on this computer; install one to compute on the GPU.</source>
+        <translation>Auf diesem Rechner fehlt ein NVIDIA-Treiber; installieren Sie einen, um auf der GPU zu rechnen.</translation>
+    </message>
+    <message>
+        <source>No NVIDIA GPU was found on this computer.</source>
+        <translation>Auf diesem Rechner wurde keine NVIDIA-GPU gefunden.</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Tetrahedron</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>Turtle</source>
+        <translation>Schildkröte</translation>
+    </message>
+    <message>
+        <source>Lagoon</source>
+        <translation>Lagune</translation>
+    </message>
+    <message>
+        <source>Dusk</source>
+        <translation>Dämmerung</translation>
+    </message>
+    <message>
+        <source>Balance</source>
+        <translation>Waage</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+</context>
+<context>
     <name>SolverRegistry</name>
     <message>
         <source>Its description has no valid "%1"</source>
@@ -1540,6 +1619,10 @@
     <message>
         <source>The same rulers corrected, which must now measure what they say.</source>
         <translation>Dieselben Lineale korrigiert: Sie müssen nun messen, was sie sagen.</translation>
+    </message>
+    <message>
+        <source>None is set up</source>
+        <translation>Keiner eingerichtet</translation>
     </message>
 </context>
 <context>
@@ -2959,7 +3042,7 @@
     </message>
     <message>
         <source>None</source>
-        <translation>Keines</translation>
+        <translation>Keiner</translation>
     </message>
     <message>
         <source>The printer profile that new projects begin with. It can be changed under Sheet.</source>
@@ -3195,6 +3278,10 @@
     <message>
         <source>The paper that the sheet is printed on.</source>
         <translation>Das Papier, auf das der Bogen gedruckt wird.</translation>
+    </message>
+    <message>
+        <source>None is set up</source>
+        <translation>Keiner eingerichtet</translation>
     </message>
 </context>
 <context>

@@ -1248,6 +1248,85 @@
     </message>
 </context>
 <context>
+    <name>ShippedNames</name>
+    <message>
+        <source>Ideal film, A3</source>
+        <translation>Filme ideal, A3</translation>
+    </message>
+    <message>
+        <source>Ideal film, A4</source>
+        <translation>Filme ideal, A4</translation>
+    </message>
+    <message>
+        <source>Soft film, A4, swells by 5 %</source>
+        <translation>Filme macio, A4, incha 5 %</translation>
+    </message>
+    <message>
+        <source>Pigment printer, borderless, 600 dpi</source>
+        <translation>Impressora de pigmento, sem margens, 600 dpi</translation>
+    </message>
+    <message>
+        <source>Office printer, 5 mm margins</source>
+        <translation>Impressora de escritório, margens de 5 mm</translation>
+    </message>
+    <message>
+        <source>True size, sRGB</source>
+        <translation>Tamanho real, sRGB</translation>
+    </message>
+    <message>
+        <source>Tank with barriers on all sides</source>
+        <translation>Tanque com barreiras em todos os lados</translation>
+    </message>
+    <message>
+        <source>Open tank</source>
+        <translation>Tanque aberto</translation>
+    </message>
+    <message>
+        <source>Position-based film on the CPU</source>
+        <translation>Filme baseado em posições na CPU</translation>
+    </message>
+    <message>
+        <source>Position-based film on an NVIDIA GPU</source>
+        <translation>Filme baseado em posições em GPU NVIDIA</translation>
+    </message>
+    <message>
+        <source>No NVIDIA driver was found on this computer; install one to compute on the GPU.</source>
+        <translation>Nenhum driver NVIDIA foi encontrado neste computador; instale um para calcular na GPU.</translation>
+    </message>
+    <message>
+        <source>No NVIDIA GPU was found on this computer.</source>
+        <translation>Nenhuma GPU NVIDIA foi encontrada neste computador.</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Esfera</translation>
+    </message>
+    <message>
+        <source>Tetrahedron</source>
+        <translation>Tetraedro</translation>
+    </message>
+    <message>
+        <source>Turtle</source>
+        <translation>Tartaruga</translation>
+    </message>
+    <message>
+        <source>Lagoon</source>
+        <translation>Lagoa</translation>
+    </message>
+    <message>
+        <source>Dusk</source>
+        <translation>Crepúsculo</translation>
+    </message>
+    <message>
+        <source>Balance</source>
+        <translation>Balança</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Cinza</translation>
+    </message>
+</context>
+<context>
     <name>SolverRegistry</name>
     <message>
         <source>Its description has no valid "%1"</source>
@@ -1540,6 +1619,10 @@
     <message>
         <source>The same rulers corrected, which must now measure what they say.</source>
         <translation>As mesmas réguas corrigidas, que agora devem medir o que dizem.</translation>
+    </message>
+    <message>
+        <source>None is set up</source>
+        <translation>Nenhuma configurada</translation>
     </message>
 </context>
 <context>
@@ -2959,7 +3042,7 @@
     </message>
     <message>
         <source>None</source>
-        <translation>Nenhum</translation>
+        <translation>Nenhuma</translation>
     </message>
     <message>
         <source>The printer profile that new projects begin with. It can be changed under Sheet.</source>
@@ -3195,6 +3278,10 @@
     <message>
         <source>The paper that the sheet is printed on.</source>
         <translation>O papel em que a folha é impressa.</translation>
+    </message>
+    <message>
+        <source>None is set up</source>
+        <translation>Nenhuma configurada</translation>
     </message>
 </context>
 <context>

@@ -24,8 +24,8 @@ FilmActor::FilmActor(vtkRenderer* renderer)
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -4);
     actor_->SetMapper(mapper);
-    actor_->GetProperty()->SetAmbient(0.62);
-    actor_->GetProperty()->SetDiffuse(0.42);
+    actor_->GetProperty()->SetAmbient(0.74);
+    actor_->GetProperty()->SetDiffuse(0.36);
     actor_->GetProperty()->SetSpecular(0.06);
     actor_->GetProperty()->SetSpecularPower(40);
     actor_->PickableOff();

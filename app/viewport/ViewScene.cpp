@@ -122,6 +122,7 @@ void ViewScene::setSize(const ViewSize& size) {
         vtkCameraOrientationRepresentation::SafeDownCast(orientation_->GetRepresentation());
     axes->SetSize(int(84 * ratio), int(84 * ratio));
     axes->SetPadding(int(14 * ratio), int(14 * ratio));
+    resized_ = true;
 }
 
 void ViewScene::setFilmSize(QSizeF film, double tankDepth) {
@@ -200,9 +201,13 @@ ViewPicture ViewScene::draw() {
     if (!std::exchange(fitted_, true)) {
         fit();
     }
+    renderer_->ResetCameraClippingRange();
+    if (std::exchange(resized_, false)) {
+        window_.vtk()->Render(); // only now does the renderer know its size
+        orientation_->SquareResize();
+    }
     QElapsedTimer clock;
     clock.start();
-    renderer_->ResetCameraClippingRange();
     ViewPicture picture{window_.draw(), projectionOf(*renderer_, size_.size), 0};
     picture.image.setDevicePixelRatio(size_.pixelRatio);
     picture.milliseconds = int(clock.elapsed());

@@ -76,7 +76,8 @@ private:
     ViewSize size_;
     QSizeF filmSize_{210, 297};
     std::function<void()> pictureAsked_;
-    bool fitted_ = false; // since the picture's shape is known
+    bool fitted_ = false;  // since the picture's shape is known
+    bool resized_ = false; // since the last picture
 };
 
 } // namespace dipwright

@@ -307,7 +307,7 @@ void drawNames(QImage& picture, QSize tile, const QStringList& names) {
     QPainter painter(&picture);
     QFont font(QStringLiteral("DejaVu Sans"));
     font.setStyleHint(QFont::SansSerif);
-    font.setPixelSize(std::max(8, tile.height() / 36));
+    font.setPixelSize(std::max(8, tile.height() / 20));
     painter.setFont(font);
     painter.setPen(QColor(95, 100, 106));
     for (int view = 0; view < names.size(); ++view) {

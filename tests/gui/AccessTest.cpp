@@ -1,5 +1,6 @@
 // Everything that can be operated has a name that a screen reader says, can be reached by keyboard,
 // and can be read: in all windows and dialogs, in both themes.
+#include "Contrast.h"
 #include "WindowDriver.h"
 #include "look/Theme.h"
 #include "main/CalibrationDialog.h"
@@ -9,6 +10,8 @@
 #include "main/ProfilesDialog.h"
 #include "panels/GuideWindow.h"
 #include "panels/PictureView.h"
+#include "panels/ProjectTree.h"
+#include "project/ProjectStore.h"
 
 #include <QAbstractItemView>
 #include <QAbstractSlider>
@@ -17,6 +20,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
@@ -26,6 +30,7 @@
 #include <QScrollBar>
 #include <QTabWidget>
 #include <QTextEdit>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <cmath>
@@ -78,21 +83,6 @@ bool isReachable(const QWidget* widget) {
         return true;
     }
     return widget->focusPolicy() & Qt::TabFocus;
-}
-
-// Relative luminance of WCAG 2.
-double luminance(const QColor& colour) {
-    const auto linear = [](double value) {
-        return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
-           0.0722 * linear(colour.blueF());
-}
-
-double contrast(const QColor& a, const QColor& b) {
-    const double lighter = std::max(luminance(a), luminance(b));
-    const double darker = std::min(luminance(a), luminance(b));
-    return (lighter + 0.05) / (darker + 0.05);
 }
 
 QColor groundOf(const QWidget* widget) {
@@ -179,7 +169,36 @@ private slots:
         window_->findChild<QWidget*>(QStringLiteral("tour"))->close();
     }
 
+    void theMessages() {
+        window_->document()->edit(QStringLiteral("Change"), {},
+                                  [](Project& project) { project.ink.limit = 1.7; });
+        checkMessage("closeQuestion", [this] { window_->close(); });
+        const QString copy = workbench_->recovery() + QStringLiteral("/kept.dipw");
+        QVERIFY(QDir().mkpath(workbench_->recovery()));
+        saveProject(window_->document()->project(), copy);
+        checkMessage("recoveryQuestion", [this] { workbench_->offerRecovery(); });
+        checkMessage("failure", [&] { window_->replaceTexture(copy); }); // no picture
+    }
+
 private:
+    // What `ask` has to say or ask, now or when its job is done: checked, then closed.
+    void checkMessage(const char* name, const std::function<void()>& ask) {
+        bool checked = false;
+        QTimer timer;
+        connect(&timer, &QTimer::timeout, this, [&] {
+            for (QWidget* widget : QApplication::topLevelWidgets()) {
+                if (widget->objectName() == QLatin1String(name) && widget->isVisible()) {
+                    timer.stop();
+                    check(*widget);
+                    widget->close();
+                    checked = true;
+                }
+            }
+        });
+        timer.start(10);
+        ask();
+        QTRY_VERIFY2_WITH_TIMEOUT(checked, name, 60'000);
+    }
     void check(QWidget& window) {
         QTest::qWait(0); // layouts
         for (const ThemeChoice theme : {ThemeChoice::Light, ThemeChoice::Dark}) {

@@ -114,6 +114,23 @@ private slots:
         QVERIFY(!waitingBegan);
     }
 
+    void cancellingOneLeavesTheOthers() {
+        ProbeJob::Log running, waiting;
+        JobRunner runner;
+        QSignalSpy idle(&runner, &JobRunner::idle);
+        CancelSwitch first =
+            runner.start(std::make_unique<ProbeJob>(running, [](const Progress& progress) {
+                while (true) {
+                    progress(0.5, QStringLiteral("busy"));
+                }
+            }));
+        runner.start(std::make_unique<ProbeJob>(waiting, [](const Progress&) {}));
+        first.cancel();
+        QVERIFY(idle.wait());
+        QVERIFY(running.cancelled);
+        QVERIFY(!waiting.cancelled);
+    }
+
     void aRunnerThatGoesAwayWaitsForItsWork() {
         ProbeJob::Log log;
         QSemaphore begun;

@@ -1,4 +1,5 @@
 // The panels by themselves: fields, heat scale, isolines and the picture view.
+#include "Contrast.h"
 #include "document/ProjectValue.h"
 #include "look/Theme.h"
 #include "panels/HeatScale.h"
@@ -29,21 +30,6 @@ std::vector<PropertySpec> allSpecs() {
         }
     }
     return all;
-}
-
-// Relative luminance of WCAG 2.
-double luminance(const QColor& colour) {
-    const auto linear = [](double value) {
-        return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
-           0.0722 * linear(colour.blueF());
-}
-
-double contrast(const QColor& a, const QColor& b) {
-    const double lighter = std::max(luminance(a), luminance(b));
-    const double darker = std::min(luminance(a), luminance(b));
-    return (lighter + 0.05) / (darker + 0.05);
 }
 
 } // namespace

@@ -35,7 +35,10 @@ public:
         }
     }
     void take(QWidget& widget, const QString& name) const {
-        QTest::qWait(300); // layouts, the view's picture
+        QTest::qWait(300); // layouts
+        if (auto* view = widget.findChild<DipView*>()) {
+            view->picture();
+        }
         widget.grab().save(QStringLiteral("%1/%2%3.png").arg(folder_, prefix_, name));
     }
 
@@ -231,7 +234,8 @@ int main(int argc, char* argv[]) {
         photographResults(driver, window, camera);
         photographDialogs(window, workbench, camera);
         window.document()->edit(
-            {}, {}, [](Project& project) { project.immersions.front().rotation[1] = Degrees(20); });
+            QCoreApplication::translate("dipwright::MainWindow", "Turn Body"), {},
+            [](Project& project) { project.immersions.front().rotation[1] = Degrees(20); });
         window.cancelJobs();
         driver.find<QWidget>("logDock")->show();
         camera.take(window, QStringLiteral("stale"));

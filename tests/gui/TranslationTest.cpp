@@ -1,5 +1,6 @@
 // The translations are complete, keep their places for values, and stand for the texts of today.
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
@@ -105,6 +106,35 @@ private slots:
         for (const Message& message : current) {
             QVERIFY2(listed.contains(message.context + message.source),
                      qPrintable(message.context + QStringLiteral(": ") + message.source));
+        }
+    }
+
+    void everyNameThatComesInAFileIsListed() {
+        const QString sources = QStringLiteral(DIPWRIGHT_SOURCES);
+        QStringList files;
+        for (const QString& folder :
+             {QStringLiteral("/resources/profiles"), QStringLiteral("/plugins")}) {
+            QDirIterator every(sources + folder,
+                               {QStringLiteral("*.json"), QStringLiteral("*.json.in")}, QDir::Files,
+                               QDirIterator::Subdirectories);
+            while (every.hasNext()) {
+                files += every.next();
+            }
+        }
+        QVERIFY(files.size() > 8);
+        QSet<QString> listed;
+        for (const Message& message :
+             readMessages(sources + QStringLiteral("/translations/dipwright_de.ts"))) {
+            if (message.context == QLatin1String("ShippedNames")) {
+                listed.insert(message.source);
+            }
+        }
+        static const QRegularExpression nameLine(QStringLiteral("\"name\": \"([^\"]+)\""));
+        for (const QString& path : files) {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QString name = nameLine.match(QString::fromUtf8(file.readAll())).captured(1);
+            QVERIFY2(listed.contains(name), qPrintable(path));
         }
     }
 

@@ -39,13 +39,13 @@ void DipSession::run(std::size_t mostPoints) {
     if (jobs_.isBusy()) {
         wanted_ = true;
         if (running_) {
-            jobs_.cancelAll();
+            dip_.cancel(); // and nothing else that waits
         }
         return;
     }
     running_ = true;
     live_ = makeRecordings(document_->project(), mostPoints);
-    jobs_.start(std::make_unique<DipJob>(
+    dip_ = jobs_.start(std::make_unique<DipJob>(
         document_->project(), registry_, document_->result(), live_,
         [this](const DipOutcome& outcome) { takeOutcome(outcome); },
         [this](bool cancelled, std::exception_ptr failure) {

@@ -43,6 +43,7 @@ private:
     Document* document_ = nullptr;
     DipRecordings recordings_, live_;
     DipOutcome outcome_;
+    CancelSwitch dip_; // the one that runs
     bool running_ = false;
     bool wanted_ = false; // again, once the jobs that run now have ended
     std::size_t mostPoints_ = 0;

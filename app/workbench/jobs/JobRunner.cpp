@@ -14,13 +14,15 @@ JobRunner::~JobRunner() {
     worker_.join();
 }
 
-void JobRunner::start(std::unique_ptr<Job> job) {
+CancelSwitch JobRunner::start(std::unique_ptr<Job> job) {
     ++unfinished_;
+    const CancelSwitch cancelSwitch;
     {
         const std::lock_guard lock(mutex_);
-        waiting_.push_back({std::move(job), {}});
+        waiting_.push_back({std::move(job), cancelSwitch});
     }
     wake_.notify_all();
+    return cancelSwitch;
 }
 
 void JobRunner::cancelAll() {

@@ -20,7 +20,7 @@ public:
     // Cancels everything and waits for the worker; nothing is finalized any more.
     ~JobRunner() override;
 
-    void start(std::unique_ptr<Job> job);
+    CancelSwitch start(std::unique_ptr<Job> job); // which cancels this one
     void cancelAll();
     bool isBusy() const { return unfinished_ > 0; }
 

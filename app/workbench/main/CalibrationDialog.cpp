@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "panels/PictureView.h"
+#include "panels/ShippedNames.h"
 #include "printing/Calibration.h"
 #include "printing/PrintFile.h"
 
@@ -102,7 +103,7 @@ CalibrationDialog::CalibrationDialog(const ProfileLibrary& library, QWidget* par
 
 QWidget* CalibrationDialog::makePageChoices() {
     for (const ProfileEntry& entry : library_.profiles(ProfileKind::Printer)) {
-        profile_->addItem(entry.name);
+        profile_->addItem(shownName(entry.name), entry.name);
     }
     for (const QPageSize& paper : calibrationPapers()) {
         paper_->addItem(paper.key(), paper.size(QPageSize::Millimeter));
@@ -111,6 +112,7 @@ QWidget* CalibrationDialog::makePageChoices() {
     auto* box = new QGroupBox(tr("1. Print the page"));
     auto* form = new QFormLayout(box);
     form->addRow(tr("P&rofile"), profile_);
+    printer_->setPlaceholderText(tr("None is set up"));
     form->addRow(tr("Pr&inter"), printer_);
     form->addRow(tr("P&aper"), paper_);
     form->addRow(tr("Page"), measures_);
@@ -190,7 +192,7 @@ void CalibrationDialog::chooseQueue() {
 void CalibrationDialog::showPage() {
     try {
         current_ = std::get<PrinterProfile>(
-            library_.profile(ProfileKind::Printer, profile_->currentText()));
+            library_.profile(ProfileKind::Printer, profile_->currentData().toString()));
         chooseQueue();
         const CalibrationPage shownPage = page();
         const CalibrationLengths lengths = calibrationLengths(shownPage);

@@ -11,7 +11,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr QRgb bareFilm = 0xffe9eef2;
+constexpr QRgb bareFilm = 0xfff4f7fa;
 
 QSize pictureSize(const solver::FilmGrid& grid) {
     const double pixels = 1400 / std::max(grid.width, grid.depth);

@@ -12,6 +12,7 @@
 #include "panels/NoticeBar.h"
 #include "panels/PropertyPanel.h"
 #include "panels/ResultsPanel.h"
+#include "panels/ShippedNames.h"
 #include "panels/StartPage.h"
 #include "panels/StretchPanel.h"
 #include "panels/Timeline.h"
@@ -126,7 +127,8 @@ void MainWindow::connectPanels() {
             report(note);
         }
         notice_->say(result.notes.join(QLatin1Char('\n')));
-        report(tr("Simulated with %1 on %2").arg(result.solver.name, result.solver.device));
+        report(
+            tr("Simulated with %1 on %2").arg(shownName(result.solver.name), result.solver.device));
         showResults();
     });
     connect(&session_, &DipSession::stopped, this, [this](std::exception_ptr failure) {

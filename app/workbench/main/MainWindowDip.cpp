@@ -10,6 +10,7 @@
 #include "main/Workbench.h"
 #include "panels/PropertyPanel.h"
 #include "panels/ResultsPanel.h"
+#include "panels/ShippedNames.h"
 #include "panels/StretchPanel.h"
 #include "panels/Timeline.h"
 
@@ -171,7 +172,7 @@ void MainWindow::calibratePrinter() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &CalibrationDialog::calibrated, this, [this](const PrinterProfile& profile) {
         properties_->refresh();
-        report(tr("Calibrated %1").arg(profile.name));
+        report(tr("Calibrated %1").arg(shownName(profile.name)));
     });
     dialog->open();
 }
@@ -181,7 +182,7 @@ void MainWindow::showProfiles() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->allowUse(document_ != nullptr);
     connect(dialog, &ProfilesDialog::useAsked, this, [this](const Profile& profile) {
-        document_->edit(tr("Use Profile %1").arg(nameOf(profile)), {},
+        document_->edit(tr("Use Profile %1").arg(shownName(nameOf(profile))), {},
                         [&](Project& project) { applyProfile(project, profile); });
     });
     connect(dialog, &QDialog::finished, properties_, &PropertyPanel::refresh);

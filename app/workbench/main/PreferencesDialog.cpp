@@ -1,6 +1,7 @@
 #include "main/PreferencesDialog.h"
 
 #include "main/Languages.h"
+#include "panels/ShippedNames.h"
 #include "panels/SolverPage.h"
 #include "project/FilmSizes.h"
 #include "project/ProfileLibrary.h"
@@ -61,7 +62,7 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     printer_->setObjectName(QStringLiteral("defaultPrinter"));
     printer_->addItem(tr("None"), QString());
     for (const ProfileEntry& entry : ProfileLibrary().profiles(ProfileKind::Printer)) {
-        printer_->addItem(entry.name, entry.name);
+        printer_->addItem(shownName(entry.name), entry.name);
     }
     printer_->setCurrentIndex(std::max(0, printer_->findData(preferences_.printerProfile)));
     printer_->setToolTip(tr("The printer profile that new projects begin with. It can be changed "
@@ -106,11 +107,13 @@ QWidget* PreferencesDialog::makeShortcutPage(const QList<QAction*>& actions) {
     shortcuts_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
     shortcuts_->header()->setStretchLastSection(false);
     shortcuts_->header()->resizeSection(1, 200);
+    QPixmap blank(shortcuts_->iconSize().expandedTo({16, 16})); // the names stay in line
+    blank.fill(Qt::transparent);
     for (const QAction* action : actions) {
         QString text = action->text();
         text.remove(QLatin1Char('&'));
         auto* item = new QTreeWidgetItem(shortcuts_, {text});
-        item->setIcon(0, action->icon());
+        item->setIcon(0, action->icon().isNull() ? QIcon(blank) : action->icon());
         auto* keys = new QKeySequenceEdit(action->shortcut());
         keys->setAccessibleName(text);
         const auto standard = action->property("defaultShortcut").value<QKeySequence>();

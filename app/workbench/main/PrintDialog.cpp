@@ -109,6 +109,7 @@ QWidget* PrintDialog::makeChoices() {
     printer_->setToolTip(tr("The printers that are set up on this machine."));
     copies_->setRange(1, 99);
     copies_->setToolTip(tr("How often each sheet is printed."));
+    printer_->setPlaceholderText(tr("None is set up"));
     form->addRow(tr("&Printer"), printer_);
     const Project& project = outcome_.result->project;
     const auto& profile = project.profiles.printer;

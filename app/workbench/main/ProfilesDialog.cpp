@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "look/Icons.h"
 #include "panels/ProfileSpecs.h"
+#include "panels/ShippedNames.h"
 #include "printing/PrintFile.h"
 #include "project/ProfileFields.h"
 
@@ -17,6 +18,7 @@
 #include <QScrollArea>
 #include <QSplitter>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 #include <QVBoxLayout>
 
 namespace dipwright {
@@ -162,11 +164,12 @@ void ProfilesDialog::fillList() {
         auto* group = new QTreeWidgetItem(list_, {title});
         group->setFlags(Qt::ItemIsEnabled);
         for (const ProfileEntry& entry : library_.profiles(kind)) {
-            auto* item = new QTreeWidgetItem(group, {entry.name});
+            auto* item = new QTreeWidgetItem(group, {shownName(entry.name)});
             item->setData(0, KindRole, int(kind));
             item->setData(0, NameRole, entry.name);
             item->setData(0, OwnRole, entry.isUsers());
-            item->setToolTip(0, entry.isUsers() ? entry.path : tr("Comes with the program"));
+            item->setToolTip(0, item->text(0) + QLatin1Char('\n') +
+                                    (entry.isUsers() ? entry.path : tr("Comes with the program")));
             QFont font = item->font(0);
             font.setItalic(!entry.isUsers());
             item->setFont(0, font);
@@ -185,9 +188,10 @@ void ProfilesDialog::allowUse(bool allowed) {
 }
 
 void ProfilesDialog::choose(ProfileKind kind, const QString& name) {
-    for (QTreeWidgetItem* item : list_->findItems(name, Qt::MatchExactly | Qt::MatchRecursive, 0)) {
-        if (item->data(0, NameRole).isValid() && item->data(0, KindRole).toInt() == int(kind)) {
-            list_->setCurrentItem(item);
+    for (QTreeWidgetItemIterator item(list_); *item; ++item) {
+        const QVariant entry = (*item)->data(0, NameRole); // none: the heading of a kind
+        if (entry.isValid() && entry == name && (*item)->data(0, KindRole).toInt() == int(kind)) {
+            list_->setCurrentItem(*item);
         }
     }
 }

@@ -66,6 +66,7 @@ void Histogram::paint(QPainter& painter, const QRectF& place, const QColor& ink)
     // The unstretched film would hide everything else: heights go by the square root.
     const double most = std::sqrt(double(*std::max_element(counts_.begin(), counts_.end())));
     const double barWidth = key.width() / barCount;
+    QPolygonF outline; // bars of the ground's colour show too
     for (int bar = 0; bar < barCount; ++bar) {
         const double value = std::lerp(scale_.low, scale_.high, (bar + 0.5) / barCount);
         const QColor colour = scale_.colour(value);
@@ -73,8 +74,14 @@ void Histogram::paint(QPainter& painter, const QRectF& place, const QColor& ink)
         const double left = key.left() + bar * barWidth;
         painter.fillRect(QRectF(left, key.top() - share * barsHeight, barWidth, share * barsHeight),
                          colour);
+        outline << QPointF(left, key.top() - share * barsHeight)
+                << QPointF(left + barWidth, key.top() - share * barsHeight);
         painter.fillRect(QRectF(left, key.top() + 1, barWidth + 0.5, key.height() - 1), colour);
     }
+    QColor faint = ink;
+    faint.setAlphaF(0.6f);
+    painter.setPen(faint);
+    painter.drawPolyline(outline);
     painter.setPen(ink);
     const double labelWidth = metrics.horizontalAdvance(QStringLiteral("0.000"));
     const double step = roundStep(scale_.high - scale_.low,

@@ -37,6 +37,7 @@ PictureView::PictureView(QWidget* parent) : QWidget(parent) {
 void PictureView::setPicture(const QImage& picture, QSizeF millimetres) {
     const bool sameSize = millimetres == size_ && !picture_.isNull();
     picture_ = picture;
+    shrunk_ = {};
     size_ = millimetres;
     if (!sameSize) {
         zoomToFit();
@@ -46,6 +47,7 @@ void PictureView::setPicture(const QImage& picture, QSizeF millimetres) {
 
 void PictureView::clear(const QString& hint) {
     picture_ = {};
+    shrunk_ = {};
     hint_ = hint;
     lines_.clear();
     cursor_.reset();
@@ -102,6 +104,13 @@ QRectF PictureView::shownRect() const {
     return {corner, size_ * pixelsPerMillimetre_};
 }
 
+const QImage& PictureView::shrunk(QSize pixels) {
+    if (shrunk_.size() != pixels) {
+        shrunk_ = picture_.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    }
+    return shrunk_;
+}
+
 void PictureView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), palette().color(QPalette::Window).darker(104));
@@ -118,7 +127,8 @@ void PictureView::paintEvent(QPaintEvent*) {
     // A picture drawn smaller than it is gets averaged, one drawn larger shows its pixels.
     const double scale = shown.width() * devicePixelRatioF() / picture_.width();
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 3);
-    painter.drawImage(shown, picture_);
+    painter.drawImage(shown,
+                      scale < 1 ? shrunk((shown.size() * devicePixelRatioF()).toSize()) : picture_);
     painter.setPen(QPen(palette().color(QPalette::Mid), 1));
     painter.drawRect(shown);
     painter.translate(shown.topLeft());

@@ -52,7 +52,11 @@ private:
     QRectF shownRect() const; // of the whole picture in the widget
     void fitNow();
 
+    // The picture at a size smaller than its own, averaged.
+    const QImage& shrunk(QSize pixels);
+
     QImage picture_;
+    QImage shrunk_;
     QSizeF size_;
     QString hint_;
     QList<QLineF> lines_;

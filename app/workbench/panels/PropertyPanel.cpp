@@ -4,6 +4,7 @@
 #include "document/ProjectValue.h"
 #include "look/Icons.h"
 #include "panels/PropertySpecs.h"
+#include "panels/ShippedNames.h"
 
 #include <QComboBox>
 #include <QFileInfo>
@@ -271,10 +272,10 @@ void PropertyPanel::addProfile(QFormLayout& form, ProfileKind kind, const QStrin
             box->addItem(tr("None"), QString());
         }
         for (const ProfileEntry& entry : profiles_.profiles(kind)) {
-            box->addItem(entry.name, entry.name);
+            box->addItem(shownName(entry.name), entry.name);
         }
         if (box->findData(used) < 0) {
-            box->addItem(used, used); // the project's own copy
+            box->addItem(shownName(used), used); // the project's own copy
         }
         box->setCurrentIndex(box->findData(used));
     });
@@ -287,9 +288,10 @@ void PropertyPanel::addSolver(QFormLayout& form) {
     box->setMinimumContentsLength(8);
     box->addItem(tr("Best available"), QStringLiteral("auto"));
     for (const SolverInfo& solver : registry_.solvers()) {
-        box->addItem(solver.available ? solver.name : tr("%1 (not available)").arg(solver.name),
-                     solver.id);
-        box->setItemData(box->count() - 1, solver.available ? solver.device : solver.reason,
+        const QString name = shownName(solver.name);
+        box->addItem(solver.available ? name : tr("%1 (not available)").arg(name), solver.id);
+        box->setItemData(box->count() - 1,
+                         solver.available ? solver.device : shownName(solver.reason),
                          Qt::ToolTipRole);
     }
     const QString help = tr("What computes the dip. “Best available” takes a GPU where there is "

@@ -1,8 +1,10 @@
 #include "panels/ReportPanel.h"
 
 #include "dip/PaintedStretch.h"
+#include "panels/ShippedNames.h"
 
 #include <QCoreApplication>
+#include <QLabel>
 #include <QLocale>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -78,24 +80,31 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
 
 } // namespace
 
-ReportPanel::ReportPanel(QWidget* parent) : QWidget(parent), text_(new QTextBrowser) {
+ReportPanel::ReportPanel(QWidget* parent)
+    : QWidget(parent), text_(new QTextBrowser),
+      hint_(new QLabel(tr("Run the dip to see its figures."))) {
     text_->setFrameShape(QFrame::NoFrame);
     text_->setObjectName(QStringLiteral("report"));
     text_->setAccessibleName(tr("Report"));
-    text_->setPlaceholderText(tr("Run the dip to see its figures."));
+    hint_->setAlignment(Qt::AlignCenter);
+    hint_->setWordWrap(true);
+    hint_->setForegroundRole(QPalette::PlaceholderText);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(text_);
+    layout->addWidget(hint_);
+    text_->hide();
 }
 
 void ReportPanel::setResult(std::shared_ptr<const JobResult> result, LengthUnit unit) {
+    text_->setVisible(result != nullptr);
+    hint_->setVisible(!result);
     if (!result) {
-        text_->clear();
         return;
     }
     Table whole;
     whole.row(tr("Body painted altogether"), percent(result->coverageTotal));
-    whole.row(tr("Solver"), result->solver.name);
+    whole.row(tr("Solver"), shownName(result->solver.name));
     whole.row(tr("Device"), result->solver.device);
     QString html = whole.html();
     for (const QString& note : result->notes) {

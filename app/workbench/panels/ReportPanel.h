@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+class QLabel;
 class QTextBrowser;
 
 namespace dipwright {
@@ -20,6 +21,7 @@ public:
 
 private:
     QTextBrowser* text_;
+    QLabel* hint_; // instead of the text, before the first run
 };
 
 } // namespace dipwright

@@ -1,6 +1,7 @@
 #include "panels/SolverPage.h"
 
 #include "look/Icons.h"
+#include "panels/ShippedNames.h"
 
 #include <QDir>
 #include <QHeaderView>
@@ -10,6 +11,21 @@
 
 namespace dipwright {
 
+namespace {
+
+// Rows as high as what is said in the last column; a tree does not do that by itself.
+void fitRows(QTreeWidget& list) {
+    constexpr int margin = 6;
+    for (int row = 0; row < list.topLevelItemCount(); ++row) {
+        QTreeWidgetItem& item = *list.topLevelItem(row);
+        const QRect room(0, 0, list.columnWidth(2) - 2 * margin, 1000);
+        const QRect text = list.fontMetrics().boundingRect(room, Qt::TextWordWrap, item.text(2));
+        item.setSizeHint(2, {0, text.height() + margin});
+    }
+}
+
+} // namespace
+
 SolverPage::SolverPage(const SolverRegistry& registry, QWidget* parent) : QWidget(parent) {
     auto* list = new QTreeWidget;
     list->setAccessibleName(tr("Solvers"));
@@ -18,10 +34,10 @@ SolverPage::SolverPage(const SolverRegistry& registry, QWidget* parent) : QWidge
     list->setAlternatingRowColors(true);
     list->setWordWrap(true);
     for (const SolverInfo& solver : registry.solvers()) {
-        auto* item = new QTreeWidgetItem(list, {solver.name, solver.version});
+        auto* item = new QTreeWidgetItem(list, {shownName(solver.name), solver.version});
         item->setIcon(0,
                       icon(solver.available ? QStringLiteral("done") : QStringLiteral("warning")));
-        item->setText(2, solver.available ? solver.device : solver.reason);
+        item->setText(2, solver.available ? solver.device : shownName(solver.reason));
         for (int column = 0; column < list->columnCount(); ++column) {
             item->setToolTip(column, tr("%1 by %2\n%3")
                                          .arg(solver.id, solver.vendor,
@@ -36,6 +52,7 @@ SolverPage::SolverPage(const SolverRegistry& registry, QWidget* parent) : QWidge
     }
     list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    connect(list->header(), &QHeaderView::sectionResized, list, [list] { fitRows(*list); });
     auto* hint = new QLabel(tr("Each project chooses its solver under Dipping. “Best available” "
                                "takes the best that can run here."));
     hint->setWordWrap(true);

@@ -2,6 +2,7 @@
 
 #include "document/RecentProjects.h"
 #include "look/Icons.h"
+#include "panels/ShippedNames.h"
 #include "project/Samples.h"
 
 #include <QAction>
@@ -50,14 +51,14 @@ QLabel* makeTitle(const QString& text) {
     return title;
 }
 
-void fill(QListWidget& list, const QStringList& paths) {
+void fill(QListWidget& list, const QStringList& paths, QString (*title)(const QString& name)) {
     list.clear();
     for (const QString& path : paths) {
         const QFileInfo file(path);
         if (file.exists()) {
             auto* item =
                 new QListWidgetItem(projectIcon(path, list.palette(), list.devicePixelRatioF()),
-                                    file.completeBaseName());
+                                    title(file.completeBaseName()));
             item->setData(Qt::UserRole, path);
             item->setToolTip(QDir::toNativeSeparators(path));
             list.addItem(item);
@@ -163,8 +164,8 @@ QListWidget* StartPage::makeList(const QString& name, void (StartPage::*chosen)(
 }
 
 void StartPage::refresh() {
-    fill(*recent_, recentProjects());
-    fill(*samples_, sampleProjects());
+    fill(*recent_, recentProjects(), [](const QString& name) { return name; });
+    fill(*samples_, sampleProjects(), shownTitle);
     const bool any = recent_->count() > 0;
     recentHint_->setVisible(!any);
     recent_->setVisible(any);

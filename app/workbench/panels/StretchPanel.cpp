@@ -1,6 +1,7 @@
 #include "panels/StretchPanel.h"
 
 #include "look/Icons.h"
+#include "panels/ShippedNames.h"
 #include "results/Results.h"
 
 #include <QCheckBox>
@@ -16,12 +17,6 @@
 namespace dipwright {
 
 namespace {
-
-QString mapTitle(const QString& map) {
-    QString title = map;
-    title[0] = title[0].toUpper();
-    return title;
-}
 
 QDoubleSpinBox* rangeBox(const QString& name) {
     auto* box = new QDoubleSpinBox;
@@ -78,7 +73,7 @@ StretchPanel::StretchPanel(QWidget* parent)
     limitTick_->setToolTip(tr("Shows all film over the limit in one warning colour."));
     isolineTick_->setToolTip(tr("Lines of equal value on the map."));
     for (const QString& map : colourMaps()) {
-        mapBox_->addItem(mapTitle(map), map);
+        mapBox_->addItem(shownTitle(map), map);
     }
     mapBox_->setAccessibleName(tr("Colour map"));
     mapBox_->setToolTip(tr("Colour map; all are safe for colour-blind readers."));

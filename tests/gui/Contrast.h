@@ -1,0 +1,24 @@
+// How well two colours can be told apart, after WCAG 2.
+#pragma once
+
+#include <QColor>
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+inline double relativeLuminance(const QColor& colour) {
+    const auto linear = [](double value) {
+        return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+// 1 … 21; text wants 4.5 at least.
+inline double contrast(const QColor& a, const QColor& b) {
+    const auto [darker, lighter] = std::minmax({relativeLuminance(a), relativeLuminance(b)});
+    return (lighter + 0.05) / (darker + 0.05);
+}
+
+} // namespace dipwright
