@@ -2729,6 +2729,14 @@
         <source>What is known of printers, films and tanks</source>
         <translation>Was über Drucker, Filme und Becken bekannt ist</translation>
     </message>
+    <message>
+        <source>%1 is a picture: open the project first that is to wear it</source>
+        <translation>%1 ist ein Bild: Öffnen Sie zuerst das Projekt, das es tragen soll</translation>
+    </message>
+    <message>
+        <source>The body is %1 long. If its file is in another unit, make the project again and say there how long the longest edge is.</source>
+        <translation>Der Körper ist %1 lang. Wenn seine Datei in einer anderen Einheit ist, legen Sie das Projekt neu an und geben dort an, wie lang die längste Kante ist.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ModelFile</name>

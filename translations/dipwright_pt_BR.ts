@@ -2729,6 +2729,14 @@
         <source>What is known of printers, films and tanks</source>
         <translation>O que se sabe de impressoras, filmes e tanques</translation>
     </message>
+    <message>
+        <source>%1 is a picture: open the project first that is to wear it</source>
+        <translation>%1 é uma imagem: abra antes o projeto que vai vesti-la</translation>
+    </message>
+    <message>
+        <source>The body is %1 long. If its file is in another unit, make the project again and say there how long the longest edge is.</source>
+        <translation>O corpo tem %1 de comprimento. Se o arquivo estiver em outra unidade, crie o projeto de novo e informe ali o comprimento da aresta mais longa.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ModelFile</name>

@@ -373,7 +373,7 @@ void DipView::leaveEvent(QEvent* event) {
 void DipView::keyPressEvent(QKeyEvent* event) {
     constexpr double step = 25; // pixels of a drag
     const auto turn = [this](double right, double up) {
-        change([right, up](ViewScene& scene) { scene.style().turn(right, up); });
+        change([right, up](ViewScene& scene) { scene.turn(right, up); });
     };
     const auto zoom = [this](double factor) {
         change([factor](ViewScene& scene) { scene.zoom(factor); });

@@ -123,6 +123,9 @@ void ViewScene::setSize(const ViewSize& size) {
     axes->SetSize(int(84 * ratio), int(84 * ratio));
     axes->SetPadding(int(14 * ratio), int(14 * ratio));
     resized_ = true;
+    if (fitted_) {
+        fit();
+    }
 }
 
 void ViewScene::setFilmSize(QSizeF film, double tankDepth) {
@@ -177,9 +180,16 @@ void ViewScene::fit() {
         double(std::max(1, size_.size.width())) / std::max(1, size_.size.height());
     fitCamera(camera(), places, aspect);
     renderer_->ResetCameraClippingRange();
+    fitted_ = true;
+}
+
+void ViewScene::turn(double rightPixels, double upPixels) {
+    fitted_ = false;
+    style_->turn(rightPixels, upPixels);
 }
 
 void ViewScene::zoom(double factor) {
+    fitted_ = false;
     if (camera().GetParallelProjection()) {
         camera().SetParallelScale(camera().GetParallelScale() / factor);
     } else {
@@ -192,15 +202,16 @@ void ViewScene::mouse(const ViewMouse& mouse) {
     interactor_->SetEventInformationFlipY(pixel.x(), pixel.y(),
                                           mouse.modifiers.testFlag(Qt::ControlModifier),
                                           mouse.modifiers.testFlag(Qt::ShiftModifier));
+    const vtkMTimeType before = camera().GetMTime();
     interactor_->InvokeEvent(eventOf(mouse));
+    if (camera().GetMTime() != before) {
+        fitted_ = false;
+    }
 }
 
 ViewPicture ViewScene::draw() {
     static std::mutex oneAtATime; // VTK's fonts are shared by all windows
     const std::lock_guard lock(oneAtATime);
-    if (!std::exchange(fitted_, true)) {
-        fit();
-    }
     renderer_->ResetCameraClippingRange();
     if (std::exchange(resized_, false)) {
         window_.vtk()->Render(); // only now does the renderer know its size

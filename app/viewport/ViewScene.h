@@ -58,6 +58,7 @@ public:
     void setColours(const ViewColours& colours);
     void look(ViewDirection direction); // and fit
     void fit();
+    void turn(double rightPixels, double upPixels); // as dragging by so many would
     void zoom(double factor);
     void mouse(const ViewMouse& mouse);
     ViewPicture draw();
@@ -76,7 +77,7 @@ private:
     ViewSize size_;
     QSizeF filmSize_{210, 297};
     std::function<void()> pictureAsked_;
-    bool fitted_ = false;  // since the picture's shape is known
+    bool fitted_ = false;  // the camera stands where fit() has put it
     bool resized_ = false; // since the last picture
 };
 

@@ -129,6 +129,28 @@ private slots:
         QVERIFY(high.y() < low.y());
     }
 
+    void whatIsFittedStaysInTheViewWhenItsShapeChanges() {
+        const auto showsTheTank = [this] {
+            view_->picture();
+            const QRectF view = view_->rect();
+            return view.contains(view_->positionOf({-105, 0, 148})) &&
+                   view.contains(view_->positionOf({105, 0, 148})) &&
+                   view.contains(view_->positionOf({105, 0, -148}));
+        };
+        QVERIFY(showsTheTank());
+        view_->resize(260, 520);
+        QVERIFY(showsTheTank());
+        QTest::keyClick(view_.get(), Qt::Key_Plus); // from now on it is the user's
+        view_->picture();
+        const double near =
+            QLineF(view_->positionOf({0, 0, 0}), view_->positionOf({50, 0, 0})).length();
+        view_->resize(520, 520); // as high as before: nothing comes nearer or goes away
+        view_->picture();
+        const double then =
+            QLineF(view_->positionOf({0, 0, 0}), view_->positionOf({50, 0, 0})).length();
+        QVERIFY(std::abs(near - then) < 1);
+    }
+
     void arrowKeysTurnTheCameraToo() {
         const QPointF before = view_->positionOf({50, 0, 0});
         QTest::keyClick(view_.get(), Qt::Key_Left);

@@ -125,7 +125,8 @@ private:
 
     // Documents (MainWindowDocuments.cpp).
     void setDocument(std::unique_ptr<Document> document);
-    void showProject(const Project& project);
+    MainWindow& showProject(const Project& project); // in this window or a new one
+    void doubtSize(const TriangleMesh& mesh);
     bool lockOrAsk(Document& document);
     bool mayClose();
     void fillRecentMenu();

@@ -5,6 +5,7 @@
 #include "main/NewProjectDialog.h"
 #include "main/Workbench.h"
 #include "panels/LogPanel.h"
+#include "panels/NoticeBar.h"
 #include "panels/PropertyPanel.h"
 #include "panels/StartPage.h"
 #include "panels/Timeline.h"
@@ -28,6 +29,13 @@
 namespace dipwright {
 
 namespace {
+
+// Nothing is shown of one that was cancelled while it was read.
+Project projectFrom(const QString& path, const Progress& progress) {
+    Project project = loadProject(path);
+    progress.cancelSwitch.throwIfCancelled();
+    return project;
+}
 
 bool matches(const QString& path, const QStringList& patterns) {
     return patterns.contains(QStringLiteral("*.") + QFileInfo(path).suffix().toLower());
@@ -105,15 +113,27 @@ void MainWindow::importModelAsProject(const QString& path, const ImportOptions& 
             if (complete) {
                 complete(project);
             }
-            showProject(project);
+            showProject(project).doubtSize(project.model->mesh);
         },
         [this](std::exception_ptr failure) { reportFailure(tr("New Project"), failure); }));
     updateActions();
 }
 
-void MainWindow::showProject(const Project& project) {
+MainWindow& MainWindow::showProject(const Project& project) {
     MainWindow* window = document_ ? workbench_.openWindow() : this;
     window->setDocument(std::make_unique<Document>(project));
+    return *window;
+}
+
+// Files often do not say in which unit they are.
+void MainWindow::doubtSize(const TriangleMesh& mesh) {
+    constexpr double smallest = 5, largest = 3000; // mm, of what is dipped
+    const double longest = double(boundingBox(mesh).sizes().maxCoeff());
+    if (longest < smallest || longest > largest) {
+        notice_->say(tr("The body is %1 long. If its file is in another unit, make the project "
+                        "again and say there how long the longest edge is.")
+                         .arg(shownLength(longest, workbench_.preferences().unit)));
+    }
 }
 
 void MainWindow::open() {
@@ -131,7 +151,8 @@ void MainWindow::openProject(const QString& path) {
     }
     const QString absolute = QFileInfo(path).absoluteFilePath();
     jobs_.start(std::make_unique<ValueJob<Project>>(
-        tr("Opening the project"), [absolute](const Progress&) { return loadProject(absolute); },
+        tr("Opening the project"),
+        [absolute](const Progress& progress) { return projectFrom(absolute, progress); },
         [this, absolute](const Project& project) {
             auto document = std::make_unique<Document>(project, absolute);
             if (!lockOrAsk(*document)) {
@@ -147,7 +168,8 @@ void MainWindow::openProject(const QString& path) {
 
 void MainWindow::openCopy(const QString& path) {
     jobs_.start(std::make_unique<ValueJob<Project>>(
-        tr("Opening the project"), [path](const Progress&) { return loadProject(path); },
+        tr("Opening the project"),
+        [path](const Progress& progress) { return projectFrom(path, progress); },
         [this](const Project& project) { showProject(project); },
         [this](std::exception_ptr failure) { reportFailure(tr("Open Project"), failure); }));
     updateActions();
@@ -178,7 +200,7 @@ bool MainWindow::lockOrAsk(Document& document) {
 void MainWindow::restore(const RecoveredDocument& recovered) {
     jobs_.start(std::make_unique<ValueJob<Project>>(
         tr("Restoring the project"),
-        [copy = recovered.copy](const Progress&) { return loadProject(copy); },
+        [copy = recovered.copy](const Progress& progress) { return projectFrom(copy, progress); },
         [this, recovered](const Project& project) {
             auto document = std::make_unique<Document>(project, recovered.original);
             if (!lockOrAsk(*document)) {
@@ -282,6 +304,11 @@ void MainWindow::dropEvent(QDropEvent* event) {
         } else if (matches(path, pictureFilePatterns())) {
             if (document_) {
                 replaceTexture(path);
+            } else {
+                statusBar()->showMessage(
+                    tr("%1 is a picture: open the project first that is to wear it")
+                        .arg(url.fileName()),
+                    8000);
             }
         } else if (matches(path, modelFilePatterns())) {
             newProject(path);

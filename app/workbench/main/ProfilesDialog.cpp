@@ -104,6 +104,7 @@ ProfilesDialog::ProfilesDialog(const ProfileLibrary& library, LengthUnit unit, Q
 
 QWidget* ProfilesDialog::makeList() {
     list_->setHeaderHidden(true);
+    list_->header()->setStretchLastSection(false);
     list_->setAccessibleName(tr("Profiles"));
     list_->setMinimumWidth(230);
     connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
@@ -179,6 +180,8 @@ void ProfilesDialog::fillList() {
         }
         group->setExpanded(true);
     }
+    list_->resizeColumnToContents(0);
+    list_->setMinimumWidth(std::min(300, list_->columnWidth(0) + 24)); // names in full
     const QTreeWidgetItem* current = list_->currentItem();
     remove_->setEnabled(current && current->data(0, OwnRole).toBool());
 }
