@@ -1715,6 +1715,22 @@
 <context>
     <name>dipwright::ImportModel</name>
     <message>
+        <source>there is no number where one should be, in line %1</source>
+        <translation>wo eine Zahl stehen sollte, steht keine, in Zeile %1</translation>
+    </message>
+    <message>
+        <source>it counts more values than it can hold, in line %1</source>
+        <translation>er zählt mehr Werte, als er enthalten kann, in Zeile %1</translation>
+    </message>
+    <message>
+        <source>packed Collada is not read, unpack it</source>
+        <translation>gepacktes Collada wird nicht gelesen, entpacken Sie es</translation>
+    </message>
+    <message>
+        <source>its array %1 has fewer values than are read</source>
+        <translation>sein Array %1 hat weniger Werte, als gelesen werden</translation>
+    </message>
+    <message>
         <source>Reading the model</source>
         <translation>Modell wird gelesen</translation>
     </message>

@@ -1715,6 +1715,22 @@
 <context>
     <name>dipwright::ImportModel</name>
     <message>
+        <source>there is no number where one should be, in line %1</source>
+        <translation>não há número onde deveria haver, na linha %1</translation>
+    </message>
+    <message>
+        <source>it counts more values than it can hold, in line %1</source>
+        <translation>ele conta mais valores do que pode conter, na linha %1</translation>
+    </message>
+    <message>
+        <source>packed Collada is not read, unpack it</source>
+        <translation>Collada compactado não é lido, descompacte-o</translation>
+    </message>
+    <message>
+        <source>its array %1 has fewer values than are read</source>
+        <translation>sua lista %1 tem menos valores do que se leem</translation>
+    </message>
+    <message>
         <source>Reading the model</source>
         <translation>Lendo o modelo</translation>
     </message>

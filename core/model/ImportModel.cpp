@@ -1,6 +1,7 @@
 #include "model/ImportModel.h"
 
 #include "base/Error.h"
+#include "model/ColladaCheck.h"
 #include "model/MeshRepair.h"
 #include "model/ModelFolder.h"
 #include "model/ModelSource.h"
@@ -94,6 +95,9 @@ public:
 private:
     const Progress& progress_;
 };
+
+// A zip file, which assimp would read past our check of what is in it.
+const QString packedCollada = QStringLiteral("zae");
 
 // mm; larger than any dip tank by far.
 constexpr double maximumEdge = 1e5;
@@ -270,17 +274,28 @@ TexturedMesh readByAssimp(const ModelSource& source, QStringList& warnings,
 // The format of a file is known by how it begins where that says enough, else by its name.
 TexturedMesh readTriangles(const ModelSource& source, QStringList& warnings,
                            const Progress& progress) {
+    constexpr qint64 longestPrologue = 4096;
     QFile file(source.path);
-    const QByteArray begin = file.open(QIODevice::ReadOnly) ? file.read(4) : QByteArray();
+    const QByteArray begin =
+        file.open(QIODevice::ReadOnly) ? file.read(longestPrologue) : QByteArray();
     const QString suffix = QFileInfo(source.path).suffix().toLower();
-    const bool isPly = suffix == QStringLiteral("ply") || begin == "ply\n" || begin == "ply\r";
-    if (!isPly && suffix != QStringLiteral("3mf")) {
+    const bool isPly =
+        suffix == QStringLiteral("ply") || begin.startsWith("ply\n") || begin.startsWith("ply\r");
+    if (suffix == packedCollada) {
+        source.throwDamaged(Text::tr("packed Collada is not read, unpack it"));
+    }
+    const bool isDae = suffix == QStringLiteral("dae") || isCollada(begin);
+    if (!isPly && !isDae && suffix != QStringLiteral("3mf")) {
         return readByAssimp(source, warnings, progress);
     }
     progress(0, Text::tr("Reading the model"));
     const auto bytes = readFile(source.path);
     if (!bytes) {
         source.throwDamaged(file.errorString());
+    }
+    if (isDae) {
+        checkCollada(*bytes, source);
+        return readByAssimp(source, warnings, progress);
     }
     return isPly ? readPly(*bytes, source, warnings, progress.cancelSwitch)
                  : readThreeMf(*bytes, source, warnings, progress.cancelSwitch);
@@ -371,7 +386,7 @@ QStringList modelFilePatterns() {
     aiString others;
     Assimp::Importer().GetExtensionList(others);
     for (const QString& pattern : QString::fromUtf8(others.C_Str()).split(u';')) {
-        if (!patterns.contains(pattern)) {
+        if (!patterns.contains(pattern) && !pattern.endsWith(packedCollada)) {
             patterns.push_back(pattern);
         }
     }

@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <random>
 #include <set>
 
 using namespace dipwright;
@@ -129,6 +130,14 @@ QByteArray sphereWithSeamObj(int rings, int segments) {
     return text;
 }
 
+// A tetrahedron in the formats that assimp reads for us unseen.
+void addOtherFormats() {
+    QTest::newRow("collada") << QStringLiteral("tetrahedron.dae") << tetrahedron("collada");
+    QTest::newRow("3ds") << QStringLiteral("tetrahedron.3ds") << tetrahedron("3ds");
+    QTest::newRow("fbx, text") << QStringLiteral("text.fbx") << tetrahedron("fbxa");
+    QTest::newRow("fbx, binary") << QStringLiteral("binary.fbx") << tetrahedronBinaryFbx();
+}
+
 } // namespace
 
 class ImportModelTest : public QObject {
@@ -180,6 +189,12 @@ private Q_SLOTS:
     void hostile3mfIsRefused();
     void truncatedFilesNeverCrash_data();
     void truncatedFilesNeverCrash();
+    void otherFormatsAreRead_data();
+    void otherFormatsAreRead();
+    void damagedFilesNeverCrash_data();
+    void damagedFilesNeverCrash();
+    void absurdColladaIsRefused_data();
+    void absurdColladaIsRefused();
     void cancelEndsTheImport();
 
 private:
@@ -755,6 +770,7 @@ void ImportModelTest::truncatedFilesNeverCrash_data() {
     QTest::newRow("gltf") << QStringLiteral("cut.gltf") << squareGltf(picture);
     QTest::newRow("glb") << QStringLiteral("cut.glb") << squareGlb(picture);
     QTest::newRow("3mf") << QStringLiteral("cut.3mf") << threeMf.readAll();
+    addOtherFormats();
 }
 
 void ImportModelTest::truncatedFilesNeverCrash() {
@@ -765,6 +781,86 @@ void ImportModelTest::truncatedFilesNeverCrash() {
         const QString sentence = refusal(path); // what remains may be a model
         QVERIFY(sentence.isEmpty() || sentence.contains(file));
     }
+}
+
+void ImportModelTest::otherFormatsAreRead_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QByteArray>("bytes");
+    addOtherFormats();
+}
+
+void ImportModelTest::otherFormatsAreRead() {
+    QFETCH(QString, file);
+    QFETCH(QByteArray, bytes);
+    const QString path = write(file, bytes);
+    QCOMPARE(refusal(path), QString());
+    const ImportedModel model = import(path);
+    QCOMPARE(model.report.triangles, std::size_t(4));
+    QVERIFY(model.report.closed);
+    QVERIFY((model.report.box.sizes() - Eigen::Vector3f(10, 10, 10)).norm() < 1e-4f);
+}
+
+void ImportModelTest::damagedFilesNeverCrash_data() {
+    otherFormatsAreRead_data();
+}
+
+void ImportModelTest::damagedFilesNeverCrash() {
+    QFETCH(QString, file);
+    QFETCH(QByteArray, bytes);
+    constexpr int damagedFiles = 400;
+    std::mt19937 random(1);
+    const auto below = [&](qsizetype limit) { return qsizetype(random() % quint32(limit)); };
+    int refused = 0;
+    for (int turn = 0; turn < damagedFiles; ++turn) {
+        QByteArray damaged = bytes;
+        for (qsizetype faults = 1 + below(4); faults > 0; --faults) {
+            const qsizetype place = below(damaged.size() - 4);
+            switch (below(3)) {
+            case 0:
+                damaged[place] = char(damaged[place] ^ (1 << below(8)));
+                break;
+            case 1:
+                damaged[place] = char(random());
+                break;
+            default: // a count of thousands of millions, where it is one
+                damaged.replace(place, 4, "\xff\xff\xff\x7f");
+            }
+        }
+        const QString sentence = refusal(write(file, damaged)); // it may still be a model
+        QVERIFY(sentence.isEmpty() || sentence.contains(file));
+        refused += sentence.isEmpty() ? 0 : 1;
+    }
+    QVERIFY(refused > damagedFiles / 4);
+}
+
+void ImportModelTest::absurdColladaIsRefused_data() {
+    QTest::addColumn<QByteArray>("good");
+    QTest::addColumn<QByteArray>("bad");
+    QTest::addColumn<QString>("reason");
+    const QString fewer = QStringLiteral("fewer values than are read");
+    const QString more = QStringLiteral("more values than it can hold");
+    const QByteArray count = "count=\"36\"";
+    QTest::newRow("an empty array") << count << QByteArray("count=\"0\"") << fewer;
+    QTest::newRow("no count") << count << QByteArray() << fewer;
+    QTest::newRow("no number") << count << QByteArray("count=\"many\"") << fewer;
+    QTest::newRow("too wide a stride")
+        << QByteArray("stride=\"3\"") << QByteArray("stride=\"2000000000\"") << fewer;
+    QTest::newRow("too many values") << QByteArray("accessor count=\"12\"")
+                                     << QByteArray("accessor count=\"4294967295\"") << more;
+    QTest::newRow("too many triangles") << QByteArray("polylist count=\"4\"")
+                                        << QByteArray("polylist count=\"2000000000\"") << more;
+    QTest::newRow("an index that is none")
+        << QByteArray("<p>0 1") << QByteArray("<p>0 n") << QStringLiteral("no number");
+}
+
+void ImportModelTest::absurdColladaIsRefused() {
+    QFETCH(QByteArray, good);
+    QFETCH(QByteArray, bad);
+    QFETCH(QString, reason);
+    QByteArray bytes = tetrahedron("collada");
+    QVERIFY(bytes.contains(good));
+    const QString sentence = refusal(write(QStringLiteral("absurd.dae"), bytes.replace(good, bad)));
+    QVERIFY2(sentence.contains(reason), qPrintable(sentence));
 }
 
 void ImportModelTest::cancelEndsTheImport() {

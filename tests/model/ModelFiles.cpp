@@ -3,6 +3,12 @@
 #include <QBuffer>
 #include <QDataStream>
 #include <QPainter>
+#include <QtEndian>
+
+#include <assimp/Exporter.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
 
 #include <quazip.h>
 #include <quazipfile.h>
@@ -58,6 +64,71 @@ void addEntry(QuaZip& zip, const QString& name, const QByteArray& bytes) {
         throw std::runtime_error("cannot write a zip entry");
     }
 }
+
+template <typename Number>
+void appendNumber(QByteArray& bytes, Number number) {
+    number = qToLittleEndian(number);
+    bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+// A node of a binary FBX file of version 7.4.
+struct FbxNode {
+    explicit FbxNode(const QByteArray& called) : name(called) {}
+
+    QByteArray name;
+    QByteArray properties;
+    quint32 propertyCount = 0;
+    std::vector<FbxNode> children;
+
+    FbxNode& add(qint32 number) {
+        properties += 'I';
+        appendNumber(properties, number);
+        ++propertyCount;
+        return *this;
+    }
+    FbxNode& add(qint64 number) {
+        properties += 'L';
+        appendNumber(properties, number);
+        ++propertyCount;
+        return *this;
+    }
+    FbxNode& add(const QByteArray& text) {
+        properties += 'S';
+        appendNumber(properties, quint32(text.size()));
+        properties += text;
+        ++propertyCount;
+        return *this;
+    }
+    template <typename Number>
+    void add(char type, const std::vector<Number>& numbers) {
+        properties += type;
+        for (const std::size_t value :
+             {numbers.size(), std::size_t(0), sizeof(Number) * numbers.size()}) {
+            appendNumber(properties, quint32(value));
+        }
+        for (const Number number : numbers) {
+            appendNumber(properties, number);
+        }
+        ++propertyCount;
+    }
+    void writeTo(QByteArray& file) const {
+        QByteArray node = name + properties;
+        const qsizetype begin = file.size();
+        file.append(4, '\0'); // for the place where the node ends
+        appendNumber(file, propertyCount);
+        appendNumber(file, quint32(properties.size()));
+        file += char(name.size());
+        file += node;
+        for (const FbxNode& child : children) {
+            child.writeTo(file);
+        }
+        if (!children.empty()) {
+            file.append(13, '\0');
+        }
+        const quint32 end = qToLittleEndian(quint32(file.size()));
+        file.replace(begin, 4, reinterpret_cast<const char*>(&end), 4);
+    }
+};
 
 } // namespace
 
@@ -236,6 +307,54 @@ QByteArray squareBinaryPly(const QByteArray& pictureFile, bool littleEndian) {
     }
     stream << qint32(0);
     return bytes;
+}
+
+QByteArray tetrahedron(const char* format) {
+    const QByteArray obj = "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                           "f 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 2/1 3/2 4/3\nf 1/1 4/2 3/3\n";
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFileFromMemory(obj.constData(), std::size_t(obj.size()),
+                                                       aiProcess_Triangulate, "obj");
+    Assimp::Exporter exporter;
+    const aiExportDataBlob* blob = scene ? exporter.ExportToBlob(scene, format) : nullptr;
+    if (!blob) {
+        throw std::runtime_error("assimp cannot write a test model");
+    }
+    return {static_cast<const char*>(blob->data), qsizetype(blob->size)};
+}
+
+QByteArray tetrahedronBinaryFbx() {
+    constexpr qint32 version = 7400;
+    FbxNode fileVersion{"FBXVersion"};
+    fileVersion.add(version);
+    FbxNode header{"FBXHeaderExtension"};
+    header.children = {fileVersion};
+    FbxNode vertices{"Vertices"};
+    vertices.add<double>('d', {0, 0, 0, 10, 0, 0, 0, 10, 0, 0, 0, 10});
+    FbxNode corners{"PolygonVertexIndex"};
+    // The last corner of a polygon is stored as its complement.
+    corners.add<qint32>('i', {0, 2, ~1, 0, 1, ~3, 1, 2, ~3, 0, 3, ~2});
+    FbxNode geometry{"Geometry"};
+    geometry.add(qint64(100)).add(QByteArray("\0\1Geometry", 10)).add("Mesh");
+    geometry.children = {vertices, corners};
+    FbxNode model{"Model"};
+    model.add(qint64(200)).add(QByteArray("\0\1Model", 7)).add("Mesh");
+    FbxNode modelVersion{"Version"};
+    modelVersion.add(qint32(232));
+    model.children = {modelVersion};
+    FbxNode objects{"Objects"};
+    objects.children = {geometry, model};
+    FbxNode toModel{"C"}, toRoot{"C"};
+    toModel.add("OO").add(qint64(100)).add(qint64(200));
+    toRoot.add("OO").add(qint64(200)).add(qint64(0));
+    FbxNode connections{"Connections"};
+    connections.children = {toModel, toRoot};
+    QByteArray file("Kaydara FBX Binary  \0\x1a\0", 23);
+    appendNumber(file, quint32(version));
+    for (const FbxNode& node : {header, objects, connections}) {
+        node.writeTo(file);
+    }
+    return file + QByteArray(13, '\0');
 }
 
 } // namespace dipwright::testing

@@ -32,6 +32,11 @@ QByteArray squarePly(const QByteArray& pictureFile);
 // The same square as binary PLY of one quad with coordinates a corner.
 QByteArray squareBinaryPly(const QByteArray& pictureFile, bool littleEndian);
 
+// A tetrahedron as assimp writes it: "collada", "3ds", or "fbxa", which is FBX as text.
+QByteArray tetrahedron(const char* format);
+// The same as FBX in binary, which is what modelling programs write.
+QByteArray tetrahedronBinaryFbx();
+
 // A 3MF package with these files.
 void write3mf(const QString& path, const std::vector<std::pair<QString, QByteArray>>& files);
 

@@ -1,0 +1,14 @@
+// Damage to Collada files (.dae) that assimp does not survive. Private to this folder.
+#pragma once
+
+#include "model/ModelSource.h"
+
+namespace dipwright {
+
+// Whether a file that begins like this is Collada, which is XML.
+bool isCollada(const QByteArray& begin);
+// Throws Error where the file is not well-formed, counts more than it can hold, has indices that
+// are no numbers, or an accessor that reads past the end of its array.
+void checkCollada(const QByteArray& bytes, const ModelSource& source);
+
+} // namespace dipwright
