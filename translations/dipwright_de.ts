@@ -2753,6 +2753,10 @@
         <source>The body is %1 long. If its file is in another unit, make the project again and say there how long the longest edge is.</source>
         <translation>Der Körper ist %1 lang. Wenn seine Datei in einer anderen Einheit ist, legen Sie das Projekt neu an und geben dort an, wie lang die längste Kante ist.</translation>
     </message>
+    <message>
+        <source>These sheets were made before the last changes. Run the dip first to print what the project now says.</source>
+        <translation>Diese Bögen entstanden vor den letzten Änderungen. Starten Sie zuerst den Tauchgang, um zu drucken, was im Projekt jetzt steht.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ModelFile</name>

@@ -2753,6 +2753,10 @@
         <source>The body is %1 long. If its file is in another unit, make the project again and say there how long the longest edge is.</source>
         <translation>O corpo tem %1 de comprimento. Se o arquivo estiver em outra unidade, crie o projeto de novo e informe ali o comprimento da aresta mais longa.</translation>
     </message>
+    <message>
+        <source>These sheets were made before the last changes. Run the dip first to print what the project now says.</source>
+        <translation>Estas folhas foram feitas antes das últimas mudanças. Execute a imersão antes, para imprimir o que o projeto diz agora.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ModelFile</name>

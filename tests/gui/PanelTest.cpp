@@ -78,6 +78,25 @@ private slots:
         QCOMPARE(told.at(1).toDouble(), 297.0); // not rounded by being shown in inches
     }
 
+    void undoIsTheProjectsWhereNothingIsBeingTyped() {
+        const std::unique_ptr<PropertyField> field(
+            PropertyField::make(allSpecs().front(), {.kind = FieldKind::Number, .maximum = 100},
+                                LengthUnit::Millimetre, nullptr));
+        auto* box = field->findChild<QDoubleSpinBox*>();
+        QVERIFY(box);
+        const auto takesUndo = [box] {
+            QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+            undo.ignore();
+            QApplication::sendEvent(box, &undo);
+            return undo.isAccepted();
+        };
+        QVERIFY(!takesUndo());
+        QTest::keyClicks(box, QStringLiteral("4"));
+        QVERIFY(takesUndo());
+        QTest::keyClick(box, Qt::Key_Return);
+        QVERIFY(!takesUndo());
+    }
+
     void fieldsAreNamedForThoseWhoCannotSeeThem() {
         for (const PropertySpec& spec : allSpecs()) {
             const std::unique_ptr<PropertyField> field(

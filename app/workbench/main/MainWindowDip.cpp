@@ -160,6 +160,10 @@ void MainWindow::wearPicture(const QString& path) {
 void MainWindow::printSheets() {
     auto* dialog = new PrintDialog(session_.outcome(), immersion_, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (!document_->isFresh()) {
+        dialog->warn(tr("These sheets were made before the last changes. Run the dip first to "
+                        "print what the project now says."));
+    }
     connect(dialog, &PrintDialog::printed, this, [this](const QString& sentence) {
         report(sentence);
         statusBar()->showMessage(sentence, 8000);

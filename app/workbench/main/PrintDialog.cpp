@@ -1,6 +1,7 @@
 #include "main/PrintDialog.h"
 
 #include "base/Error.h"
+#include "panels/NoticeBar.h"
 #include "panels/PicturePanel.h"
 #include "panels/PictureView.h"
 #include "printing/PrintFile.h"
@@ -41,8 +42,8 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidg
       grey_(new QCheckBox(tr("Grey, on a printer without colour"))),
       clipped_(new QCheckBox(tr("Without what lies where the printer does not reach"))),
       otherPaper_(new QCheckBox(tr("Though the paper is not loaded as far as is known"))),
-      verdict_(new QLabel), gamut_(new QLabel), progress_(new QProgressBar), print_(nullptr),
-      save_(nullptr) {
+      notice_(new NoticeBar), verdict_(new QLabel), gamut_(new QLabel), progress_(new QProgressBar),
+      print_(nullptr), save_(nullptr) {
     setWindowTitle(tr("Print Sheets"));
     setObjectName(QStringLiteral("printDialog"));
     for (const ImmersionResult& result : outcome.result->immersions) {
@@ -72,6 +73,7 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidg
         }
     });
     auto* left = new QVBoxLayout;
+    left->addWidget(notice_);
     left->addWidget(makeChoices());
     left->addWidget(makeExceptions());
     left->addWidget(verdict_, 1);
@@ -99,6 +101,10 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidg
     resize(940, 660);
     showSheet(shown_);
     findPrinters();
+}
+
+void PrintDialog::warn(const QString& sentence) {
+    notice_->say(sentence);
 }
 
 QWidget* PrintDialog::makeChoices() {

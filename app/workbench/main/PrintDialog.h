@@ -18,6 +18,7 @@ class QSpinBox;
 
 namespace dipwright {
 
+class NoticeBar;
 class PicturePanel;
 
 class PrintDialog : public QDialog {
@@ -26,6 +27,8 @@ class PrintDialog : public QDialog {
 public:
     // `immersion`: the one that is chosen at first.
     PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidget* parent = nullptr);
+    // Says something about the sheets above all else.
+    void warn(const QString& sentence);
 
 signals:
     void printed(const QString& sentence);
@@ -58,6 +61,7 @@ private:
     QCheckBox* grey_;
     QCheckBox* clipped_;
     QCheckBox* otherPaper_;
+    NoticeBar* notice_;
     QLabel *verdict_, *gamut_;
     QProgressBar* progress_;
     QPushButton *print_, *save_;

@@ -6,6 +6,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QJsonArray>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QWheelEvent>
@@ -29,6 +30,9 @@ public:
         setFocusPolicy(Qt::StrongFocus);
         setKeyboardTracking(false);
         setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+        // What has been taken over is no longer being typed.
+        connect(this, &QDoubleSpinBox::editingFinished, this,
+                [this] { lineEdit()->setText(lineEdit()->text()); });
     }
     // Room for a usual value, not for the longest that the range allows.
     QSize sizeHint() const override {
@@ -204,6 +208,14 @@ private:
     QLineEdit* line_;
 };
 
+// Undo takes back what is being typed; where nothing is, it takes back the project's last change.
+bool isForTheProject(QObject& editor, const QKeyEvent& key) {
+    auto* line = qobject_cast<QLineEdit*>(&editor);
+    line = line ? line : editor.findChild<QLineEdit*>();
+    return line && ((key.matches(QKeySequence::Undo) && !line->isUndoAvailable()) ||
+                    (key.matches(QKeySequence::Redo) && !line->isRedoAvailable()));
+}
+
 } // namespace
 
 PropertyField* PropertyField::make(const PropertySpec& spec, const FieldRule& rule,
@@ -239,6 +251,11 @@ void PropertyField::adopt(QWidget* editor, const QString& name, const QString& r
 bool PropertyField::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::FocusOut) {
         emit left();
+    }
+    if (event->type() == QEvent::ShortcutOverride &&
+        isForTheProject(*watched, static_cast<QKeyEvent&>(*event))) {
+        event->ignore();
+        return true;
     }
     return QWidget::eventFilter(watched, event);
 }
