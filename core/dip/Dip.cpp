@@ -60,14 +60,13 @@ public:
         Clock::time_point lastShown = Clock::now() - observerInterval;
         while (!state_.finished) {
             progress(state_.descent / dip_.setup.motion.travel, Text::tr("Dipping"));
-            if (observer && Clock::now() - lastShown >= observerInterval) {
+            if (observer && Clock::now() - lastShown >= observerInterval && show(observer)) {
                 lastShown = Clock::now();
-                show(observer);
             }
             advance();
         }
-        solver_->read(dip_.positions, dip_.states);
-        dip_.steps = state_.steps;
+        dip_.finish(state_.steps,
+                    [&](auto positions, auto states) { solver_->read(positions, states); });
         if (observer) {
             observer({dip_.positions, dip_.states, state_.descent, state_.steps});
         }
@@ -101,9 +100,14 @@ private:
             stepsAtOnce_ /= 2;
         }
     }
-    void show(const FilmObserver& observer) {
-        solver_->read(dip_.positions, dip_.states);
-        observer({dip_.positions, dip_.states, state_.descent, state_.steps});
+    // Whether there was a film to show: one on another device may be on its way.
+    bool show(const FilmObserver& observer) {
+        solver::Progress shown = state_;
+        const bool hasArrived = solver_->peek(dip_.positions, dip_.states, shown);
+        if (hasArrived) {
+            observer({dip_.positions, dip_.states, shown.descent, shown.steps});
+        }
+        return hasArrived;
     }
 
     solver::BatchItem dip_;

@@ -1,5 +1,6 @@
 // The module pbd-cpu: a thin shell round the films of solvers/cpu.
 
+#include "CpuCeiling.h"
 #include "CpuName.h"
 #include "cpu/PaperFilm.h"
 #include "cpu/QuasiStaticFilm.h"
@@ -79,11 +80,7 @@ void simulate(solver::BatchItem& item, Cancellation& cancelled) {
         }
         progress = film.advance(stepsBetweenQuestions);
     }
-    const std::size_t points = item.setup.film.pointCount();
-    item.positions.resize(3 * points);
-    item.states.resize(points);
-    item.steps = progress.steps;
-    film.read(item.positions, item.states);
+    item.finish(progress.steps, [&](auto positions, auto states) { film.read(positions, states); });
 }
 
 class PbdCpu : public solver::SolverModule {
@@ -104,6 +101,7 @@ public:
                           [&](std::size_t index) { simulate(items[index], cancellation); });
         return !cancellation.isCancelled();
     }
+    std::optional<solver::Ceiling> measuredCeiling() const override { return cpuCeiling(); }
 
 private:
     std::string device_;

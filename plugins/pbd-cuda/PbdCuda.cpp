@@ -1,9 +1,12 @@
 // The module pbd-cuda: a thin shell round the films of solvers/cuda.
 
+#include "cuda/DeviceCeiling.h"
 #include "cuda/Dips.h"
+#include "cuda/Snapshot.h"
 
 #include <dipwright/FilmSolver.h>
 
+#include <optional>
 #include <stdexcept>
 
 namespace dipwright {
@@ -30,6 +33,7 @@ public:
     explicit CudaFilm(const cuda::Device& device) : device_(device) {}
 
     void begin(const solver::DipSetup& setup) override {
+        snapshot_.reset();
         dips_.reset();
         const solver::DipSetup* const only[] = {&setup};
         dips_ = makeDips(device_, only);
@@ -41,6 +45,13 @@ public:
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
         begun().read(0, positions, states);
     }
+    bool peek(std::span<float> positions, std::span<solver::PointState> states,
+              solver::Progress& shown) override {
+        if (!snapshot_) {
+            snapshot_.emplace(begun(), 0);
+        }
+        return snapshot_->peek(positions, states, shown);
+    }
 
 private:
     cuda::Dips& begun() const {
@@ -51,6 +62,7 @@ private:
     }
     const cuda::Device& device_;
     std::unique_ptr<cuda::Dips> dips_;
+    std::optional<cuda::Snapshot> snapshot_; // once the film is to be shown
 };
 
 // The items from `first` on that can run together, at most as many as the device holds.
@@ -73,16 +85,12 @@ public:
     }
     const char* device() const override { return search_.device.name.c_str(); }
     std::unique_ptr<solver::FilmSolver> create() const override {
-        if (!search_.found) {
-            throw std::runtime_error(search_.reason);
-        }
+        requireDevice();
         return std::make_unique<CudaFilm>(search_.device);
     }
     bool runBatch(std::span<solver::BatchItem> items, solver::CancelFunction cancelled,
                   void* context) const override {
-        if (!search_.found) {
-            throw std::runtime_error(search_.reason);
-        }
+        requireDevice();
         for (std::size_t first = 0; first < items.size();) {
             const std::size_t most = dipsAtOnce(search_.device, items[first].setup);
             const std::size_t last = alikeFrom(items, first, most);
@@ -93,8 +101,17 @@ public:
         }
         return true;
     }
+    std::optional<solver::Ceiling> measuredCeiling() const override {
+        requireDevice();
+        return cuda::measuredCeiling(search_.device);
+    }
 
 private:
+    void requireDevice() const {
+        if (!search_.found) {
+            throw std::runtime_error(search_.reason);
+        }
+    }
     bool runTogether(std::span<solver::BatchItem> items, solver::CancelFunction cancelled,
                      void* context) const;
 
@@ -120,11 +137,8 @@ bool PbdCuda::runTogether(std::span<solver::BatchItem> items, solver::CancelFunc
         }
     }
     for (std::size_t dip = 0; dip < items.size(); ++dip) {
-        const std::size_t points = items[dip].setup.film.pointCount();
-        items[dip].positions.resize(3 * points);
-        items[dip].states.resize(points);
-        items[dip].steps = dips->progress(dip).steps;
-        dips->read(dip, items[dip].positions, items[dip].states);
+        items[dip].finish(dips->progress(dip).steps,
+                          [&](auto positions, auto states) { dips->read(dip, positions, states); });
     }
     return true;
 }

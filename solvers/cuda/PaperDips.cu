@@ -157,16 +157,16 @@ public:
 
     void advance(int maximumSteps) override;
     solver::Progress progress(std::size_t dip) const override;
-    void read(std::size_t dip, std::span<float> positions,
-              std::span<solver::PointState> states) const override;
+    StoredFilm stored(std::size_t dip) const override;
 
 private:
+    void unpackPoints(std::size_t dip, const std::byte* stored, const solver::Progress& progress,
+                      std::span<float> positions,
+                      std::span<solver::PointState> states) const override;
     void layFlat(Setups setups);
     void launch(int firstPass, int lastPass);
-    std::size_t pointCount() const { return film_.pointCount(); }
+    std::size_t pointCount() const { return film().pointCount(); }
 
-    Device device_;
-    solver::FilmGrid film_;
     PaperModel model_;
     bool allBlocksRunTogether_ = false;
     Kernel kernel_ = nullptr;
@@ -177,13 +177,12 @@ private:
     int stepsDone_ = 0, mostSteps_ = 0;
 };
 
-PaperDips::PaperDips(const Device& device, Setups setups)
-    : device_(device), film_(setups.front()->film) {
+PaperDips::PaperDips(const Device& device, Setups setups) : Dips(device, setups.front()->film) {
     for (const solver::DipSetup* setup : setups) {
         requireKnown(*setup);
     }
-    use(device_);
-    const PaperTiling tiling = chooseTiling(device_, *setups.front(), setups.size());
+    use(device);
+    const PaperTiling tiling = chooseTiling(device, *setups.front(), setups.size());
     allBlocksRunTogether_ = tiling.allBlocksRunTogether;
     model_ = paperModel(*setups.front(), tiling.tiles);
     kernel_ = kernel(tiling.tiles.stripRows, hasDiagonals(*setups.front()));
@@ -222,7 +221,7 @@ void PaperDips::layFlat(Setups setups) {
 }
 
 void PaperDips::advance(int maximumSteps) {
-    use(device_);
+    use(device());
     const int last = std::min(stepsDone_ + std::min(maximumSteps, mostSteps_), mostSteps_);
     const int stepsPerLaunch = std::max(1, passesPerLaunch / model_.passesPerStep);
     while (stepsDone_ < last) {
@@ -230,7 +229,7 @@ void PaperDips::advance(int maximumSteps) {
         launch(stepsDone_ * model_.passesPerStep, (stepsDone_ + steps) * model_.passesPerStep);
         stepsDone_ += steps;
     }
-    check(cudaDeviceSynchronize());
+    check(cudaStreamSynchronize(nullptr));
 }
 
 void PaperDips::launch(int firstPass, int lastPass) {
@@ -262,24 +261,21 @@ solver::Progress PaperDips::progress(std::size_t dip) const {
     return {steps, descent, steps == own.steps};
 }
 
-void PaperDips::read(std::size_t dip, std::span<float> positions,
-                     std::span<solver::PointState> states) const {
-    use(device_);
-    if (positions.size() != 3 * pointCount() ||
-        !(states.empty() || states.size() == pointCount())) {
-        throw std::invalid_argument("the arrays to read into do not match the film");
-    }
-    const solver::Progress now = progress(dip);
-    std::vector<StoredPoint> points(pointCount());
-    check(cudaMemcpy(points.data(), dips_[dip].now, points.size() * sizeof(StoredPoint),
-                     cudaMemcpyDeviceToHost));
+StoredFilm PaperDips::stored(std::size_t dip) const {
+    return {reinterpret_cast<const std::byte*>(dips_[dip].now), pointCount() * sizeof(StoredPoint)};
+}
+
+void PaperDips::unpackPoints(std::size_t, const std::byte* stored, const solver::Progress& progress,
+                             std::span<float> positions,
+                             std::span<solver::PointState> states) const {
+    const std::span points(reinterpret_cast<const StoredPoint*>(stored), pointCount());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const StoredPoint& point = points[i];
         const bool isAdhered = point.hold() == Hold::Adhered;
-        const double restX = -film_.width / 2 + double(i % film_.columns) * film_.spacingX();
-        const double restZ = -film_.depth / 2 + double(i / film_.columns) * film_.spacingZ();
+        const double restX = -film().width / 2 + double(i % film().columns) * film().spacingX();
+        const double restZ = -film().depth / 2 + double(i / film().columns) * film().spacingZ();
         positions[3 * i] = float(restX + double(point.x));
-        positions[3 * i + 1] = float(double(point.y) - (isAdhered ? now.descent : 0.0));
+        positions[3 * i + 1] = float(double(point.y) - (isAdhered ? progress.descent : 0.0));
         positions[3 * i + 2] = float(restZ + double(point.z));
         if (!states.empty()) {
             states[i] = isAdhered ? solver::PointState::Adhered : solver::PointState::Free;

@@ -182,15 +182,16 @@ std::size_t placeArrays(QuasiStaticDip& dip, const QuasiStaticModel& model,
     Layout layout(start);
     layout.place(dip.state, 1);
     layout.place(dip.team, 1);
-    for (float2** array : {&dip.displacement, &dip.before, &dip.start, &dip.best, &dip.newtonStep,
-                           &dip.product, &dip.direction[0], &dip.direction[1]}) {
+    layout.place(dip.displacement, points); // these three: the stored film
+    layout.place(dip.attached, points);
+    layout.place(dip.states, points);
+    for (float2** array : {&dip.before, &dip.start, &dip.best, &dip.newtonStep, &dip.product,
+                           &dip.direction[0], &dip.direction[1]}) {
         layout.place(*array, points);
     }
-    layout.place(dip.attached, points);
     layout.place(dip.free, points);
     layout.place(dip.clearance, points);
     layout.place(dip.holding, points);
-    layout.place(dip.states, points);
     layout.place(dip.inverseShape, triangles);
     layout.place(dip.stress, triangles);
     layout.place(dip.crosses, triangles);
@@ -215,14 +216,14 @@ public:
 
     void advance(int maximumSteps) override;
     solver::Progress progress(std::size_t dip) const override;
-    void read(std::size_t dip, std::span<float> positions,
-              std::span<solver::PointState> states) const override;
+    StoredFilm stored(std::size_t dip) const override;
 
 private:
+    void unpackPoints(std::size_t dip, const std::byte* stored, const solver::Progress& progress,
+                      std::span<float> positions,
+                      std::span<solver::PointState> states) const override;
     void layFlat(const solver::DipSetup& setup, const QuasiStaticDip& dip) const;
 
-    Device device_;
-    solver::FilmGrid film_;
     int blocksPerDip_;
     QuasiStaticModel model_;
     Levels levels_;
@@ -234,7 +235,7 @@ private:
 };
 
 QuasiStaticDips::QuasiStaticDips(const Device& device, Setups setups)
-    : device_(device), film_(setups.front()->film),
+    : Dips(device, setups.front()->film),
       blocksPerDip_(std::max(1, std::min(device.multiprocessors, TeamMemory::mostBlocks) /
                                     int(setups.size()))),
       model_(modelOf(*setups.front(), blocksPerDip_)),
@@ -263,21 +264,21 @@ QuasiStaticDips::QuasiStaticDips(const Device& device, Setups setups)
 }
 
 void QuasiStaticDips::layFlat(const solver::DipSetup& setup, const QuasiStaticDip& dip) const {
-    std::vector<float> free(film_.pointCount(), 1.0f);
+    std::vector<float> free(film().pointCount(), 1.0f);
     for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
         free[point] = setup.pinned[point] ? 0.0f : 1.0f;
     }
     upload(dip.free, free);
-    upload(dip.holding, pbd::trianglesPerPoint(film_));
-    const float4 shape{float(1 / film_.spacingX()), 0, 0, float(1 / film_.spacingZ())};
+    upload(dip.holding, pbd::trianglesPerPoint(film()));
+    const float4 shape{float(1 / film().spacingX()), 0, 0, float(1 / film().spacingZ())};
     upload(dip.inverseShape,
-           std::vector<float4>(2 * std::size_t(film_.columns - 1) * std::size_t(film_.rows - 1),
+           std::vector<float4>(2 * std::size_t(film().columns - 1) * std::size_t(film().rows - 1),
                                shape));
     upload(dip.state, std::vector<QuasiStaticState>(1));
 }
 
 void QuasiStaticDips::advance(int maximumSteps) {
-    use(device_);
+    use(device());
     for (const QuasiStaticDip& dip : dips_) {
         check(cudaMemset(&dip.team->arrived, 0, sizeof dip.team->arrived));
     }
@@ -298,31 +299,34 @@ solver::Progress QuasiStaticDips::progress(std::size_t dip) const {
     return {state.steps, state.descent, state.descent >= dips_[dip].body.motion.travel};
 }
 
-void QuasiStaticDips::read(std::size_t dip, std::span<float> positions,
-                           std::span<solver::PointState> states) const {
-    const std::size_t count = film_.pointCount();
-    if (positions.size() != 3 * count || !(states.empty() || states.size() == count)) {
-        throw std::invalid_argument("the arrays to read into do not match the film");
-    }
-    use(device_);
+StoredFilm QuasiStaticDips::stored(std::size_t dip) const {
     const QuasiStaticDip& own = dips_[dip];
-    std::vector<float2> displacement(count);
-    std::vector<float3> attached(count);
-    std::vector<std::uint8_t> held(count);
-    const auto download = [&](auto& to, const auto* from) {
-        check(cudaMemcpy(to.data(), from, count * sizeof to[0], cudaMemcpyDeviceToHost));
+    const auto* first = reinterpret_cast<const std::byte*>(own.displacement);
+    const auto* last = reinterpret_cast<const std::byte*>(own.states + film().pointCount());
+    return {first, std::size_t(last - first)};
+}
+
+void QuasiStaticDips::unpackPoints(std::size_t dip, const std::byte* stored,
+                                   const solver::Progress& progress, std::span<float> positions,
+                                   std::span<solver::PointState> states) const {
+    const QuasiStaticDip& own = dips_[dip];
+    const std::byte* first = this->stored(dip).onDevice;
+    const auto inCopy = [&]<typename Value>(const Value* onDevice) {
+        return reinterpret_cast<const Value*>(
+            stored + (reinterpret_cast<const std::byte*>(onDevice) - first));
     };
-    download(displacement, own.displacement);
-    download(attached, own.attached);
-    download(held, own.states);
-    const auto frame = pbd::bodyFrame<float>(own.body.motion, states_[dip].descent);
+    const float2* displacement = inCopy(own.displacement);
+    const float3* attached = inCopy(own.attached);
+    const std::uint8_t* held = inCopy(own.states);
+    const auto frame = pbd::bodyFrame<float>(own.body.motion, progress.descent);
+    const std::size_t count = film().pointCount();
     for (std::size_t point = 0; point < count; ++point) {
         const auto state = solver::PointState(held[point]);
         pbd::Vector3<float> place{
-            float(-film_.width / 2 + double(point % film_.columns) * film_.spacingX()) +
+            float(-film().width / 2 + double(point % film().columns) * film().spacingX()) +
                 displacement[point].x,
             0,
-            float(-film_.depth / 2 + double(point / film_.columns) * film_.spacingZ()) +
+            float(-film().depth / 2 + double(point / film().columns) * film().spacingZ()) +
                 displacement[point].y};
         if (state != solver::PointState::Free) {
             place = frame.toWorld({attached[point].x, attached[point].y, attached[point].z});

@@ -124,6 +124,8 @@ private slots:
     void followsTheReference();
     void givesTheSameBitsTwice_data();
     void givesTheSameBitsTwice();
+    void showsWholeStepsWhileItComputes_data() { givesTheSameBitsTwice_data(); }
+    void showsWholeStepsWhileItComputes();
     void batchGivesWhatSingleDipsGive_data() { givesTheSameBitsTwice_data(); }
     void batchGivesWhatSingleDipsGive();
     void batchStopsWhenCancelled();
@@ -205,6 +207,39 @@ void CudaFilmTest::givesTheSameBitsTwice() {
     Ending inSmallSteps = ending(*film, setup.film);
     inSmallSteps.progress = progress;
     QVERIFY(haveSameBits(first, inSmallSteps));
+}
+
+// What is shown of a running dip is the film as it was after some steps, bit for bit, and showing
+// it changes nothing.
+void CudaFilmTest::showsWholeStepsWhileItComputes() {
+    QFETCH(QString, preset);
+    const Body body = bodyNamed(QStringLiteral("sphere"));
+    const solver::DipSetup setup = wholeDip(body, preset);
+    const Ending undisturbed = dipOnGpu(setup);
+    const auto shown = registry_.module(QStringLiteral("pbd-cuda")).create();
+    const auto readAlong = registry_.module(QStringLiteral("pbd-cuda")).create();
+    shown->begin(setup);
+    readAlong->begin(setup);
+    solver::Progress progress, reached;
+    Ending frame = ending(*shown, setup.film);
+    int frames = 0;
+    while (!progress.finished) {
+        frame.progress = progress;
+        if (shown->peek(frame.positions, frame.states, frame.progress)) {
+            QVERIFY(frame.progress.steps < progress.steps);
+            reached = readAlong->advance(int(frame.progress.steps - reached.steps));
+            Ending then = ending(*readAlong, setup.film);
+            then.progress = reached;
+            QVERIFY(haveSameBits(frame, then));
+            QCOMPARE(frame.progress.descent, reached.descent);
+            ++frames;
+        }
+        progress = shown->advance(2);
+    }
+    QVERIFY(frames > 5);
+    Ending end = ending(*shown, setup.film);
+    end.progress = progress;
+    QVERIFY(haveSameBits(end, undisturbed));
 }
 
 void CudaFilmTest::batchGivesWhatSingleDipsGive() {

@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include <limits>
+#include <optional>
 #include <set>
 
 using namespace dipwright;
@@ -22,6 +23,7 @@ struct Script {
     int begun = 0;
     int advanced = 0;
     int asked = 0; // to advance
+    bool showsLate = false;
     solver::DipSetup setup;
 };
 
@@ -60,8 +62,23 @@ public:
         }
     }
 
+    bool peek(std::span<float> positions, std::span<solver::PointState> states,
+              solver::Progress& shown) override {
+        if (!script_.showsLate) {
+            return FilmSolver::peek(positions, states, shown);
+        }
+        if (!underWay_) {
+            underWay_ = shown;
+            return false;
+        }
+        shown = *std::exchange(underWay_, std::nullopt);
+        std::ranges::fill(positions, float(shown.steps));
+        return true;
+    }
+
 private:
     Script& script_;
+    std::optional<solver::Progress> underWay_;
     int done_ = 0;
 };
 
@@ -119,6 +136,7 @@ private Q_SLOTS:
     void batchedDipEndsInThePoseFrameToo();
     void progressGrowsToTheEnd();
     void observerSeesTheLastFrame();
+    void observerSeesLateFramesAsOfTheirSteps();
     void cancellingStopsWithTheNextSteps();
     void failingSolverIsAnError();
     void unstableFilmIsAnError();
@@ -234,6 +252,24 @@ void DipTest::observerSeesTheLastFrame() {
     QCOMPARE(descent, script.setup.motion.travel);
     QCOMPARE(steps, std::int64_t(50));
     QCOMPARE(buffers.size(), std::size_t(1));
+}
+
+// Those of a device that computes beside the host.
+void DipTest::observerSeesLateFramesAsOfTheirSteps() {
+    Dip dip;
+    Script script;
+    script.showsLate = true;
+    std::vector<std::int64_t> steps;
+    dip.run(script, [&](const FilmFrame& frame) {
+        steps.push_back(frame.steps);
+        QCOMPARE(frame.descent, script.setup.motion.travel * double(frame.steps) / 50);
+        if (frame.steps < 50) {
+            QCOMPARE(frame.positions.front(), float(frame.steps));
+        }
+    });
+    QVERIFY(steps.size() >= 2);
+    QCOMPARE(steps.front(), std::int64_t(0));
+    QCOMPARE(steps.back(), std::int64_t(50));
 }
 
 void DipTest::cancellingStopsWithTheNextSteps() {

@@ -142,9 +142,7 @@ public:
             measured({registry, id, runs}, parts, rows, parser.isSet(quickOption), progress);
         report.device = QString::fromUtf8(registry.module(id).device());
         report.solver = registry.info(id);
-        if (report.solver.deviceKind == QLatin1String("cpu")) {
-            report.ceiling = measuredCeiling();
-        }
+        report.ceiling = registry.module(id).measuredCeiling();
         if (parser.isSet(plotOption)) {
             drawPlot(report, parser.value(plotOption));
         }

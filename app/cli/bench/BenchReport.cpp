@@ -6,7 +6,7 @@ namespace dipwright::cli {
 namespace {
 
 // The share of the ceiling's operations that a row reaches; null where there is no ceiling.
-QJsonValue ceilingShare(const StepRow& row, const std::optional<Ceiling>& ceiling) {
+QJsonValue ceilingShare(const StepRow& row, const std::optional<solver::Ceiling>& ceiling) {
     return ceiling ? QJsonValue(row.flopsPerSecond() / ceiling->flopsPerSecond) : QJsonValue();
 }
 
@@ -120,7 +120,8 @@ void print(const BenchReport& report, QTextStream& out) {
                .arg(report.solver.name, report.solver.version, report.device)
                .arg(report.runs);
     if (report.ceiling) {
-        out << QStringLiteral("Ceiling of the threads used: %1 Gflop/s, %2 GB/s\n")
+        out << QStringLiteral("Ceiling of the device, of the threads used on a processor: %1 "
+                              "Gflop/s, %2 GB/s\n")
                    .arg(inBillions(report.ceiling->flopsPerSecond, 0),
                         inBillions(report.ceiling->bytesPerSecond, 1));
     }

@@ -1,7 +1,6 @@
 // What the bench measured, as JSON, as text and as the paper's Figures 6 and 7.
 #pragma once
 
-#include "cli/bench/Ceiling.h"
 #include "cli/bench/Measurements.h"
 
 #include <QJsonObject>
@@ -13,7 +12,7 @@ struct BenchReport {
     SolverInfo solver;
     QString device;
     int runs = 1;
-    std::optional<Ceiling> ceiling; // of the processor; none for a solver on another device
+    std::optional<solver::Ceiling> ceiling; // where the solver can measure its device
     std::vector<StepRow> tableOne, fieldSweep;
     std::vector<TimedRow> dips, fields, sheets, wholeRuns;
 };

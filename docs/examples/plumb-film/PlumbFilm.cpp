@@ -121,10 +121,8 @@ public:
                 }
                 progress = film.advance(16);
             }
-            item.steps = progress.steps;
-            item.positions.resize(3 * item.setup.film.pointCount());
-            item.states.resize(item.setup.film.pointCount());
-            film.read(item.positions, item.states);
+            item.finish(progress.steps,
+                        [&](auto positions, auto states) { film.read(positions, states); });
         }
         return true;
     }

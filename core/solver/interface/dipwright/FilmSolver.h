@@ -13,13 +13,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace dipwright::solver {
 
 // Raised whenever anything in this folder changes in a way that an older module would not survive.
-inline constexpr int interfaceVersion = 1;
+inline constexpr int interfaceVersion = 2;
 
 // Which constraints hold the film together.
 enum class Lattice : std::uint8_t {
@@ -131,6 +132,16 @@ public:
     // World positions (x, y, z per point, film order) and states of all points as they are now.
     // `positions` holds 3·pointCount floats, `states` pointCount or is empty.
     virtual void read(std::span<float> positions, std::span<PointState> states) const = 0;
+
+    // The film for display, without holding up a device that computes beside the host. True: the
+    // arrays are filled as by read(), with the film as it was after whole steps, and `shown`, on
+    // entry the film's progress now, is its progress then. False: the film as it is now has begun
+    // to come over, or has not arrived; advance and ask again.
+    virtual bool peek(std::span<float> positions, std::span<PointState> states, Progress& shown) {
+        static_cast<void>(shown); // is now
+        read(positions, states);
+        return true;
+    }
 };
 
 // One dip of a batch: what to simulate and where its end goes.
@@ -139,6 +150,21 @@ struct BatchItem {
     std::vector<float> positions; // filled: 3·pointCount, world frame at the end
     std::vector<PointState> states;
     std::int64_t steps = 0;
+
+    // Fills in the end of a dip of so many steps; read(positions, states) as FilmSolver::read.
+    template <typename Read>
+    void finish(std::int64_t stepsOfDip, const Read& read) {
+        positions.resize(3 * setup.film.pointCount());
+        states.resize(setup.film.pointCount());
+        steps = stepsOfDip;
+        read(std::span<float>(positions), std::span<PointState>(states));
+    }
+};
+
+// What a device can do at most, measured: the roof that a film's rates stand under.
+struct Ceiling {
+    double flopsPerSecond = 0; // single precision; a fused multiply-add counts as two
+    double bytesPerSecond = 0; // read and written by a = b + s·c in arrays past every cache
 };
 
 // Asked between pieces of work; true: stop as soon as possible.
@@ -158,6 +184,8 @@ public:
     // Returns false if cancelled.
     virtual bool runBatch(std::span<BatchItem> items, CancelFunction cancelled,
                           void* context) const = 0;
+    // Measures the device, by all threads that may compute, in a few tenths of a second.
+    virtual std::optional<Ceiling> measuredCeiling() const { return std::nullopt; }
 };
 
 } // namespace dipwright::solver

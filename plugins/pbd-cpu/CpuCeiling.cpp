@@ -2,7 +2,7 @@
 // as those of the film are.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "cli/bench/Ceiling.cpp"
+#define HWY_TARGET_INCLUDE "CpuCeiling.cpp"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>
@@ -10,7 +10,7 @@
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
-namespace dipwright::cli::HWY_NAMESPACE {
+namespace dipwright::HWY_NAMESPACE {
 
 namespace {
 
@@ -56,18 +56,22 @@ void triad(float* a, const float* b, const float* c, std::size_t count) {
 
 } // namespace
 
-} // namespace dipwright::cli::HWY_NAMESPACE
+} // namespace dipwright::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-#include "cli/bench/Ceiling.h"
-#include "cli/bench/Statistics.h"
+#include "CpuCeiling.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-namespace dipwright::cli {
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <vector>
+
+namespace dipwright {
 
 namespace {
 
@@ -77,21 +81,33 @@ HWY_EXPORT(triad);
 constexpr int rounds = 5'000'000;
 constexpr std::size_t floatsAtOnce = std::size_t(1) << 20;
 constexpr std::size_t pieces = 32; // 128 MiB an array
-constexpr int attempts = 3;        // the fastest counts: nothing makes a ceiling higher
+
+// The fastest of some attempts counts: nothing makes a ceiling higher.
+template <typename Work>
+double leastSeconds(const Work& work) {
+    constexpr int attempts = 3;
+    double least = std::numeric_limits<double>::infinity();
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        const auto start = std::chrono::steady_clock::now();
+        work();
+        const auto end = std::chrono::steady_clock::now();
+        least = std::min(least, std::chrono::duration<double>(end - start).count());
+    }
+    return least;
+}
 
 double measuredFlops() {
     const int threads = tbb::this_task_arena::max_concurrency();
     std::vector<double> flops(std::size_t(threads), 0.0);
     std::vector<float> sinks(std::size_t(threads), 0.0f);
-    const double seconds =
-        timed(attempts, [&] {
-            tbb::parallel_for(
-                std::size_t(0), flops.size(),
-                [&](std::size_t thread) {
-                    flops[thread] = HWY_DYNAMIC_DISPATCH(multiplyAdd)(rounds, &sinks[thread]);
-                },
-                tbb::simple_partitioner());
-        }).minimum;
+    const double seconds = leastSeconds([&] {
+        tbb::parallel_for(
+            std::size_t(0), flops.size(),
+            [&](std::size_t thread) {
+                flops[thread] = HWY_DYNAMIC_DISPATCH(multiplyAdd)(rounds, &sinks[thread]);
+            },
+            tbb::simple_partitioner());
+    });
     double sum = 0;
     for (const double each : flops) {
         sum += each;
@@ -101,22 +117,21 @@ double measuredFlops() {
 
 double measuredBytes() {
     std::vector<float> a(pieces * floatsAtOnce), b(a.size(), 1.0f), c(a.size(), 2.0f);
-    const double seconds = timed(attempts, [&] {
-                               tbb::parallel_for(std::size_t(0), pieces, [&](std::size_t piece) {
-                                   const std::size_t first = piece * floatsAtOnce;
-                                   HWY_DYNAMIC_DISPATCH(triad)
-                                   (&a[first], &b[first], &c[first], floatsAtOnce);
-                               });
-                           }).minimum;
+    const double seconds = leastSeconds([&] {
+        tbb::parallel_for(std::size_t(0), pieces, [&](std::size_t piece) {
+            const std::size_t first = piece * floatsAtOnce;
+            HWY_DYNAMIC_DISPATCH(triad)(&a[first], &b[first], &c[first], floatsAtOnce);
+        });
+    });
     return 3.0 * sizeof(float) * double(a.size()) / seconds;
 }
 
 } // namespace
 
-Ceiling measuredCeiling() {
+solver::Ceiling cpuCeiling() {
     return {measuredFlops(), measuredBytes()};
 }
 
-} // namespace dipwright::cli
+} // namespace dipwright
 
 #endif
