@@ -96,6 +96,7 @@ struct FilmForce {
 __device__ inline FilmForce force(const QuasiStaticModel& model, const QuasiStaticDip& dip,
                                   float drag, float length, Team& team, float2* memory) {
     double sums[2] = {0, 0};
+#pragma unroll 1
     for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
         const FilmTile tile(model, t);
         float2* values = memory;
@@ -163,6 +164,7 @@ __device__ inline double curvature(const QuasiStaticModel& model, const QuasiSta
                                    float drag, const float2* before, float2* direction, float keep,
                                    Team& team, float2* memory) {
     double sums[1] = {0};
+#pragma unroll 1
     for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
         const FilmTile tile(model, t);
         float2* values = memory;

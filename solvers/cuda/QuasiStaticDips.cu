@@ -13,48 +13,68 @@ namespace dipwright::cuda {
 
 namespace {
 
-constexpr int largestTile = 32; // columns and rows of film points
-constexpr int largestCoarseTile = 14;
-constexpr int mostPointsInWholeLevel = 2048; // more, and several blocks are faster
+constexpr int mostTilePoints = 34 * 34; // of the film, those beside the tile's own among them
 
 // Bytes of shared memory beside what the kernel takes dynamically.
 constexpr std::size_t staticSharedBytes = sizeof(Team) + sizeof(QuasiStaticDip) + 256;
 
-// The cut of a grid that `blocks` blocks are done with soonest; `border`: what a tile computes
-// beside its own on each side.
-PlaneTiles planeTiles(int columns, int rows, int largest, int border, int blocks) {
+// The cut of a grid that `blocks` blocks are done with soonest. work(columns, rows): the points
+// that a block has to do with for a tile of this size; 0 where they are too many.
+template <typename Work>
+PlaneTiles planeTiles(int columns, int rows, int blocks, const Work& work) {
     PlaneTiles best;
-    double leastWork = 0;
-    const int fewestAcross = (columns + largest - 1) / largest;
-    const int fewestDown = (rows + largest - 1) / largest;
-    for (int across = fewestAcross; across <= fewestAcross + blocks; ++across) {
-        for (int down = fewestDown; down <= fewestDown + blocks; ++down) {
-            const int rounds = (across * down + blocks - 1) / blocks;
-            const double work = rounds * (200 + (double(columns) / across + 2 * border) *
-                                                    (double(rows) / down + 2 * border));
-            if (leastWork == 0 || work < leastWork) {
-                best = {across, down};
-                leastWork = work;
+    for (int most = blocks;; most += blocks) {
+        int least = 0;
+        for (int across = 1; across <= std::min(columns, most); ++across) {
+            const PlaneTiles tiles{across, std::min(rows, most / across)};
+            const int points = work((columns + tiles.across - 1) / tiles.across,
+                                    (rows + tiles.down - 1) / tiles.down);
+            if (points > 0 && (least == 0 || points < least)) {
+                best = tiles;
+                least = points;
             }
         }
+        if (least > 0) {
+            return best;
+        }
     }
-    return best;
 }
 
-std::size_t patchBytes(std::size_t points) {
-    return points * PlanePatch::bytesPerPoint + sizeof(float2);
+PlaneTiles filmTiles(int columns, int rows, int blocks) {
+    return planeTiles(columns, rows, blocks, [](int tileColumns, int tileRows) {
+        const int points = (tileColumns + 2) * (tileRows + 2);
+        return points <= mostTilePoints ? points : 0;
+    });
 }
 
-// Shared memory for one tile on the way down or up, the largest there can be.
-std::size_t tileBytes() {
-    constexpr std::size_t fine =
-        22 * (largestCoarseTile + 1) / 10 + 1 + 2 * pbd::multigrid::smoothingDegree;
-    const std::size_t forces = (largestTile + 2) * (largestTile + 2) * sizeof(float2) +
-                               (largestTile + 1) * (largestTile + 1) * sizeof(CellForces);
-    return std::max(patchBytes(fine * fine), forces);
+// Of a level, by tiles of the coarser one.
+PlaneTiles coarseTiles(const PlaneLevel& level, int blocks) {
+    const auto fine = [](const PlaneAxis& axis, int coarse) {
+        const int leaning = (coarse + 1) * (axis.fine - 1) / (axis.coarse - 1) + 1;
+        return std::min(leaning + 2 * pbd::multigrid::smoothingDegree, axis.fine);
+    };
+    return planeTiles(level.alongX.coarse, level.alongZ.coarse, blocks,
+                      [&](int tileColumns, int tileRows) {
+                          const int width = fine(level.alongX, tileColumns);
+                          const int height = fine(level.alongZ, tileRows);
+                          return LongStrip::cover(width, height) ? width * height : 0;
+                      });
 }
 
-// The levels of one film, and what they keep on the device.
+constexpr std::size_t patchBytes(std::size_t points) {
+    return points * PlanePatch::valuesPerPoint * sizeof(float2);
+}
+
+// Shared memory for one tile, the largest there can be.
+constexpr std::size_t tileBytes =
+    std::max(patchBytes(LongStrip::mostInPatch),
+             std::size_t(mostTilePoints) * (sizeof(float2) + sizeof(CellForces)));
+
+PlaneAxis axis(int fine, int coarse) {
+    return {fine, coarse, 1 / float(fine - 1), 1 / float(coarse - 1)};
+}
+
+// The levels of one film.
 class Levels {
 public:
     Levels(const Device& device, QuasiStaticModel& model, int blocks) {
@@ -67,7 +87,6 @@ public:
             level.rows = rows;
             level.offset = offset;
             level.stencil = pbd::multigrid::stencil(hx, hz);
-            level.cell = pbd::multigrid::cellStiffness(hx, hz);
             offset += std::uint32_t(columns) * std::uint32_t(rows);
             if (pbd::multigrid::isCoarsest(columns, rows)) {
                 break;
@@ -77,10 +96,9 @@ public:
             }
             const int coarseColumns = pbd::multigrid::coarser(columns);
             const int coarseRows = pbd::multigrid::coarser(rows);
-            addAxis(columns, coarseColumns, level.firstX, level.weightX, level.leanX);
-            addAxis(rows, coarseRows, level.firstZ, level.weightZ, level.leanZ);
-            level.tiles = planeTiles(coarseColumns, coarseRows, largestCoarseTile,
-                                     pbd::multigrid::smoothingDegree, blocks);
+            level.alongX = axis(columns, coarseColumns);
+            level.alongZ = axis(rows, coarseRows);
+            level.tiles = coarseTiles(level, blocks);
             columns = coarseColumns;
             rows = coarseRows;
         }
@@ -92,21 +110,6 @@ public:
     std::size_t sharedBytes() const { return sharedBytes_; }
 
 private:
-    void addAxis(int fine, int coarse, const int*& first, const float*& weight, const int*& lean) {
-        const pbd::multigrid::Interpolation axis = pbd::multigrid::interpolation(fine, coarse);
-        std::vector<int> leaning;
-        for (int c = 0; c <= coarse + 1; ++c) { // the first fine point with first ≥ c − 1
-            leaning.push_back(int(std::lower_bound(axis.first.begin(), axis.first.end(), c - 1) -
-                                  axis.first.begin()));
-        }
-        integers_.emplace_back(std::span<const int>(axis.first));
-        first = integers_.back().data();
-        integers_.emplace_back(std::span<const int>(leaning));
-        lean = integers_.back().data();
-        weights_.emplace_back(std::span<const float>(axis.weight));
-        weight = weights_.back().data();
-    }
-
     // The first level that, with all after it, one block holds.
     void chooseWholeLevel(const Device& device, QuasiStaticModel& model) {
         std::size_t bytes = 0;
@@ -114,22 +117,25 @@ private:
         while (level > 0) {
             const PlaneLevel& finer = model.levels[level - 1];
             const std::size_t points = std::size_t(finer.columns) * std::size_t(finer.rows);
-            const std::size_t all = bytes + patchBytes(points);
+            const std::size_t all =
+                bytes + patchBytes(points) + points * (sizeof(float2) + sizeof(float));
             // The tiles on the way up lie behind the first level's solution.
-            const std::size_t needed = std::max(all, points * sizeof(float2) + tileBytes());
-            if (level < model.levelCount && (points > mostPointsInWholeLevel ||
-                                             needed + staticSharedBytes > device.sharedBytes)) {
+            const std::size_t needed = std::max(all, patchBytes(points) + tileBytes);
+            if (!LongStrip::cover(finer.columns, finer.rows) ||
+                needed + staticSharedBytes > device.sharedBytes) {
                 break;
             }
             sharedBytes_ = needed;
             bytes = all;
             --level;
         }
+        if (level == model.levelCount) {
+            throw std::invalid_argument(
+                "the film is too long for its width to be computed on the GPU; choose the CPU");
+        }
         model.wholeLevel = level;
     }
 
-    std::vector<DeviceArray<int>> integers_;
-    std::vector<DeviceArray<float>> weights_;
     std::size_t pointCount_ = 0, sharedBytes_ = 0;
 };
 
@@ -150,7 +156,7 @@ QuasiStaticModel modelOf(const solver::DipSetup& setup, int blocks) {
     model.residual = setup.settings.residual;
     model.tearStretch = setup.settings.tearStretch;
     model.relaxationTime = setup.settings.relaxationTime;
-    model.tiles = planeTiles(film.columns, film.rows, largestTile, 1, blocks);
+    model.tiles = filmTiles(film.columns, film.rows, blocks);
     std::ranges::copy(pbd::multigrid::chebyshev(pbd::multigrid::smoothingDegree), model.smoothing);
     std::ranges::copy(pbd::multigrid::chebyshev(pbd::multigrid::coarsestDegree), model.coarsest);
     return model;

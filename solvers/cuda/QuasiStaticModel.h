@@ -3,10 +3,12 @@
 #pragma once
 
 #include "pbd/FilmContact.h"
+#include "pbd/HostDevice.h"
 #include "pbd/PlaneGrid.h"
 
 #include <cuda_runtime_api.h>
 
+#include <cmath>
 #include <cstdint>
 
 namespace dipwright::cuda {
@@ -18,6 +20,7 @@ struct PlaneRange {
     int x0 = 0, x1 = 0, z0 = 0, z1 = 0;
 
     constexpr int width() const { return x1 - x0; }
+    constexpr int height() const { return z1 - z0; }
     constexpr int count() const { return (x1 - x0) * (z1 - z0); }
 };
 
@@ -28,17 +31,39 @@ struct PlaneTiles {
     constexpr int count() const { return across * down; }
 };
 
+// How the points of a level lie between those of the next coarser one (PlaneGrid.h, interpolation),
+// along one axis; where there is none, `coarse` is 0.
+struct PlaneAxis {
+    int fine = 0, coarse = 0;         // points
+    float perFine = 0, perCoarse = 0; // 1 / (fine − 1), 1 / (coarse − 1)
+
+    // The coarse point at or before a fine one that is not the last.
+    DIPWRIGHT_HOST_DEVICE int below(int i) const {
+        const int found = int((float(i * (coarse - 1)) + 0.5f) * perFine);
+        return found < coarse - 2 ? found : coarse - 2;
+    }
+    // The share of a coarse point in a fine one; 0 or less where it has none.
+    DIPWRIGHT_HOST_DEVICE float weight(int i, int c) const {
+        return 1 - fabsf(float(i * (coarse - 1) - c * (fine - 1))) * perFine;
+    }
+    // The first fine point after coarse point c, or at or after it; c from −1 to `coarse`.
+    DIPWRIGHT_HOST_DEVICE int firstAfter(int c) const {
+        return c < 0 ? 0 : int((float(c * (fine - 1)) + 0.5f) * perCoarse) + 1;
+    }
+    DIPWRIGHT_HOST_DEVICE int firstFrom(int c) const {
+        if (c == 0 || c == coarse) {
+            return c == 0 ? 0 : fine;
+        }
+        return int((float(c * (fine - 1)) - 0.5f) * perCoarse) + 1;
+    }
+};
+
 // One grid of the multigrid cycle.
 struct PlaneLevel {
     int columns = 0, rows = 0;
     std::uint32_t offset = 0; // of its points in the arrays over all levels
     pbd::multigrid::Stencil stencil;
-    pbd::multigrid::CellStiffness cell{};
-    // To the next coarser level: interpolation, and the first fine point that leans on a coarse
-    // point, one entry more than there are coarse points; on the device.
-    const int *firstX = nullptr, *firstZ = nullptr;
-    const float *weightX = nullptr, *weightZ = nullptr;
-    const int *leanX = nullptr, *leanZ = nullptr;
+    PlaneAxis alongX, alongZ;
     PlaneTiles tiles; // of the coarser level
 };
 
