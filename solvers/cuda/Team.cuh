@@ -20,6 +20,7 @@ class Team {
 public:
     static constexpr int threads = 512; // of a block
     static constexpr int warps = threads / 32;
+    static_assert(TeamMemory::mostBlocks <= threads && TeamMemory::mostValues <= warps);
 
     __device__ void begin(TeamMemory* memory, int blocks, int block) {
         if (threadIdx.x == 0) {
@@ -84,25 +85,26 @@ private:
             }
         }
         meet();
-        if (warp == 0) {
+        if (int(threadIdx.x) < blocks_) {
             for (int i = 0; i < count; ++i) {
-                values[i] = slots[min(lane, blocks_ - 1)][i];
+                brought_[i][threadIdx.x] = slots[threadIdx.x][i];
             }
+        }
+        __syncthreads();
+        if (warp < count) { // a value each
+            double joined[1] = {brought_[warp][min(lane, blocks_ - 1)]};
             for (int block = lane + 32; block < blocks_; block += 32) {
-                for (int i = 0; i < count; ++i) {
-                    values[i] = join(values[i], slots[block][i]);
-                }
+                joined[0] = join(joined[0], brought_[warp][block]);
             }
-            joinWarp(values, min(blocks_, 32), join);
-            for (int i = 0; i < count && lane == 0; ++i) {
-                result_[i] = values[i];
+            joinWarp(joined, min(blocks_, 32), join);
+            if (lane == 0) {
+                result_[warp] = joined[0];
             }
         }
         __syncthreads();
         for (int i = 0; i < count; ++i) {
             values[i] = result_[i];
         }
-        __syncthreads();
     }
 
     // Joins the values of the first `lanes` lanes in lane 0.
@@ -122,7 +124,8 @@ private:
     TeamMemory* memory_;
     int blocks_, block_;
     unsigned meetings_;
-    double partial_[warps][TeamMemory::mostValues];
+    double partial_[warps][TeamMemory::mostValues];                  // of this block's warps
+    double brought_[TeamMemory::mostValues][TeamMemory::mostBlocks]; // by the blocks
     double result_[TeamMemory::mostValues];
 };
 
