@@ -55,9 +55,9 @@ void ExamplePluginTest::dipsTheSphere() {
     QVERIFY2(!report.isEmpty(), output.constData());
     QCOMPARE(report.value("solver").toObject().value("id").toString(),
              QStringLiteral("plumb-film"));
-    // Straight down, film reaches a good part of the lower half.
+    // Straight down, film reaches the lower half, and is continued a little beyond.
     const double coverage = report.value("coverage_total").toDouble();
-    QVERIFY2(coverage > 0.3 && coverage < 0.5, output.constData());
+    QVERIFY2(coverage > 0.3 && coverage < 0.6, output.constData());
 }
 
 QTEST_GUILESS_MAIN(ExamplePluginTest)
