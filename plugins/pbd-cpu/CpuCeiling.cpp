@@ -62,13 +62,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include "CpuCeiling.h"
+#include "pbd/LeastSeconds.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
-#include <chrono>
-#include <limits>
 #include <vector>
 
 namespace dipwright {
@@ -82,25 +80,11 @@ constexpr int rounds = 5'000'000;
 constexpr std::size_t floatsAtOnce = std::size_t(1) << 20;
 constexpr std::size_t pieces = 32; // 128 MiB an array
 
-// The fastest of some attempts counts: nothing makes a ceiling higher.
-template <typename Work>
-double leastSeconds(const Work& work) {
-    constexpr int attempts = 3;
-    double least = std::numeric_limits<double>::infinity();
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        const auto end = std::chrono::steady_clock::now();
-        least = std::min(least, std::chrono::duration<double>(end - start).count());
-    }
-    return least;
-}
-
 double measuredFlops() {
     const int threads = tbb::this_task_arena::max_concurrency();
     std::vector<double> flops(std::size_t(threads), 0.0);
     std::vector<float> sinks(std::size_t(threads), 0.0f);
-    const double seconds = leastSeconds([&] {
+    const double seconds = pbd::leastSeconds([&] {
         tbb::parallel_for(
             std::size_t(0), flops.size(),
             [&](std::size_t thread) {
@@ -117,7 +101,7 @@ double measuredFlops() {
 
 double measuredBytes() {
     std::vector<float> a(pieces * floatsAtOnce), b(a.size(), 1.0f), c(a.size(), 2.0f);
-    const double seconds = leastSeconds([&] {
+    const double seconds = pbd::leastSeconds([&] {
         tbb::parallel_for(std::size_t(0), pieces, [&](std::size_t piece) {
             const std::size_t first = piece * floatsAtOnce;
             HWY_DYNAMIC_DISPATCH(triad)(&a[first], &b[first], &c[first], floatsAtOnce);

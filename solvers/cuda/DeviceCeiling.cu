@@ -1,8 +1,6 @@
 #include "cuda/DeviceCeiling.h"
 
-#include <algorithm>
-#include <chrono>
-#include <limits>
+#include "pbd/LeastSeconds.h"
 
 namespace dipwright::cuda {
 
@@ -42,20 +40,14 @@ __global__ void triad(float4* a, const float4* b, const float4* c) {
     }
 }
 
-// The fastest of some attempts counts: nothing makes a ceiling higher.
+// Of work on the device.
 template <typename Work>
 double leastSeconds(const Work& work) {
-    constexpr int attempts = 5;
-    double least = std::numeric_limits<double>::infinity();
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-        const auto start = std::chrono::steady_clock::now();
+    return pbd::leastSeconds([&] {
         work();
         check(cudaGetLastError());
         check(cudaStreamSynchronize(nullptr));
-        const auto end = std::chrono::steady_clock::now();
-        least = std::min(least, std::chrono::duration<double>(end - start).count());
-    }
-    return least;
+    });
 }
 
 } // namespace

@@ -138,11 +138,13 @@ public:
         const SolverRegistry registry;
         const QString id = registry.info(parser.value(solverOption)).id;
         const Progress progress = console.progress();
+        // First, as it wakes the device, too.
+        const std::optional<solver::Ceiling> ceiling = registry.module(id).measuredCeiling();
         BenchReport report =
             measured({registry, id, runs}, parts, rows, parser.isSet(quickOption), progress);
         report.device = QString::fromUtf8(registry.module(id).device());
         report.solver = registry.info(id);
-        report.ceiling = registry.module(id).measuredCeiling();
+        report.ceiling = ceiling;
         if (parser.isSet(plotOption)) {
             drawPlot(report, parser.value(plotOption));
         }
