@@ -2094,10 +2094,6 @@
         <translation>Salvar folha</translation>
     </message>
     <message>
-        <source>The file cannot be written: %1</source>
-        <translation>O arquivo não pode ser gravado: %1</translation>
-    </message>
-    <message>
         <source>Wrote %1</source>
         <translation>%1 gravado</translation>
     </message>

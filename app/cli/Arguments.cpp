@@ -53,7 +53,7 @@ QImage readPicture(const QString& path) {
 
 QString positionalArgument(const QCommandLineParser& parser, const QString& name) {
     const QStringList arguments = parser.positionalArguments();
-    if (arguments.isEmpty()) {
+    if (arguments.value(0).isEmpty()) {
         throw UsageError(QStringLiteral("%1 is missing, see --help").arg(name),
                          QStringLiteral("command line"));
     }

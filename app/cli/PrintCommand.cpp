@@ -59,10 +59,6 @@ void printSheets(PrintSystem& system, const JobResult& result, const PrintReques
 
 void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& path) {
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
-    if (!colour) {
-        throw Error(QStringLiteral("A soft proof needs a printer profile with an ICC profile"),
-                    path);
-    }
     const QImage proof = printProof(flattened(sheet.image), *colour, true).page;
     writeWhole(path, [&](QIODevice& device) { proof.save(&device, "png"); });
 }
@@ -136,6 +132,10 @@ public:
             throw UsageError(
                 QStringLiteral("The project has two sheets, choose one with --immersion"),
                 target.file + proof);
+        }
+        if (!proof.isEmpty() && !printerColour(request.profile)) {
+            throw Error(QStringLiteral("A soft proof needs a printer profile with an ICC profile"),
+                        proof);
         }
         std::unique_ptr<PrintSystem> system;
         if (target.file.isEmpty()) {

@@ -1,9 +1,9 @@
 #include "printing/PrintFile.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 
 #include <QCoreApplication>
-#include <QSaveFile>
 
 namespace dipwright {
 namespace {
@@ -38,13 +38,9 @@ bool isTiff(const QString& path) {
 }
 
 void writeWhole(const QString& path, const std::function<void(QIODevice&)>& write) {
-    QSaveFile file(path);
-    const bool opened = file.open(QIODevice::WriteOnly);
-    if (opened) {
-        write(file);
-    }
-    if (!opened || !file.commit()) {
-        throw Error(Text::tr("The file cannot be written: %1").arg(file.errorString()), path);
+    const QString failure = replaceFile(path, bytesOf(write));
+    if (!failure.isEmpty()) {
+        throw Error(Text::tr("The file cannot be written: %1").arg(failure), path);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "pipeline/ResultFolder.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 
 #include <QCoreApplication>
@@ -75,7 +76,7 @@ QString ResultFolder::path() const {
 void ResultFolder::write(const QString& name, const QByteArray& contents) const {
     QFile file(temporary_->filePath(name));
     if (!QDir().mkpath(QFileInfo(file).path()) || !file.open(QIODevice::WriteOnly) ||
-        file.write(contents) != contents.size() || !file.flush()) {
+        !writeAll(file, contents)) {
         throw Error(Text::tr("The results cannot be written: %1").arg(file.errorString()), target_);
     }
 }

@@ -1,12 +1,12 @@
 #include "project/ProfileLibrary.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QJsonDocument>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <algorithm>
 #include <map>
@@ -144,10 +144,9 @@ Profile importProfile(const QString& path) {
 }
 
 void exportProfile(const Profile& profile, const QString& path) {
-    const QByteArray bytes = QJsonDocument(toJson(profile)).toJson();
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-        throw Error(Text::tr("The profile cannot be written: %1").arg(file.errorString()), path);
+    const QString failure = replaceFile(path, QJsonDocument(toJson(profile)).toJson());
+    if (!failure.isEmpty()) {
+        throw Error(Text::tr("The profile cannot be written: %1").arg(failure), path);
     }
 }
 

@@ -9,7 +9,6 @@
 #include <QCryptographicHash>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 
 namespace dipwright {
 namespace {
@@ -136,10 +135,9 @@ Project loadProject(const QString& path) {
 }
 
 void saveProject(const Project& project, const QString& path) {
-    const QByteArray bytes = projectBytes(project);
-    QSaveFile file(path); // temporary beside the target, flushed to the disk, renamed over it
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-        throw Error(Text::tr("The project cannot be saved: %1").arg(file.errorString()), path);
+    const QString failure = replaceFile(path, projectBytes(project));
+    if (!failure.isEmpty()) {
+        throw Error(Text::tr("The project cannot be saved: %1").arg(failure), path);
     }
 }
 

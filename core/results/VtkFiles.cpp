@@ -1,10 +1,11 @@
 #include "results/Results.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 
 #include <QCoreApplication>
-#include <QSaveFile>
 #include <bit>
+#include <cerrno>
 #include <map>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -25,7 +26,7 @@ struct Text {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-// VTK writes into memory: QSaveFile takes any path, and replaces a file whole or not at all.
+// VTK writes into memory: Qt takes any path, and replaces a file whole or not at all.
 void write(vtkPolyData* data, const QString& path) {
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetInputData(data);
@@ -34,11 +35,11 @@ void write(vtkPolyData* data, const QString& path) {
     writer->SetCompressorTypeToZLib();
     writer->WriteToOutputStringOn();
     const bool composed = writer->Write() == 1;
-    const std::string bytes = writer->GetOutputString();
-    QSaveFile file(path);
-    if (!composed || !file.open(QIODevice::WriteOnly) ||
-        file.write(bytes.data(), qint64(bytes.size())) != qint64(bytes.size()) || !file.commit()) {
-        throw Error(Text::tr("The VTK file cannot be written: %1").arg(file.errorString()), path);
+    const QString failure =
+        composed ? replaceFile(path, QByteArray::fromStdString(writer->GetOutputString()))
+                 : qt_error_string(ENOMEM);
+    if (!failure.isEmpty()) {
+        throw Error(Text::tr("The VTK file cannot be written: %1").arg(failure), path);
     }
 }
 

@@ -98,6 +98,7 @@ private slots:
         QTest::newRow("rows") << QStringList{"bench", "--rows", "9"};
         QTest::newRow("argument too many") << QStringList{"solvers", "all"};
         QTest::newRow("no model") << QStringList{"new", path("out")};
+        QTest::newRow("empty project name") << QStringList{"new", "", "--model", path("ball.obj")};
         QTest::newRow("size") << newWith({"--size-mm", "-3"});
         QTest::newRow("preset") << newWith({"--preset", "paper-1999"});
         QTest::newRow("immersion") << newWith({"--immersion", "upside down"});
@@ -159,6 +160,7 @@ private slots:
             QStringList{"-c", "ulimit -f \"$0\"; exec \"$@\"", blocks, cliPath()} + arguments);
         QCOMPARE(outcome.exitCode, 1);
         QVERIFY2(outcome.errorLines().size() == 1, outcome.err);
+        QVERIFY2(outcome.err.contains("too large"), outcome.err); // the system's reason
         QCOMPARE(everythingIn(folder_.path()), before);
     }
 

@@ -13,6 +13,7 @@
 #include "panels/ShippedNames.h"
 #include "panels/StretchPanel.h"
 #include "panels/Timeline.h"
+#include "printing/PrintFile.h"
 
 #include <QAction>
 #include <QDir>
@@ -20,7 +21,6 @@
 #include <QFileInfo>
 #include <QImageReader>
 #include <QLabel>
-#include <QSaveFile>
 #include <QStatusBar>
 
 namespace dipwright {
@@ -243,13 +243,9 @@ void MainWindow::exportSheet(bool pdf) {
     const ImmersionResult& result = document_->result()->immersions[immersion_];
     const QString name = QStringLiteral("%1 %2").arg(document_->title(), result.immersion.name);
     const auto write = [pdf, sheet = result.sheet](const QString& path) {
-        QSaveFile file(path);
-        if (file.open(QIODevice::WriteOnly)) {
-            pdf ? writeSheetPdf(sheet, file) : writeSheetPng(sheet, file);
-        }
-        if (!file.commit()) {
-            throw Error(tr("The file cannot be written: %1").arg(file.errorString()), path);
-        }
+        writeWhole(path, [&](QIODevice& device) {
+            pdf ? writeSheetPdf(sheet, device) : writeSheetPng(sheet, device);
+        });
     };
     exportFile(tr("Save Sheet"), name, pdf ? QStringLiteral("pdf") : QStringLiteral("png"), write);
 }
