@@ -171,11 +171,12 @@ void photographSample(WindowDriver& driver, MainWindow& window, const QString& f
     QTest::qWait(500);
     window.view().look(ViewDirection::Oblique);
     const auto box = boundingBox(window.document()->project().model->mesh);
+    const QImage picture = window.view().picture();
     const Eigen::Vector3f middle(0, 0.5f * box.sizes().y(), 0); // the body stands over the film
     QRectF part(0, 0, 512, 320);
     part.moveCenter(window.view().positionOf(middle));
     part.moveTop(std::max(0.0, part.top()));
-    thumbnailOf(window.view().picture().copy(part.toRect())).save(file);
+    thumbnailOf(picture.copy(part.toRect())).save(file);
 }
 
 } // namespace

@@ -12,7 +12,8 @@ DipSession::DipSession(JobRunner& jobs, const SolverRegistry& registry, QObject*
 }
 
 void DipSession::setDocument(Document* document) {
-    cancel();
+    wanted_ = false;
+    jobs_.cancelAll();
     document_ = document;
     outcome_ = {};
     recordings_.clear();
@@ -49,9 +50,7 @@ void DipSession::run(std::size_t mostPoints) {
         document_->project(), registry_, document_->result(), live_,
         [this](const DipOutcome& outcome) { takeOutcome(outcome); },
         [this](bool cancelled, std::exception_ptr failure) {
-            running_ = false;
-            live_.clear();
-            emit stopped(cancelled ? nullptr : failure);
+            stop(cancelled ? nullptr : failure);
         }));
     emit started();
 }
@@ -59,9 +58,21 @@ void DipSession::run(std::size_t mostPoints) {
 void DipSession::cancel() {
     wanted_ = false;
     jobs_.cancelAll();
+    stop(nullptr);
+}
+
+void DipSession::stop(std::exception_ptr why) {
+    if (running_) { // else it was cancelled before
+        running_ = false;
+        live_.clear();
+        emit stopped(why);
+    }
 }
 
 void DipSession::takeOutcome(const DipOutcome& outcome) {
+    if (!running_) {
+        return; // cancelled when it was all but done
+    }
     running_ = false;
     // A dip that did not have to be computed again was not recorded again either.
     for (std::size_t number = 0; number < live_.size(); ++number) {

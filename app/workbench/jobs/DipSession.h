@@ -19,6 +19,7 @@ public:
     // Runs what is out of date; nothing where nothing is. While jobs run, it is done after them,
     // and a dip that runs on older values is cancelled. `mostPoints`: of the recorded film.
     void run(std::size_t mostPoints);
+    // The dip is over at once, whenever the solver comes to its next step and notices.
     void cancel();
     bool isRunning() const { return running_; }
 
@@ -36,6 +37,7 @@ signals:
 
 private:
     void takeOutcome(const DipOutcome& outcome);
+    void stop(std::exception_ptr why);
     void projectChanged();
 
     JobRunner& jobs_;
