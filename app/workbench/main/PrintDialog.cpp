@@ -271,6 +271,7 @@ void PrintDialog::showPrinters(const QStringList& printers) {
     {
         const QSignalBlocker quiet(printer_);
         printer_->addItems(printers);
+        printer_->setCurrentIndex(printers.isEmpty() ? -1 : 0); // a silent box chooses none itself
         const auto& profile = outcome_.result->project.profiles.printer;
         for (const QString& wanted : {QSettings().value(QLatin1String(lastPrinterKey)).toString(),
                                       profile ? profile->queue : QString()}) {

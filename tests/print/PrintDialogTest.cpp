@@ -1,0 +1,84 @@
+// The print dialog as a user works it: what arrives at a real (software) printer is measured.
+#include "main/PrintDialog.h"
+
+#include "ChessSheet.h"
+#include "PaperMeasure.h"
+#include "PrivateCups.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QtTest>
+
+using namespace dipwright;
+
+class PrintDialogTest : public QObject {
+    Q_OBJECT
+
+    PrivateCups cups_;
+
+    static DipOutcome twoSheets() {
+        auto result = std::make_shared<JobResult>();
+        DipOutcome outcome;
+        for (const char* name : {"Top", "Below"}) {
+            ImmersionResult immersion;
+            immersion.immersion.name = QString::fromLatin1(name);
+            immersion.sheet = chessSheet(immersion.immersion.name);
+            outcome.sheets.push_back(sheetPreview(immersion.sheet));
+            result->immersions.push_back(immersion);
+        }
+        outcome.result = result;
+        return outcome;
+    }
+    template <typename Widget>
+    static Widget* named(QDialog& dialog, const QString& text) {
+        for (auto* candidate : dialog.findChildren<Widget*>()) {
+            if (candidate->text().contains(text)) {
+                return candidate;
+            }
+        }
+        return nullptr;
+    }
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings().clear();
+        QVERIFY2(cups_.problem().isEmpty(), qPrintable(cups_.problem()));
+        QVERIFY(cups_.add({"pigment"}));
+    }
+
+    void bothSheetsArriveTrueAndInOrder() {
+        PrintDialog dialog(twoSheets(), 0);
+        QSignalSpy printed(&dialog, &PrintDialog::printed);
+        auto* below = named<QCheckBox>(dialog, "Below");
+        QVERIFY(named<QCheckBox>(dialog, "Top")->isChecked() && !below->isChecked());
+        below->click();
+        QTRY_VERIFY_WITH_TIMEOUT(named<QLabel>(dialog, "Pages: 2"), 30000);
+        auto* print = named<QPushButton>(dialog, "Print");
+        QVERIFY(print->isEnabled());
+        print->click();
+        QTRY_COMPARE_WITH_TIMEOUT(printed.count(), 1, 30000);
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        const QStringList files = cups_.received("pigment");
+        QCOMPARE(files.size(), 2);
+        QVERIFY(pdfWords(files[0]).contains("Top"));
+        QVERIFY(pdfWords(files[1]).contains("Below"));
+        for (const QString& file : files) {
+            QVERIFY(std::abs(pdfPage(file).width() - 210) < 0.1);
+            for (const bool across : {true, false}) {
+                const std::vector<double> sizes = squares(file, across);
+                QVERIFY(sizes.size() >= 8);
+                for (const double size : sizes) {
+                    QVERIFY2(std::abs(size - 17) <= 0.02, qPrintable(QString::number(size)));
+                }
+            }
+        }
+    }
+};
+
+QTEST_MAIN(PrintDialogTest)
+#include "PrintDialogTest.moc"
