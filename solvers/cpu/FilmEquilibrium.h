@@ -25,8 +25,9 @@ public:
         film_.moveCrossing(std::move(triangles));
     }
 
-    std::vector<std::size_t> tornCrossing(const PlaneVector& displacement, double limit) const {
-        return film_.tornCrossing(displacement, limit);
+    std::vector<pbd::TriangleCorners> tornTriangles(const PlaneVector& displacement,
+                                                    double limit) const {
+        return film_.tornTriangles(displacement, float(limit));
     }
 
     using Drag = pbd::Drag<PlaneVector>;

@@ -159,6 +159,25 @@ void hessianRow(bool crept, std::size_t cells, unsigned parity, const RowOfPoint
     }
 }
 
+// The largest λ1² + λ2², against the undeformed film, of the moving triangles of one row of cells.
+DIPWRIGHT_SIMD_CLONES
+float largestSquare(std::size_t cells, unsigned parity, const RowOfPoints& p,
+                    const std::array<const float*, 2>& moving, float inverseX, float inverseZ) {
+    float largest = 0;
+    for (std::size_t i = 0; i < cells; ++i) {
+        const bool even = ((unsigned(i) + parity) & 1u) == 0;
+        const auto square = [&](bool second) {
+            const CellEdges e = cellEdges(p, i, second, even != second, 1 / inverseX, 1 / inverseZ);
+            return (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
+                   (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
+        };
+        const float first = moving[0][i] * square(false), second = moving[1][i] * square(true);
+        largest = largest > first ? largest : first;
+        largest = largest > second ? largest : second;
+    }
+    return largest;
+}
+
 // Adds the forces of one row of cells to a row of points: to the lower row (`sign` −1, `edge` the
 // first horizontal edges) or to the upper row (`sign` +1, the second ones).
 DIPWRIGHT_SIMD_CLONES
@@ -250,14 +269,8 @@ void PlaneFilm::setInverseShape(std::size_t cell, bool second, const Matrix2<flo
 
 Matrix2<float> PlaneFilm::wholeGradient(const Crossing& triangle,
                                         const PlaneVector& displacement) const {
-    const std::size_t cells = std::size_t(columns_ - 1);
-    const RowOfPoints points =
-        rowOfPoints(displacement, std::size_t(columns_), int(triangle.cell / cells));
-    const CellEdges edges =
-        pbd::unfoldedEdges(cellEdges(points, triangle.cell % cells, triangle.second,
-                                     triangle.thirdOnRight, 1 / inverseX_, 1 / inverseZ_),
-                           triangle);
-    return gradientOf(edges, inverseShape(triangle.cell, triangle.second));
+    return gradientOf(unfoldedEdges(triangle, displacement),
+                      inverseShape(triangle.cell, triangle.second));
 }
 
 void PlaneFilm::setFree(const std::vector<float>& free) {
@@ -273,24 +286,67 @@ void PlaneFilm::setFree(const std::vector<float>& free) {
     }
 }
 
-std::vector<std::size_t> PlaneFilm::tornCrossing(const PlaneVector& displacement,
-                                                 double limit) const {
+pbd::EdgePair<float> PlaneFilm::unfoldedEdges(const Crossing& triangle,
+                                              const PlaneVector& displacement) const {
     const std::size_t cells = std::size_t(columns_ - 1);
-    std::vector<std::size_t> torn;
-    for (std::size_t k = 0; k < crossing_.size(); ++k) {
-        const Crossing& triangle = crossing_[k];
-        const RowOfPoints points =
-            rowOfPoints(displacement, std::size_t(columns_), int(triangle.cell / cells));
-        const CellEdges e =
-            pbd::unfoldedEdges(cellEdges(points, triangle.cell % cells, triangle.second,
-                                         triangle.thirdOnRight, 1 / inverseX_, 1 / inverseZ_),
-                               triangle);
-        const double area = double(e.hx * e.vz - e.hz * e.vx) * double(inverseX_ * inverseZ_);
-        if (!triangle.released && area > limit) {
-            torn.push_back(k);
+    const RowOfPoints points =
+        rowOfPoints(displacement, std::size_t(columns_), int(triangle.cell / cells));
+    return pbd::unfoldedEdges(cellEdges(points, triangle.cell % cells, triangle.second,
+                                        triangle.thirdOnRight, 1 / inverseX_, 1 / inverseZ_),
+                              triangle);
+}
+
+std::vector<pbd::TriangleCorners> PlaneFilm::tornTriangles(const PlaneVector& displacement,
+                                                           float limit) const {
+    std::vector<pbd::TriangleCorners> torn;
+    for (int row = 0; row + 1 < rows_; ++row) {
+        const auto [first, last] = crossingInRow(row);
+        for (std::size_t k = first; k < last; ++k) {
+            if (isTorn(unfoldedEdges(crossing_[k], displacement), 1 / inverseX_, 1 / inverseZ_,
+                       limit)) {
+                torn.push_back(pbd::triangleCorners(columns_,
+                                                    int(crossing_[k].cell) - row * (columns_ - 1),
+                                                    row, crossing_[k].second));
+            }
+        }
+        if (mayTear(row, displacement, limit)) {
+            findTorn(row, displacement, limit, torn);
         }
     }
     return torn;
+}
+
+// Whether some free triangle of a row of cells may be torn: neither its larger stretch nor, with
+// λ1 λ2 ≤ (λ1² + λ2²)/2, its area can be past the limit while the sum of squares is small.
+bool PlaneFilm::mayTear(int row, const PlaneVector& displacement, float limit) const {
+    const std::size_t cells = std::size_t(columns_ - 1), first = std::size_t(row) * cells;
+    const float most =
+        largestSquare(cells, unsigned(row), rowOfPoints(displacement, std::size_t(columns_), row),
+                      {moving_[0].data() + first, moving_[1].data() + first}, inverseX_, inverseZ_);
+    return most > std::min(limit * limit, 2 * limit);
+}
+
+void PlaneFilm::findTorn(int row, const PlaneVector& displacement, float limit,
+                         std::vector<pbd::TriangleCorners>& torn) const {
+    const std::size_t cells = std::size_t(columns_ - 1);
+    const RowOfPoints points = rowOfPoints(displacement, std::size_t(columns_), row);
+    auto [next, last] = crossingInRow(row);
+    for (std::size_t i = 0; i < cells; ++i) {
+        const std::size_t cell = std::size_t(row) * cells + i;
+        for (const bool second : {false, true}) {
+            if (next < last && crossing_[next].cell == cell && crossing_[next].second == second) {
+                ++next;
+                continue;
+            }
+            const pbd::TriangleCorners triangle =
+                pbd::triangleCorners(columns_, int(i), row, second);
+            const CellEdges edges =
+                cellEdges(points, i, second, triangle.thirdOnRight, 1 / inverseX_, 1 / inverseZ_);
+            if (moving_[second][cell] > 0 && isTorn(edges, 1 / inverseX_, 1 / inverseZ_, limit)) {
+                torn.push_back(triangle);
+            }
+        }
+    }
 }
 
 void PlaneFilm::setCrossing(std::vector<Crossing> triangles, const PlaneVector& displacement) {
@@ -308,6 +364,9 @@ void PlaneFilm::setCrossing(std::vector<Crossing> triangles, const PlaneVector& 
 
 void PlaneFilm::moveCrossing(std::vector<Crossing> triangles) {
     crossing_ = std::move(triangles);
+    for (std::size_t k = 0; k < crossing_.size(); ++k) {
+        anchors_[k] = pbd::anchorOverStep(anchors_[k], crossing_[k]);
+    }
 }
 
 std::pair<std::size_t, std::size_t> PlaneFilm::crossingInRow(int row) const {

@@ -39,9 +39,10 @@ public:
     // The Hessian, made positive semi-definite, times `direction`.
     void hessian(const PlaneVector& direction, PlaneVector& result) const;
 
-    // The crossing triangles that are stretched to more than `limit` times their area before the
-    // dip, as indices into the list that was set.
-    std::vector<std::size_t> tornCrossing(const PlaneVector& displacement, double limit) const;
+    // The triangles, with a corner that moves, that are stretched to more than `limit` times their
+    // length or area before the dip (FilmTriangle.h).
+    std::vector<pbd::TriangleCorners> tornTriangles(const PlaneVector& displacement,
+                                                    float limit) const;
 
     // Ends a step: lets the stretch of all triangles decay by `keep`, rest shapes creeping to
     // current ones (PlaneStress.h), and makes the floating part of a crossing triangle stand for
@@ -65,6 +66,11 @@ private:
     std::pair<std::size_t, std::size_t> crossingInRow(int row) const;
     pbd::Matrix2<float> inverseShape(std::size_t cell, bool second) const;
     void setInverseShape(std::size_t cell, bool second, const pbd::Matrix2<float>& shape);
+    bool mayTear(int row, const PlaneVector& displacement, float limit) const;
+    void findTorn(int row, const PlaneVector& displacement, float limit,
+                  std::vector<pbd::TriangleCorners>& torn) const;
+    pbd::EdgePair<float> unfoldedEdges(const Crossing& triangle,
+                                       const PlaneVector& displacement) const;
     pbd::Matrix2<float> wholeGradient(const Crossing& triangle,
                                       const PlaneVector& displacement) const;
 

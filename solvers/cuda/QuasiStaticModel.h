@@ -89,8 +89,7 @@ struct QuasiStaticState {
     float steepness = 1; // the least of all places on the contact line
     int steps = 0;
     bool anyAdhered = false;
-    bool driven = false;      // the contact line still pulls at the film
-    bool freeChanged = false; // `free` is newer than what the equilibrium knows
+    bool driven = false; // the contact line still pulls at the film
 };
 
 struct QuasiStaticDip {
@@ -102,16 +101,17 @@ struct QuasiStaticDip {
     float2 *displacement = nullptr, *before = nullptr; // mm from rest, now and a step ago
     float2 *start = nullptr, *best = nullptr, *newtonStep = nullptr, *product = nullptr;
     float2* direction[2] = {};
-    float3* attached = nullptr; // where an adhered point sits, body coordinates
-    float* free = nullptr;      // 1: the equilibrium moves it
-    float* clearance = nullptr; // mm, at least so far from contact
-    int* holding = nullptr;     // triangles of a point that have not come off
+    float3* attached = nullptr;  // where an adhered point sits, body coordinates
+    float* free = nullptr;       // 1: the equilibrium moves it
+    float* clearance = nullptr;  // mm, at least so far from contact
+    float* movedShare = nullptr; // how much of its last step a held point has gone; else notHeld
     std::uint8_t* states = nullptr;
+    static constexpr float notHeld = 2;
 
     // One entry a triangle, two a cell.
     float4* inverseShape = nullptr;
     float4* stress = nullptr; // StressState, and 1 where the triangle crosses the contact line
-    std::uint8_t *crosses = nullptr, *released = nullptr;
+    std::uint8_t* crosses = nullptr;
     pbd::CrossingTriangle<float>* crossing = nullptr;
     pbd::CrossingAnchor<float>* anchors = nullptr;
 

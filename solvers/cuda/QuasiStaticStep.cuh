@@ -27,23 +27,26 @@ public:
         const double descent = state_.descent + increment;
         predict(increment);
         team_.meet();
+        bool freeChanged = false;
         if (state_.anyAdhered) {
-            findCrossing(descent, false);
+            findCrossing(descent);
+            moveAnchors();
             solve(float(pbd::pointDrag(model_.spacingX, model_.spacingZ, increment)));
-        }
-        bool hasTouched = false;
-        if (state_.anyAdhered) {
+            freeChanged = holdTorn();
             relax(float(pbd::keptStress(increment, dip_.body.motion.speed, model_.relaxationTime)));
         }
-        touch(increment, hasTouched);
-        agree(hasTouched);
-        if (hasTouched || state_.freeChanged) {
-            state_.anyAdhered = true;
-            state_.freeChanged = false;
-            setFree();
-        }
+        const bool hasTouched = touch(increment);
+        state_.anyAdhered = anyOf(hasTouched) || state_.anyAdhered;
         if (state_.anyAdhered) {
-            findCrossing(descent, true);
+            findCrossing(descent);
+            if (holdWhereTurnedUp()) {
+                findCrossing(descent);
+                freeChanged = true;
+            }
+            setAnchors();
+        }
+        if (anyOf(freeChanged || hasTouched)) {
+            setFree();
         }
         state_.descent = descent;
         state_.increment = increment;
@@ -120,82 +123,143 @@ private:
         });
     }
 
-    // The triangles that cross the contact line with the body at `descent`; with `sets`, their
-    // floating parts have the gradient that they have now.
-    __device__ void findCrossing(double descent, bool sets) {
+    // The triangles that cross the contact line with the body at `descent`, and still move.
+    __device__ void findCrossing(double descent) {
         const auto frame = pbd::bodyFrame<float>(dip_.body.motion, descent);
         float steepness = 1;
-        bool driven = false, freeChanged = state_.freeChanged;
+        bool driven = false;
         forTriangles([&](int triangle) {
             const pbd::TriangleCorners points = corners(triangle);
-            int held = 0;
+            bool anyHeld = false, moves = false;
             for (const std::uint32_t point : points.points) {
-                held += isFree(point) ? 0 : 1;
+                anyHeld = anyHeld || !isFree(point);
+                moves = moves || dip_.free[point] > 0;
             }
-            const bool crosses = held == 1 || held == 2;
+            const bool crosses = anyHeld && moves;
             dip_.crosses[triangle] = crosses ? 1 : 0;
             if (crosses) {
-                unfold(triangle, points, frame, steepness, driven, freeChanged);
-                if (sets) {
-                    setAnchor(triangle, points);
-                }
+                pbd::CrossingCorner<float> seen[3];
+                findCorners(points, frame, dip_.displacement, seen);
+                pbd::UnfoldedTriangle<float> unfolded =
+                    pbd::unfoldedTriangle(dip_.body, frame, model_.cell, points, seen);
+                unfolded.crossing.cell = std::uint32_t(triangle / 2);
+                dip_.crossing[triangle] = unfolded.crossing;
+                steepness = fminf(steepness, unfolded.line.steepness);
+                driven = true;
             }
         });
-        double found[3] = {-double(steepness), driven ? 1.0 : 0.0, freeChanged ? 1.0 : 0.0};
+        double found[2] = {-double(steepness), driven ? 1.0 : 0.0};
         team_.largest(found);
         state_.steepness = float(-found[0]);
         state_.driven = found[1] > 0;
-        state_.freeChanged = found[2] > 0;
     }
 
-    __device__ void unfold(int triangle, const pbd::TriangleCorners& points,
-                           const pbd::BodyFrame<float>& frame, float& steepness, bool& driven,
-                           bool& freeChanged) const {
-        pbd::CrossingCorner<float> seen[3];
-        bool turnsUp = false;
+    __device__ void findCorners(const pbd::TriangleCorners& points,
+                                const pbd::BodyFrame<float>& frame, const float2* displacement,
+                                pbd::CrossingCorner<float> (&found)[3]) const {
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t point = points.points[k];
             const float3 place = dip_.attached[point];
-            seen[k] = {isFree(point), planePosition(point, dip_.displacement[point]),
-                       frame.toWorld({place.x, place.y, place.z})};
-            turnsUp =
-                turnsUp || solver::PointState(dip_.states[point]) == solver::PointState::Trapped;
+            found[k] = {isFree(point), planePosition(point, displacement[point]),
+                        frame.toWorld({place.x, place.y, place.z})};
         }
-        pbd::UnfoldedTriangle<float> unfolded =
-            pbd::unfoldedTriangle(dip_.body, frame, model_.cell, points, seen);
-        if (turnsUp || unfolded.line.upwards > dip_.body.steepestHeld) {
-            // the softened film stays on the water where it is
-            release(triangle, points, freeChanged);
-            for (const std::uint32_t point : points.points) {
-                hold(point, freeChanged);
+    }
+
+    // The floating parts of the crossing triangles have the gradient that they have now.
+    __device__ void setAnchors() const {
+        forTriangles([&](int triangle) {
+            if (dip_.crosses[triangle]) {
+                const pbd::CrossingTriangle<float>& crossing = dip_.crossing[triangle];
+                dip_.anchors[triangle] = pbd::crossingAnchor(
+                    crossing, gradientOf(pbd::unfoldedEdges(edges(corners(triangle)), crossing),
+                                         shapeOf(dip_, triangle)));
             }
-        }
-        unfolded.crossing.cell = std::uint32_t(triangle / 2);
-        unfolded.crossing.released = dip_.released[triangle] != 0;
-        if (!unfolded.crossing.released) {
-            steepness = fminf(steepness, unfolded.line.steepness);
-            driven = true;
-        }
-        dip_.crossing[triangle] = unfolded.crossing;
+        });
+    }
+    __device__ void moveAnchors() const {
+        forTriangles([&](int triangle) {
+            if (dip_.crosses[triangle]) {
+                dip_.anchors[triangle] =
+                    pbd::anchorOverStep(dip_.anchors[triangle], dip_.crossing[triangle]);
+            }
+        });
+        team_.meet();
     }
 
-    __device__ void hold(std::uint32_t point, bool& freeChanged) const {
-        freeChanged = freeChanged || dip_.free[point] > 0;
-        dip_.free[point] = 0;
-    }
-
-    // Takes a triangle out of the film for good. A free point that no triangle holds any more stays
-    // where it is: nothing says where it should go.
-    __device__ void release(int triangle, const pbd::TriangleCorners& points,
-                            bool& freeChanged) const {
-        if (dip_.released[triangle]) {
-            return;
-        }
-        dip_.released[triangle] = 1;
+    __device__ void hold(const pbd::TriangleCorners& points) const {
         for (const std::uint32_t point : points.points) {
-            if (atomicSub(dip_.holding + point, 1) == 1) {
-                hold(point, freeChanged);
+            dip_.free[point] = 0;
+        }
+    }
+
+    // Holds the corners of film that is stretched too far. Whether this thread has.
+    __device__ bool holdTorn() const {
+        bool any = false;
+        forTriangles([&](int triangle) {
+            const pbd::TriangleCorners points = corners(triangle);
+            bool moves = false;
+            for (const std::uint32_t point : points.points) {
+                moves = moves || dip_.levelFree[point] > 0;
             }
+            if (!moves) {
+                return;
+            }
+            const pbd::EdgePair<float> plane = edges(points);
+            const pbd::EdgePair<float> seen =
+                dip_.crosses[triangle] ? pbd::unfoldedEdges(plane, dip_.crossing[triangle]) : plane;
+            if (pbd::isTorn(seen, model_.edgeX, model_.edgeZ, float(model_.tearStretch))) {
+                hold(points);
+                any = true;
+            }
+        });
+        return any;
+    }
+
+    // Holds the triangles at which the body has turned up past what film holds on, where they were
+    // at that moment of the step. Whether the team has any.
+    __device__ bool holdWhereTurnedUp() const {
+        bool any = false;
+        forTriangles([&](int triangle) {
+            const pbd::TriangleCorners points = corners(triangle);
+            if (turnedUp(triangle, points)) {
+                noteMovedShare(points, dip_.crossing[triangle].upwards);
+                any = true;
+            }
+        });
+        if (!anyOf(any)) {
+            return false;
+        }
+        forPoints([&](int point) {
+            if (dip_.free[point] > 0 && dip_.movedShare[point] < QuasiStaticDip::notHeld) {
+                const float2 before = dip_.before[point];
+                dip_.displacement[point] =
+                    before + (dip_.displacement[point] - before) * dip_.movedShare[point];
+                dip_.free[point] = 0;
+            }
+        });
+        team_.meet();
+        return true;
+    }
+
+    __device__ bool turnedUp(int triangle, const pbd::TriangleCorners& points) const {
+        bool anyTrapped = false;
+        for (const std::uint32_t point : points.points) {
+            anyTrapped =
+                anyTrapped || solver::PointState(dip_.states[point]) == solver::PointState::Trapped;
+        }
+        return dip_.crosses[triangle] &&
+               (anyTrapped || dip_.crossing[triangle].upwards > dip_.body.steepestHeld);
+    }
+
+    // A corner goes with the step no farther than to where the first of its triangles is held.
+    // Shares are not negative: as integers their bits have the same order.
+    __device__ void noteMovedShare(const pbd::TriangleCorners& points, float upwards) const {
+        const auto start = pbd::bodyFrame<float>(dip_.body.motion, state_.descent);
+        pbd::CrossingCorner<float> seen[3];
+        findCorners(points, start, dip_.before, seen);
+        const float share = pbd::shareUntilTurned(dip_.body, start, model_.cell, seen, upwards);
+        for (const std::uint32_t point : points.points) {
+            atomicMin(reinterpret_cast<int*>(dip_.movedShare + point), __float_as_int(share));
         }
     }
 
@@ -204,46 +268,31 @@ private:
                              [&](std::uint32_t point) { return dip_.displacement[point]; });
     }
 
-    __device__ void setAnchor(int triangle, const pbd::TriangleCorners& points) const {
-        const pbd::CrossingTriangle<float>& crossing = dip_.crossing[triangle];
-        dip_.anchors[triangle] =
-            pbd::crossingAnchor(crossing, gradientOf(pbd::unfoldedEdges(edges(points), crossing),
-                                                     shapeOf(dip_, triangle)));
-    }
-
     // Lets stretch decay by `keep`, and makes the floating part of a crossing triangle stand for
-    // all of it; film that is stretched too far there tears.
-    __device__ void relax(float keep) {
-        bool freeChanged = state_.freeChanged;
+    // all of it.
+    __device__ void relax(float keep) const {
         forTriangles([&](int triangle) {
             const bool crosses = dip_.crosses[triangle] != 0;
             if (!crosses && keep == 1) {
                 return;
             }
-            const pbd::TriangleCorners points = corners(triangle);
+            const pbd::EdgePair<float> plane = edges(corners(triangle));
             const pbd::Matrix2<float> shape = shapeOf(dip_, triangle);
-            pbd::Matrix2<float> relaxed = shape;
-            if (crosses) {
-                const pbd::CrossingTriangle<float>& crossing = dip_.crossing[triangle];
-                const pbd::EdgePair<float> seen = pbd::unfoldedEdges(edges(points), crossing);
-                relaxed = pbd::relaxedCrossingShape(dip_.anchors[triangle], gradientOf(seen, shape),
-                                                    shape, keep);
-                const double area = double(seen.hx * seen.vz - seen.hz * seen.vx);
-                if (!crossing.released &&
-                    area > model_.tearStretch * double(model_.edgeX * model_.edgeZ)) {
-                    release(triangle, points, freeChanged);
-                }
-            } else {
-                relaxed = pbd::relaxedInverseShape(shape, gradientOf(edges(points), shape), keep);
-            }
+            const pbd::Matrix2<float> relaxed =
+                crosses ? pbd::relaxedCrossingShape(
+                              dip_.anchors[triangle],
+                              gradientOf(pbd::unfoldedEdges(plane, dip_.crossing[triangle]), shape),
+                              shape, keep)
+                        : pbd::relaxedInverseShape(shape, gradientOf(plane, shape), keep);
             dip_.inverseShape[triangle] = {relaxed.a, relaxed.b, relaxed.c, relaxed.d};
         });
-        state_.freeChanged = freeChanged; // of this thread; see agree()
     }
 
     // Free points within the contact distance at the end of the step stick. A point far from the
-    // body is not looked at again before it or the body can have come so far.
-    __device__ void touch(double increment, bool& hasTouched) const {
+    // body is not looked at again before it or the body can have come so far. Whether this thread
+    // has met any.
+    __device__ bool touch(double increment) const {
+        bool hasTouched = false;
         const auto frame = pbd::bodyFrame<float>(dip_.body.motion, state_.descent + increment);
         forPoints([&](int point) {
             if (!isFree(point)) {
@@ -267,6 +316,7 @@ private:
             }
             dip_.clearance[point] = clearance;
         });
+        return hasTouched;
     }
 
     __device__ void adhere(int point, double increment, const pbd::Vector3<float>& start,
@@ -279,12 +329,11 @@ private:
         dip_.free[point] = 0;
     }
 
-    // The team meets, and each thread learns what any has seen.
-    __device__ void agree(bool& hasTouched) {
-        double seen[2] = {hasTouched ? 1.0 : 0.0, state_.freeChanged ? 1.0 : 0.0};
-        team_.largest(seen);
-        hasTouched = seen[0] > 0;
-        state_.freeChanged = seen[1] > 0;
+    // The team meets, and each thread learns whether any has seen it.
+    __device__ bool anyOf(bool seen) const {
+        double found[1] = {seen ? 1.0 : 0.0};
+        team_.largest(found);
+        return found[0] > 0;
     }
 
     // Tells the equilibrium which points move.

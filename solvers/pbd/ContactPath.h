@@ -1,8 +1,8 @@
 // The film between a point that has adhered and the waterline lies on the body's surface
 // (film-physics §2.4). For the equilibrium in the water plane, every triangle that crosses the
 // contact line sees its adhered corners where they would lie if that piece of surface were unfolded
-// about the line: at their distance along the surface, inwards of it. Each triangle unfolds by
-// itself; at a sharp tip one adhered point lies in a different place for each triangle round it.
+// about the line: at their distance along the surface, inwards of it, across the line where it is
+// nearest. At a sharp tip one adhered point lies in a different place for each triangle round it.
 #pragma once
 
 #include "pbd/BodyFrame.h"
@@ -127,26 +127,54 @@ struct Unfolded {
     Real path{};            // mm along the surface to the contact line
 };
 
-// Where an adhered corner at world point `corner` lies when its piece of surface is unfolded about
-// `line`: it keeps its place along the line and stands inwards of it by its distance along the
-// surface.
+namespace detail {
+
+// From `above`, over the body, across to the contact line: Newton's method along `outwards`, from
+// the distance `across`.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline Unfolded<Real>
-unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
-         Real cell, const ContactLine<Real>& line, Vector3<Real> corner) {
-    const Vector3<Real> above{corner.x, Real(0), corner.z};
-    // From above the corner across to the contact line: Newton's method along `outwards`.
-    Real across = dot(line.place - above, line.outwards);
+DIPWRIGHT_HOST_DEVICE inline Real
+acrossToLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
+             Real cell, Vector3<Real> above, Vector3<Real> outwards, Real across) {
     for (int iteration = 0; iteration < 6; ++iteration) {
-        const FieldSample<Real> sample = sampleWorld(field, frame, above + line.outwards * across);
-        const Real slope = dot(sample.gradient, line.outwards);
+        const FieldSample<Real> sample = sampleWorld(field, frame, above + outwards * across);
+        const Real slope = dot(sample.gradient, outwards);
         if (slope < Real(0.02)) {
             break;
         }
         const Real step = (contactDistance - sample.distance) / slope;
         across += std::fmin(std::fmax(step, -cell), cell);
     }
-    const Vector3<Real> foot = above + line.outwards * across;
+    return across;
+}
+
+// The least cosine between a corner's own direction across the contact line and its triangle's.
+inline constexpr double leastAgreement = 0.5;
+
+} // namespace detail
+
+// Where an adhered corner at world point `corner` lies when its piece of surface is unfolded about
+// the contact line: inwards of it by its distance along the surface, across the line where it is
+// nearest to the corner. So the film there is drawn in, whatever triangle sees it: were all corners
+// of a triangle unfolded along the normal of `line`, they would be wrenched aside with every change
+// of it, and the film with them. The nearest place is taken to be where the line's own normal,
+// found straight across from the corner, leads to; right above a tip, where all ways are as short,
+// it stays the triangle's.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Unfolded<Real>
+unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
+         Real cell, const ContactLine<Real>& line, Vector3<Real> corner) {
+    const Vector3<Real> above{corner.x, Real(0), corner.z};
+    Vector3<Real> outwards = line.outwards;
+    Real across = detail::acrossToLine(field, frame, contactDistance, cell, above, outwards,
+                                       dot(line.place - above, outwards));
+    const Vector3<Real> gradient = sampleWorld(field, frame, above + outwards * across).gradient;
+    const Real horizontal = std::sqrt(gradient.x * gradient.x + gradient.z * gradient.z);
+    const Vector3<Real> normal{gradient.x / horizontal, Real(0), gradient.z / horizontal};
+    if (horizontal > Real(0.02) && dot(normal, line.outwards) > Real(detail::leastAgreement)) {
+        outwards = normal;
+        across = detail::acrossToLine(field, frame, contactDistance, cell, above, outwards, across);
+    }
+    const Vector3<Real> foot = above + outwards * across;
     // The way along the surface: chord, and two chords over the projected middle; the difference of
     // the two tells the arc to fourth order (Richardson).
     const Real chord = length(foot - corner);
@@ -154,7 +182,7 @@ unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contac
         detail::projectedOnSurface(field, frame, contactDistance, (corner + foot) * Real(0.5));
     const Real chords = length(middle - corner) + length(foot - middle);
     const Real path = std::fmin(chords + (chords - chord) / Real(3), Real(2) * chord);
-    return {foot - line.outwards * path, path};
+    return {foot - outwards * path, path};
 }
 
 } // namespace dipwright::pbd

@@ -7,6 +7,8 @@
 //    of the triangle's length across the contact line belongs to the floating fraction f of it.
 //    With F_whole the gradient of the whole triangle, F_anchor the floating part's at the start of
 //    the step and M the line's normal at rest:  F = F_whole + (1/f − 1)(F_whole − F_anchor) M Mᵀ.
+//    f is taken in the middle of the step: what is laid in it is laid, on the average, with the
+//    mean of the strains before and after.
 // 3. Only its floating part pulls at its free corners: the part beyond the contact line, where a
 //    virtual displacement falls from its corner's value to zero on the line instead of at the
 //    adhered corner. With constant stress P and test functions that are linear along the triangle's
@@ -33,21 +35,24 @@ struct CrossingTriangle {
     // free.
     Real horizontalShare = 1, verticalShare = 1, diagonalShare = 1;
     bool sharedFree{}, horizontalFree{}, verticalFree{};
-    bool released{}; // pulls at nothing: the film has come off here
     // Across the contact line in the water plane (unit, away from the body), and the floating
     // fraction of the triangle across it. Zero normal: no contact line was found.
     Real normalX{}, normalZ{}, floating = 1;
+    // Vertical share of the body's unit normal on the contact line: above 0 past the equator.
+    Real upwards{};
 };
 
 // The state of a crossing triangle at the start of a step.
 template <typename Real>
 struct CrossingAnchor {
     Matrix2<Real> gradient; // F of the floating part
-    Real gain{};            // 1/f − 1
+    Real floating = 1;      // f at the start
+    Real gain{};            // 1/f − 1 in the middle of the step
     Real mx{}, mz{};        // M
 };
 
-// What little floats when the line has almost reached the free corners is not told apart from this.
+// What little floats when the line has almost reached the free corners is not told apart from this:
+// a free corner that nothing but such shreds hold would move at the least force, or at none.
 inline constexpr double leastFloatingFraction = 0.3;
 
 template <typename Real>
@@ -58,10 +63,18 @@ crossingAnchor(const CrossingTriangle<Real>& triangle, const Matrix2<Real>& grad
     const Real mz = gradient.b * triangle.normalX + gradient.d * triangle.normalZ;
     const Real size = std::sqrt(mx * mx + mz * mz);
     if (!(size > Real(0.01))) {
-        return {gradient, Real(0), Real(0), Real(0)};
+        return {gradient, triangle.floating, Real(0), Real(0), Real(0)};
     }
-    const Real floating = std::fmax(triangle.floating, Real(leastFloatingFraction));
-    return {gradient, Real(1) / floating - Real(1), mx / size, mz / size};
+    return {gradient, triangle.floating, Real(0), mx / size, mz / size};
+}
+
+// For a step at whose end the triangle is as given.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline CrossingAnchor<Real>
+anchorOverStep(CrossingAnchor<Real> anchor, const CrossingTriangle<Real>& end) {
+    const Real middle = (anchor.floating + end.floating) / Real(2);
+    anchor.gain = Real(1) / std::fmax(middle, Real(leastFloatingFraction)) - Real(1);
+    return anchor;
 }
 
 // dF of the floating part for a change of the whole triangle.
@@ -124,7 +137,7 @@ crossingForces(const CrossingTriangle<Real>& triangle, const Matrix2<Real>& P,
                vZ = signV * inverseShape.a * determinant;
     const Real orientation = hX * vZ - hZ * vX > Real(0) ? Real(1) : Real(-1);
     // thickness of the crept film: its weight over its rest area
-    const Real half = triangle.released ? Real(0) : orientation * area / std::fabs(determinant);
+    const Real half = orientation * area / std::fabs(determinant);
     const Real shareH = half * triangle.horizontalShare, shareV = half * triangle.verticalShare;
     const Real shareD = half * triangle.diagonalShare;
     // outward normals times lengths, weighted: of s→h, h→v, v→s

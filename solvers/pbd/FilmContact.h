@@ -55,13 +55,13 @@ struct CrossingCorner {
 
 template <typename Real>
 struct UnfoldedTriangle {
-    CrossingTriangle<Real> crossing; // but for cell and released
+    CrossingTriangle<Real> crossing; // but for its cell
     ContactLine<Real> line;
 };
 
 namespace detail {
 
-// The floating fraction of the side between two corners.
+// The floating fraction of the side between two corners, as far as it is told apart.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Real floatingShare(bool isFree, Real distance, bool otherIsFree,
                                                 Real otherDistance, Real cell) {
@@ -69,17 +69,18 @@ DIPWRIGHT_HOST_DEVICE inline Real floatingShare(bool isFree, Real distance, bool
         return isFree ? Real(1) : Real(0);
     }
     const Real all = distance + otherDistance;
-    return all > Real(1e-6) * cell ? (isFree ? distance : otherDistance) / all : Real(1);
+    return all > Real(1e-6) * cell
+               ? std::fmax((isFree ? distance : otherDistance) / all, Real(leastFloatingFraction))
+               : Real(1);
 }
 
 } // namespace detail
 
-// Unfolds the surface under a triangle of which one or two corners are held. Where there is no
-// contact line near (a flat face, a body that has gone under) its corners stay where they are.
+// The contact line under a triangle of which one or two corners are held.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
-unfoldedTriangle(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
-                 const TriangleCorners& triangle, const CrossingCorner<Real> (&corners)[3]) {
+DIPWRIGHT_HOST_DEVICE inline ContactLine<Real>
+contactLineUnder(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
+                 const CrossingCorner<Real> (&corners)[3]) {
     Vector3<Real> held, free;
     int heldCount = 0;
     for (const CrossingCorner<Real>& corner : corners) {
@@ -87,12 +88,38 @@ unfoldedTriangle(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Re
         free = corner.isFree ? free + corner.plane : free;
         heldCount += corner.isFree ? 0 : 1;
     }
-    const Real perHeld = Real(1) / Real(heldCount), perFree = Real(1) / Real(3 - heldCount);
+    return contactLine(body.field, frame, body.contactDistance, cell,
+                       held * (Real(1) / Real(heldCount)), free * (Real(1) / Real(3 - heldCount)));
+}
+
+// The share of a step after which a triangle, at whose contact line the body turns up by `upwards`
+// when the step ends, has come past what film holds on; `start`: its corners when the step begins.
+// 1 where the line tells nothing.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Real
+shareUntilTurned(const ContactBody<Real>& body, const BodyFrame<Real>& startFrame, Real cell,
+                 const CrossingCorner<Real> (&start)[3], Real upwards) {
+    const ContactLine<Real> line = contactLineUnder(body, startFrame, cell, start);
+    if (!line.found || !(upwards > body.steepestHeld)) {
+        return Real(1);
+    }
+    return line.upwards < body.steepestHeld
+               ? (body.steepestHeld - line.upwards) / (upwards - line.upwards)
+               : Real(0);
+}
+
+// Unfolds the surface under a triangle of which one or two corners are held. Where there is no
+// contact line near (a flat face, a body that has gone under) its corners stay where they are.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
+unfoldedTriangle(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
+                 const TriangleCorners& triangle, const CrossingCorner<Real> (&corners)[3]) {
     UnfoldedTriangle<Real> result;
-    result.line =
-        contactLine(body.field, frame, body.contactDistance, cell, held * perHeld, free * perFree);
+    result.line = contactLineUnder(body, frame, cell, corners);
     const ContactLine<Real>& line = result.line;
 
+    const int freeCount = corners[0].isFree + corners[1].isFree + corners[2].isFree;
+    const Real perHeld = Real(1) / Real(3 - freeCount), perFree = Real(1) / Real(freeCount);
     Vector3<Real> offset[3];
     Real distance[3] = {}; // from the contact line: along the surface, or across the water
     Real floating(0), laid(0);
@@ -132,6 +159,7 @@ unfoldedTriangle(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Re
     crossing.verticalFree = corners[2].isFree;
     crossing.normalX = line.outwards.x;
     crossing.normalZ = line.outwards.z;
+    crossing.upwards = line.upwards;
     crossing.floating =
         floating + laid > Real(1e-6) * cell ? floating / (floating + laid) : Real(1);
     return result;

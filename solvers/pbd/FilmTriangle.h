@@ -6,10 +6,7 @@
 
 #include "pbd/PlaneStress.h"
 
-#include <dipwright/FilmSolver.h>
-
 #include <cstdint>
-#include <vector>
 
 namespace dipwright::pbd {
 
@@ -36,22 +33,6 @@ DIPWRIGHT_HOST_DEVICE inline TriangleCorners triangleCorners(int columns, int co
     return {{base, base + 1, third}, onRight, !second};
 }
 
-// How many triangles meet in each point.
-inline std::vector<int> trianglesPerPoint(const solver::FilmGrid& film) {
-    std::vector<int> counts(film.pointCount(), 0);
-    for (int row = 0; row + 1 < film.rows; ++row) {
-        for (int column = 0; column + 1 < film.columns; ++column) {
-            for (const bool second : {false, true}) {
-                for (const std::uint32_t point :
-                     triangleCorners(film.columns, column, row, second).points) {
-                    ++counts[point];
-                }
-            }
-        }
-    }
-    return counts;
-}
-
 // x and z of a triangle's horizontal and vertical edge, from lower to higher grid index; or of the
 // forces on them, as a gradient: the higher end gets +, the lower end −.
 template <typename Real>
@@ -64,6 +45,20 @@ template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> gradientOf(const EdgePair<Real>& edges,
                                                       const Matrix2<Real>& inverseShape) {
     return Matrix2<Real>{edges.hx, edges.vx, edges.hz, edges.vz} * inverseShape;
+}
+
+// Whether film is stretched to more than `limit` times its length in some direction or its area:
+// then it tears. `edges` of the triangle; the undeformed ones are spacingX and spacingZ long.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline bool isTorn(const EdgePair<Real>& edges, Real spacingX, Real spacingZ,
+                                         Real limit) {
+    const Matrix2<Real> F{edges.hx / spacingX, edges.vx / spacingZ, edges.hz / spacingX,
+                          edges.vz / spacingZ};
+    const Real sum = F.a + F.d, skew = F.c - F.b, difference = F.a - F.d, shear = F.c + F.b;
+    const Real larger =
+        (std::sqrt(sum * sum + skew * skew) + std::sqrt(difference * difference + shear * shear)) /
+        Real(2);
+    return larger > limit || F.a * F.d - F.b * F.c > limit;
 }
 
 // Stress back to forces on the two edges: area · P · inverseShapeᵀ.

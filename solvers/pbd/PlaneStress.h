@@ -6,6 +6,13 @@
 // the corotated (Biot strain) plane-stress law. Poisson ratio 1/3 makes λ = μ, and as only the
 // ratio matters in equilibrium both are 1. In two dimensions R comes without a decomposition: s =
 // √((a + d)² + (c − b)²), cos = (a + d)/s, sin = (c − b)/s for F = [a b; c d].
+//
+// Gathered film. With δ = λ1 − λ2 the same law reads  W = δ²/2 + (s − 2)².  Film under a mean
+// stretch s/2 below 2/3 could then give way by turning in its own plane, triangle against triangle,
+// and which way it turns would hang on nothing but the grid. (W is rank-one convex where the
+// second term's derivative g′ is at least −s.) Real film wrinkles out of the plane instead and
+// hardly resists any more. So below the mean stretch 4/5 the second term goes on as g′ = −s/2,
+// tangent to (s − 2)² there: the film still has one equilibrium, and it gathers evenly.
 #pragma once
 
 #include "pbd/HostDevice.h"
@@ -28,11 +35,14 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> operator*(const Matrix2<Real>& m,
             m.c * n.b + m.d * n.d};
 }
 
+// h′(s) where the film gathers; P = 2F + h(s)·R in all, see stress().
+inline constexpr double gatheredResistance = -1.5;
+
 // What the Hessian needs to remember of the point of linearisation.
 template <typename Real>
 struct StressState {
     Real cosine{}, sine{}; // of the rotation R
-    Real turn{};           // the coefficient of the rotation's own derivative, see stressDerivative
+    Real turn{};           // h(s)/s, the coefficient of the rotation's own derivative
 };
 
 // P = ∂W/∂F at F, and the state for stressDerivative.
@@ -43,24 +53,25 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stress(const Matrix2<Real>& F,
     const Real s = std::sqrt(sum * sum + skew * skew) + Real(1e-12);
     const Real inverse = Real(1) / s;
     const Real cosine = sum * inverse, sine = skew * inverse;
-    // P = 2(F − R) + (s − 2)R = 2F + (s − 4)R
-    const Real rotation = s - Real(4);
-    // dR = (RJ : dF)/s · RJ enters P with the factor (s − 4). Held at −1, where a pure rotation
-    // costs nothing, when the film is compressed on the whole: the Hessian stays positive
-    // semi-definite.
-    const Real turn = rotation * inverse;
-    state = {cosine, sine, turn > Real(-1) ? turn : Real(-1)};
+    // P = 2(F − R) + (s − 2)R = 2F + (s − 4)R, or 2F − 3/2·sR where the film gathers
+    const Real firm = s - Real(4), gathered = Real(gatheredResistance) * s;
+    const Real rotation = firm > gathered ? firm : gathered;
+    state = {cosine, sine, rotation * inverse};
     return {Real(2) * F.a + rotation * cosine, Real(2) * F.b - rotation * sine,
             Real(2) * F.c + rotation * sine, Real(2) * F.d + rotation * cosine};
 }
 
-// dP for a change dF, at the point where `state` was taken.
+// dP for a change dF, at the point where `state` was taken: dR = (RJ : dF)/s · RJ enters with h/s.
+// Both h/s and h′ are held at −1, where a change of R or of s alone costs nothing, when the film is
+// compressed on the whole: the Hessian stays positive semi-definite.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stressDerivative(const Matrix2<Real>& dF,
                                                             const StressState<Real>& state) {
     const Real cosine = state.cosine, sine = state.sine;
-    const Real stretch = cosine * (dF.a + dF.d) + sine * (dF.c - dF.b);             // R : dF
-    const Real turn = state.turn * (cosine * (dF.c - dF.b) - sine * (dF.a + dF.d)); // RJ : dF
+    const Real resists = state.turn > Real(0.999 * gatheredResistance) ? Real(1) : Real(-1);
+    const Real turns = state.turn > Real(-1) ? state.turn : Real(-1);
+    const Real stretch = resists * (cosine * (dF.a + dF.d) + sine * (dF.c - dF.b)); // R : dF
+    const Real turn = turns * (cosine * (dF.c - dF.b) - sine * (dF.a + dF.d));      // RJ : dF
     return {Real(2) * dF.a + stretch * cosine - turn * sine,
             Real(2) * dF.b - stretch * sine - turn * cosine,
             Real(2) * dF.c + stretch * sine + turn * cosine,

@@ -5,7 +5,9 @@
 // line see it where its piece of the body's surface lies when that is unfolded about the line
 // (ContactPath.h). One step lowers the body by so much that the contact line travels a fraction of
 // a cell along the surface, lets the film find its equilibrium, and lets every point that met the
-// surface on the way adhere when and where it met it.
+// surface on the way adhere when and where it met it. Film that tears, and film at which the body
+// turns up past what it holds on, stays on the water where it is from that moment: it is softened,
+// and springs back no more.
 #pragma once
 
 #include "pbd/FilmContact.h"
@@ -21,8 +23,11 @@
 namespace dipwright::pbd {
 
 // `Equilibrium` has a type Vector (two arrays x, z of its Real, a film point each) and
-//   Equilibrium(grid), setFree(vector<float>), setCrossing(vector<CrossingTriangle<Real>>),
-//   solve(Vector& displacement, Drag<Vector>, double residual) and
+//   Equilibrium(grid), setFree(vector<float>),
+//   setCrossing(vector<CrossingTriangle<Real>>, const Vector& displacement),
+//   moveCrossing(vector<CrossingTriangle<Real>>),
+//   solve(Vector& displacement, Drag<Vector>, double residual),
+//   tornTriangles(const Vector& displacement, double limit) → vector<TriangleCorners> and
 //   relax(const Vector& displacement, double keep).
 template <typename Equilibrium>
 class QuasiStaticDip {
@@ -38,8 +43,7 @@ public:
           equilibrium_(setup.film), displacement_(grid_.pointCount()), before_(grid_.pointCount()),
           states_(grid_.pointCount(), solver::PointState::Free), attached_(grid_.pointCount()),
           free_(grid_.pointCount(), 1.f), clearance_(grid_.pointCount(), Real(0)),
-          holding_(trianglesPerPoint(grid_)),
-          released_(2 * std::size_t(grid_.columns - 1) * std::size_t(grid_.rows - 1), 0) {
+          movedShare_(grid_.pointCount(), Real(1)) {
         for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
             free_[point] = setup.pinned[point] ? 0.f : 1.f;
         }
@@ -81,14 +85,13 @@ private:
         const BodyFrame<Real> frame = bodyFrame<Real>(body_.motion, descent_ + increment);
         predict(increment);
         if (anyAdhered_) {
-            const std::vector<CrossingTriangle<Real>> crossing = crossingTriangles(frame);
-            equilibrium_.moveCrossing(crossing);
+            equilibrium_.moveCrossing(crossingTriangles(frame));
             equilibrium_.solve(displacement_,
                                {before_, pointDrag(grid_.spacingX(), grid_.spacingZ(), increment)},
                                settings_.residual);
-            for (const std::size_t torn :
-                 equilibrium_.tornCrossing(displacement_, settings_.tearStretch)) {
-                release(crossing[torn].cell, crossing[torn].second);
+            for (const TriangleCorners& torn :
+                 equilibrium_.tornTriangles(displacement_, settings_.tearStretch)) {
+                hold(torn);
             }
             equilibrium_.relax(displacement_,
                                keptStress(increment, body_.motion.speed, settings_.relaxationTime));
@@ -97,13 +100,17 @@ private:
         for (const std::size_t point : touching) {
             adhere(point, increment);
         }
+        anyAdhered_ = anyAdhered_ || !touching.empty();
+        if (anyAdhered_) {
+            std::vector<CrossingTriangle<Real>> crossing = crossingTriangles(frame);
+            if (holdWhereTurnedUp(crossing)) {
+                crossing = crossingTriangles(frame);
+            }
+            equilibrium_.setCrossing(std::move(crossing), displacement_);
+        }
         if (!touching.empty() || freeChanged_) {
-            anyAdhered_ = true;
             freeChanged_ = false;
             equilibrium_.setFree(free_);
-        }
-        if (anyAdhered_) {
-            equilibrium_.setCrossing(crossingTriangles(frame), displacement_);
         }
         descent_ += increment;
         increment_ = increment;
@@ -144,27 +151,78 @@ private:
         }
     }
 
-    // Takes a triangle out of the film for good. A free point that no triangle holds any more stays
-    // where it is: nothing says where it should go.
-    void release(std::uint32_t cellIndex, bool second) {
-        std::uint8_t& released = released_[2 * std::size_t(cellIndex) + second];
-        if (released) {
-            return;
-        }
-        released = 1;
-        const int cells = grid_.columns - 1;
-        const TriangleCorners triangle =
-            triangleCorners(grid_.columns, int(cellIndex) % cells, int(cellIndex) / cells, second);
+    // The corners of a triangle stay where they are from now on.
+    void hold(const TriangleCorners& triangle) {
         for (const std::uint32_t point : triangle.points) {
-            if (--holding_[point] == 0 && free_[point] > 0) {
-                free_[point] = 0.f;
-                freeChanged_ = true;
-            }
+            freeChanged_ = freeChanged_ || free_[point] > 0;
+            free_[point] = 0.f;
         }
     }
 
-    // Unfolds the surface under every triangle that crosses the contact line. Where there is no
-    // contact line near (a flat face, a body that has gone under) its corners stay where they are.
+    // Holds the triangles at which the body has turned up past what film holds on, where they were
+    // at that moment of the step. Whether there were any.
+    bool holdWhereTurnedUp(const std::vector<CrossingTriangle<Real>>& crossing) {
+        std::vector<TriangleCorners> turned;
+        for (const CrossingTriangle<Real>& triangle : crossing) {
+            const TriangleCorners corners = cornersOf(triangle);
+            if (triangle.upwards > body_.steepestHeld || anyTrapped(corners)) {
+                turned.push_back(corners);
+                noteMovedShare(corners, triangle.upwards);
+            }
+        }
+        for (const TriangleCorners& triangle : turned) {
+            for (const std::uint32_t point : triangle.points) {
+                moveBack(point);
+            }
+            hold(triangle);
+        }
+        return !turned.empty();
+    }
+
+    TriangleCorners cornersOf(const CrossingTriangle<Real>& triangle) const {
+        const int cells = grid_.columns - 1;
+        return triangleCorners(grid_.columns, int(triangle.cell) % cells,
+                               int(triangle.cell) / cells, triangle.second);
+    }
+    bool anyTrapped(const TriangleCorners& triangle) const {
+        return std::any_of(
+            std::begin(triangle.points), std::end(triangle.points),
+            [&](std::uint32_t p) { return states_[p] == solver::PointState::Trapped; });
+    }
+
+    // A corner goes with the step no farther than to where the first of its triangles is held.
+    void noteMovedShare(const TriangleCorners& triangle, Real upwards) {
+        const BodyFrame<Real> start = bodyFrame<Real>(body_.motion, descent_);
+        CrossingCorner<Real> corners[3];
+        findCorners(triangle, start, before_, corners);
+        const Real share = shareUntilTurned(body_, start, cell(), corners, upwards);
+        for (const std::uint32_t point : triangle.points) {
+            movedShare_[point] = std::min(movedShare_[point], share);
+        }
+    }
+    void moveBack(std::size_t point) {
+        if (free_[point] > 0) {
+            const Real share = movedShare_[point];
+            displacement_.x[point] =
+                before_.x[point] + share * (displacement_.x[point] - before_.x[point]);
+            displacement_.z[point] =
+                before_.z[point] + share * (displacement_.z[point] - before_.z[point]);
+        }
+    }
+
+    void findCorners(const TriangleCorners& triangle, const BodyFrame<Real>& frame,
+                     const Vector& displacement, CrossingCorner<Real> (&corners)[3]) const {
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t point = triangle.points[k];
+            const bool isFree = states_[point] == solver::PointState::Free;
+            corners[k] = {isFree, planePosition(displacement, point),
+                          isFree ? Vector3<Real>{} : frame.toWorld(attached_[point])};
+        }
+    }
+
+    // Unfolds the surface under every triangle that crosses the contact line and still moves. Where
+    // there is no contact line near (a flat face, a body that has gone under) its corners stay
+    // where they are.
     std::vector<CrossingTriangle<Real>> crossingTriangles(const BodyFrame<Real>& frame) {
         std::vector<CrossingTriangle<Real>> crossing;
         steepness_ = Real(1);
@@ -193,37 +251,21 @@ private:
     void unfoldTriangle(int column, int row, bool second, const BodyFrame<Real>& frame,
                         std::vector<CrossingTriangle<Real>>& crossing) {
         const TriangleCorners triangle = triangleCorners(grid_.columns, column, row, second);
-        CrossingCorner<Real> corners[3];
-        int heldCount = 0;
-        bool turnsUp = false;
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t point = triangle.points[k];
-            const bool isFree = states_[point] == solver::PointState::Free;
-            corners[k] = {isFree, planePosition(displacement_, point),
-                          isFree ? Vector3<Real>{} : frame.toWorld(attached_[point])};
-            heldCount += isFree ? 0 : 1;
-            turnsUp = turnsUp || states_[point] == solver::PointState::Trapped;
+        bool anyHeld = false, moves = false;
+        for (const std::uint32_t point : triangle.points) {
+            anyHeld = anyHeld || states_[point] != solver::PointState::Free;
+            moves = moves || free_[point] > 0;
         }
-        if (heldCount == 0 || heldCount == 3) {
+        if (!anyHeld || !moves) {
             return;
         }
-        const std::uint32_t cellIndex =
-            std::uint32_t(row) * std::uint32_t(grid_.columns - 1) + std::uint32_t(column);
+        CrossingCorner<Real> corners[3];
+        findCorners(triangle, frame, displacement_, corners);
         UnfoldedTriangle<Real> unfolded = unfoldedTriangle(body_, frame, cell(), triangle, corners);
-        turnsUp = turnsUp || unfolded.line.upwards > body_.steepestHeld;
-        if (turnsUp) { // the softened film stays on the water where it is
-            release(cellIndex, second);
-            for (const std::uint32_t point : triangle.points) {
-                freeChanged_ = freeChanged_ || free_[point] > 0;
-                free_[point] = 0.f;
-            }
-        }
-        unfolded.crossing.cell = cellIndex;
-        unfolded.crossing.released = released_[2 * std::size_t(cellIndex) + second] != 0;
-        if (!unfolded.crossing.released) {
-            steepness_ = std::min(steepness_, unfolded.line.steepness);
-            driven_ = true;
-        }
+        unfolded.crossing.cell =
+            std::uint32_t(row) * std::uint32_t(grid_.columns - 1) + std::uint32_t(column);
+        steepness_ = std::min(steepness_, unfolded.line.steepness);
+        driven_ = true;
         crossing.push_back(unfolded.crossing);
     }
 
@@ -273,9 +315,8 @@ private:
     std::vector<Vector3<Real>> attached_; // where an adhered point sits, body coordinates
     std::vector<float> free_;             // 1: the equilibrium moves it
     std::vector<Real> clearance_;         // how far from contact a free point is at least
-    std::vector<int> holding_;            // triangles of a point that have not come off
-    std::vector<std::uint8_t> released_; // two triangles a cell: 1 once the film has come off there
-    Real steepness_ = Real(1);           // the least of all contact-line places
+    std::vector<Real> movedShare_;        // how much of its last step a point has gone
+    Real steepness_ = Real(1);            // the least of all contact-line places
     double descent_ = 0, increment_ = 0;
     std::int64_t steps_ = 0;
     bool anyAdhered_ = false;

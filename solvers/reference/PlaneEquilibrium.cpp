@@ -49,19 +49,21 @@ const PlaneEquilibrium::Triangle& PlaneEquilibrium::triangleOf(const Crossing& c
     return triangles_[2 * std::size_t(crossing.cell) + crossing.second];
 }
 
+pbd::EdgePair<double> PlaneEquilibrium::edges(const Triangle& triangle,
+                                              const PlaneVector& displacement) const {
+    const pbd::EdgePair<double> plane{
+        grid_.spacingX() + displacement.x[triangle.right] - displacement.x[triangle.left],
+        displacement.z[triangle.right] - displacement.z[triangle.left],
+        displacement.x[triangle.upper] - displacement.x[triangle.lower],
+        grid_.spacingZ() + displacement.z[triangle.upper] - displacement.z[triangle.lower]};
+    return triangle.crossing < 0
+               ? plane
+               : pbd::unfoldedEdges(plane, crossing_[std::size_t(triangle.crossing)]);
+}
+
 Matrix2<double> PlaneEquilibrium::wholeGradient(const Triangle& triangle,
                                                 const PlaneVector& displacement) const {
-    Matrix2<double> edges{
-        grid_.spacingX() + displacement.x[triangle.right] - displacement.x[triangle.left],
-        displacement.x[triangle.upper] - displacement.x[triangle.lower],
-        displacement.z[triangle.right] - displacement.z[triangle.left],
-        grid_.spacingZ() + displacement.z[triangle.upper] - displacement.z[triangle.lower]};
-    if (triangle.crossing >= 0) {
-        const Crossing& crossing = crossing_[std::size_t(triangle.crossing)];
-        edges = {edges.a + crossing.hx, edges.b + crossing.vx, edges.c + crossing.hz,
-                 edges.d + crossing.vz};
-    }
-    return edges * triangle.inverseShape;
+    return gradientOf(edges(triangle, displacement), triangle.inverseShape);
 }
 
 void PlaneEquilibrium::setCrossing(std::vector<Crossing> triangles,
@@ -81,6 +83,9 @@ void PlaneEquilibrium::setCrossing(std::vector<Crossing> triangles,
 
 void PlaneEquilibrium::moveCrossing(std::vector<Crossing> triangles) {
     crossing_ = std::move(triangles);
+    for (std::size_t k = 0; k < crossing_.size(); ++k) {
+        anchors_[k] = pbd::anchorOverStep(anchors_[k], crossing_[k]);
+    }
 }
 
 bool PlaneEquilibrium::moves(const Triangle& triangle) const {
@@ -103,14 +108,11 @@ double PlaneEquilibrium::assemble(const PlaneVector& displacement, const Drag& d
         }
         const bool crosses = triangle.crossing >= 0;
         const auto edgeForces = [&](const Matrix2<double>& P) -> std::array<double, 4> {
-            if (crosses) {
-                const pbd::EdgePair<double> f = pbd::crossingForces(
-                    crossing_[std::size_t(triangle.crossing)], P, triangle.inverseShape, area);
-                return {f.hx, f.hz, f.vx, f.vz};
-            }
-            const Matrix2<double>& B = triangle.inverseShape;
-            return {area * (P.a * B.a + P.b * B.b), area * (P.c * B.a + P.d * B.b),
-                    area * (P.a * B.c + P.b * B.d), area * (P.c * B.c + P.d * B.d)};
+            const pbd::EdgePair<double> f =
+                crosses ? pbd::crossingForces(crossing_[std::size_t(triangle.crossing)], P,
+                                              triangle.inverseShape, area)
+                        : pbd::edgeForces(P, triangle.inverseShape, area);
+            return {f.hx, f.hz, f.vx, f.vz};
         };
         Matrix2<double> F = wholeGradient(triangle, displacement);
         if (crosses) {
@@ -215,17 +217,16 @@ double PlaneEquilibrium::solve(PlaneVector& displacement, const Drag& drag, doub
     return ratio;
 }
 
-std::vector<std::size_t> PlaneEquilibrium::tornCrossing(const PlaneVector& displacement,
-                                                        double limit) const {
-    std::vector<std::size_t> torn;
-    for (std::size_t k = 0; k < crossing_.size(); ++k) {
-        const Triangle& triangle = triangleOf(crossing_[k]);
-        // E = F·D: area against the flat film's
-        const Matrix2<double> E =
-            wholeGradient(triangle, displacement) * inverse(triangle.inverseShape);
-        const double area = (E.a * E.d - E.b * E.c) / (grid_.spacingX() * grid_.spacingZ());
-        if (!crossing_[k].released && area > limit) {
-            torn.push_back(k);
+std::vector<pbd::TriangleCorners> PlaneEquilibrium::tornTriangles(const PlaneVector& displacement,
+                                                                  double limit) const {
+    std::vector<pbd::TriangleCorners> torn;
+    for (std::size_t index = 0; index < triangles_.size(); ++index) {
+        const Triangle& triangle = triangles_[index];
+        if (moves(triangle) &&
+            isTorn(edges(triangle, displacement), grid_.spacingX(), grid_.spacingZ(), limit)) {
+            const int cell = int(index / 2), cells = grid_.columns - 1;
+            torn.push_back(
+                pbd::triangleCorners(grid_.columns, cell % cells, cell / cells, index % 2 != 0));
         }
     }
     return torn;
@@ -241,13 +242,8 @@ void PlaneEquilibrium::relax(const PlaneVector& displacement, double keep) {
             }
             continue;
         }
-        const Matrix2<double> floating =
-            floatingGradient(anchors_[std::size_t(triangle.crossing)], whole);
-        if (whole.a * whole.d - whole.b * whole.c > 0.01 &&
-            floating.a * floating.d - floating.b * floating.c > 0.01) {
-            triangle.inverseShape = pbd::relaxedInverseShape(
-                triangle.inverseShape * (inverse(whole) * floating), floating, keep);
-        }
+        triangle.inverseShape = pbd::relaxedCrossingShape(anchors_[std::size_t(triangle.crossing)],
+                                                          whole, triangle.inverseShape, keep);
     }
 }
 

@@ -36,7 +36,8 @@ public:
     void moveCrossing(std::vector<Crossing> triangles);
     // Newton's method to `residual` (force left over elastic force). Returns what was reached.
     double solve(PlaneVector& displacement, const Drag& drag, double residual);
-    std::vector<std::size_t> tornCrossing(const PlaneVector& displacement, double limit) const;
+    std::vector<pbd::TriangleCorners> tornTriangles(const PlaneVector& displacement,
+                                                    double limit) const;
     void relax(const PlaneVector& displacement, double keep);
 
 private:
@@ -50,6 +51,7 @@ private:
 
     Triangle& triangleOf(const Crossing& crossing);
     const Triangle& triangleOf(const Crossing& crossing) const;
+    pbd::EdgePair<double> edges(const Triangle& triangle, const PlaneVector& displacement) const;
     pbd::Matrix2<double> wholeGradient(const Triangle& triangle,
                                        const PlaneVector& displacement) const;
     bool moves(const Triangle& triangle) const;
