@@ -181,7 +181,7 @@ void ProfilesDialog::fillList() {
         group->setExpanded(true);
     }
     list_->resizeColumnToContents(0);
-    list_->setMinimumWidth(std::min(300, list_->columnWidth(0) + 24)); // names in full
+    list_->setMinimumWidth(std::min(400, list_->columnWidth(0) + 24)); // names in full
     const QTreeWidgetItem* current = list_->currentItem();
     remove_->setEnabled(current && current->data(0, OwnRole).toBool());
 }
