@@ -125,6 +125,7 @@ private slots:
     void followsTheReference_data();
     void followsTheReference();
     void finerGridAndShorterStepChangeLittle();
+    void aThinLegHangsOnTheStepNoMore();
     void sameBitsForAnyNumberOfThreads();
     void nothingMovesBeforeContact();
     void pinnedEdgesHold();
@@ -182,6 +183,17 @@ void ProductionFilmTest::finerGridAndShorterStepChangeLittle() {
     qInfo("half the spacing: %g mm, half the step: %g mm (95 %%)", spacing, step);
     QVERIFY(spacing < 0.15);
     QVERIFY(step < 0.05);
+}
+
+void ProductionFilmTest::aThinLegHangsOnTheStepNoMore() {
+    // Three and a half film cells in radius: film is drawn down it and gathers round it.
+    const Body body = bodyOf(ellipsoidMesh({6, 14, 6}, 120, 96));
+    const solver::DipSetup setup = squareDip(body, 86, 13);
+    solver::DipSetup shorter = setup;
+    shorter.settings.contactTravel /= 2;
+    const auto [percentile95, largest] = difference(dipOnCpu(setup), dipOnCpu(shorter), 1);
+    qInfo("half the step: 95 %% within %g mm, all within %g mm", percentile95, largest);
+    QVERIFY(percentile95 < 0.05);
 }
 
 void ProductionFilmTest::sameBitsForAnyNumberOfThreads() {
