@@ -1,5 +1,6 @@
 #include "document/Recovery.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 #include "document/Document.h"
 #include "project/ProjectStore.h"
@@ -7,7 +8,6 @@
 #include <QDateTime>
 #include <QDir>
 #include <QJsonDocument>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QUuid>
 #include <algorithm>
@@ -112,11 +112,7 @@ void AutoSaver::write() {
     };
     writer_.start(
         [project = document_.project(), description, copy = file(".dipw"), about = file(".json")] {
-            QSaveFile json(about);
-            if (json.open(QIODevice::WriteOnly)) {
-                json.write(QJsonDocument(description).toJson());
-                json.commit();
-            }
+            replaceFile(about, QJsonDocument(description).toJson());
             try {
                 saveProject(project, copy);
             } catch (const Error& error) {

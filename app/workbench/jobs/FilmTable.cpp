@@ -1,21 +1,16 @@
 #include "jobs/FilmTable.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 
 #include <QCoreApplication>
-#include <QSaveFile>
 #include <QTextStream>
 
 namespace dipwright {
 
-void writeFilmTable(const FilmReading& reading, const QString& path) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly | QIODevice::Text)) {
-        throw Error(QCoreApplication::translate("FilmTable", "The table cannot be written: %1")
-                        .arg(file.errorString()),
-                    path);
-    }
-    QTextStream table(&file);
+namespace {
+
+void write(const FilmReading& reading, QTextStream& table) {
     table
         << "column,row,rest_x_mm,rest_z_mm,x_mm,y_mm,z_mm,adhered,stretch,area,largest,smallest\n";
     const DippedFilm& film = reading.film();
@@ -30,10 +25,19 @@ void writeFilmTable(const FilmReading& reading, const QString& path) {
               << reading.values(FilmQuantity::Larger)[point] << ','
               << reading.values(FilmQuantity::Smaller)[point] << '\n';
     }
-    table.flush();
-    if (!file.commit()) {
+}
+
+} // namespace
+
+void writeFilmTable(const FilmReading& reading, const QString& path) {
+    const QByteArray bytes = bytesOf([&](QIODevice& device) {
+        QTextStream table(&device);
+        write(reading, table);
+    });
+    const QString failure = replaceFile(path, bytes);
+    if (!failure.isEmpty()) {
         throw Error(QCoreApplication::translate("FilmTable", "The table cannot be written: %1")
-                        .arg(file.errorString()),
+                        .arg(failure),
                     path);
     }
 }
