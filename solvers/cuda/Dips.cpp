@@ -33,7 +33,7 @@ bool areAlike(const solver::DipSetup& a, const solver::DipSetup& b) {
            s.timeStep == t.timeStep && s.iterations == t.iterations &&
            s.relaxation == t.relaxation && s.selfContact == t.selfContact &&
            s.contactTravel == t.contactTravel && s.residual == t.residual &&
-           s.overhang == t.overhang;
+           s.overhang == t.overhang && s.tearStretch == t.tearStretch;
 }
 
 } // namespace dipwright::cuda
