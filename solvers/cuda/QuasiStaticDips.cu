@@ -197,12 +197,12 @@ std::size_t placeArrays(QuasiStaticDip& dip, const QuasiStaticModel& model,
     }
     layout.place(dip.free, points);
     layout.place(dip.clearance, points);
-    layout.place(dip.movedShare, points);
     layout.place(dip.inverseShape, triangles);
     layout.place(dip.stress, triangles);
     layout.place(dip.crosses, triangles);
     layout.place(dip.crossing, triangles);
     layout.place(dip.anchors, triangles);
+    layout.place(dip.released, triangles);
     for (float2** array : {&dip.right, &dip.result, &dip.smoothed}) {
         layout.place(*array, pointsOfLevels);
     }
@@ -274,7 +274,6 @@ void QuasiStaticDips::layFlat(const solver::DipSetup& setup, const QuasiStaticDi
         free[point] = setup.pinned[point] ? 0.0f : 1.0f;
     }
     upload(dip.free, free);
-    upload(dip.movedShare, std::vector<float>(film().pointCount(), QuasiStaticDip::notHeld));
     const float4 shape{float(1 / film().spacingX()), 0, 0, float(1 / film().spacingZ())};
     upload(dip.inverseShape,
            std::vector<float4>(2 * std::size_t(film().columns - 1) * std::size_t(film().rows - 1),

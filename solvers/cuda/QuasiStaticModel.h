@@ -101,12 +101,10 @@ struct QuasiStaticDip {
     float2 *displacement = nullptr, *before = nullptr; // mm from rest, now and a step ago
     float2 *start = nullptr, *best = nullptr, *newtonStep = nullptr, *product = nullptr;
     float2* direction[2] = {};
-    float3* attached = nullptr;  // where an adhered point sits, body coordinates
-    float* free = nullptr;       // 1: the equilibrium moves it
-    float* clearance = nullptr;  // mm, at least so far from contact
-    float* movedShare = nullptr; // how much of its last step a held point has gone; else notHeld
+    float3* attached = nullptr; // where an adhered point sits, body coordinates
+    float* free = nullptr;      // 1: the equilibrium moves it
+    float* clearance = nullptr; // mm, at least so far from contact
     std::uint8_t* states = nullptr;
-    static constexpr float notHeld = 2;
 
     // One entry a triangle, two a cell.
     float4* inverseShape = nullptr;
@@ -114,6 +112,7 @@ struct QuasiStaticDip {
     std::uint8_t* crosses = nullptr;
     pbd::CrossingTriangle<float>* crossing = nullptr;
     pbd::CrossingAnchor<float>* anchors = nullptr;
+    pbd::ReleasedCorners<float>* released = nullptr;
 
     // Over all levels. `right` of the finest level is what is left of the forces.
     float2 *right = nullptr, *result = nullptr, *smoothed = nullptr;

@@ -39,9 +39,8 @@ public:
         state_.anyAdhered = anyOf(hasTouched) || state_.anyAdhered;
         if (state_.anyAdhered) {
             findCrossing(descent);
-            if (holdWhereTurnedUp()) {
+            if (releaseWhereTurnedUp(increment)) {
                 findCrossing(descent);
-                freeChanged = true;
             }
             setAnchors();
         }
@@ -87,19 +86,25 @@ private:
 
     __device__ double nextIncrement() {
         const double travel = model_.contactTravel * double(model_.cell);
-        return state_.anyAdhered ? pbd::contactIncrement(travel, double(state_.steepness))
-                                 : pbd::approachIncrement(travel, nearestClearance());
+        const double increment = state_.anyAdhered
+                                     ? pbd::contactIncrement(travel, double(state_.steepness))
+                                     : double(model_.cell);
+        return fmin(increment, pbd::approachIncrement(travel, nearestClearance(increment)));
     }
 
-    __device__ double nearestClearance() {
+    __device__ double nearestClearance(double most) {
         const auto frame = pbd::bodyFrame<float>(dip_.body.motion, state_.descent);
-        float nearest = model_.cell;
+        const auto free = [&](std::size_t point) { return isFree(std::uint32_t(point)); };
+        float nearest = float(most);
         forPoints([&](int point) {
-            const float distance =
-                pbd::sampleField(dip_.body.field,
-                                 frame.toBody(planePosition(point, dip_.displacement[point])))
-                    .distance;
-            nearest = fminf(nearest, distance - dip_.body.contactDistance);
+            if (dip_.clearance[point] < nearest &&
+                !pbd::isNextToContact(model_.columns, model_.rows, point, free)) {
+                const float distance =
+                    pbd::sampleField(dip_.body.field,
+                                     frame.toBody(planePosition(point, dip_.displacement[point])))
+                        .distance;
+                nearest = fminf(nearest, distance - dip_.body.contactDistance);
+            }
         });
         double largest[1] = {-double(nearest)};
         team_.largest(largest);
@@ -139,12 +144,12 @@ private:
             dip_.crosses[triangle] = crosses ? 1 : 0;
             if (crosses) {
                 pbd::CrossingCorner<float> seen[3];
-                findCorners(points, frame, dip_.displacement, seen);
+                findCorners(triangle, frame, dip_.displacement, seen);
                 pbd::UnfoldedTriangle<float> unfolded =
                     pbd::unfoldedTriangle(dip_.body, frame, model_.cell, points, seen);
                 unfolded.crossing.cell = std::uint32_t(triangle / 2);
                 dip_.crossing[triangle] = unfolded.crossing;
-                steepness = fminf(steepness, unfolded.line.steepness);
+                steepness = fminf(steepness, unfolded.steepness);
                 driven = true;
             }
         });
@@ -154,15 +159,20 @@ private:
         state_.driven = found[1] > 0;
     }
 
-    __device__ void findCorners(const pbd::TriangleCorners& points,
-                                const pbd::BodyFrame<float>& frame, const float2* displacement,
+    __device__ void findCorners(int triangle, const pbd::BodyFrame<float>& frame,
+                                const float2* displacement,
                                 pbd::CrossingCorner<float> (&found)[3]) const {
+        const pbd::TriangleCorners points = corners(triangle);
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t point = points.points[k];
-            const float3 place = dip_.attached[point];
-            found[k] = {isFree(point), planePosition(point, displacement[point]),
-                        frame.toWorld({place.x, place.y, place.z})};
+            found[k] = pbd::crossingCorner(
+                solver::PointState(dip_.states[point]), planePosition(point, displacement[point]),
+                frame.toWorld(attached(point)), dip_.released[triangle], k);
         }
+    }
+    __device__ pbd::Vector3<float> attached(std::uint32_t point) const {
+        const float3 place = dip_.attached[point];
+        return {place.x, place.y, place.z};
     }
 
     // The floating parts of the crossing triangles have the gradient that they have now.
@@ -215,52 +225,32 @@ private:
         return any;
     }
 
-    // Holds the triangles at which the body has turned up past what film holds on, where they were
-    // at that moment of the step. Whether the team has any.
-    __device__ bool holdWhereTurnedUp() const {
+    // Lets film go where the body has turned up past what it holds on. Whether the team has any.
+    __device__ bool releaseWhereTurnedUp(double increment) const {
         bool any = false;
         forTriangles([&](int triangle) {
-            const pbd::TriangleCorners points = corners(triangle);
-            if (turnedUp(triangle, points)) {
-                noteMovedShare(points, dip_.crossing[triangle].upwards);
+            if (dip_.crosses[triangle] &&
+                dip_.crossing[triangle].upwards > dip_.body.steepestHeld) {
+                release(triangle, increment);
                 any = true;
             }
         });
-        if (!anyOf(any)) {
-            return false;
-        }
-        forPoints([&](int point) {
-            if (dip_.free[point] > 0 && dip_.movedShare[point] < QuasiStaticDip::notHeld) {
-                const float2 before = dip_.before[point];
-                dip_.displacement[point] =
-                    before + (dip_.displacement[point] - before) * dip_.movedShare[point];
-                dip_.free[point] = 0;
-            }
-        });
-        team_.meet();
-        return true;
+        return anyOf(any);
     }
-
-    __device__ bool turnedUp(int triangle, const pbd::TriangleCorners& points) const {
-        bool anyTrapped = false;
-        for (const std::uint32_t point : points.points) {
-            anyTrapped =
-                anyTrapped || solver::PointState(dip_.states[point]) == solver::PointState::Trapped;
-        }
-        return dip_.crosses[triangle] &&
-               (anyTrapped || dip_.crossing[triangle].upwards > dip_.body.steepestHeld);
-    }
-
-    // A corner goes with the step no farther than to where the first of its triangles is held.
-    // Shares are not negative: as integers their bits have the same order.
-    __device__ void noteMovedShare(const pbd::TriangleCorners& points, float upwards) const {
-        const auto start = pbd::bodyFrame<float>(dip_.body.motion, state_.descent);
-        pbd::CrossingCorner<float> seen[3];
-        findCorners(points, start, dip_.before, seen);
-        const float share = pbd::shareUntilTurned(dip_.body, start, model_.cell, seen, upwards);
-        for (const std::uint32_t point : points.points) {
-            atomicMin(reinterpret_cast<int*>(dip_.movedShare + point), __float_as_int(share));
-        }
+    __device__ void release(int triangle, double increment) const {
+        const auto frameAt = [&](double descent) {
+            return pbd::bodyFrame<float>(dip_.body.motion, descent);
+        };
+        const pbd::TriangleCorners points = corners(triangle);
+        pbd::CrossingStep<float> step;
+        step.descent = state_.descent;
+        step.increment = increment;
+        findCorners(triangle, frameAt(state_.descent), dip_.before, step.before);
+        findCorners(triangle, frameAt(state_.descent + increment), dip_.displacement, step.after);
+        const pbd::Vector3<float> held[3] = {attached(points.points[0]), attached(points.points[1]),
+                                             attached(points.points[2])};
+        pbd::releaseWhereTurnedUp(dip_.body, model_.cell, points, step, held,
+                                  dip_.released[triangle]);
     }
 
     __device__ pbd::EdgePair<float> edges(const pbd::TriangleCorners& points) const {
@@ -308,8 +298,8 @@ private:
                     pbd::sampleField(dip_.body.field, frame.toBody(end)).distance -
                     dip_.body.contactDistance;
                 if (distance <= 0) {
-                    adhere(point, increment, planePosition(point, before), end);
-                    hasTouched = true;
+                    hasTouched =
+                        stick(point, increment, planePosition(point, before), end) || hasTouched;
                 } else {
                     clearance = distance / 3; // safe outside the field's grid too
                 }
@@ -319,14 +309,16 @@ private:
         return hasTouched;
     }
 
-    __device__ void adhere(int point, double increment, const pbd::Vector3<float>& start,
-                           const pbd::Vector3<float>& end) const {
+    // Whether the point stays on the body.
+    __device__ bool stick(int point, double increment, const pbd::Vector3<float>& start,
+                          const pbd::Vector3<float>& end) const {
         const pbd::Attachment<float> met =
             pbd::attachment(dip_.body, state_.descent, increment, start, end - start);
         dip_.attached[point] = {met.place.x, met.place.y, met.place.z};
-        dip_.states[point] =
-            std::uint8_t(met.holds ? solver::PointState::Adhered : solver::PointState::Trapped);
-        dip_.free[point] = 0;
+        dip_.states[point] = std::uint8_t(met.state);
+        const bool sticks = met.state != solver::PointState::Free;
+        dip_.free[point] = sticks ? 0.0f : dip_.free[point];
+        return sticks;
     }
 
     // The team meets, and each thread learns whether any has seen it.

@@ -109,7 +109,8 @@ contactLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real con
         !detail::contactLineBySlope(field, frame, contactDistance, cell, above, line.place)) {
         return line;
     }
-    const Vector3<Real> gradient = sampleWorld(field, frame, line.place).gradient;
+    const Vector3<Real> gradient =
+        frame.directionToWorld(smoothGradient(field, frame.toBody(line.place)));
     const Real horizontal = std::sqrt(gradient.x * gradient.x + gradient.z * gradient.z);
     const Real size = length(gradient);
     line.found = horizontal > Real(0.02) * size;
@@ -167,7 +168,8 @@ unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contac
     Vector3<Real> outwards = line.outwards;
     Real across = detail::acrossToLine(field, frame, contactDistance, cell, above, outwards,
                                        dot(line.place - above, outwards));
-    const Vector3<Real> gradient = sampleWorld(field, frame, above + outwards * across).gradient;
+    const Vector3<Real> gradient =
+        frame.directionToWorld(smoothGradient(field, frame.toBody(above + outwards * across)));
     const Real horizontal = std::sqrt(gradient.x * gradient.x + gradient.z * gradient.z);
     const Vector3<Real> normal{gradient.x / horizontal, Real(0), gradient.z / horizontal};
     if (horizontal > Real(0.02) && dot(normal, line.outwards) > Real(detail::leastAgreement)) {

@@ -95,6 +95,21 @@ DIPWRIGHT_HOST_DEVICE FieldSample<Real> sampleField(const FieldGrid<Real>& field
     return {mix(c0, c1, z.fraction) + outside, gradient * field.inverseSpacing, outside};
 }
 
+// ∇φ at `position`, by differences over a cell to either side: unlike that of the trilinear
+// interpolant, which jumps from cell to cell, it changes steadily along the surface.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE Vector3<Real> smoothGradient(const FieldGrid<Real>& field,
+                                                   Vector3<Real> position) {
+    const Real reach = field.spacing;
+    const auto difference = [&](const Vector3<Real>& way) {
+        return (sampleField(field, position + way).distance -
+                sampleField(field, position - way).distance) *
+               (Real(0.5) * field.inverseSpacing);
+    };
+    return {difference({reach, Real(0), Real(0)}), difference({Real(0), reach, Real(0)}),
+            difference({Real(0), Real(0), reach})};
+}
+
 // How far the body is from the sampled place at the least, up to what interpolation loses; for a
 // body that lies within the field's grid.
 template <typename Real>

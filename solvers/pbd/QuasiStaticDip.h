@@ -5,9 +5,10 @@
 // line see it where its piece of the body's surface lies when that is unfolded about the line
 // (ContactPath.h). One step lowers the body by so much that the contact line travels a fraction of
 // a cell along the surface, lets the film find its equilibrium, and lets every point that met the
-// surface on the way adhere when and where it met it. Film that tears, and film at which the body
-// turns up past what it holds on, stays on the water where it is from that moment: it is softened,
-// and springs back no more.
+// surface on the way adhere when and where it met it. Where the body turns up past what film holds
+// on, it lets go of it: the edge of what floats stays where it lay on the water at that moment
+// (ReleasedCorners). Film that tears stays where it is, all of it: it is softened, and springs back
+// no more.
 #pragma once
 
 #include "pbd/FilmContact.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 namespace dipwright::pbd {
@@ -42,8 +44,7 @@ public:
                                            Real(std::sin(settings_.overhang))},
           equilibrium_(setup.film), displacement_(grid_.pointCount()), before_(grid_.pointCount()),
           states_(grid_.pointCount(), solver::PointState::Free), attached_(grid_.pointCount()),
-          free_(grid_.pointCount(), 1.f), clearance_(grid_.pointCount(), Real(0)),
-          movedShare_(grid_.pointCount(), Real(1)) {
+          free_(grid_.pointCount(), 1.f), clearance_(grid_.pointCount(), Real(0)) {
         for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
             free_[point] = setup.pinned[point] ? 0.f : 1.f;
         }
@@ -97,18 +98,19 @@ private:
                                keptStress(increment, body_.motion.speed, settings_.relaxationTime));
         }
         const std::vector<std::size_t> touching = touchingPoints(increment, frame);
+        bool anyStuck = false;
         for (const std::size_t point : touching) {
-            adhere(point, increment);
+            anyStuck = stick(point, increment) || anyStuck;
         }
-        anyAdhered_ = anyAdhered_ || !touching.empty();
+        anyAdhered_ = anyAdhered_ || anyStuck;
         if (anyAdhered_) {
             std::vector<CrossingTriangle<Real>> crossing = crossingTriangles(frame);
-            if (holdWhereTurnedUp(crossing)) {
+            if (releaseWhereTurnedUp(crossing, increment)) {
                 crossing = crossingTriangles(frame);
             }
             equilibrium_.setCrossing(std::move(crossing), displacement_);
         }
-        if (!touching.empty() || freeChanged_) {
+        if (anyStuck || freeChanged_) {
             freeChanged_ = false;
             equilibrium_.setFree(free_);
         }
@@ -117,20 +119,30 @@ private:
         ++steps_;
     }
 
+    // As far as the contact line may travel, and not past the moment at which another part of the
+    // body touches.
     double nextIncrement() const {
         const double travel = settings_.contactTravel * double(cell());
-        return anyAdhered_ ? contactIncrement(travel, double(steepness_))
-                           : approachIncrement(travel, nearestClearance());
+        const double increment =
+            anyAdhered_ ? contactIncrement(travel, double(steepness_)) : double(cell());
+        return std::min(increment, approachIncrement(travel, nearestClearance(increment)));
     }
 
-    double nearestClearance() const {
+    // Of the points that are not next to film on the body, or `most` if none is nearer.
+    double nearestClearance(double most) const {
         const BodyFrame<Real> frame = bodyFrame<Real>(body_.motion, descent_);
-        Real nearest = cell();
+        const auto isFree = [&](std::size_t point) {
+            return states_[point] == solver::PointState::Free;
+        };
+        Real nearest = Real(most);
         for (std::size_t point = 0; point < states_.size(); ++point) {
-            const Real distance =
-                sampleField(body_.field, frame.toBody(planePosition(displacement_, point)))
-                    .distance;
-            nearest = std::min(nearest, distance - Real(settings_.contactDistance));
+            if (clearance_[point] < nearest &&
+                !isNextToContact(grid_.columns, grid_.rows, int(point), isFree)) {
+                const Real distance =
+                    sampleField(body_.field, frame.toBody(planePosition(displacement_, point)))
+                        .distance;
+                nearest = std::min(nearest, distance - body_.contactDistance);
+            }
         }
         return double(nearest);
     }
@@ -159,64 +171,46 @@ private:
         }
     }
 
-    // Holds the triangles at which the body has turned up past what film holds on, where they were
-    // at that moment of the step. Whether there were any.
-    bool holdWhereTurnedUp(const std::vector<CrossingTriangle<Real>>& crossing) {
-        std::vector<TriangleCorners> turned;
+    // Lets film go where the body has turned up past what it holds on. Whether there was any.
+    bool releaseWhereTurnedUp(const std::vector<CrossingTriangle<Real>>& crossing,
+                              double increment) {
+        bool any = false;
         for (const CrossingTriangle<Real>& triangle : crossing) {
-            const TriangleCorners corners = cornersOf(triangle);
-            if (triangle.upwards > body_.steepestHeld || anyTrapped(corners)) {
-                turned.push_back(corners);
-                noteMovedShare(corners, triangle.upwards);
+            if (triangle.upwards > body_.steepestHeld) {
+                release(triangle, increment);
+                any = true;
             }
         }
-        for (const TriangleCorners& triangle : turned) {
-            for (const std::uint32_t point : triangle.points) {
-                moveBack(point);
-            }
-            hold(triangle);
-        }
-        return !turned.empty();
+        return any;
     }
-
-    TriangleCorners cornersOf(const CrossingTriangle<Real>& triangle) const {
+    void release(const CrossingTriangle<Real>& crossing, double increment) {
         const int cells = grid_.columns - 1;
-        return triangleCorners(grid_.columns, int(triangle.cell) % cells,
-                               int(triangle.cell) / cells, triangle.second);
-    }
-    bool anyTrapped(const TriangleCorners& triangle) const {
-        return std::any_of(
-            std::begin(triangle.points), std::end(triangle.points),
-            [&](std::uint32_t p) { return states_[p] == solver::PointState::Trapped; });
+        const TriangleCorners triangle = triangleCorners(
+            grid_.columns, int(crossing.cell) % cells, int(crossing.cell) / cells, crossing.second);
+        const std::size_t index = triangleIndex(crossing.cell, crossing.second);
+        CrossingStep<Real> step{descent_, increment};
+        findCorners(triangle, index, bodyFrame<Real>(body_.motion, descent_), before_, step.before);
+        findCorners(triangle, index, bodyFrame<Real>(body_.motion, descent_ + increment),
+                    displacement_, step.after);
+        Vector3<Real> held[3];
+        for (int k = 0; k < 3; ++k) {
+            held[k] = attached_[triangle.points[k]];
+        }
+        pbd::releaseWhereTurnedUp(body_, cell(), triangle, step, held, released_[index]);
     }
 
-    // A corner goes with the step no farther than to where the first of its triangles is held.
-    void noteMovedShare(const TriangleCorners& triangle, Real upwards) {
-        const BodyFrame<Real> start = bodyFrame<Real>(body_.motion, descent_);
-        CrossingCorner<Real> corners[3];
-        findCorners(triangle, start, before_, corners);
-        const Real share = shareUntilTurned(body_, start, cell(), corners, upwards);
-        for (const std::uint32_t point : triangle.points) {
-            movedShare_[point] = std::min(movedShare_[point], share);
-        }
-    }
-    void moveBack(std::size_t point) {
-        if (free_[point] > 0) {
-            const Real share = movedShare_[point];
-            displacement_.x[point] =
-                before_.x[point] + share * (displacement_.x[point] - before_.x[point]);
-            displacement_.z[point] =
-                before_.z[point] + share * (displacement_.z[point] - before_.z[point]);
-        }
-    }
+    static std::size_t triangleIndex(std::size_t cell, bool second) { return 2 * cell + second; }
 
-    void findCorners(const TriangleCorners& triangle, const BodyFrame<Real>& frame,
-                     const Vector& displacement, CrossingCorner<Real> (&corners)[3]) const {
+    void findCorners(const TriangleCorners& triangle, std::size_t index,
+                     const BodyFrame<Real>& frame, const Vector& displacement,
+                     CrossingCorner<Real> (&corners)[3]) const {
+        const auto found = released_.find(index);
+        const ReleasedCorners<Real> released =
+            found == released_.end() ? ReleasedCorners<Real>{} : found->second;
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t point = triangle.points[k];
-            const bool isFree = states_[point] == solver::PointState::Free;
-            corners[k] = {isFree, planePosition(displacement, point),
-                          isFree ? Vector3<Real>{} : frame.toWorld(attached_[point])};
+            corners[k] = crossingCorner(states_[point], planePosition(displacement, point),
+                                        frame.toWorld(attached_[point]), released, k);
         }
     }
 
@@ -259,12 +253,13 @@ private:
         if (!anyHeld || !moves) {
             return;
         }
-        CrossingCorner<Real> corners[3];
-        findCorners(triangle, frame, displacement_, corners);
-        UnfoldedTriangle<Real> unfolded = unfoldedTriangle(body_, frame, cell(), triangle, corners);
-        unfolded.crossing.cell =
+        const std::uint32_t cellIndex =
             std::uint32_t(row) * std::uint32_t(grid_.columns - 1) + std::uint32_t(column);
-        steepness_ = std::min(steepness_, unfolded.line.steepness);
+        CrossingCorner<Real> corners[3];
+        findCorners(triangle, triangleIndex(cellIndex, second), frame, displacement_, corners);
+        UnfoldedTriangle<Real> unfolded = unfoldedTriangle(body_, frame, cell(), triangle, corners);
+        unfolded.crossing.cell = cellIndex;
+        steepness_ = std::min(steepness_, unfolded.steepness);
         driven_ = true;
         crossing.push_back(unfolded.crossing);
     }
@@ -297,13 +292,17 @@ private:
         return touching;
     }
 
-    void adhere(std::size_t point, double increment) {
+    // Whether the point stays on the body.
+    bool stick(std::size_t point, double increment) {
         const Vector3<Real> start = planePosition(before_, point);
         const Vector3<Real> way = planePosition(displacement_, point) - start;
         const Attachment<Real> met = attachment(body_, descent_, increment, start, way);
         attached_[point] = met.place;
-        states_[point] = met.holds ? solver::PointState::Adhered : solver::PointState::Trapped;
-        free_[point] = 0.f;
+        states_[point] = met.state;
+        if (met.state != solver::PointState::Free) {
+            free_[point] = 0.f;
+        }
+        return met.state != solver::PointState::Free;
     }
 
     solver::FilmGrid grid_;
@@ -315,8 +314,8 @@ private:
     std::vector<Vector3<Real>> attached_; // where an adhered point sits, body coordinates
     std::vector<float> free_;             // 1: the equilibrium moves it
     std::vector<Real> clearance_;         // how far from contact a free point is at least
-    std::vector<Real> movedShare_;        // how much of its last step a point has gone
-    Real steepness_ = Real(1);            // the least of all contact-line places
+    std::map<std::size_t, ReleasedCorners<Real>> released_; // by triangle, see triangleIndex
+    Real steepness_ = Real(1);                              // the least of all contact-line places
     double descent_ = 0, increment_ = 0;
     std::int64_t steps_ = 0;
     bool anyAdhered_ = false;

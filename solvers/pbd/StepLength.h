@@ -6,6 +6,7 @@
 #include <dipwright/FilmSolver.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace dipwright::pbd {
 
@@ -17,10 +18,27 @@ DIPWRIGHT_HOST_DEVICE inline double contactIncrement(double travel, double steep
     return travel * (steepness > leastSteepness ? steepness : leastSteepness);
 }
 
-// Where nothing has touched: as far as the nearest point is away.
+// As far as the nearest point is away that is not next to film on the body. So the first contact of
+// every part of the body is met when it comes, and not run over.
 DIPWRIGHT_HOST_DEVICE inline double approachIncrement(double travel, double nearestClearance) {
     const double least = 0.1 * travel;
     return nearestClearance > least ? nearestClearance : least;
+}
+
+// Whether a point of the two cells around this one, or itself, is on the body.
+template <typename IsFree>
+DIPWRIGHT_HOST_DEVICE inline bool isNextToContact(int columns, int rows, int point,
+                                                  const IsFree& isFree) {
+    constexpr int reach = 2;
+    const int column = point % columns, row = point / columns;
+    for (int j = row > reach ? row - reach : 0; j < rows && j <= row + reach; ++j) {
+        for (int i = column > reach ? column - reach : 0; i < columns && i <= column + reach; ++i) {
+            if (!isFree(std::size_t(j) * std::size_t(columns) + std::size_t(i))) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 // The share of its stress that the film keeps over a step of `increment` mm at `speed` mm/s.

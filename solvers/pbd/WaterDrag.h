@@ -12,7 +12,7 @@ namespace dipwright::pbd {
 
 // Force on the film per mm² of it and per mm that it moves in one mm of descent, over the film's
 // shear stiffness.
-inline constexpr double waterDrag = 1e-5;
+inline constexpr double waterDrag = 5e-6;
 
 // Force on one point, which stands for a cell's area, per mm that it moves in a step in which the
 // body comes down by `increment`.

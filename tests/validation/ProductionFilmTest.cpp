@@ -76,6 +76,20 @@ Body bodyOf(TriangleMesh mesh) {
     return body;
 }
 
+// Two balls of 15 mm radius, 2 mm of gap between them seen from above, the second 18 mm higher.
+TriangleMesh twoBalls() {
+    TriangleMesh both = sphereMesh(15, 96, 192);
+    const TriangleMesh one = both;
+    const auto first = std::uint32_t(both.positions.size());
+    for (const Eigen::Vector3f& position : one.positions) {
+        both.positions.push_back(position + Eigen::Vector3f(30, 18, 11));
+    }
+    for (const auto& [a, b, c] : one.triangles) {
+        both.triangles.push_back({first + a, first + b, first + c});
+    }
+    return both;
+}
+
 Body turtle() {
     const Project project = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw"));
     Body body;
@@ -126,6 +140,7 @@ private slots:
     void followsTheReference();
     void finerGridAndShorterStepChangeLittle();
     void aThinLegHangsOnTheStepNoMore();
+    void aPartThatTouchesLaterIsMetWhenItTouches();
     void sameBitsForAnyNumberOfThreads();
     void nothingMovesBeforeContact();
     void pinnedEdgesHold();
@@ -194,6 +209,20 @@ void ProductionFilmTest::aThinLegHangsOnTheStepNoMore() {
     const auto [percentile95, largest] = difference(dipOnCpu(setup), dipOnCpu(shorter), 1);
     qInfo("half the step: 95 %% within %g mm, all within %g mm", percentile95, largest);
     QVERIFY(percentile95 < 0.05);
+}
+
+void ProductionFilmTest::aPartThatTouchesLaterIsMetWhenItTouches() {
+    // The second ball meets film that the first has drawn in, and let go of before the end.
+    const Body body = bodyOf(twoBalls());
+    const solver::DipSetup setup = squareDip(body, 86, 36);
+    solver::DipSetup shorter = setup;
+    shorter.settings.contactTravel /= 2;
+    const Ending plain = dipOnCpu(setup);
+    const double step = difference(plain, dipOnCpu(shorter), 1).first;
+    const double spacing = difference(plain, dipOnCpu(squareDip(body, 171, 36)), 2).first;
+    qInfo("half the spacing: %g mm, half the step: %g mm (95 %%)", spacing, step);
+    QVERIFY(step < 0.05);
+    QVERIFY(spacing < 0.15);
 }
 
 void ProductionFilmTest::sameBitsForAnyNumberOfThreads() {
