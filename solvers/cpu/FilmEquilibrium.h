@@ -6,6 +6,9 @@
 #include "cpu/PlaneMultigrid.h"
 #include "pbd/WaterDrag.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 namespace dipwright::cpu {
 
 class FilmEquilibrium {
@@ -39,12 +42,24 @@ public:
 
     void relax(const PlaneVector& displacement, double keep) { film_.relax(displacement, keep); }
 
+    template <typename Piece>
+    static void forEach(std::size_t count, const Piece& work) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, trianglesAtOnce),
+                          [&](const tbb::blocked_range<std::size_t>& range) {
+                              for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                                  work(i);
+                              }
+                          });
+    }
+
     struct Work {
         std::int64_t newtonSteps = 0, conjugateSteps = 0;
     };
     const Work& work() const { return work_; }
 
 private:
+    static constexpr std::size_t trianglesAtOnce = 32;
+
     double force(const PlaneVector& displacement, const Drag& drag, double& elastic);
     void conjugateGradients(const Drag& drag, double tolerance);
     double advance(PlaneVector& displacement, const Drag& drag, double before, double& elastic);

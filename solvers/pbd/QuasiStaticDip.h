@@ -29,8 +29,9 @@ namespace dipwright::pbd {
 //   setCrossing(vector<CrossingTriangle<Real>>, const Vector& displacement),
 //   moveCrossing(vector<CrossingTriangle<Real>>),
 //   solve(Vector& displacement, Drag<Vector>, double residual),
-//   tornTriangles(const Vector& displacement, double limit) → vector<TriangleCorners> and
-//   relax(const Vector& displacement, double keep).
+//   tornTriangles(const Vector& displacement, double limit) → vector<TriangleCorners>,
+//   relax(const Vector& displacement, double keep) and
+//   forEach(count, work): work(i) for all i below `count`, in any order, on its threads.
 template <typename Equilibrium>
 class QuasiStaticDip {
 public:
@@ -184,10 +185,8 @@ private:
         return any;
     }
     void release(const CrossingTriangle<Real>& crossing, double increment) {
-        const int cells = grid_.columns - 1;
-        const TriangleCorners triangle = triangleCorners(
-            grid_.columns, int(crossing.cell) % cells, int(crossing.cell) / cells, crossing.second);
         const std::size_t index = triangleIndex(crossing.cell, crossing.second);
+        const TriangleCorners triangle = triangleAt(index);
         CrossingStep<Real> step{descent_, increment};
         findCorners(triangle, index, bodyFrame<Real>(body_.motion, descent_), before_, step.before);
         findCorners(triangle, index, bodyFrame<Real>(body_.motion, descent_ + increment),
@@ -199,7 +198,12 @@ private:
         pbd::releaseWhereTurnedUp(body_, cell(), triangle, step, held, released_[index]);
     }
 
+    // Two triangles a cell, cell after cell.
     static std::size_t triangleIndex(std::size_t cell, bool second) { return 2 * cell + second; }
+    TriangleCorners triangleAt(std::size_t index) const {
+        const int cellIndex = int(index / 2), cells = grid_.columns - 1;
+        return triangleCorners(grid_.columns, cellIndex % cells, cellIndex / cells, index % 2 == 1);
+    }
 
     void findCorners(const TriangleCorners& triangle, std::size_t index,
                      const BodyFrame<Real>& frame, const Vector& displacement,
@@ -218,50 +222,50 @@ private:
     // there is no contact line near (a flat face, a body that has gone under) its corners stay
     // where they are.
     std::vector<CrossingTriangle<Real>> crossingTriangles(const BodyFrame<Real>& frame) {
-        std::vector<CrossingTriangle<Real>> crossing;
+        const std::vector<std::size_t> indices = movingTrianglesOnLine();
+        std::vector<CrossingTriangle<Real>> crossing(indices.size());
+        std::vector<Real> steepness(indices.size());
+        Equilibrium::forEach(indices.size(), [&](std::size_t i) {
+            const TriangleCorners triangle = triangleAt(indices[i]);
+            CrossingCorner<Real> corners[3];
+            findCorners(triangle, indices[i], frame, displacement_, corners);
+            const UnfoldedTriangle<Real> unfolded =
+                unfoldedTriangle(body_, frame, cell(), triangle, corners);
+            crossing[i] = unfolded.crossing;
+            crossing[i].cell = std::uint32_t(indices[i] / 2);
+            steepness[i] = unfolded.steepness;
+        });
+        driven_ = !crossing.empty();
         steepness_ = Real(1);
-        driven_ = false;
-        const auto isAdhered = [&](std::size_t point) {
-            return states_[point] != solver::PointState::Free;
-        };
-        for (int row = 0; row + 1 < grid_.rows; ++row) {
-            for (int column = 0; column + 1 < grid_.columns; ++column) {
-                const std::size_t p =
-                    std::size_t(row) * std::size_t(grid_.columns) + std::size_t(column);
-                const int adhered = isAdhered(p) + isAdhered(p + 1) +
-                                    isAdhered(p + std::size_t(grid_.columns)) +
-                                    isAdhered(p + std::size_t(grid_.columns) + 1);
-                if (adhered == 0 || adhered == 4) {
-                    continue;
-                }
-                for (const bool second : {false, true}) {
-                    unfoldTriangle(column, row, second, frame, crossing);
-                }
-            }
+        for (const Real least : steepness) {
+            steepness_ = std::min(steepness_, least);
         }
         return crossing;
     }
 
-    void unfoldTriangle(int column, int row, bool second, const BodyFrame<Real>& frame,
-                        std::vector<CrossingTriangle<Real>>& crossing) {
-        const TriangleCorners triangle = triangleCorners(grid_.columns, column, row, second);
-        bool anyHeld = false, moves = false;
-        for (const std::uint32_t point : triangle.points) {
-            anyHeld = anyHeld || states_[point] != solver::PointState::Free;
-            moves = moves || free_[point] > 0;
+    // Of the triangles with held and with free corners.
+    std::vector<std::size_t> movingTrianglesOnLine() const {
+        std::vector<std::size_t> indices;
+        const std::size_t cells = std::size_t(grid_.columns - 1) * std::size_t(grid_.rows - 1);
+        const std::size_t cellsPerRow = std::size_t(grid_.columns - 1);
+        const auto isHeld = [&](std::size_t point) {
+            return states_[point] != solver::PointState::Free;
+        };
+        for (std::size_t cellIndex = 0; cellIndex < cells; ++cellIndex) {
+            const std::size_t lower = cellIndex + cellIndex / cellsPerRow;
+            const std::size_t upper = lower + std::size_t(grid_.columns);
+            const int held = isHeld(lower) + isHeld(lower + 1) + isHeld(upper) + isHeld(upper + 1);
+            for (std::size_t second = 0; held > 0 && held < 4 && second < 2; ++second) {
+                const std::size_t index = 2 * cellIndex + second;
+                const TriangleCorners triangle = triangleAt(index);
+                const auto& points = triangle.points;
+                const bool anyHeld = isHeld(points[0]) || isHeld(points[1]) || isHeld(points[2]);
+                if (anyHeld && free_[points[0]] + free_[points[1]] + free_[points[2]] > 0) {
+                    indices.push_back(index);
+                }
+            }
         }
-        if (!anyHeld || !moves) {
-            return;
-        }
-        const std::uint32_t cellIndex =
-            std::uint32_t(row) * std::uint32_t(grid_.columns - 1) + std::uint32_t(column);
-        CrossingCorner<Real> corners[3];
-        findCorners(triangle, triangleIndex(cellIndex, second), frame, displacement_, corners);
-        UnfoldedTriangle<Real> unfolded = unfoldedTriangle(body_, frame, cell(), triangle, corners);
-        unfolded.crossing.cell = cellIndex;
-        steepness_ = std::min(steepness_, unfolded.steepness);
-        driven_ = true;
-        crossing.push_back(unfolded.crossing);
+        return indices;
     }
 
     // Free points within the contact distance at the end of the step. A point far from the body is

@@ -39,6 +39,12 @@ public:
     std::vector<pbd::TriangleCorners> tornTriangles(const PlaneVector& displacement,
                                                     double limit) const;
     void relax(const PlaneVector& displacement, double keep);
+    template <typename Piece>
+    static void forEach(std::size_t count, const Piece& work) {
+        for (std::size_t i = 0; i < count; ++i) {
+            work(i);
+        }
+    }
 
 private:
     // A triangle by its grid edges: the horizontal one from `left` to `right`, the vertical one
