@@ -1,7 +1,5 @@
 #include "dip/ContactLimit.h"
 
-#include "geometry/CornerNormals.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -22,10 +20,10 @@ constexpr int halvings = 10;
 
 class LimitFinder {
 public:
-    LimitFinder(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
-                const ProcessSettings& process, FilmContact& contact)
-        : film_(film), mesh_(body.model.mesh), normals_(cornerNormals(mesh_)), query_(query),
-          contact_(contact), cell_(float(std::max(film.grid.spacingX(), film.grid.spacingZ()))),
+    LimitFinder(const DippedFilm& film, const PosedBody& body, const CornerNormals& normals,
+                const SurfaceQuery& query, const ProcessSettings& process, FilmContact& contact)
+        : film_(film), mesh_(body.model.mesh), normals_(normals), query_(query), contact_(contact),
+          cell_(float(std::max(film.grid.spacingX(), film.grid.spacingZ()))),
           triangles_(filmTriangles(film.grid)),
           steepest_(float(std::sin(radians(process.overhang)))),
           mostStretch_(float(process.tearStretch)), state_(film.positions.size(), Reach::None) {}
@@ -209,16 +207,11 @@ private:
         return under.point.isValid() && position(mesh_, under.point).y() <= water &&
                normal(under.point).y() <= steepest_;
     }
-    Eigen::Vector3f normal(const SurfacePoint& point) const {
-        const auto& corners = normals_[point.triangle];
-        return (point.weights[0] * corners[0] + point.weights[1] * corners[1] +
-                point.weights[2] * corners[2])
-            .normalized();
-    }
+    Eigen::Vector3f normal(const SurfacePoint& point) const { return normalAt(normals_, point); }
 
     const DippedFilm& film_;
     const TriangleMesh& mesh_;
-    CornerNormals normals_;
+    const CornerNormals& normals_;
     const SurfaceQuery& query_;
     FilmContact& contact_;
     float cell_;
@@ -230,9 +223,10 @@ private:
 
 } // namespace
 
-void continueToLimit(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
-                     const ProcessSettings& process, FilmContact& contact) {
-    LimitFinder(film, body, query, process, contact).find();
+void continueToLimit(const DippedFilm& film, const PosedBody& body, const CornerNormals& normals,
+                     const SurfaceQuery& query, const ProcessSettings& process,
+                     FilmContact& contact) {
+    LimitFinder(film, body, normals, query, process, contact).find();
 }
 
 } // namespace dipwright

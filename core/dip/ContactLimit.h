@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dip/FilmContact.h"
+#include "geometry/CornerNormals.h"
 
 namespace dipwright {
 
@@ -9,8 +10,9 @@ namespace dipwright {
 // by more than `process.overhang` or rises above the water: fills `contact.limits`, and
 // `contact.places` of the points past it. The film goes on over the body as it lay before, for two
 // cells at the most; film that is near its place there, but does not touch, is left as it is.
-// `contact` is complete but for that.
-void continueToLimit(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
-                     const ProcessSettings& process, FilmContact& contact);
+// `contact` is complete but for that; `normals` are the body's.
+void continueToLimit(const DippedFilm& film, const PosedBody& body, const CornerNormals& normals,
+                     const SurfaceQuery& query, const ProcessSettings& process,
+                     FilmContact& contact);
 
 } // namespace dipwright

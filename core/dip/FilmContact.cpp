@@ -75,9 +75,9 @@ std::vector<SurfacePoint> locatePoints(const DippedFilm& film, const SurfaceQuer
 
 class PaintTest {
 public:
-    PaintTest(const PosedBody& body, const SurfaceQuery& query,
+    PaintTest(const PosedBody& body, const CornerNormals& normals, const SurfaceQuery& query,
               const std::vector<SurfacePoint>& surface, const ProcessSettings& process, float cell)
-        : mesh_(body.model.mesh), query_(query), surface_(surface),
+        : mesh_(body.model.mesh), normals_(normals), query_(query), surface_(surface),
           steepest_(float(std::sin(radians(process.overhang)))),
           deepest_(float(touchedHollow) * cell) {}
 
@@ -114,7 +114,8 @@ private:
             return false;
         }
         const Eigen::Vector3f outward = triangleNormal(mesh_, under.point.triangle);
-        return outward.dot(intoBody) < -turnedAway && outward.y() <= steepest_ &&
+        return outward.dot(intoBody) < -turnedAway &&
+               normalAt(normals_, under.point).y() <= steepest_ &&
                !spansHollow((a + b + c) / 3, intoBody, longest) &&
                !spansHollow((a + b) / 2, intoBody, (b - a).norm()) &&
                !spansHollow((b + c) / 2, intoBody, (c - b).norm()) &&
@@ -131,6 +132,7 @@ private:
     }
 
     const TriangleMesh& mesh_;
+    const CornerNormals& normals_;
     const SurfaceQuery& query_;
     const std::vector<SurfacePoint>& surface_;
     float steepest_;
@@ -162,7 +164,8 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const Surf
 
     const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
     const std::vector<PrincipalStretch> stretches = principalStretches(film);
-    const PaintTest test(body, query, contact.surface, process, cellSize(film.grid));
+    const CornerNormals normals = cornerNormals(body.model.mesh);
+    const PaintTest test(body, normals, query, contact.surface, process, cellSize(film.grid));
     contact.painted.resize(triangles.size());
     contact.torn.resize(triangles.size());
     tbb::parallel_for(std::size_t(0), triangles.size(), [&](std::size_t triangle) {
@@ -176,7 +179,7 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const Surf
         }
     }
     if (film.isotropic) {
-        continueToLimit(film, body, query, process, contact);
+        continueToLimit(film, body, normals, query, process, contact);
     }
     return contact;
 }

@@ -51,4 +51,11 @@ CornerNormals cornerNormals(const TriangleMesh& mesh) {
     return normals;
 }
 
+Eigen::Vector3f normalAt(const CornerNormals& normals, const SurfacePoint& point) {
+    const auto& corners = normals[point.triangle];
+    return (point.weights[0] * corners[0] + point.weights[1] * corners[1] +
+            point.weights[2] * corners[2])
+        .normalized();
+}
+
 } // namespace dipwright

@@ -8,5 +8,7 @@ namespace dipwright {
 // Of each triangle's corners: smooth over gentle edges, sharp at creases.
 using CornerNormals = std::vector<std::array<Eigen::Vector3f, 3>>;
 CornerNormals cornerNormals(const TriangleMesh& mesh);
+// At a place on the surface; unit.
+Eigen::Vector3f normalAt(const CornerNormals& normals, const SurfacePoint& point);
 
 } // namespace dipwright

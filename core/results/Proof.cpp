@@ -178,10 +178,7 @@ private:
         for (const auto& film : films_) {
             colour = film->over(colour, point);
         }
-        const auto& corners = normals_[point.triangle];
-        Eigen::Vector3f normal = (point.weights[0] * corners[0] + point.weights[1] * corners[1] +
-                                  point.weights[2] * corners[2])
-                                     .normalized();
+        Eigen::Vector3f normal = normalAt(normals_, point);
         if (normal.dot(ray.direction) > 0) {
             normal = -normal;
         }

@@ -73,6 +73,7 @@ private Q_SLOTS:
     void filmAcrossAHollowIsNotPainted();
     void coverageOfABoxIsItsBottom();
     void coverageOfABallIsItsCap();
+    void paintEndsEvenlyWhereTheBodyTurnsUp_data();
     void paintEndsEvenlyWhereTheBodyTurnsUp();
     void filmOnBodyGivesThePlaceBack();
     void filmOnBodyEndsWhereThePaintEnds();
@@ -226,20 +227,33 @@ void FilmContactTest::coverageOfABallIsItsCap() {
     QVERIFY(std::abs(cover.share - (1 - std::cos(end)) / 2) < 0.001);
 }
 
+void FilmContactTest::paintEndsEvenlyWhereTheBodyTurnsUp_data() {
+    QTest::addColumn<int>("rings");
+    QTest::addColumn<double>("shortOfLimit");
+    QTest::addColumn<double>("within");
+    QTest::newRow("fine mesh") << 120 << 1.8 << 0.3;
+    // Faces of 9°: those round the limit turn up past it before the ball that they stand for.
+    QTest::newRow("coarse mesh") << 20 << 0.0 << 0.8;
+}
+
 void FilmContactTest::paintEndsEvenlyWhereTheBodyTurnsUp() {
-    // The last points on the ball are up to two cells short of the limit; the others float above.
+    QFETCH(int, rings);
+    QFETCH(double, shortOfLimit); // mm along the ball, of the last film points on it
+    QFETCH(double, within);
+    // The other points float above.
     const ProcessSettings process;
     const double limit = pi / 2 + radians(process.overhang);
-    DippedFilm film = test::viscousOnSphere(test::a4Grid(), ballRadius, limit - 1.8 / ballRadius);
+    DippedFilm film =
+        test::viscousOnSphere(test::a4Grid(), ballRadius, limit - shortOfLimit / ballRadius);
     for (std::size_t point = 0; point < film.positions.size(); ++point) {
         if (!film.adhered(point)) {
             film.positions[point].y() = 2 * ballRadius + 2;
         }
     }
-    const Located globe(ball(), film);
+    const Located globe(sphereMesh(ballRadius, rings, 2 * rings), film);
     const FilmOnBody filmOnBody(globe.film, globe.contact, globe.body);
     for (double turn = 0; turn < 2 * pi; turn += 0.01) {
-        for (const double beside : {-0.3, 0.3}) { // mm along the ball
+        for (const double beside : {-within, within}) {
             const double angle = limit + beside / ballRadius;
             const Eigen::Vector3d place(std::sin(angle) * std::cos(turn), 1 - std::cos(angle),
                                         std::sin(angle) * std::sin(turn));
