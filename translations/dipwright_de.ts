@@ -235,6 +235,10 @@
         <translation>Das Projekt hat kein Modell; importieren Sie zuerst eines</translation>
     </message>
     <message>
+        <source>%1: the film&apos;s edge ends up on the body; take a larger film, or place the body further from the edge</source>
+        <translation>%1: Der Rand des Films landet auf dem Körper; nehmen Sie einen größeren Film oder setzen Sie den Körper weiter vom Rand weg</translation>
+    </message>
+    <message>
         <source>%1 failed and %2 took over: %3</source>
         <translation>%1 ist gescheitert, %2 hat übernommen: %3</translation>
     </message>

@@ -235,6 +235,10 @@
         <translation>O projeto não tem modelo; importe um primeiro</translation>
     </message>
     <message>
+        <source>%1: the film&apos;s edge ends up on the body; take a larger film, or place the body further from the edge</source>
+        <translation>%1: a borda do filme termina sobre o corpo; use um filme maior ou afaste o corpo da borda</translation>
+    </message>
+    <message>
         <source>%1 failed and %2 took over: %3</source>
         <translation>%1 falhou e %2 assumiu: %3</translation>
     </message>

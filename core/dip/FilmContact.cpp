@@ -184,4 +184,16 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const Surf
     return contact;
 }
 
+bool edgeIsOnBody(const DippedFilm& film, const FilmContact& contact) {
+    const int columns = film.grid.columns, rows = film.grid.rows;
+    for (int point = 0; point < columns * rows; ++point) {
+        const int column = point % columns, row = point / columns;
+        const bool isOnEdge = column == 0 || row == 0 || column == columns - 1 || row == rows - 1;
+        if (isOnEdge && contact.surface[std::size_t(point)].isValid()) {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace dipwright

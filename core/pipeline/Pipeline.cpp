@@ -115,6 +115,11 @@ private:
                 texture(now, progress.part(contactDone, textureDone)));
         }
         now.sheet = jobSheet(project_, now.immersion, now.texture->image);
+        if (edgeIsOnBody(*now.film, *now.contact)) {
+            result_.notes.append(Text::tr("%1: the film's edge ends up on the body; take a larger "
+                                          "film, or place the body further from the edge")
+                                     .arg(now.immersion.name));
+        }
         result_.immersions.push_back(std::move(now));
     }
 

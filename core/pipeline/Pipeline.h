@@ -37,7 +37,8 @@ struct JobResult {
     std::vector<ImmersionResult> immersions;
     double coverageTotal = 0; // share of the body's surface that any immersion paints
     QImage proof;
-    // Sentences for the user: a solver that failed and which took over, a film past its date.
+    // Sentences for the user: a solver that failed and which took over, a film past its date
+    // or too small.
     QStringList notes;
 };
 

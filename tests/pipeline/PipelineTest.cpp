@@ -264,6 +264,15 @@ private slots:
         QVERIFY(runJob(job, *registry_, {}, &first_, {}).notes.isEmpty());
     }
 
+    void aFilmTooSmallIsToldOf() {
+        Project job = job_;
+        job.film.width = job.film.height = Millimetres(36); // of a ball of 30
+        const QStringList notes = runJob(job, *registry_, {}, nullptr, {}).notes;
+        QCOMPARE(notes.size(), 2); // an immersion each
+        QVERIFY2(notes.back().startsWith("Turned: the film's edge ends up on the body"),
+                 qPrintable(notes.back()));
+    }
+
     void withoutAModelThereIsNoJob() {
         Project job = job_;
         job.model = nullptr;
