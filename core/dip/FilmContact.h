@@ -51,8 +51,8 @@ inline constexpr double touchedHollow = 0.3;
 FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
                        const ProcessSettings& process);
 
-// Whether the film's edge has ended up on the body: it was too small for it, and where the edge lies
-// the film may lie over itself.
+// Whether the film's edge has ended up on the body: it was too small for it, and where the edge
+// lies the film may lie over itself.
 bool edgeIsOnBody(const DippedFilm& film, const FilmContact& contact);
 
 } // namespace dipwright
