@@ -204,6 +204,10 @@
         <translation>Ebene Fläche, 60 × 40 mm</translation>
     </message>
     <message>
+        <source>Inside of a torus to 80°</source>
+        <translation>Innenseite eines Torus bis 80°</translation>
+    </message>
+    <message>
         <source>Lying cylinder to 80°</source>
         <translation>Liegender Zylinder bis 80°</translation>
     </message>

@@ -204,6 +204,10 @@
         <translation>Face plana, 60 × 40 mm</translation>
     </message>
     <message>
+        <source>Inside of a torus to 80°</source>
+        <translation>Interior de um toro até 80°</translation>
+    </message>
+    <message>
         <source>Lying cylinder to 80°</source>
         <translation>Cilindro deitado até 80°</translation>
     </message>

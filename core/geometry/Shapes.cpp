@@ -115,6 +115,25 @@ TriangleMesh cylinderMesh(double radius, double length, int segments) {
     return mesh;
 }
 
+TriangleMesh torusMesh(double circleRadius, double tubeRadius, int rings, int segments) {
+    TriangleMesh mesh;
+    const Index count = Index(segments);
+    for (int ring = 0; ring < rings; ++ring) {
+        const double round = ringAngle(ring, rings); // 0: outermost, then over the top
+        const double distance = circleRadius + tubeRadius * std::cos(round);
+        for (int segment = 0; segment < segments; ++segment) {
+            const double azimuth = ringAngle(segment, segments);
+            mesh.positions.push_back(point(distance * std::sin(azimuth),
+                                           tubeRadius * std::sin(round),
+                                           distance * std::cos(azimuth)));
+        }
+    }
+    for (int ring = 0; ring < rings; ++ring) {
+        addBand(mesh, Index((ring + 1) % rings) * count, Index(ring) * count, count);
+    }
+    return mesh;
+}
+
 TriangleMesh tetrahedronMesh(double edge) {
     TriangleMesh mesh;
     const double height = edge * std::sqrt(2.0 / 3);

@@ -15,6 +15,8 @@ TriangleMesh coneMesh(double halfAngleRadians, double height, int segments);
 TriangleMesh boxMesh(const Eigen::Vector3d& size);
 // A lying cylinder along Z with flat ends.
 TriangleMesh cylinderMesh(double radius, double length, int segments);
+// A torus about the Y axis: a tube round the circle y = 0 of `circleRadius`.
+TriangleMesh torusMesh(double circleRadius, double tubeRadius, int rings, int segments);
 // A regular tetrahedron, one face down, by its edge; its centroid is the origin.
 TriangleMesh tetrahedronMesh(double edge);
 

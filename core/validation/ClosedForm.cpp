@@ -86,4 +86,12 @@ double ClosedForm::filmRadius(double arc) const {
     return radii_[index] + (place - double(index)) * (radii_[index + 1] - radii_[index]);
 }
 
+double insideTorusFilmRadius(double circleRadius, double tubeRadius, double angle) {
+    const double c = circleRadius, rho = tubeRadius, root = std::sqrt(c * c - rho * rho);
+    // ∫dθ/(c − ρ·sin θ) = 2/√(c² − ρ²)·atan((c·tan(θ/2) − ρ)/√(c² − ρ²))
+    const double integral =
+        2 / root * (std::atan((c * std::tan(angle / 2) - rho) / root) + std::atan(rho / root));
+    return c * std::exp(-rho * integral);
+}
+
 } // namespace dipwright

@@ -40,4 +40,11 @@ private:
     std::vector<double> radii_;
 };
 
+// The film radius of what ends inside a lying torus (a tube of radius ρ round a circle of radius c,
+// its axis upright) at the angle θ round the tube from its lowest circle inwards. The film inside
+// the contact circle, of radius a = c − ρ·sin θ there, is a disc that is stretched alike in all
+// directions (u = A·R), elastic or viscous, whatever lies outside: λm = λθ = a/R, so
+//   dR/dθ = −ρ·R/a,  R = c·exp(−∫ρ/a dθ).
+double insideTorusFilmRadius(double circleRadius, double tubeRadius, double angle);
+
 } // namespace dipwright

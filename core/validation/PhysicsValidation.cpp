@@ -233,6 +233,49 @@ PhysicsResult compare(const solver::SolverModule& module, const Revolution& revo
     return result;
 }
 
+// A lying torus: the contact line of its inside closes in on the film within.
+class TorusInside {
+public:
+    explicit TorusInside(const Progress& progress)
+        : body_(makeBody(torusMesh(circle, tube, 360, 720), fieldResolution, progress)) {}
+
+    PhysicsResult compare(const solver::SolverModule& module, FilmLaw law, int cells,
+                          const PhysicsOptions& options, const Progress& progress) const {
+        PhysicsResult result;
+        result.body = name();
+        result.film = law == FilmLaw::Viscous ? Text::tr("viscous") : Text::tr("elastic");
+        result.cells = cells;
+        result.allowed = allowedError(false, cells);
+        const double spacing = circle / cells, width = 2 * (ringRadius + 2 * spacing);
+        solver::DipSetup setup =
+            setupFor(body_, width, width, spacing, tube * (1 - std::cos(last)), law, options);
+        pinRing(setup);
+        const DipRun run = simulate(module, std::move(setup), progress);
+        result.steps = run.progress.steps;
+        result.seconds = run.seconds;
+        ErrorSum errors;
+        for (std::size_t point = 0; point < run.states.size(); ++point) {
+            const Eigen::Vector3d place = run.onBody(point);
+            const double inwards = circle - std::hypot(place.x(), place.z());
+            if (run.adhered(point) && inwards > 0) {
+                const double angle = std::atan2(inwards, tube - place.y());
+                const double expected = insideTorusFilmRadius(circle, tube, angle);
+                const double error = run.rest(point).norm() / expected - 1;
+                errors.add(error);
+                errors.addDirection(run.rest(point), error);
+            }
+        }
+        errors.writeTo(result);
+        return result;
+    }
+    static QString name() { return Text::tr("Inside of a torus to 80°"); }
+
+private:
+    static constexpr double circle = contactRadius, tube = 15; // mm, radii
+    static constexpr double last = 80 * pi / 180;
+    Body body_;
+};
+
 // A flat face parallel to the water: the identity on the face.
 PhysicsResult compareFlatFace(const solver::SolverModule& module, const PhysicsOptions& options,
                               const Progress& progress) {
@@ -352,7 +395,7 @@ std::vector<PhysicsResult> validatePhysics(const solver::SolverModule& module,
     for (const int cells : options.resolutions) {
         total += std::pow(double(cells), 3);
     }
-    total *= 2 * double(bodies.size()) * 1.1;
+    total *= 2 * double(bodies.size() + 1) * 1.1;
     for (const Revolution& revolution : bodies) {
         const Body body =
             makeBody(revolution.mesh, fieldResolution, Progress{nullptr, progress.cancelSwitch});
@@ -364,6 +407,16 @@ std::vector<PhysicsResult> validatePhysics(const solver::SolverModule& module,
                 results.push_back(compare(module, revolution, body, law, cells, options, part));
                 done += work;
             }
+        }
+    }
+    const TorusInside torus(Progress{nullptr, progress.cancelSwitch});
+    for (const FilmLaw law : {FilmLaw::Elastic, FilmLaw::Viscous}) {
+        for (const int cells : options.resolutions) {
+            const double work = std::pow(double(cells), 3);
+            const Progress part = progress.part(done / total, (done + work) / total);
+            part(0, Text::tr("%1, %2 cells").arg(TorusInside::name()).arg(cells));
+            results.push_back(torus.compare(module, law, cells, options, part));
+            done += work;
         }
     }
     progress(0.92, Text::tr("Flat face"));

@@ -39,8 +39,9 @@ struct PhysicsOptions {
     int threads = 0;
 };
 
-// Spheres to 80°, spheroids and cones, elastic and viscous, at every resolution; then the flat
-// face, the rolling cylinder and a body turned by 45°. Throws Error, Cancelled.
+// Spheres to 80°, spheroids, cones and the inside of a torus, elastic and viscous, at every
+// resolution; then the flat face, the rolling cylinder and a body turned by 45°. Throws Error,
+// Cancelled.
 std::vector<PhysicsResult> validatePhysics(const solver::SolverModule& module,
                                            const PhysicsOptions& options, const Progress& progress);
 

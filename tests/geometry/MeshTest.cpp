@@ -54,6 +54,11 @@ void MeshTest::shapesAreClosedAndLookOutwards() {
     const TriangleMesh cone = coneMesh(pi / 6, 40, 32);
     QVERIFY(isClosed(cone));
     QVERIFY(looksOutwards(cone, {0, 30, 0}));
+    const TriangleMesh torus = torusMesh(30, 10, 200, 400);
+    QVERIFY(isClosed(torus));
+    QVERIFY(std::abs(volume(torus) / (2 * pi * pi * 30 * 100) - 1) < 1e-3); // > 0: outwards
+    QVERIFY(std::abs(boundingBox(torus).max().x() - 40) < 1e-4F);
+    QVERIFY(std::abs(boundingBox(torus).min().y() + 10) < 1e-4F);
 }
 
 void MeshTest::sphereHasItsVolumeAndArea() {
