@@ -771,11 +771,14 @@
     </message>
 </context>
 <context>
-    <name>ProjectStore</name>
+    <name>Png</name>
     <message>
-        <source>A texture cannot be stored</source>
-        <translation>Eine Textur kann nicht gespeichert werden</translation>
+        <source>The picture cannot be stored as PNG: %1</source>
+        <translation>Das Bild kann nicht als PNG gespeichert werden: %1</translation>
     </message>
+</context>
+<context>
+    <name>ProjectStore</name>
     <message>
         <source>This is not a Dipwright project, it holds no project.json</source>
         <translation>Das ist kein Dipwright-Projekt, es enthält keine project.json</translation>
@@ -2765,8 +2768,8 @@
 <context>
     <name>dipwright::ModelFile</name>
     <message>
-        <source>A texture cannot be stored as PNG: %1</source>
-        <translation>Eine Textur kann nicht als PNG gespeichert werden: %1</translation>
+        <source>a texture of the model</source>
+        <translation>eine Textur des Modells</translation>
     </message>
     <message>
         <source>The stored model is damaged; import the model again</source>
@@ -3970,10 +3973,6 @@ mm je mm</translation>
     <message>
         <source>A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels a side; choose another resolution or film size</source>
         <translation>Ein Film von %1 × %2 mm bei %3 dpi ergibt kein Bild von 1 bis %4 Bildpunkten je Seite; wählen Sie eine andere Auflösung oder Filmgröße</translation>
-    </message>
-    <message>
-        <source>The sheet's image cannot be written: %1</source>
-        <translation>Das Bild des Bogens kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
         <source>A PDF cannot be written in the CMYK of this ICC profile; write a TIFF, or print in sRGB</source>

@@ -771,11 +771,14 @@
     </message>
 </context>
 <context>
-    <name>ProjectStore</name>
+    <name>Png</name>
     <message>
-        <source>A texture cannot be stored</source>
-        <translation>Uma textura não pode ser guardada</translation>
+        <source>The picture cannot be stored as PNG: %1</source>
+        <translation>A imagem não pode ser guardada como PNG: %1</translation>
     </message>
+</context>
+<context>
+    <name>ProjectStore</name>
     <message>
         <source>This is not a Dipwright project, it holds no project.json</source>
         <translation>Isto não é um projeto do Dipwright; não contém project.json</translation>
@@ -2765,8 +2768,8 @@
 <context>
     <name>dipwright::ModelFile</name>
     <message>
-        <source>A texture cannot be stored as PNG: %1</source>
-        <translation>Uma textura não pode ser guardada como PNG: %1</translation>
+        <source>a texture of the model</source>
+        <translation>uma textura do modelo</translation>
     </message>
     <message>
         <source>The stored model is damaged; import the model again</source>
@@ -3970,10 +3973,6 @@ mm por mm</translation>
     <message>
         <source>A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels a side; choose another resolution or film size</source>
         <translation>Um filme de %1 × %2 mm a %3 dpi não dá uma imagem de 1 a %4 pixels por lado; escolha outra resolução ou tamanho de filme</translation>
-    </message>
-    <message>
-        <source>The sheet's image cannot be written: %1</source>
-        <translation>A imagem da folha não pode ser gravada: %1</translation>
     </message>
     <message>
         <source>A PDF cannot be written in the CMYK of this ICC profile; write a TIFF, or print in sRGB</source>

@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
 
+#include "base/Png.h"
 #include "pipeline/Pipeline.h"
 
 namespace dipwright::cli {
@@ -60,7 +61,7 @@ void printSheets(PrintSystem& system, const JobResult& result, const PrintReques
 void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& path) {
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     const QImage proof = printProof(flattened(sheet.image), *colour, true).page;
-    writeWhole(path, [&](QIODevice& device) { proof.save(&device, "png"); });
+    writeWhole(path, [&](QIODevice& device) { writePng(proof, device, path); });
 }
 
 void tellGamut(const Sheet& sheet, const PrintRequest& request, QTextStream& out) {

@@ -2,6 +2,7 @@
 
 #include "base/Bytes.h"
 #include "base/Error.h"
+#include "base/Png.h"
 #include "pipeline/ResultFolder.h"
 
 #include <QCoreApplication>
@@ -21,10 +22,6 @@ struct Text {
 };
 
 constexpr int filmMapEdge = 1600; // pixels
-
-QByteArray png(const QImage& image) {
-    return bytesOf([&](QIODevice& device) { image.save(&device, "PNG"); });
-}
 
 QString immersionFolder(int number) {
     return QStringLiteral("immersion-%1").arg(number);
@@ -77,15 +74,18 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
              writeBodyVtp(*result.body, *result.coverage, path + QStringLiteral("body.vtp"));
          }});
     const QString text = Text::tr("Writing the stretch of %1").arg(result.immersion.name);
-    pieces.push_back({text, [&result, prefix, &folder] {
-                          folder.write(prefix + QStringLiteral("stretch.png"),
-                                       png(stretchMap(*result.film, *result.contact, filmMapEdge)));
-                      }});
-    pieces.push_back({text, [&result, prefix, &folder] {
-                          folder.write(
-                              prefix + QStringLiteral("wrinkling.png"),
-                              png(wrinklingMap(*result.film, *result.contact, filmMapEdge)));
-                      }});
+    pieces.push_back(
+        {text, [&result, prefix, &folder] {
+             const QString name = prefix + QStringLiteral("stretch.png");
+             folder.write(name,
+                          pngBytes(stretchMap(*result.film, *result.contact, filmMapEdge), name));
+         }});
+    pieces.push_back(
+        {text, [&result, prefix, &folder] {
+             const QString name = prefix + QStringLiteral("wrinkling.png");
+             folder.write(name,
+                          pngBytes(wrinklingMap(*result.film, *result.contact, filmMapEdge), name));
+         }});
 }
 
 } // namespace
@@ -106,7 +106,8 @@ void writeResults(const Project& project, const JobResult& result, const QString
         addFilm(pieces, immersion, prefix, results);
     }
     writeTogether(pieces, progress);
-    results.write(QStringLiteral("proof.png"), png(result.proof));
+    const QString proof = QStringLiteral("proof.png");
+    results.write(proof, pngBytes(result.proof, proof));
     results.write(QStringLiteral("report.json"), QJsonDocument(report(project, result)).toJson());
     progress(1, Text::tr("Moving the results in place"));
     // Both folders, so that no second immersion of an earlier run stays beside these results.

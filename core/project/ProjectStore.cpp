@@ -2,6 +2,7 @@
 
 #include "base/Bytes.h"
 #include "base/Error.h"
+#include "base/Png.h"
 #include "model/ImportModel.h"
 #include "project/Archive.h"
 
@@ -27,14 +28,6 @@ QString textureEntry(std::size_t index) {
 
 QByteArray sha256(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex();
-}
-
-QByteArray pngBytes(const QImage& image) {
-    return bytesOf([&](QIODevice& device) {
-        if (!image.save(&device, "PNG")) {
-            throw Error(Text::tr("A texture cannot be stored"), {});
-        }
-    });
 }
 
 // The model without its pictures: they stand beside it in the file, where any program can look at
@@ -72,7 +65,8 @@ QByteArray projectBytes(const Project& project) {
     archive.add(documentEntry, QJsonDocument(json).toJson(), ArchiveWriter::Packing::Deflated);
     archive.add(meshEntry, mesh, ArchiveWriter::Packing::Deflated);
     for (std::size_t index = 0; index < project.model->textures.size(); ++index) {
-        archive.add(textureEntry(index), pngBytes(project.model->textures[index]),
+        const QString entry = textureEntry(index);
+        archive.add(entry, pngBytes(project.model->textures[index], entry),
                     ArchiveWriter::Packing::Stored);
     }
     return archive.finish();
