@@ -197,22 +197,36 @@ double allowedError(bool isCone, int cells) {
     return cells < 30 ? 2 * at30 : cells < 60 ? at30 : at30 / 2;
 }
 
+// Dips a body into a film that is held at the ring, with `cells` cells in the contact radius.
+DipRun dipInRing(const solver::SolverModule& module, const Body& body, double depth, FilmLaw law,
+                 int cells, const PhysicsOptions& options, const Progress& progress) {
+    const double spacing = contactRadius / cells, width = 2 * (ringRadius + 2 * spacing);
+    solver::DipSetup setup = setupFor(body, width, width, spacing, depth, law, options);
+    pinRing(setup);
+    return simulate(module, std::move(setup), progress);
+}
+
+// All but the errors.
+PhysicsResult startedResult(const QString& body, FilmLaw law, int cells, double allowed,
+                            const DipRun& run) {
+    PhysicsResult result;
+    result.body = body;
+    result.film = law == FilmLaw::Viscous ? Text::tr("viscous") : Text::tr("elastic");
+    result.cells = cells;
+    result.allowed = allowed;
+    result.steps = run.progress.steps;
+    result.seconds = run.seconds;
+    return result;
+}
+
 PhysicsResult compare(const solver::SolverModule& module, const Revolution& revolution,
                       const Body& body, FilmLaw law, int cells, const PhysicsOptions& options,
                       const Progress& progress) {
-    PhysicsResult result;
-    result.body = revolution.name;
-    result.film = law == FilmLaw::Viscous ? Text::tr("viscous") : Text::tr("elastic");
-    result.cells = cells;
-    result.allowed = allowedError(revolution.isCone, cells);
-    const double spacing = contactRadius / cells, width = 2 * (ringRadius + 2 * spacing);
-    solver::DipSetup setup =
-        setupFor(body, width, width, spacing, revolution.profile.fullDepth, law, options);
-    pinRing(setup);
-    const DipRun run = simulate(module, std::move(setup), progress);
-    result.steps = run.progress.steps;
-    result.seconds = run.seconds;
-
+    const DipRun run =
+        dipInRing(module, body, revolution.profile.fullDepth, law, cells, options, progress);
+    PhysicsResult result =
+        startedResult(revolution.name, law, cells, allowedError(revolution.isCone, cells), run);
+    const double spacing = run.setup.film.spacingX();
     const ClosedForm exact(revolution.profile, law, ringRadius);
     ErrorSum errors;
     for (std::size_t point = 0; point < run.states.size(); ++point) {
@@ -241,18 +255,9 @@ public:
 
     PhysicsResult compare(const solver::SolverModule& module, FilmLaw law, int cells,
                           const PhysicsOptions& options, const Progress& progress) const {
-        PhysicsResult result;
-        result.body = name();
-        result.film = law == FilmLaw::Viscous ? Text::tr("viscous") : Text::tr("elastic");
-        result.cells = cells;
-        result.allowed = allowedError(false, cells);
-        const double spacing = circle / cells, width = 2 * (ringRadius + 2 * spacing);
-        solver::DipSetup setup =
-            setupFor(body_, width, width, spacing, tube * (1 - std::cos(last)), law, options);
-        pinRing(setup);
-        const DipRun run = simulate(module, std::move(setup), progress);
-        result.steps = run.progress.steps;
-        result.seconds = run.seconds;
+        const DipRun run =
+            dipInRing(module, body_, tube * (1 - std::cos(last)), law, cells, options, progress);
+        PhysicsResult result = startedResult(name(), law, cells, allowedError(false, cells), run);
         ErrorSum errors;
         for (std::size_t point = 0; point < run.states.size(); ++point) {
             const Eigen::Vector3d place = run.onBody(point);
