@@ -13,6 +13,7 @@
 #include <QImage>
 #include <QWidget>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,10 +33,12 @@ enum class Navigation {
 enum class ViewDirection { Front, Back, Left, Right, Top, Bottom, Oblique };
 
 // The topology of the film as drawn; `texture` holds (u to the right, v down the sheet, 0 … 1) a
-// point.
+// point. A triangle with a side longer than `longestSide` (mm) is torn, or hangs between film that
+// has been let go of and film on the body: it is not drawn.
 struct FilmShape {
     std::vector<Eigen::Vector2f> texture;
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    float longestSide = std::numeric_limits<float>::infinity();
 };
 
 struct ViewColours {

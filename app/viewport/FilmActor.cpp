@@ -33,7 +33,9 @@ FilmActor::FilmActor(vtkRenderer* renderer)
 }
 
 void FilmActor::setShape(const FilmShape& shape, std::span<const float> positions) {
-    triangles_ = shape.triangles;
+    shape_ = shape;
+    drawn_.clear();
+    data_->SetPolys(vtkSmartPointer<vtkCellArray>::New());
     const auto count = vtkIdType(shape.texture.size());
     positions_->SetNumberOfTuples(count);
     normals_->SetNumberOfTuples(count);
@@ -44,15 +46,9 @@ void FilmActor::setShape(const FilmShape& shape, std::span<const float> position
         const Eigen::Vector2f& uv = shape.texture[std::size_t(point)];
         texture->SetTuple2(point, uv.x(), 1 - uv.y());
     }
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    cells->AllocateExact(vtkIdType(triangles_.size()), vtkIdType(triangles_.size() * 3));
-    for (const auto& [a, b, c] : triangles_) {
-        cells->InsertNextCell({vtkIdType(a), vtkIdType(b), vtkIdType(c)});
-    }
     auto points = vtkSmartPointer<vtkPoints>::New();
     points->SetData(positions_);
     data_->SetPoints(points);
-    data_->SetPolys(cells);
     data_->GetPointData()->SetTCoords(texture);
     data_->GetPointData()->SetNormals(normals_);
     data_->GetPointData()->SetScalars(nullptr);
@@ -62,11 +58,39 @@ void FilmActor::setShape(const FilmShape& shape, std::span<const float> position
 
 void FilmActor::setPositions(std::span<const float> positions) {
     std::copy(positions.begin(), positions.end(), positions_->GetPointer(0));
+    updateTriangles();
     updateNormals();
     positions_->Modified();
     normals_->Modified();
     data_->GetPoints()->Modified();
     data_->Modified();
+}
+
+void FilmActor::updateTriangles() {
+    const auto count = Eigen::Index(positions_->GetNumberOfTuples());
+    const Eigen::Map<const Eigen::Matrix3Xf> points(positions_->GetPointer(0), 3, count);
+    const auto isShort = [&](std::uint32_t a, std::uint32_t b) {
+        return (points.col(a) - points.col(b)).squaredNorm() <=
+               shape_.longestSide * shape_.longestSide;
+    };
+    std::vector<std::array<std::uint32_t, 3>> whole;
+    whole.reserve(shape_.triangles.size());
+    for (const auto& triangle : shape_.triangles) {
+        const auto& [a, b, c] = triangle;
+        if (isShort(a, b) && isShort(b, c) && isShort(c, a)) {
+            whole.push_back(triangle);
+        }
+    }
+    if (whole == drawn_) {
+        return;
+    }
+    drawn_ = std::move(whole);
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    cells->AllocateExact(vtkIdType(drawn_.size()), vtkIdType(drawn_.size() * 3));
+    for (const auto& [a, b, c] : drawn_) {
+        cells->InsertNextCell({vtkIdType(a), vtkIdType(b), vtkIdType(c)});
+    }
+    data_->SetPolys(cells);
 }
 
 void FilmActor::updateNormals() {
@@ -75,7 +99,7 @@ void FilmActor::updateNormals() {
     const Points points(positions_->GetPointer(0), 3, Eigen::Index(count));
     Points normals(normals_->GetPointer(0), 3, Eigen::Index(count));
     normals.setZero();
-    for (const auto& [a, b, c] : triangles_) {
+    for (const auto& [a, b, c] : drawn_) {
         const Eigen::Vector3f weighted =
             (points.col(b) - points.col(a)).cross(points.col(c) - points.col(a));
         normals.col(a) += weighted;

@@ -25,9 +25,11 @@ public:
     void setVisible(bool visible);
 
 private:
+    void updateTriangles();
     void updateNormals();
 
-    std::vector<std::array<std::uint32_t, 3>> triangles_;
+    FilmShape shape_;
+    std::vector<std::array<std::uint32_t, 3>> drawn_; // those that are not torn
     vtkSmartPointer<vtkFloatArray> positions_;
     vtkSmartPointer<vtkFloatArray> normals_;
     vtkSmartPointer<vtkPolyData> data_;

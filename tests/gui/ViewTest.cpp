@@ -102,6 +102,23 @@ private slots:
         QCOMPARE(countReddish(view_->picture()), 0);
     }
 
+    void tornFilmIsNotDrawn() {
+        view_->setBodyVisible(false);
+        view_->look(ViewDirection::Top);
+        FilmShape shape{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 2, 1}, {1, 2, 3}}, 130};
+        std::vector<float> positions{-40, 0, -40, 40, 0, -40, -40, 0, 40, 40, 0, 40};
+        view_->setFilm(shape, positions);
+        view_->setFilmColours(std::vector<QRgb>(4, qRgb(230, 0, 0)));
+        const int whole = countReddish(view_->picture());
+        positions[11] = 140; // the last point is drawn out by 100 mm
+        view_->setFilmPositions(positions);
+        const int torn = countReddish(view_->picture());
+        QVERIFY2(torn > 0.4 * whole && torn < 0.6 * whole, qPrintable(QString::number(torn)));
+        positions[11] = 40;
+        view_->setFilmPositions(positions);
+        QCOMPARE(countReddish(view_->picture()), whole);
+    }
+
     void theTopViewHasXToTheRightAndZDownwards() {
         view_->look(ViewDirection::Top);
         view_->picture();

@@ -48,8 +48,14 @@ QImage onBareFilm(const QImage& printed, const solver::FilmGrid& grid) {
     return picture;
 }
 
-FilmShape shapeOfGrid(const solver::FilmGrid& grid, const ThinnedFilm& film) {
+// How long film of so many points gets before it tears.
+float tornSide(const solver::FilmGrid& grid, int columns, int rows, double tearStretch) {
+    return float(tearStretch * std::hypot(grid.width / (columns - 1), grid.depth / (rows - 1)));
+}
+
+FilmShape shapeOfGrid(const solver::FilmGrid& grid, const ThinnedFilm& film, double tearStretch) {
     FilmShape shape;
+    shape.longestSide = tornSide(grid, film.columns, film.rows, tearStretch);
     shape.texture.reserve(film.points.size());
     for (const std::uint32_t point : film.points) {
         const Eigen::Vector2f rest = restPosition(grid, point);
@@ -140,7 +146,7 @@ void DipScene::setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
                         const std::vector<float>& positions) {
     shape_ = film;
     shapeGrid_ = grid;
-    view_.setFilm(shapeOfGrid(grid, film), positions);
+    view_.setFilm(shapeOfGrid(grid, film, project_.process.tearStretch), positions);
 }
 
 void DipScene::showSetup() {
@@ -200,6 +206,8 @@ void DipScene::showEnd() {
                              film.positions[point].end());
         }
         shape.triangles = filmTriangles(film.grid);
+        shape.longestSide = tornSide(film.grid, film.grid.columns, film.grid.rows,
+                                     result_->project.process.tearStretch);
         if (extent_ == FilmExtent::OnBody) {
             std::size_t kept = 0;
             for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
