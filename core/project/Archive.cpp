@@ -137,13 +137,19 @@ void ArchiveWriter::add(const QString& name, const QByteArray& contents, Packing
     if (!written || entry.getZipError() != ZIP_OK) {
         throw Error(Text::tr("The project cannot be packed"), name);
     }
+    ++entries_;
 }
 
 QByteArray ArchiveWriter::finish() {
     zip_->close();
-    if (zip_->getZipError() != ZIP_OK) {
+    const bool closed = zip_->getZipError() == ZIP_OK;
+    // Read again, lest anything but a whole project replace the one on the disk: QuaZip brings its
+    // own minizip, and where the system's was loaded before it, it packs nothing and says all is
+    // well.
+    if (!closed || !zip_->open(QuaZip::mdUnzip) || zip_->getEntriesCount() != entries_) {
         throw Error(Text::tr("The project cannot be packed"), {});
     }
+    zip_->close();
     return buffer_.data();
 }
 

@@ -48,11 +48,13 @@ public:
     ArchiveWriter();
     ~ArchiveWriter();
     void add(const QString& name, const QByteArray& contents, Packing packing);
+    // Throws Error unless all of it is in the bytes.
     QByteArray finish();
 
 private:
     QBuffer buffer_;
     std::unique_ptr<QuaZip> zip_;
+    int entries_ = 0;
 };
 
 } // namespace dipwright

@@ -171,6 +171,19 @@ private slots:
         QVERIFY2(outcome.errorLines().size() == 1, outcome.err);
     }
 #endif
+#ifdef Q_OS_LINUX
+
+    // QuaZip packs nothing, and says that all is well, where functions of the same names are loaded
+    // before its own.
+    void aProjectThatCannotBePackedReplacesNone() {
+        const QByteArray before = bytesOf(path("ball.dipw"));
+        const Outcome outcome = cli({"new", path("ball.dipw"), "--model", path("ball.obj")},
+                                    {"LD_PRELOAD=libminizip.so.1"});
+        QVERIFY2(outcome.exitCode == 1, outcome.out + outcome.err);
+        QVERIFY2(outcome.err.contains("cannot be packed"), outcome.err);
+        QCOMPARE(bytesOf(path("ball.dipw")), before);
+    }
+#endif
 
 private:
     QString path(const QString& name) const {
