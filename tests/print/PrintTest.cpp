@@ -326,7 +326,7 @@ void PrintTest::nothingWasPrintedByRefusals() {
 }
 
 void PrintTest::cancelledJobIsNotPrinted() {
-    const PrintTask task = planPrint(*system_, chessSheet("Top"), to("pigment")).task;
+    const PrintTask task = planPrint(*system_, chessSheet("Cancelled"), to("pigment")).task;
     const int before = receivedBy("pigment");
     QVERIFY(cups_->command("cupsdisable", {"--hold", "pigment"}));
     const PrintJob job = system_->submit(task);
@@ -337,8 +337,13 @@ void PrintTest::cancelledJobIsNotPrinted() {
     QCOMPARE(system_->status(job).state, JobState::Cancelled);
     QVERIFY(cups_->command("cupsenable", {"--release", "pigment"}));
     QCOMPARE(print(chessSheet("After"), to("pigment")), JobState::Printed);
-    QCOMPARE(receivedBy("pigment"), before + 1);
-    QVERIFY(pdfWords(cups_->received("pigment").last()).contains("After"));
+    // A slow printer may be sent a job twice by CUPS; it counts what is on the papers.
+    const QStringList papers = cups_->received("pigment").mid(before);
+    QVERIFY(!papers.isEmpty());
+    for (const QString& paper : papers) {
+        QVERIFY(!pdfWords(paper).contains("Cancelled"));
+    }
+    QVERIFY(pdfWords(papers.last()).contains("After"));
 }
 
 void PrintTest::jobOnAStoppedPrinterEndsWithItsReason() {
