@@ -25,8 +25,8 @@ public:
         : film_(film), mesh_(body.model.mesh), normals_(normals), query_(query), contact_(contact),
           cell_(float(std::max(film.grid.spacingX(), film.grid.spacingZ()))),
           triangles_(filmTriangles(film.grid)),
-          steepest_(float(std::sin(radians(process.overhang)))),
-          mostStretch_(float(process.tearStretch)), state_(film.positions.size(), Reach::None) {}
+          steepest_(float(std::sin(radians(process.overhang)))), mostStretch_(process.tearStretch),
+          state_(film.positions.size(), Reach::None) {}
 
     void find() {
         for (std::size_t triangle = 0; triangle < triangles_.size(); ++triangle) {
@@ -147,8 +147,8 @@ private:
         const Eigen::Vector3f outward = normal(query_.closest(a).point) +
                                         normal(query_.closest(b).point) +
                                         normal(query_.closest(c).point);
-        const auto restArea = float(film_.grid.spacingX() * film_.grid.spacingZ());
-        return outward.dot(turn) < 0 && turn.norm() <= mostStretch_ * restArea;
+        return outward.dot(turn) < 0 &&
+               !principalStretch(film_.grid, triangle, {a, b, c}).isTorn(mostStretch_);
     }
 
     // Linear over the triangle, and zero where the limit crosses its sides.
@@ -217,7 +217,7 @@ private:
     float cell_;
     std::vector<FilmTriangle> triangles_;
     float steepest_;
-    float mostStretch_;
+    double mostStretch_;
     std::vector<Reach> state_; // a film point each
 };
 

@@ -139,11 +139,6 @@ private:
     float deepest_;
 };
 
-// Film drawn out in one direction tears too, however much it shrinks across.
-bool isTorn(const PrincipalStretch& stretch, double limit) {
-    return std::max(stretch.larger, stretch.area()) > float(limit);
-}
-
 } // namespace
 
 FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
@@ -169,7 +164,7 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const Surf
     contact.painted.resize(triangles.size());
     contact.torn.resize(triangles.size());
     tbb::parallel_for(std::size_t(0), triangles.size(), [&](std::size_t triangle) {
-        contact.torn[triangle] = isTorn(stretches[triangle], process.tearStretch);
+        contact.torn[triangle] = stretches[triangle].isTorn(process.tearStretch);
         contact.painted[triangle] = !contact.torn[triangle] && test.isPainted(triangles[triangle]);
     });
     contact.places = film.positions;

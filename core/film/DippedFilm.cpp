@@ -43,27 +43,30 @@ std::size_t constraintCount(const solver::FilmGrid& grid, bool isotropic) {
     return columns * (rows - 1) + rows * (columns - 1) + diagonals;
 }
 
+PrincipalStretch principalStretch(const solver::FilmGrid& grid, const FilmTriangle& triangle,
+                                  const std::array<Eigen::Vector3f, 3>& places) {
+    Eigen::Matrix2d flat;
+    Eigen::Matrix<double, 3, 2> dipped;
+    for (int edge = 0; edge < 2; ++edge) {
+        const auto corner = std::size_t(edge) + 1;
+        flat.col(edge) =
+            (restPosition(grid, triangle[corner]) - restPosition(grid, triangle[0])).cast<double>();
+        dipped.col(edge) = (places[corner] - places[0]).cast<double>();
+    }
+    const Eigen::Matrix<double, 3, 2> gradient = dipped * flat.inverse();
+    const Eigen::Matrix2d squared = gradient.transpose() * gradient;
+    const double middle = squared.trace() / 2;
+    const double radius = std::hypot((squared(0, 0) - squared(1, 1)) / 2, squared(0, 1));
+    return {float(std::sqrt(middle + radius)), float(std::sqrt(std::max(0.0, middle - radius)))};
+}
+
 std::vector<PrincipalStretch> principalStretches(const DippedFilm& film) {
-    const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
     std::vector<PrincipalStretch> stretches;
-    stretches.reserve(triangles.size());
-    for (const FilmTriangle& corners : triangles) {
-        Eigen::Matrix2d flat;
-        Eigen::Matrix<double, 3, 2> dipped;
-        for (int edge = 0; edge < 2; ++edge) {
-            flat.col(edge) = (restPosition(film.grid, corners[std::size_t(edge) + 1]) -
-                              restPosition(film.grid, corners[0]))
-                                 .cast<double>();
-            dipped.col(edge) =
-                (film.positions[corners[std::size_t(edge) + 1]] - film.positions[corners[0]])
-                    .cast<double>();
-        }
-        const Eigen::Matrix<double, 3, 2> gradient = dipped * flat.inverse();
-        const Eigen::Matrix2d squared = gradient.transpose() * gradient;
-        const double middle = squared.trace() / 2;
-        const double radius = std::hypot((squared(0, 0) - squared(1, 1)) / 2, squared(0, 1));
+    for (const FilmTriangle& triangle : filmTriangles(film.grid)) {
         stretches.push_back(
-            {float(std::sqrt(middle + radius)), float(std::sqrt(std::max(0.0, middle - radius)))});
+            principalStretch(film.grid, triangle,
+                             {film.positions[triangle[0]], film.positions[triangle[1]],
+                              film.positions[triangle[2]]}));
     }
     return stretches;
 }

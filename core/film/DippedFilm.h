@@ -4,6 +4,7 @@
 #include <dipwright/FilmSolver.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -35,12 +36,18 @@ std::vector<FilmTriangle> filmTriangles(const solver::FilmGrid& grid);
 // an isotropic lattice (film-physics §1, Table I).
 std::size_t constraintCount(const solver::FilmGrid& grid, bool isotropic);
 
-// Principal stretches of each film triangle from its deformation gradient (film-physics §4).
+// Principal stretches of a film triangle from its deformation gradient (film-physics §4).
 struct PrincipalStretch {
     float larger = 1;                               // λ1
     float smaller = 1;                              // λ2
     float area() const { return larger * smaller; } // J
+    // Film drawn out in one direction tears too, however much it shrinks across.
+    bool isTorn(double limit) const { return std::max(larger, area()) > float(limit); }
 };
+// `places`: where the triangle's corners lie.
+PrincipalStretch principalStretch(const solver::FilmGrid& grid, const FilmTriangle& triangle,
+                                  const std::array<Eigen::Vector3f, 3>& places);
+// Of each film triangle.
 std::vector<PrincipalStretch> principalStretches(const DippedFilm& film);
 // Final over rest length of every horizontal and vertical constraint: first the
 // rows·(columns−1) horizontal ones, then the columns·(rows−1) vertical ones.
