@@ -144,8 +144,8 @@ QByteArray ArchiveWriter::finish() {
     zip_->close();
     const bool closed = zip_->getZipError() == ZIP_OK;
     // Read again, lest anything but a whole project replace the one on the disk: QuaZip brings its
-    // own minizip, and where the system's was loaded before it, it packs nothing and says all is
-    // well.
+    // own minizip, and where the system's was loaded before it, nothing is packed here and all is
+    // said to be well.
     if (!closed || !zip_->open(QuaZip::mdUnzip) || zip_->getEntriesCount() != entries_) {
         throw Error(Text::tr("The project cannot be packed"), {});
     }
