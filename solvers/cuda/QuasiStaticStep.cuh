@@ -79,9 +79,7 @@ private:
                 float(-model_.depth / 2 + double(row) * model_.spacingZ) + displacement.y};
     }
     __device__ pbd::TriangleCorners corners(int triangle) const {
-        const int cell = triangle / 2, row = cell / (model_.columns - 1);
-        return pbd::triangleCorners(model_.columns, cell - row * (model_.columns - 1), row,
-                                    triangle % 2 != 0);
+        return pbd::triangleCorners(model_.columns, std::size_t(triangle));
     }
 
     __device__ double nextIncrement() {

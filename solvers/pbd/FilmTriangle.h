@@ -6,6 +6,7 @@
 
 #include "pbd/PlaneStress.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace dipwright::pbd {
@@ -31,6 +32,12 @@ DIPWRIGHT_HOST_DEVICE inline TriangleCorners triangleCorners(int columns, int co
     const std::uint32_t base = second ? upper : lower;
     const std::uint32_t third = (second ? lower : upper) + (onRight ? 1 : 0);
     return {{base, base + 1, third}, onRight, !second};
+}
+
+// By number: two triangles a cell, cell after cell.
+DIPWRIGHT_HOST_DEVICE inline TriangleCorners triangleCorners(int columns, std::size_t number) {
+    const int cell = int(number / 2), cells = columns - 1;
+    return triangleCorners(columns, cell % cells, cell / cells, number % 2 != 0);
 }
 
 // x and z of a triangle's horizontal and vertical edge, from lower to higher grid index; or of the

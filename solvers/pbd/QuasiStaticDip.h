@@ -186,7 +186,7 @@ private:
     }
     void release(const CrossingTriangle<Real>& crossing, double increment) {
         const std::size_t index = triangleIndex(crossing.cell, crossing.second);
-        const TriangleCorners triangle = triangleAt(index);
+        const TriangleCorners triangle = triangleCorners(grid_.columns, index);
         CrossingStep<Real> step{descent_, increment};
         findCorners(triangle, index, bodyFrame<Real>(body_.motion, descent_), before_, step.before);
         findCorners(triangle, index, bodyFrame<Real>(body_.motion, descent_ + increment),
@@ -200,10 +200,6 @@ private:
 
     // Two triangles a cell, cell after cell.
     static std::size_t triangleIndex(std::size_t cell, bool second) { return 2 * cell + second; }
-    TriangleCorners triangleAt(std::size_t index) const {
-        const int cellIndex = int(index / 2), cells = grid_.columns - 1;
-        return triangleCorners(grid_.columns, cellIndex % cells, cellIndex / cells, index % 2 == 1);
-    }
 
     void findCorners(const TriangleCorners& triangle, std::size_t index,
                      const BodyFrame<Real>& frame, const Vector& displacement,
@@ -226,7 +222,7 @@ private:
         std::vector<CrossingTriangle<Real>> crossing(indices.size());
         std::vector<Real> steepness(indices.size());
         Equilibrium::forEach(indices.size(), [&](std::size_t i) {
-            const TriangleCorners triangle = triangleAt(indices[i]);
+            const TriangleCorners triangle = triangleCorners(grid_.columns, indices[i]);
             CrossingCorner<Real> corners[3];
             findCorners(triangle, indices[i], frame, displacement_, corners);
             const UnfoldedTriangle<Real> unfolded =
@@ -257,7 +253,7 @@ private:
             const int held = isHeld(lower) + isHeld(lower + 1) + isHeld(upper) + isHeld(upper + 1);
             for (std::size_t second = 0; held > 0 && held < 4 && second < 2; ++second) {
                 const std::size_t index = 2 * cellIndex + second;
-                const TriangleCorners triangle = triangleAt(index);
+                const TriangleCorners triangle = triangleCorners(grid_.columns, index);
                 const auto& points = triangle.points;
                 const bool anyHeld = isHeld(points[0]) || isHeld(points[1]) || isHeld(points[2]);
                 if (anyHeld && free_[points[0]] + free_[points[1]] + free_[points[2]] > 0) {

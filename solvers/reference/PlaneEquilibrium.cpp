@@ -224,9 +224,7 @@ std::vector<pbd::TriangleCorners> PlaneEquilibrium::tornTriangles(const PlaneVec
         const Triangle& triangle = triangles_[index];
         if (moves(triangle) &&
             isTorn(edges(triangle, displacement), grid_.spacingX(), grid_.spacingZ(), limit)) {
-            const int cell = int(index / 2), cells = grid_.columns - 1;
-            torn.push_back(
-                pbd::triangleCorners(grid_.columns, cell % cells, cell / cells, index % 2 != 0));
+            torn.push_back(pbd::triangleCorners(grid_.columns, index));
         }
     }
     return torn;
