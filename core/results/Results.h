@@ -25,6 +25,11 @@ QImage stretchMap(const DippedFilm& film, const FilmContact& contact, int longEd
 // film, drawn like stretchMap(); white where nothing is compressed.
 QImage wrinklingMap(const DippedFilm& film, const FilmContact& contact, int longEdge);
 
+// How far the sheet moves when it is computed more finely: `changes` in mm, one of each film point,
+// over the flat film, drawn like stretchMap().
+QImage certaintyMap(const DippedFilm& film, const FilmContact& contact,
+                    const std::vector<float>& changes, int longEdge);
+
 // Colour maps of even lightness steps, made in OKLab: "lagoon" (dark blue over green to yellow),
 // "dusk" (blue over grey to yellow, the same to readers with any colour vision), both light at 1;
 // "balance" (blue over near-white to orange, the middle at 0.5); "grey".

@@ -251,6 +251,30 @@ private slots:
         QCOMPARE(missed.errorLines().size(), 1);
     }
 
+    void validateTellsHowCertainTheSheetIs() {
+        const QStringList coarse{"validate",
+                                 path("ball.dipw"),
+                                 "--sheet",
+                                 "--set",
+                                 "film.size_mm=80x80",
+                                 "--set",
+                                 "film.points=16x16",
+                                 "--set",
+                                 "body.sdf_resolution=64"};
+        const Outcome done = cli(coarse + QStringList{"--maps", path("certainty")});
+        QVERIFY2(done.exitCode == 0, done.err);
+        QVERIFY2(done.out.contains("half the step") && done.out.contains("half the cell"),
+                 done.out);
+        QVERIFY2(done.out.contains("warning: Top"), done.out);
+        QVERIFY(!QImage(path("certainty/certainty-1.png")).isNull());
+        const Outcome json = cli(coarse + QStringList{"--json"});
+        const QJsonArray immersions =
+            QJsonDocument::fromJson(json.out).object()["immersions"].toArray();
+        QCOMPARE(immersions.size(), 2);
+        QVERIFY(immersions[0].toObject()["half_spacing"].toObject()["p95_mm"].toDouble() > 0);
+        QCOMPARE(cli(coarse + QStringList{"--physics"}).exitCode, 2);
+    }
+
     void theOriginalsAreNotNeededToRun() {
         QTemporaryDir away;
         const QString model = writeBall(away.path());

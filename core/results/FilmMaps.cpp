@@ -339,6 +339,34 @@ MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling
         false};
 }
 
+// From 0 up to what all but a few points keep below.
+Scale changeScale(std::vector<float> values) {
+    constexpr double least = 0.02; // mm; noise is not blown up to a picture
+    constexpr double outliers = 0.01;
+    std::sort(values.begin(), values.end());
+    const double highest =
+        values[std::size_t(std::ceil((1 - outliers) * double(values.size() - 1)))];
+    Scale scale;
+    scale.step = niceStep(std::max(highest, least));
+    scale.low = 0;
+    scale.high = std::ceil(std::max(highest, least) / scale.step - 1e-6) * scale.step;
+    scale.map = QStringLiteral("lagoon");
+    return scale;
+}
+
+MapSubject certaintySubject(const FilmValues& values) {
+    const std::vector<float> painted = values.paintedValues();
+    const Distribution change = distribution(painted);
+    const Scale scale = changeScale(painted);
+    return {Text::tr("Certainty of the sheet"),
+            Text::tr("How far the ink moves when the film has cells half as wide; ink side up"),
+            Text::tr("change\nmm"),
+            Text::tr("On the body: mean %1 mm · 95 % %2 mm · max %3 mm")
+                .arg(rounded(change.mean), rounded(change.percentile95), rounded(change.maximum)),
+            scale,
+            change.maximum > scale.high};
+}
+
 } // namespace
 
 QImage stretchMap(const DippedFilm& film, const FilmContact& contact, int longEdge) {
@@ -350,6 +378,12 @@ QImage wrinklingMap(const DippedFilm& film, const FilmContact& contact, int long
     const Wrinkling wrinkling = paintedWrinkling(film, contact);
     const FilmValues values(film, contact, wrinkling.pointStretches);
     return FilmMap(film.grid, values, wrinklingSubject(values, wrinkling), longEdge).draw();
+}
+
+QImage certaintyMap(const DippedFilm& film, const FilmContact& contact,
+                    const std::vector<float>& changes, int longEdge) {
+    const FilmValues values(film, contact, changes);
+    return FilmMap(film.grid, values, certaintySubject(values), longEdge).draw();
 }
 
 } // namespace dipwright
