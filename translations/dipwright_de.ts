@@ -263,11 +263,11 @@
         <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film oder wählen Sie einen größeren Film</translation>
     </message>
     <message>
-        <source>%1: the body reaches past the film's edge</source>
+        <source>%1: the body reaches past the film&apos;s edge</source>
         <translation>%1: Der Körper reicht über den Rand des Films hinaus</translation>
     </message>
     <message>
-        <source>%1: the film's cells are coarse for this body, give the film more points</source>
+        <source>%1: the film&apos;s cells are coarse for this body, give the film more points</source>
         <translation>%1: Die Zellen des Films sind grob für diesen Körper; geben Sie dem Film mehr Punkte</translation>
     </message>
     <message>
@@ -297,6 +297,21 @@
     <message>
         <source>Moving the results in place</source>
         <translation>Ergebnisse werden an ihren Platz gebracht</translation>
+    </message>
+    <message>
+        <source>The film would need %1 × %2 points to compare with, more than it may have; give it fewer</source>
+        <translation>Zum Vergleich bräuchte der Film %1 × %2 Punkte, mehr als er haben darf; geben Sie ihm weniger</translation>
+    </message>
+    <message>
+        <source>%1: a twentieth of this sheet moves by more than %2 mm when it is computed more finely; give the film more points, or turn the part</source>
+        <translation>%1: ein Zwanzigstel dieses Bogens verschiebt sich um mehr als %2 mm, wenn feiner gerechnet wird; geben Sie dem Film mehr Punkte oder drehen Sie das Teil</translation>
+    </message>
+</context>
+<context>
+    <name>Png</name>
+    <message>
+        <source>The picture cannot be stored as PNG: %1</source>
+        <translation>Das Bild kann nicht als PNG gespeichert werden: %1</translation>
     </message>
 </context>
 <context>
@@ -361,7 +376,7 @@
         <translation>Unten</translation>
     </message>
     <message>
-        <source>System's name</source>
+        <source>System&apos;s name</source>
         <translation>Name im System</translation>
     </message>
     <message>
@@ -389,7 +404,7 @@
         <translation>Ränder</translation>
     </message>
     <message>
-        <source>What the printer does not reach at the paper's left, top, right and bottom edge.</source>
+        <source>What the printer does not reach at the paper&apos;s left, top, right and bottom edge.</source>
         <translation>Was der Drucker am linken, oberen, rechten und unteren Rand des Papiers nicht erreicht.</translation>
     </message>
     <message>
@@ -503,7 +518,7 @@
         <translation>Charge</translation>
     </message>
     <message>
-        <source>The maker's number: another lot may swell otherwise.</source>
+        <source>The maker&apos;s number: another lot may swell otherwise.</source>
         <translation>Die Nummer des Herstellers: Eine andere Charge quillt vielleicht anders.</translation>
     </message>
     <message>
@@ -584,7 +599,7 @@
         <translation>Wasserstand</translation>
     </message>
     <message>
-        <source>How far the water stands under the tank's rim.</source>
+        <source>How far the water stands under the tank&apos;s rim.</source>
         <translation>Wie weit das Wasser unter dem Beckenrand steht.</translation>
     </message>
     <message>
@@ -592,7 +607,7 @@
         <translation>Marken</translation>
     </message>
     <message>
-        <source>Between the tank's marks, across and along, which the sheet's registration marks are laid to. 0: there are none.</source>
+        <source>Between the tank&apos;s marks, across and along, which the sheet&apos;s registration marks are laid to. 0: there are none.</source>
         <translation>Abstand der Marken des Beckens, quer und längs, an die die Passmarken des Bogens gelegt werden. 0: Es gibt keine.</translation>
     </message>
     <message>
@@ -768,13 +783,6 @@
     <message>
         <source>%1 × %2 points are more than the %3 million that a film may have, give fewer</source>
         <translation>%1 × %2 Punkte sind mehr als die %3 Millionen, die ein Film haben darf; nehmen Sie weniger</translation>
-    </message>
-</context>
-<context>
-    <name>Png</name>
-    <message>
-        <source>The picture cannot be stored as PNG: %1</source>
-        <translation>Das Bild kann nicht als PNG gespeichert werden: %1</translation>
     </message>
 </context>
 <context>
@@ -1340,7 +1348,7 @@
 <context>
     <name>SolverRegistry</name>
     <message>
-        <source>Its description has no valid "%1"</source>
+        <source>Its description has no valid &quot;%1&quot;</source>
         <translation>Seine Beschreibung hat kein gültiges „%1“</translation>
     </message>
     <message>
@@ -1396,7 +1404,7 @@
         <translation>Sein Modul ist beim Start mit einer unbekannten Ausnahme gescheitert</translation>
     </message>
     <message>
-        <source>Its module does not fit this program's solver interface</source>
+        <source>Its module does not fit this program&apos;s solver interface</source>
         <translation>Sein Modul passt nicht zur Löserschnittstelle dieses Programms</translation>
     </message>
     <message>
@@ -1473,7 +1481,7 @@
         <translation>Textur wird umgekehrt</translation>
     </message>
     <message>
-        <source>The film's image is too large for this computer's memory; choose a lower resolution</source>
+        <source>The film&apos;s image is too large for this computer&apos;s memory; choose a lower resolution</source>
         <translation>Das Bild des Films ist zu groß für den Speicher dieses Rechners; wählen Sie eine kleinere Auflösung</translation>
     </message>
     <message>
@@ -1647,7 +1655,7 @@
         <translation>Weicht eines um mehr als 0,2 mm ab, messen und kalibrieren Sie noch einmal.</translation>
     </message>
     <message>
-        <source>Type what they do measure, to a tenth of a millimetre, into the printer's profile.</source>
+        <source>Type what they do measure, to a tenth of a millimetre, into the printer&apos;s profile.</source>
         <translation>Tragen Sie ein, was sie wirklich messen, auf ein Zehntel Millimeter, in das Profil des Druckers.</translation>
     </message>
     <message>
@@ -1659,11 +1667,11 @@
         <translation>Nicht korrigiert: X 1, Y 1</translation>
     </message>
     <message>
-        <source>Verification of the printer's scale</source>
+        <source>Verification of the printer&apos;s scale</source>
         <translation>Prüfung des Druckermaßstabs</translation>
     </message>
     <message>
-        <source>Calibration of the printer's scale</source>
+        <source>Calibration of the printer&apos;s scale</source>
         <translation>Kalibrierung des Druckermaßstabs</translation>
     </message>
     <message>
@@ -1675,8 +1683,59 @@
         <translation>Die Kalibrierseite kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer's settings, print the page anew and measure again</source>
+        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer&apos;s settings, print the page anew and measure again</source>
         <translation>%1 mm statt %2 mm ist mehr als 10 % daneben; schalten Sie alle Skalierung in den Einstellungen des Druckers ab, drucken Sie die Seite neu und messen Sie wieder</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::CertaintyDialog</name>
+    <message>
+        <source>How far the sheet moves</source>
+        <translation>Wie weit sich der Bogen verschiebt</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>99 %</source>
+        <translation>99 %</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>With steps half as long</source>
+        <translation>Mit halb so langen Schritten</translation>
+    </message>
+    <message>
+        <source>With film cells half as wide</source>
+        <translation>Mit halb so breiten Filmzellen</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is certain. 95 % of it moves by no more than %2 when it is computed more finely.</source>
+        <translation>%1: dieser Bogen ist sicher. 95 % davon verschieben sich um höchstens %2, wenn feiner gerechnet wird.</translation>
+    </message>
+    <message>
+        <source>Certainty of the sheet</source>
+        <translation>Sicherheit des Bogens</translation>
+    </message>
+    <message>
+        <source>Certainty of the Sheets</source>
+        <translation>Sicherheit der Bögen</translation>
+    </message>
+    <message>
+        <source>&amp;Save Maps…</source>
+        <translation>Karten &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Save Maps to a Folder</source>
+        <translation>Karten in einem Ordner speichern</translation>
     </message>
 </context>
 <context>
@@ -1685,15 +1744,11 @@
         <source>The 3D view needs OpenGL 3.2, and no such context could be made. Everything else works.</source>
         <translation>Die 3D-Ansicht braucht OpenGL 3.2, und ein solcher Kontext ließ sich nicht anlegen. Alles andere geht.</translation>
     </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
 </context>
 <context>
     <name>dipwright::DistanceField</name>
     <message>
-        <source>The distance field's resolution is %1; choose 32 to 512</source>
+        <source>The distance field&apos;s resolution is %1; choose 32 to 512</source>
         <translation>Die Auflösung des Abstandsfelds ist %1; wählen Sie 32 bis 512</translation>
     </message>
     <message>
@@ -1746,11 +1801,11 @@
         <translation>Modell wird gelesen</translation>
     </message>
     <message>
-        <source>The model's size must be more than 0 and at most %1 mm</source>
+        <source>The model&apos;s size must be more than 0 and at most %1 mm</source>
         <translation>Die Größe des Modells muss über 0 und höchstens %1 mm sein</translation>
     </message>
     <message>
-        <source>The model's unit must be a positive number of millimetres</source>
+        <source>The model&apos;s unit must be a positive number of millimetres</source>
         <translation>Die Einheit des Modells muss eine positive Zahl von Millimetern sein</translation>
     </message>
     <message>
@@ -1774,7 +1829,7 @@
         <translation>Die Texturdatei kann nicht gelesen werden; prüfen Sie Namen und Zugriffsrechte</translation>
     </message>
     <message>
-        <source>%1 corners of the model's triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
+        <source>%1 corners of the model&apos;s triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
         <translation>%1 Ecken der Dreiecke des Modells sind keine Zahlen (NaN oder unendlich); reparieren Sie das Modell und speichern Sie es neu</translation>
     </message>
     <message numerus="yes">
@@ -1785,7 +1840,7 @@
         </translation>
     </message>
     <message>
-        <source>None of the model's triangles has an area; choose another model</source>
+        <source>None of the model&apos;s triangles has an area; choose another model</source>
         <translation>Keines der Dreiecke des Modells hat eine Fläche; wählen Sie ein anderes Modell</translation>
     </message>
     <message numerus="yes">
@@ -1807,7 +1862,7 @@
         <translation>Das Modell hat keine Ausdehnung; wählen Sie ein anderes</translation>
     </message>
     <message>
-        <source>The model's longest edge would be %1 mm; give the size it is to have</source>
+        <source>The model&apos;s longest edge would be %1 mm; give the size it is to have</source>
         <translation>Die längste Kante des Modells wäre %1 mm; geben Sie die Größe an, die es haben soll</translation>
     </message>
     <message>
@@ -1819,11 +1874,11 @@
         <translation>Das Netz ist nicht geschlossen: Was innen ist, wird nach der Mehrheit der Blickrichtungen beurteilt</translation>
     </message>
     <message>
-        <source>The model's longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
+        <source>The model&apos;s longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
         <translation>Die längste Kante des Modells ist nur %1 mm; wenn seine Datei nicht in Millimetern ist, geben Sie die Größe an, die es haben soll</translation>
     </message>
     <message>
-        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials' colours are</source>
+        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials&apos; colours are</source>
         <translation>Das Modell hat keine Texturkoordinaten, daher kann seine Textur nicht aufgelegt werden; verwendet werden die Farben seiner Materialien</translation>
     </message>
     <message>
@@ -1831,7 +1886,7 @@
         <translation>Die Datei %1, die das Modell nennt, wurde nicht gefunden</translation>
     </message>
     <message>
-        <source>%1 texture coordinates are too large to be used; their triangles show the material's colour</source>
+        <source>%1 texture coordinates are too large to be used; their triangles show the material&apos;s colour</source>
         <translation>%1 Texturkoordinaten sind zu groß, um verwendet zu werden; ihre Dreiecke zeigen die Farbe des Materials</translation>
     </message>
     <message>
@@ -1843,7 +1898,7 @@
         <translation>Modell wird geprüft</translation>
     </message>
     <message>
-        <source>Finding the texture's charts</source>
+        <source>Finding the texture&apos;s charts</source>
         <translation>Teile der Textur werden gesucht</translation>
     </message>
     <message>
@@ -1851,7 +1906,7 @@
         <translation>Das Modell braucht mehr Speicher, als da ist; verkleinern Sie es</translation>
     </message>
     <message>
-        <source>The texture %1 was not found beside the model; its material's colour is used instead</source>
+        <source>The texture %1 was not found beside the model; its material&apos;s colour is used instead</source>
         <translation>Die Textur %1 wurde neben dem Modell nicht gefunden; stattdessen wird die Farbe ihres Materials verwendet</translation>
     </message>
     <message>
@@ -1895,7 +1950,7 @@
         <translation>eine Fläche nennt einen Punkt, den es nicht gibt</translation>
     </message>
     <message>
-        <source>The colours of the model's points are not used; bake them into a texture to print them</source>
+        <source>The colours of the model&apos;s points are not used; bake them into a texture to print them</source>
         <translation>Die Farben der Punkte des Modells werden nicht verwendet; backen Sie sie in eine Textur, um sie zu drucken</translation>
     </message>
     <message>
@@ -1947,7 +2002,7 @@
         <translation>es setzt ein Objekt, das es nicht gibt</translation>
     </message>
     <message>
-        <source>The texture %1 is not in the model's package; its material's colour is used instead</source>
+        <source>The texture %1 is not in the model&apos;s package; its material&apos;s colour is used instead</source>
         <translation>Die Textur %1 ist nicht im Paket des Modells; stattdessen wird die Farbe ihres Materials verwendet</translation>
     </message>
     <message>
@@ -2087,10 +2142,6 @@
     <message>
         <source>Export Results to a Folder</source>
         <translation>Ergebnisse in einen Ordner exportieren</translation>
-    </message>
-    <message>
-        <source>Writing the results</source>
-        <translation>Ergebnisse werden geschrieben</translation>
     </message>
     <message>
         <source>Wrote the results to %1</source>
@@ -2333,7 +2384,7 @@
         <translation>Bogen als P&amp;DF …</translation>
     </message>
     <message>
-        <source>Save this immersion's sheet as PDF at true size</source>
+        <source>Save this immersion&apos;s sheet as PDF at true size</source>
         <translation>Den Bogen dieses Tauchgangs als PDF in wahrer Größe speichern</translation>
     </message>
     <message>
@@ -2341,7 +2392,7 @@
         <translation>Bogen als P&amp;NG …</translation>
     </message>
     <message>
-        <source>Save this immersion's film image as PNG</source>
+        <source>Save this immersion&apos;s film image as PNG</source>
         <translation>Das Filmbild dieses Tauchgangs als PNG speichern</translation>
     </message>
     <message>
@@ -2397,7 +2448,7 @@
         <translation>Modell neu &amp;laden</translation>
     </message>
     <message>
-        <source>Read the model's file again and keep all settings</source>
+        <source>Read the model&apos;s file again and keep all settings</source>
         <translation>Die Datei des Modells neu lesen und alle Einstellungen behalten</translation>
     </message>
     <message>
@@ -2593,7 +2644,7 @@
         <translation>&amp;Linien alle 10 mm</translation>
     </message>
     <message>
-        <source>The &amp;Sheet's Image</source>
+        <source>The &amp;Sheet&apos;s Image</source>
         <translation>Das Bild des &amp;Bogens</translation>
     </message>
     <message>
@@ -2741,7 +2792,7 @@
         <translation>D&amp;rucker kalibrieren …</translation>
     </message>
     <message>
-        <source>Print a page of rulers and put the printer's scale into its profile</source>
+        <source>Print a page of rulers and put the printer&apos;s scale into its profile</source>
         <translation>Eine Seite mit Linealen drucken und den Maßstab des Druckers in sein Profil übernehmen</translation>
     </message>
     <message>
@@ -2763,6 +2814,30 @@
     <message>
         <source>These sheets were made before the last changes. Run the dip first to print what the project now says.</source>
         <translation>Diese Bögen entstanden vor den letzten Änderungen. Starten Sie zuerst den Tauchgang, um zu drucken, was im Projekt jetzt steht.</translation>
+    </message>
+    <message>
+        <source>Checking the certainty</source>
+        <translation>Sicherheit wird geprüft</translation>
+    </message>
+    <message>
+        <source>Check Certainty</source>
+        <translation>Sicherheit prüfen</translation>
+    </message>
+    <message>
+        <source>Save Maps</source>
+        <translation>Karten speichern</translation>
+    </message>
+    <message>
+        <source>Wrote the maps to %1</source>
+        <translation>Karten nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>C&amp;heck Certainty…</source>
+        <translation>Sic&amp;herheit prüfen …</translation>
+    </message>
+    <message>
+        <source>Compute the sheets more finely and see how far they move, and where</source>
+        <translation>Die Bögen feiner rechnen und sehen, wie weit sie sich verschieben und wo</translation>
     </message>
 </context>
 <context>
@@ -2807,7 +2882,7 @@
         <translation>Neues Projekt</translation>
     </message>
     <message>
-        <source>The model's own</source>
+        <source>The model&apos;s own</source>
         <translation>Die eigene des Modells</translation>
     </message>
     <message>
@@ -2915,7 +2990,7 @@
         <translation>Die Datei des Körpers, der getaucht werden soll.</translation>
     </message>
     <message>
-        <source>A picture to wear in place of the model's own texture, or nothing.</source>
+        <source>A picture to wear in place of the model&apos;s own texture, or nothing.</source>
         <translation>Ein Bild an Stelle der eigenen Textur des Modells, oder nichts.</translation>
     </message>
     <message>
@@ -2923,7 +2998,7 @@
         <translation>Das Modell wird vergrößert oder verkleinert, bis seine längste Kante so viel misst.</translation>
     </message>
     <message>
-        <source>In which unit the model's file gives its coordinates. The file does not say.</source>
+        <source>In which unit the model&apos;s file gives its coordinates. The file does not say.</source>
         <translation>In welcher Einheit die Datei des Modells ihre Koordinaten angibt. Die Datei selbst sagt es nicht.</translation>
     </message>
     <message>
@@ -3207,7 +3282,7 @@
         <translation>An die Warteschlange von %1 übergeben</translation>
     </message>
     <message>
-        <source>Whether this immersion's sheet is printed.</source>
+        <source>Whether this immersion&apos;s sheet is printed.</source>
         <translation>Ob der Bogen dieses Tauchgangs gedruckt wird.</translation>
     </message>
     <message>
@@ -3227,7 +3302,7 @@
         <translation>Als Datei speichern …</translation>
     </message>
     <message>
-        <source>The sheet shown, as PDF or TIFF in the printer's scale and colours.</source>
+        <source>The sheet shown, as PDF or TIFF in the printer&apos;s scale and colours.</source>
         <translation>Der gezeigte Bogen, als PDF oder TIFF im Maßstab und in den Farben des Druckers.</translation>
     </message>
     <message>
@@ -3295,7 +3370,7 @@
         <translation>Farben werden geprüft</translation>
     </message>
     <message>
-        <source>%1 % of the paint is out of the printer's reach.</source>
+        <source>%1 % of the paint is out of the printer&apos;s reach.</source>
         <translation>%1 % der Farbe kann der Drucker nicht wiedergeben.</translation>
     </message>
     <message>
@@ -3322,7 +3397,7 @@
 <context>
     <name>dipwright::PrinterColour</name>
     <message>
-        <source>The ICC profile cannot be used for printing, choose the printer's output profile</source>
+        <source>The ICC profile cannot be used for printing, choose the printer&apos;s output profile</source>
         <translation>Das ICC-Profil taugt nicht zum Drucken; wählen Sie das Ausgabeprofil des Druckers</translation>
     </message>
     <message>
@@ -3330,7 +3405,7 @@
         <translation>Das ist kein ICC-Profil, oder es ist beschädigt</translation>
     </message>
     <message>
-        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer's output profile</source>
+        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer&apos;s output profile</source>
         <translation>Das ICC-Profil gehört zu keinem RGB- oder CMYK-Drucker; wählen Sie das Ausgabeprofil des Druckers</translation>
     </message>
 </context>
@@ -3365,15 +3440,15 @@
         <translation>Diesen Drucker gibt es nicht; es gibt: %1</translation>
     </message>
     <message>
-        <source>The printer is stopped%1; start it again in the system's settings</source>
+        <source>The printer is stopped%1; start it again in the system&apos;s settings</source>
         <translation>Der Drucker ist angehalten%1; starten Sie ihn in den Einstellungen des Systems</translation>
     </message>
     <message>
-        <source>The printer takes no jobs at the moment%1; let it in the system's settings</source>
+        <source>The printer takes no jobs at the moment%1; let it in the system&apos;s settings</source>
         <translation>Der Drucker nimmt im Augenblick keine Aufträge an%1; erlauben Sie es in den Einstellungen des Systems</translation>
     </message>
     <message>
-        <source>The printer has no paper of %1; set the sheet's paper to one that it has: %2</source>
+        <source>The printer has no paper of %1; set the sheet&apos;s paper to one that it has: %2</source>
         <translation>Der Drucker hat kein Papier von %1; stellen Sie das Papier des Bogens auf eines, das er hat: %2</translation>
     </message>
     <message>
@@ -3417,11 +3492,11 @@
         <translation>Wird gedruckt</translation>
     </message>
     <message>
-        <source>Held in the printer's queue</source>
+        <source>Held in the printer&apos;s queue</source>
         <translation>In der Warteschlange des Druckers angehalten</translation>
     </message>
     <message>
-        <source>Waiting in the printer's queue</source>
+        <source>Waiting in the printer&apos;s queue</source>
         <translation>Wartet in der Warteschlange des Druckers</translation>
     </message>
     <message>
@@ -3445,7 +3520,7 @@
         <translation>Der Drucker hat angehalten: %1; der Auftrag ist abgebrochen, starten Sie den Drucker und drucken Sie den Bogen neu</translation>
     </message>
     <message>
-        <source>This program was built without printing; print the sheet's PDF at 100 % instead</source>
+        <source>This program was built without printing; print the sheet&apos;s PDF at 100 % instead</source>
         <translation>Dieses Programm wurde ohne Drucken gebaut; drucken Sie stattdessen das PDF des Bogens mit 100 %</translation>
     </message>
     <message>
@@ -3564,7 +3639,7 @@
         <translation>ICC-Profil</translation>
     </message>
     <message>
-        <source>The printer's output profile, made for its ink and film. Sheets are then sent in the printer's own colours.</source>
+        <source>The printer&apos;s output profile, made for its ink and film. Sheets are then sent in the printer&apos;s own colours.</source>
         <translation>Das Ausgabeprofil des Druckers für seine Farben und den Film. Bögen werden dann in den Farben des Druckers gesendet.</translation>
     </message>
     <message>
@@ -3677,7 +3752,7 @@
         <translation>Beckenprofil</translation>
     </message>
     <message>
-        <source>A tank: its barriers hold the film's sides.</source>
+        <source>A tank: its barriers hold the film&apos;s sides.</source>
         <translation>Ein Becken: Seine Barrieren halten die Seiten des Films.</translation>
     </message>
     <message>
@@ -3733,7 +3808,7 @@
         <translation>Neu laden</translation>
     </message>
     <message>
-        <source>Reads the model's file again and keeps all settings.</source>
+        <source>Reads the model&apos;s file again and keeps all settings.</source>
         <translation>Liest die Datei des Modells neu und behält alle Einstellungen.</translation>
     </message>
     <message>
@@ -3867,7 +3942,7 @@
         <translation>Dehnung des Films</translation>
     </message>
     <message>
-        <source>Mean of each point's constraints, final over rest length; ink side up</source>
+        <source>Mean of each point&apos;s constraints, final over rest length; ink side up</source>
         <translation>Mittel der Fäden jedes Punkts, End- über Ruhelänge; Farbseite oben</translation>
     </message>
     <message>
@@ -3907,6 +3982,24 @@ mm je mm</translation>
     <message>
         <source>The VTK file cannot be written: %1</source>
         <translation>Die VTK-Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>Certainty of the sheet</source>
+        <translation>Sicherheit des Bogens</translation>
+    </message>
+    <message>
+        <source>How far the ink moves when the film has cells half as wide; ink side up</source>
+        <translation>Wie weit sich die Farbe mit halb so breiten Filmzellen verschiebt; Farbseite oben</translation>
+    </message>
+    <message>
+        <source>change
+mm</source>
+        <translation>Änderung
+mm</translation>
+    </message>
+    <message>
+        <source>Film that the finer dip does not paint is shown as not moved</source>
+        <translation>Film, der bei feinerer Rechnung nicht malt, ist als unbewegt gezeigt</translation>
     </message>
 </context>
 <context>
@@ -3979,11 +4072,11 @@ mm je mm</translation>
         <translation>Im CMYK dieses ICC-Profils kann kein PDF geschrieben werden; schreiben Sie ein TIFF oder drucken Sie in sRGB</translation>
     </message>
     <message>
-        <source>The sheet's PDF cannot be written: %1</source>
+        <source>The sheet&apos;s PDF cannot be written: %1</source>
         <translation>Das PDF des Bogens kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>The sheet's TIFF cannot be written: %1</source>
+        <source>The sheet&apos;s TIFF cannot be written: %1</source>
         <translation>Das TIFF des Bogens kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
@@ -3991,7 +4084,7 @@ mm je mm</translation>
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Unknown paper "%1"; choose film, A4, A3, Letter or custom</source>
+        <source>Unknown paper &quot;%1&quot;; choose film, A4, A3, Letter or custom</source>
         <translation>Unbekanntes Papier „%1“; wählen Sie film, A4, A3, Letter oder custom</translation>
     </message>
     <message>
@@ -4150,7 +4243,7 @@ mm je mm</translation>
         <translation>Kleinste Dehnung</translation>
     </message>
     <message>
-        <source>Length of the film's threads after the dip over before: the mean round each point.</source>
+        <source>Length of the film&apos;s threads after the dip over before: the mean round each point.</source>
         <translation>Länge der Fäden des Films nach dem Tauchen über der davor: das Mittel um jeden Punkt.</translation>
     </message>
     <message>
@@ -4229,7 +4322,7 @@ mm je mm</translation>
 <context>
     <name>dipwright::SurfaceQuery</name>
     <message>
-        <source>The mesh is too large for this computer's memory; reduce its number of triangles</source>
+        <source>The mesh is too large for this computer&apos;s memory; reduce its number of triangles</source>
         <translation>Das Netz ist zu groß für den Speicher dieses Rechners; verringern Sie die Zahl der Dreiecke</translation>
     </message>
 </context>

@@ -263,11 +263,11 @@
         <translation>O corpo não encontra o filme; mova-o sobre o filme ou escolha um filme maior</translation>
     </message>
     <message>
-        <source>%1: the body reaches past the film's edge</source>
+        <source>%1: the body reaches past the film&apos;s edge</source>
         <translation>%1: o corpo ultrapassa a borda do filme</translation>
     </message>
     <message>
-        <source>%1: the film's cells are coarse for this body, give the film more points</source>
+        <source>%1: the film&apos;s cells are coarse for this body, give the film more points</source>
         <translation>%1: as células do filme são grossas para este corpo; dê mais pontos ao filme</translation>
     </message>
     <message>
@@ -297,6 +297,21 @@
     <message>
         <source>Moving the results in place</source>
         <translation>Movendo os resultados para o lugar</translation>
+    </message>
+    <message>
+        <source>The film would need %1 × %2 points to compare with, more than it may have; give it fewer</source>
+        <translation>Para comparar, o filme precisaria de %1 × %2 pontos, mais do que pode ter; dê-lhe menos</translation>
+    </message>
+    <message>
+        <source>%1: a twentieth of this sheet moves by more than %2 mm when it is computed more finely; give the film more points, or turn the part</source>
+        <translation>%1: um vigésimo desta folha desloca-se mais de %2 mm quando é calculada com mais finura; dê mais pontos ao filme ou gire a peça</translation>
+    </message>
+</context>
+<context>
+    <name>Png</name>
+    <message>
+        <source>The picture cannot be stored as PNG: %1</source>
+        <translation>A imagem não pode ser guardada como PNG: %1</translation>
     </message>
 </context>
 <context>
@@ -361,7 +376,7 @@
         <translation>Embaixo</translation>
     </message>
     <message>
-        <source>System's name</source>
+        <source>System&apos;s name</source>
         <translation>Nome no sistema</translation>
     </message>
     <message>
@@ -389,7 +404,7 @@
         <translation>Margens</translation>
     </message>
     <message>
-        <source>What the printer does not reach at the paper's left, top, right and bottom edge.</source>
+        <source>What the printer does not reach at the paper&apos;s left, top, right and bottom edge.</source>
         <translation>O que a impressora não alcança nas bordas esquerda, superior, direita e inferior do papel.</translation>
     </message>
     <message>
@@ -503,7 +518,7 @@
         <translation>Lote</translation>
     </message>
     <message>
-        <source>The maker's number: another lot may swell otherwise.</source>
+        <source>The maker&apos;s number: another lot may swell otherwise.</source>
         <translation>O número do fabricante: outro lote pode inchar de outro modo.</translation>
     </message>
     <message>
@@ -584,7 +599,7 @@
         <translation>Nível da água</translation>
     </message>
     <message>
-        <source>How far the water stands under the tank's rim.</source>
+        <source>How far the water stands under the tank&apos;s rim.</source>
         <translation>A que distância da borda do tanque fica a água.</translation>
     </message>
     <message>
@@ -592,7 +607,7 @@
         <translation>Marcas</translation>
     </message>
     <message>
-        <source>Between the tank's marks, across and along, which the sheet's registration marks are laid to. 0: there are none.</source>
+        <source>Between the tank&apos;s marks, across and along, which the sheet&apos;s registration marks are laid to. 0: there are none.</source>
         <translation>Distância entre as marcas do tanque, na largura e no comprimento, às quais se alinham as marcas de registro da folha. 0: não há.</translation>
     </message>
     <message>
@@ -768,13 +783,6 @@
     <message>
         <source>%1 × %2 points are more than the %3 million that a film may have, give fewer</source>
         <translation>%1 × %2 pontos passam dos %3 milhões que um filme pode ter; use menos</translation>
-    </message>
-</context>
-<context>
-    <name>Png</name>
-    <message>
-        <source>The picture cannot be stored as PNG: %1</source>
-        <translation>A imagem não pode ser guardada como PNG: %1</translation>
     </message>
 </context>
 <context>
@@ -997,7 +1005,7 @@
     </message>
     <message>
         <source>How far the lowest point of the body goes under the waterline. “Whole body” dips until all of it is under.</source>
-        <translation>Quanto o ponto mais baixo do corpo desce abaixo da linha d'água. “Corpo inteiro” mergulha até tudo ficar submerso.</translation>
+        <translation>Quanto o ponto mais baixo do corpo desce abaixo da linha d&apos;água. “Corpo inteiro” mergulha até tudo ficar submerso.</translation>
     </message>
     <message>
         <source>Whole body</source>
@@ -1340,7 +1348,7 @@
 <context>
     <name>SolverRegistry</name>
     <message>
-        <source>Its description has no valid "%1"</source>
+        <source>Its description has no valid &quot;%1&quot;</source>
         <translation>Sua descrição não tem “%1” válido</translation>
     </message>
     <message>
@@ -1396,7 +1404,7 @@
         <translation>Seu módulo falhou ao iniciar com uma exceção desconhecida</translation>
     </message>
     <message>
-        <source>Its module does not fit this program's solver interface</source>
+        <source>Its module does not fit this program&apos;s solver interface</source>
         <translation>Seu módulo não serve à interface de solucionador deste programa</translation>
     </message>
     <message>
@@ -1473,7 +1481,7 @@
         <translation>Revertendo a textura</translation>
     </message>
     <message>
-        <source>The film's image is too large for this computer's memory; choose a lower resolution</source>
+        <source>The film&apos;s image is too large for this computer&apos;s memory; choose a lower resolution</source>
         <translation>A imagem do filme é grande demais para a memória deste computador; escolha uma resolução menor</translation>
     </message>
     <message>
@@ -1647,7 +1655,7 @@
         <translation>Se alguma estiver mais de 0,2 mm fora, meça e calibre de novo.</translation>
     </message>
     <message>
-        <source>Type what they do measure, to a tenth of a millimetre, into the printer's profile.</source>
+        <source>Type what they do measure, to a tenth of a millimetre, into the printer&apos;s profile.</source>
         <translation>Digite o que elas medem de fato, ao décimo de milímetro, no perfil da impressora.</translation>
     </message>
     <message>
@@ -1659,11 +1667,11 @@
         <translation>Sem correção: X 1, Y 1</translation>
     </message>
     <message>
-        <source>Verification of the printer's scale</source>
+        <source>Verification of the printer&apos;s scale</source>
         <translation>Verificação da escala da impressora</translation>
     </message>
     <message>
-        <source>Calibration of the printer's scale</source>
+        <source>Calibration of the printer&apos;s scale</source>
         <translation>Calibração da escala da impressora</translation>
     </message>
     <message>
@@ -1675,8 +1683,59 @@
         <translation>A página de calibração não pode ser gravada: %1</translation>
     </message>
     <message>
-        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer's settings, print the page anew and measure again</source>
+        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer&apos;s settings, print the page anew and measure again</source>
         <translation>%1 mm em vez de %2 mm passa de 10 % de erro; desligue toda escala nas configurações da impressora, imprima a página de novo e meça outra vez</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::CertaintyDialog</name>
+    <message>
+        <source>How far the sheet moves</source>
+        <translation>Quanto a folha se desloca</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>99 %</source>
+        <translation>99 %</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>With steps half as long</source>
+        <translation>Com passos de metade do tamanho</translation>
+    </message>
+    <message>
+        <source>With film cells half as wide</source>
+        <translation>Com células de metade da largura</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is certain. 95 % of it moves by no more than %2 when it is computed more finely.</source>
+        <translation>%1: esta folha é segura. 95 % dela deslocam-se no máximo %2 quando é calculada com mais finura.</translation>
+    </message>
+    <message>
+        <source>Certainty of the sheet</source>
+        <translation>Certeza da folha</translation>
+    </message>
+    <message>
+        <source>Certainty of the Sheets</source>
+        <translation>Certeza das folhas</translation>
+    </message>
+    <message>
+        <source>&amp;Save Maps…</source>
+        <translation>&amp;Salvar mapas…</translation>
+    </message>
+    <message>
+        <source>Save Maps to a Folder</source>
+        <translation>Salvar mapas em uma pasta</translation>
     </message>
 </context>
 <context>
@@ -1685,15 +1744,11 @@
         <source>The 3D view needs OpenGL 3.2, and no such context could be made. Everything else works.</source>
         <translation>A vista 3D precisa de OpenGL 3.2, e não foi possível criar um contexto. Todo o resto funciona.</translation>
     </message>
-    <message>
-        <source>unknown</source>
-        <translation>desconhecido</translation>
-    </message>
 </context>
 <context>
     <name>dipwright::DistanceField</name>
     <message>
-        <source>The distance field's resolution is %1; choose 32 to 512</source>
+        <source>The distance field&apos;s resolution is %1; choose 32 to 512</source>
         <translation>A resolução do campo de distância é %1; escolha de 32 a 512</translation>
     </message>
     <message>
@@ -1746,11 +1801,11 @@
         <translation>Lendo o modelo</translation>
     </message>
     <message>
-        <source>The model's size must be more than 0 and at most %1 mm</source>
+        <source>The model&apos;s size must be more than 0 and at most %1 mm</source>
         <translation>O tamanho do modelo deve ser maior que 0 e no máximo %1 mm</translation>
     </message>
     <message>
-        <source>The model's unit must be a positive number of millimetres</source>
+        <source>The model&apos;s unit must be a positive number of millimetres</source>
         <translation>A unidade do modelo deve ser um número positivo de milímetros</translation>
     </message>
     <message>
@@ -1774,7 +1829,7 @@
         <translation>O arquivo de textura não pode ser lido; confira o nome e as permissões</translation>
     </message>
     <message>
-        <source>%1 corners of the model's triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
+        <source>%1 corners of the model&apos;s triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
         <translation>%1 vértices dos triângulos do modelo não são números (NaN ou infinito); repare o modelo e salve-o de novo</translation>
     </message>
     <message numerus="yes">
@@ -1785,7 +1840,7 @@
         </translation>
     </message>
     <message>
-        <source>None of the model's triangles has an area; choose another model</source>
+        <source>None of the model&apos;s triangles has an area; choose another model</source>
         <translation>Nenhum triângulo do modelo tem área; escolha outro modelo</translation>
     </message>
     <message numerus="yes">
@@ -1807,7 +1862,7 @@
         <translation>O modelo não tem extensão; escolha outro modelo</translation>
     </message>
     <message>
-        <source>The model's longest edge would be %1 mm; give the size it is to have</source>
+        <source>The model&apos;s longest edge would be %1 mm; give the size it is to have</source>
         <translation>A aresta mais longa do modelo teria %1 mm; informe o tamanho desejado</translation>
     </message>
     <message>
@@ -1819,11 +1874,11 @@
         <translation>A malha não é fechada: o interior é julgado pela maioria das direções de visão</translation>
     </message>
     <message>
-        <source>The model's longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
+        <source>The model&apos;s longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
         <translation>A aresta mais longa do modelo tem só %1 mm; se o arquivo não estiver em milímetros, informe o tamanho desejado</translation>
     </message>
     <message>
-        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials' colours are</source>
+        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials&apos; colours are</source>
         <translation>O modelo não tem coordenadas de textura, então a textura não pode ser aplicada; usam-se as cores dos materiais</translation>
     </message>
     <message>
@@ -1831,7 +1886,7 @@
         <translation>O arquivo %1, citado pelo modelo, não foi encontrado</translation>
     </message>
     <message>
-        <source>%1 texture coordinates are too large to be used; their triangles show the material's colour</source>
+        <source>%1 texture coordinates are too large to be used; their triangles show the material&apos;s colour</source>
         <translation>%1 coordenadas de textura são grandes demais; seus triângulos mostram a cor do material</translation>
     </message>
     <message>
@@ -1843,7 +1898,7 @@
         <translation>Verificando o modelo</translation>
     </message>
     <message>
-        <source>Finding the texture's charts</source>
+        <source>Finding the texture&apos;s charts</source>
         <translation>Localizando as partes da textura</translation>
     </message>
     <message>
@@ -1851,7 +1906,7 @@
         <translation>O modelo precisa de mais memória do que há; reduza-o</translation>
     </message>
     <message>
-        <source>The texture %1 was not found beside the model; its material's colour is used instead</source>
+        <source>The texture %1 was not found beside the model; its material&apos;s colour is used instead</source>
         <translation>A textura %1 não foi encontrada ao lado do modelo; usa-se a cor do material</translation>
     </message>
     <message>
@@ -1895,7 +1950,7 @@
         <translation>uma face cita um ponto que não existe</translation>
     </message>
     <message>
-        <source>The colours of the model's points are not used; bake them into a texture to print them</source>
+        <source>The colours of the model&apos;s points are not used; bake them into a texture to print them</source>
         <translation>As cores dos pontos do modelo não são usadas; grave-as em uma textura para imprimi-las</translation>
     </message>
     <message>
@@ -1947,7 +2002,7 @@
         <translation>posiciona um objeto que não existe</translation>
     </message>
     <message>
-        <source>The texture %1 is not in the model's package; its material's colour is used instead</source>
+        <source>The texture %1 is not in the model&apos;s package; its material&apos;s colour is used instead</source>
         <translation>A textura %1 não está no pacote do modelo; usa-se a cor do material</translation>
     </message>
     <message>
@@ -2087,10 +2142,6 @@
     <message>
         <source>Export Results to a Folder</source>
         <translation>Exportar resultados para uma pasta</translation>
-    </message>
-    <message>
-        <source>Writing the results</source>
-        <translation>Gravando os resultados</translation>
     </message>
     <message>
         <source>Wrote the results to %1</source>
@@ -2333,7 +2384,7 @@
         <translation>Folha em P&amp;DF…</translation>
     </message>
     <message>
-        <source>Save this immersion's sheet as PDF at true size</source>
+        <source>Save this immersion&apos;s sheet as PDF at true size</source>
         <translation>Salva a folha desta imersão em PDF em tamanho real</translation>
     </message>
     <message>
@@ -2341,7 +2392,7 @@
         <translation>Folha em P&amp;NG…</translation>
     </message>
     <message>
-        <source>Save this immersion's film image as PNG</source>
+        <source>Save this immersion&apos;s film image as PNG</source>
         <translation>Salva a imagem do filme desta imersão em PNG</translation>
     </message>
     <message>
@@ -2397,7 +2448,7 @@
         <translation>&amp;Recarregar modelo</translation>
     </message>
     <message>
-        <source>Read the model's file again and keep all settings</source>
+        <source>Read the model&apos;s file again and keep all settings</source>
         <translation>Lê de novo o arquivo do modelo e mantém as configurações</translation>
     </message>
     <message>
@@ -2593,7 +2644,7 @@
         <translation>&amp;Linhas a cada 10 mm</translation>
     </message>
     <message>
-        <source>The &amp;Sheet's Image</source>
+        <source>The &amp;Sheet&apos;s Image</source>
         <translation>A imagem da &amp;folha</translation>
     </message>
     <message>
@@ -2741,7 +2792,7 @@
         <translation>Calibrar imp&amp;ressora…</translation>
     </message>
     <message>
-        <source>Print a page of rulers and put the printer's scale into its profile</source>
+        <source>Print a page of rulers and put the printer&apos;s scale into its profile</source>
         <translation>Imprimir uma página de réguas e guardar a escala da impressora no perfil dela</translation>
     </message>
     <message>
@@ -2763,6 +2814,30 @@
     <message>
         <source>These sheets were made before the last changes. Run the dip first to print what the project now says.</source>
         <translation>Estas folhas foram feitas antes das últimas mudanças. Execute a imersão antes, para imprimir o que o projeto diz agora.</translation>
+    </message>
+    <message>
+        <source>Checking the certainty</source>
+        <translation>Verificando a certeza</translation>
+    </message>
+    <message>
+        <source>Check Certainty</source>
+        <translation>Verificar certeza</translation>
+    </message>
+    <message>
+        <source>Save Maps</source>
+        <translation>Salvar mapas</translation>
+    </message>
+    <message>
+        <source>Wrote the maps to %1</source>
+        <translation>Mapas gravados em %1</translation>
+    </message>
+    <message>
+        <source>C&amp;heck Certainty…</source>
+        <translation>Verificar cert&amp;eza…</translation>
+    </message>
+    <message>
+        <source>Compute the sheets more finely and see how far they move, and where</source>
+        <translation>Calcular as folhas com mais finura e ver quanto se deslocam, e onde</translation>
     </message>
 </context>
 <context>
@@ -2807,7 +2882,7 @@
         <translation>Novo projeto</translation>
     </message>
     <message>
-        <source>The model's own</source>
+        <source>The model&apos;s own</source>
         <translation>A do próprio modelo</translation>
     </message>
     <message>
@@ -2915,7 +2990,7 @@
         <translation>O arquivo do corpo a ser mergulhado.</translation>
     </message>
     <message>
-        <source>A picture to wear in place of the model's own texture, or nothing.</source>
+        <source>A picture to wear in place of the model&apos;s own texture, or nothing.</source>
         <translation>Uma imagem no lugar da textura do próprio modelo, ou nada.</translation>
     </message>
     <message>
@@ -2923,7 +2998,7 @@
         <translation>O modelo é ampliado ou reduzido até que sua aresta mais longa tenha esta medida.</translation>
     </message>
     <message>
-        <source>In which unit the model's file gives its coordinates. The file does not say.</source>
+        <source>In which unit the model&apos;s file gives its coordinates. The file does not say.</source>
         <translation>Em que unidade o arquivo do modelo dá suas coordenadas. O arquivo não o diz.</translation>
     </message>
     <message>
@@ -3207,7 +3282,7 @@
         <translation>Entregue à fila de %1</translation>
     </message>
     <message>
-        <source>Whether this immersion's sheet is printed.</source>
+        <source>Whether this immersion&apos;s sheet is printed.</source>
         <translation>Se a folha desta imersão é impressa.</translation>
     </message>
     <message>
@@ -3227,7 +3302,7 @@
         <translation>Salvar como arquivo…</translation>
     </message>
     <message>
-        <source>The sheet shown, as PDF or TIFF in the printer's scale and colours.</source>
+        <source>The sheet shown, as PDF or TIFF in the printer&apos;s scale and colours.</source>
         <translation>A folha mostrada, como PDF ou TIFF na escala e nas cores da impressora.</translation>
     </message>
     <message>
@@ -3295,7 +3370,7 @@
         <translation>Verificando as cores</translation>
     </message>
     <message>
-        <source>%1 % of the paint is out of the printer's reach.</source>
+        <source>%1 % of the paint is out of the printer&apos;s reach.</source>
         <translation>%1 % da pintura está fora do alcance da impressora.</translation>
     </message>
     <message>
@@ -3322,7 +3397,7 @@
 <context>
     <name>dipwright::PrinterColour</name>
     <message>
-        <source>The ICC profile cannot be used for printing, choose the printer's output profile</source>
+        <source>The ICC profile cannot be used for printing, choose the printer&apos;s output profile</source>
         <translation>O perfil ICC não serve para imprimir; escolha o perfil de saída da impressora</translation>
     </message>
     <message>
@@ -3330,7 +3405,7 @@
         <translation>Isto não é um perfil ICC, ou está danificado</translation>
     </message>
     <message>
-        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer's output profile</source>
+        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer&apos;s output profile</source>
         <translation>O perfil ICC não é de uma impressora RGB ou CMYK; escolha o perfil de saída da impressora</translation>
     </message>
 </context>
@@ -3365,15 +3440,15 @@
         <translation>Essa impressora não existe; existem: %1</translation>
     </message>
     <message>
-        <source>The printer is stopped%1; start it again in the system's settings</source>
+        <source>The printer is stopped%1; start it again in the system&apos;s settings</source>
         <translation>A impressora está parada%1; reinicie-a nas configurações do sistema</translation>
     </message>
     <message>
-        <source>The printer takes no jobs at the moment%1; let it in the system's settings</source>
+        <source>The printer takes no jobs at the moment%1; let it in the system&apos;s settings</source>
         <translation>A impressora não aceita trabalhos no momento%1; permita nas configurações do sistema</translation>
     </message>
     <message>
-        <source>The printer has no paper of %1; set the sheet's paper to one that it has: %2</source>
+        <source>The printer has no paper of %1; set the sheet&apos;s paper to one that it has: %2</source>
         <translation>A impressora não tem papel de %1; ajuste o papel da folha para um que ela tenha: %2</translation>
     </message>
     <message>
@@ -3417,11 +3492,11 @@
         <translation>Imprimindo</translation>
     </message>
     <message>
-        <source>Held in the printer's queue</source>
+        <source>Held in the printer&apos;s queue</source>
         <translation>Retido na fila da impressora</translation>
     </message>
     <message>
-        <source>Waiting in the printer's queue</source>
+        <source>Waiting in the printer&apos;s queue</source>
         <translation>Aguardando na fila da impressora</translation>
     </message>
     <message>
@@ -3445,7 +3520,7 @@
         <translation>A impressora parou: %1; o trabalho foi cancelado, inicie a impressora e imprima a folha de novo</translation>
     </message>
     <message>
-        <source>This program was built without printing; print the sheet's PDF at 100 % instead</source>
+        <source>This program was built without printing; print the sheet&apos;s PDF at 100 % instead</source>
         <translation>Este programa foi feito sem impressão; imprima o PDF da folha a 100 %</translation>
     </message>
     <message>
@@ -3564,7 +3639,7 @@
         <translation>Perfil ICC</translation>
     </message>
     <message>
-        <source>The printer's output profile, made for its ink and film. Sheets are then sent in the printer's own colours.</source>
+        <source>The printer&apos;s output profile, made for its ink and film. Sheets are then sent in the printer&apos;s own colours.</source>
         <translation>O perfil de saída da impressora, feito para sua tinta e filme. As folhas são então enviadas nas cores da própria impressora.</translation>
     </message>
     <message>
@@ -3677,7 +3752,7 @@
         <translation>Perfil do tanque</translation>
     </message>
     <message>
-        <source>A tank: its barriers hold the film's sides.</source>
+        <source>A tank: its barriers hold the film&apos;s sides.</source>
         <translation>Um tanque: suas barreiras prendem os lados do filme.</translation>
     </message>
     <message>
@@ -3733,7 +3808,7 @@
         <translation>Recarregar do disco</translation>
     </message>
     <message>
-        <source>Reads the model's file again and keeps all settings.</source>
+        <source>Reads the model&apos;s file again and keeps all settings.</source>
         <translation>Lê de novo o arquivo do modelo e mantém as configurações.</translation>
     </message>
     <message>
@@ -3867,7 +3942,7 @@
         <translation>Estiramento do filme</translation>
     </message>
     <message>
-        <source>Mean of each point's constraints, final over rest length; ink side up</source>
+        <source>Mean of each point&apos;s constraints, final over rest length; ink side up</source>
         <translation>Média das restrições de cada ponto, comprimento final sobre o de repouso; lado da tinta para cima</translation>
     </message>
     <message>
@@ -3907,6 +3982,24 @@ mm por mm</translation>
     <message>
         <source>The VTK file cannot be written: %1</source>
         <translation>O arquivo VTK não pode ser gravado: %1</translation>
+    </message>
+    <message>
+        <source>Certainty of the sheet</source>
+        <translation>Certeza da folha</translation>
+    </message>
+    <message>
+        <source>How far the ink moves when the film has cells half as wide; ink side up</source>
+        <translation>Quanto a tinta se desloca com células de metade da largura; lado da tinta para cima</translation>
+    </message>
+    <message>
+        <source>change
+mm</source>
+        <translation>mudança
+mm</translation>
+    </message>
+    <message>
+        <source>Film that the finer dip does not paint is shown as not moved</source>
+        <translation>O filme que o cálculo mais fino não pinta é mostrado como imóvel</translation>
     </message>
 </context>
 <context>
@@ -3979,11 +4072,11 @@ mm por mm</translation>
         <translation>Não é possível gravar um PDF no CMYK deste perfil ICC; grave um TIFF, ou imprima em sRGB</translation>
     </message>
     <message>
-        <source>The sheet's PDF cannot be written: %1</source>
+        <source>The sheet&apos;s PDF cannot be written: %1</source>
         <translation>O PDF da folha não pode ser gravado: %1</translation>
     </message>
     <message>
-        <source>The sheet's TIFF cannot be written: %1</source>
+        <source>The sheet&apos;s TIFF cannot be written: %1</source>
         <translation>O TIFF da folha não pode ser gravado: %1</translation>
     </message>
     <message>
@@ -3991,7 +4084,7 @@ mm por mm</translation>
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Unknown paper "%1"; choose film, A4, A3, Letter or custom</source>
+        <source>Unknown paper &quot;%1&quot;; choose film, A4, A3, Letter or custom</source>
         <translation>Papel “%1” desconhecido; escolha film, A4, A3, Letter ou custom</translation>
     </message>
     <message>
@@ -4150,7 +4243,7 @@ mm por mm</translation>
         <translation>Menor estiramento</translation>
     </message>
     <message>
-        <source>Length of the film's threads after the dip over before: the mean round each point.</source>
+        <source>Length of the film&apos;s threads after the dip over before: the mean round each point.</source>
         <translation>Comprimento dos fios do filme depois sobre antes da imersão: a média em volta de cada ponto.</translation>
     </message>
     <message>
@@ -4229,7 +4322,7 @@ mm por mm</translation>
 <context>
     <name>dipwright::SurfaceQuery</name>
     <message>
-        <source>The mesh is too large for this computer's memory; reduce its number of triangles</source>
+        <source>The mesh is too large for this computer&apos;s memory; reduce its number of triangles</source>
         <translation>A malha é grande demais para a memória deste computador; reduza o número de triângulos</translation>
     </message>
 </context>
@@ -4272,7 +4365,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>How far the lowest point of the body is under the waterline</source>
-        <translation>Quanto o ponto mais baixo do corpo está abaixo da linha d'água</translation>
+        <translation>Quanto o ponto mais baixo do corpo está abaixo da linha d&apos;água</translation>
     </message>
     <message>
         <source>Pause</source>

@@ -171,14 +171,17 @@ QStringList certaintyWarnings(const std::vector<ImmersionCertainty>& certainty) 
     return warnings;
 }
 
+QImage certaintyMap(const ImmersionCertainty& certainty) {
+    return certaintyMap(*certainty.film, *certainty.contact, certainty.halfSpacing.points, mapEdge);
+}
+
 void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder) {
     ResultFolder results(folder);
     QStringList names;
     for (const ImmersionCertainty& one : certainty) {
-        names.append(QStringLiteral("certainty-%1.png").arg(names.size() + 1));
-        results.write(names.back(), pngBytes(certaintyMap(*one.film, *one.contact,
-                                                          one.halfSpacing.points, mapEdge),
-                                             names.back()));
+        const QString name = QStringLiteral("certainty-%1.png").arg(names.size() + 1);
+        results.write(name, pngBytes(certaintyMap(one), name));
+        names.append(name);
     }
     results.commit(names);
 }

@@ -35,8 +35,10 @@ sheetCertainty(const Project& project, const SolverRegistry& registry, const Pro
 // A sentence for each immersion that moves by more.
 QStringList certaintyWarnings(const std::vector<ImmersionCertainty>& certainty);
 
-// Writes immersion-N/certainty.png into `folder`, whatever else is there: where the sheet moves
-// when the film's cells are half as wide. All of them or none. Throws Error.
+// Where the sheet moves when the film's cells are half as wide.
+QImage certaintyMap(const ImmersionCertainty& certainty);
+// Writes the map of each immersion into `folder`, certainty-N.png; other files are left alone. All
+// of them or none. Throws Error.
 void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder);
 
 QJsonObject certaintyJson(const std::vector<ImmersionCertainty>& certainty);

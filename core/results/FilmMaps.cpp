@@ -356,15 +356,13 @@ Scale changeScale(std::vector<float> values) {
 
 MapSubject certaintySubject(const FilmValues& values) {
     const std::vector<float> painted = values.paintedValues();
-    const Distribution change = distribution(painted);
     const Scale scale = changeScale(painted);
     return {Text::tr("Certainty of the sheet"),
             Text::tr("How far the ink moves when the film has cells half as wide; ink side up"),
             Text::tr("change\nmm"),
-            Text::tr("On the body: mean %1 mm · 95 % %2 mm · max %3 mm")
-                .arg(rounded(change.mean), rounded(change.percentile95), rounded(change.maximum)),
+            Text::tr("Film that the finer dip does not paint is shown as not moved"),
             scale,
-            change.maximum > scale.high};
+            *std::max_element(painted.begin(), painted.end()) > scale.high};
 }
 
 } // namespace

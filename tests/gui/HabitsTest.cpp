@@ -1,9 +1,11 @@
 // The small habits of a document application: layouts with names, keys that clash, a report to hand
 // on, a notice when another solver took over, pictures exported as they are shown.
 #include "WindowDriver.h"
+#include "main/CertaintyDialog.h"
 #include "main/NewProjectDialog.h"
 #include "main/PreferencesDialog.h"
 #include "panels/NoticeBar.h"
+#include "panels/PictureView.h"
 #include "panels/StretchPanel.h"
 #include "solver/PluginFolder.h"
 
@@ -20,6 +22,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTableWidget>
 
 using namespace dipwright;
 using test::PluginFolder;
@@ -128,6 +131,38 @@ private slots:
         QVERIFY(driver.run());
         QVERIFY(notice->isVisible());
         QVERIFY2(notice->text().contains(QStringLiteral("took over")), qPrintable(notice->text()));
+    }
+
+    void howCertainTheSheetIsIsShown() {
+        const WindowDriver driver(*window_);
+        QVERIFY(!driver.action("certainty")->isEnabled());
+        QVERIFY(makeProject());
+        driver.trigger("certainty");
+        QVERIFY(!driver.action("certainty")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(driver.find<QDialog>("certaintyDialog"), 120000);
+        auto* dialog = driver.find<QDialog>("certaintyDialog");
+        const auto* verdict = dialog->findChild<QLabel*>(QStringLiteral("verdict"));
+        QVERIFY2(verdict->text().contains(QStringLiteral("moves by more than")),
+                 qPrintable(verdict->text()));
+        const auto* figures = dialog->findChild<QTableWidget*>(QStringLiteral("figures"));
+        QCOMPARE(figures->rowCount(), 2);
+        QVERIFY2(figures->item(1, 3)->text().endsWith(QStringLiteral(" mm")),
+                 qPrintable(figures->item(1, 3)->text()));
+        QVERIFY(!dialog->findChild<PictureView*>()->isEmpty());
+        emit qobject_cast<CertaintyDialog*>(dialog)->saveAsked(folder_.path());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            QFileInfo::exists(folder_.filePath(QStringLiteral("certainty-1.png"))), 60000);
+        dialog->close();
+    }
+
+    void certaintyThatIsNotWaitedForIsCancelled() {
+        const WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        driver.trigger("certainty");
+        driver.trigger("cancel");
+        QTRY_VERIFY_WITH_TIMEOUT(driver.action("certainty")->isEnabled(), 60000);
+        QVERIFY(!driver.find<QDialog>("certaintyDialog"));
+        QVERIFY(!driver.find<QMessageBox>("failure"));
     }
 
     void theMapIsExportedAsItIsShown() {

@@ -124,6 +124,15 @@ void photographQuestions(MainWindow& window, Workbench& workbench, const Photogr
     });
 }
 
+void photographCertainty(WindowDriver& driver, const Photographer& camera) {
+    driver.trigger("certainty");
+    const auto dialog = [&] { return driver.find<QDialog>("certaintyDialog"); };
+    if (QTest::qWaitFor([&] { return dialog() != nullptr; }, 300000)) {
+        camera.take(*dialog(), QStringLiteral("certainty"));
+        dialog()->close();
+    }
+}
+
 void photographDialogs(MainWindow& window, Workbench& workbench, const Photographer& camera) {
     NewProjectDialog create({}, workbench.preferences());
     create.show();
@@ -233,6 +242,7 @@ int main(int argc, char* argv[]) {
     camera.take(window, QStringLiteral("window"));
     if (all) {
         photographResults(driver, window, camera);
+        photographCertainty(driver, camera);
         photographDialogs(window, workbench, camera);
         window.document()->edit(
             QCoreApplication::translate("dipwright::MainWindow", "Turn Body"), {},

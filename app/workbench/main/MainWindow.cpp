@@ -239,6 +239,7 @@ void MainWindow::updateActions() {
     a.addImmersion->setEnabled(any && document_->project().immersions.size() < 2);
     a.removeImmersion->setEnabled(any && document_->project().immersions.size() > 1);
     a.run->setEnabled(any && !session_.isRunning());
+    a.certainty->setEnabled(any && !busy);
     a.cancel->setEnabled(busy);
     for (QAction* action :
          {a.print, a.exportResults, a.exportPdf, a.exportPng, a.coverage, a.filmOnBody}) {

@@ -25,6 +25,7 @@ class QToolButton;
 
 namespace dipwright {
 
+struct CertaintyOutcome;
 class LogPanel;
 class NoticeBar;
 class PropertyPanel;
@@ -143,10 +144,17 @@ private:
     void updateFreshness();
     void setFilmLook(FilmLook look);
     void wearPicture(const QString& path);
+    void checkCertainty();
+    void showCertainty(const CertaintyOutcome& outcome);
     void exportResults();
     void exportSheet(bool pdf);
     void exportStretch(const QString& kind);
-    // Asks for a file and has it written on the worker thread.
+    // Has `path` written on the worker thread; `done` is what the user is told then, its %1 the
+    // path.
+    void
+    writeAsJob(const QString& title, const QString& done, const QString& path,
+               const std::function<void(const QString& path, const Progress& progress)>& write);
+    // Asks for a file and has it written so.
     void exportFile(const QString& title, const QString& name, const QString& suffix,
                     const std::function<void(const QString& path)>& write);
     void hoverRay(const ViewRay& ray);

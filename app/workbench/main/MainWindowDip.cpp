@@ -2,6 +2,7 @@
 #include "base/Error.h"
 #include "jobs/FilmTable.h"
 #include "main/CalibrationDialog.h"
+#include "main/CertaintyDialog.h"
 #include "main/MainWindow.h"
 #include "main/MainWindowActions.h"
 #include "main/NewProjectDialog.h"
@@ -193,24 +194,66 @@ void MainWindow::showProfiles() {
     dialog->open();
 }
 
+// On the project as it is now, run or not.
+void MainWindow::checkCertainty() {
+    jobs_.start(std::make_unique<ValueJob<CertaintyOutcome>>(
+        tr("Checking the certainty"),
+        [project = document_->project(),
+         &registry = workbench_.registry()](const Progress& progress) {
+            CertaintyOutcome outcome;
+            outcome.immersions = sheetCertainty(project, registry, progress);
+            for (const ImmersionCertainty& one : outcome.immersions) {
+                outcome.maps.push_back(certaintyMap(one));
+            }
+            return outcome;
+        },
+        [this](const CertaintyOutcome& outcome) { showCertainty(outcome); },
+        [this](std::exception_ptr failure) { reportFailure(tr("Check Certainty"), failure); }));
+    updateActions();
+}
+
+void MainWindow::showCertainty(const CertaintyOutcome& outcome) {
+    auto* dialog = new CertaintyDialog(outcome, workbench_.preferences().unit, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &CertaintyDialog::saveAsked, this,
+            [this, immersions = outcome.immersions](const QString& folder) {
+                writeAsJob(tr("Save Maps"), tr("Wrote the maps to %1"), folder,
+                           [immersions](const QString& target, const Progress&) {
+                               writeCertaintyMaps(immersions, target);
+                           });
+            });
+    for (const QString& warning : certaintyWarnings(outcome.immersions)) {
+        report(warning);
+    }
+    dialog->open();
+}
+
 void MainWindow::exportResults() {
     const QString folder =
         QFileDialog::getExistingDirectory(this, tr("Export Results to a Folder"));
     if (folder.isEmpty()) {
         return;
     }
+    writeAsJob(tr("Export Results"), tr("Wrote the results to %1"), folder,
+               [result = document_->result()](const QString& target, const Progress& progress) {
+                   writeResults(result->project, *result, target, progress);
+               });
+}
+
+void MainWindow::writeAsJob(
+    const QString& title, const QString& done, const QString& path,
+    const std::function<void(const QString& path, const Progress& progress)>& write) {
     jobs_.start(std::make_unique<ValueJob<bool>>(
-        tr("Writing the results"),
-        [result = document_->result(), folder](const Progress& progress) {
-            writeResults(result->project, *result, folder, progress);
+        title,
+        [write, path](const Progress& progress) {
+            write(path, progress);
             return true;
         },
-        [this, folder](bool) {
-            report(tr("Wrote the results to %1").arg(QDir::toNativeSeparators(folder)));
-            statusBar()->showMessage(
-                tr("Wrote the results to %1").arg(QDir::toNativeSeparators(folder)), 8000);
+        [this, sentence = done.arg(QDir::toNativeSeparators(path))](bool) {
+            report(sentence);
+            statusBar()->showMessage(sentence, 8000);
         },
-        [this](std::exception_ptr failure) { reportFailure(tr("Export Results"), failure); }));
+        [this, title](std::exception_ptr failure) { reportFailure(title, failure); }));
     updateActions();
 }
 
@@ -223,20 +266,8 @@ void MainWindow::exportFile(const QString& title, const QString& name, const QSt
     if (dialog.exec() != QDialog::Accepted) {
         return;
     }
-    const QString path = dialog.selectedFiles().first();
-    jobs_.start(std::make_unique<ValueJob<bool>>(
-        title,
-        [write, path](const Progress&) {
-            write(path);
-            return true;
-        },
-        [this, path](bool) {
-            const QString done = tr("Wrote %1").arg(QDir::toNativeSeparators(path));
-            report(done);
-            statusBar()->showMessage(done, 8000);
-        },
-        [this, title](std::exception_ptr failure) { reportFailure(title, failure); }));
-    updateActions();
+    writeAsJob(title, tr("Wrote %1"), dialog.selectedFiles().first(),
+               [write](const QString& path, const Progress&) { write(path); });
 }
 
 void MainWindow::exportSheet(bool pdf) {

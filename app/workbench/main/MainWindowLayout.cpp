@@ -242,6 +242,10 @@ void MainWindow::makeDipActions() {
                          tr("Stop what is running"), key("Ctrl+."), [this] { cancelJobs(); });
     a.live = addToggle("live", QStringLiteral("live"), tr("Run &Live"),
                        tr("Once there is a result, run again after each change"), false);
+    a.certainty = addAction("certainty", {}, tr("C&heck Certainty…"),
+                            tr("Compute the sheets more finely and see how far they move, and "
+                               "where"),
+                            {}, [this] { checkCertainty(); });
     a.play = addAction("play", QStringLiteral("play"), tr("&Play or Pause"), tr("Play the dip"),
                        key("Ctrl+Space"), [this] { timeline_->togglePlaying(); });
 }
@@ -372,7 +376,7 @@ void MainWindow::makeMenus() {
     QMenu* dip = menuBar()->addMenu(tr("&Dip"));
     dip->addActions({a.run, a.cancel, a.live});
     dip->addSeparator();
-    dip->addAction(a.play);
+    dip->addActions({a.play, a.certainty});
 
     QMenu* window = menuBar()->addMenu(tr("&Window"));
     window->addActions({projectDock_->toggleViewAction(), resultsDock_->toggleViewAction(),
