@@ -81,22 +81,46 @@ void ResultFolder::write(const QString& name, const QByteArray& contents) const 
     }
 }
 
+// Nothing that stands in the way of a file, or of its folder, is the results' to remove.
+void ResultFolder::refuseOthers(const QString& name) const {
+    const QFileInfo file(target_ + QLatin1Char('/') + name);
+    const QFileInfo folder(file.path());
+    if (file.isDir() || (folder.exists() && !folder.isDir())) {
+        throw Error(Text::tr("%1 is in the way of the results; move it, or choose another folder")
+                        .arg(file.isDir() ? file.fileName() : folder.fileName()),
+                    target_);
+    }
+}
+
 void ResultFolder::commit(const QStringList& names) {
     const QDir target(target_);
     const QDir source(temporary_->path());
-    Renames renames;
-    bool good = QDir().mkpath(target_) && source.mkpath(asideName);
+    const auto folderOf = [](const QString& name) { return QFileInfo(name).path(); };
     for (const QString& name : names) {
+        refuseOthers(name);
+    }
+    Renames renames;
+    bool good = QDir().mkpath(target_);
+    for (const QString& name : names) {
+        const QString aside = asideName + QLatin1Char('/') + name;
         if (good && target.exists(name)) {
-            good = renames.add(target.filePath(name),
-                               source.filePath(asideName + QLatin1Char('/') + name));
+            good = source.mkpath(folderOf(aside)) &&
+                   renames.add(target.filePath(name), source.filePath(aside));
         }
         if (good && source.exists(name)) {
-            good = renames.add(source.filePath(name), target.filePath(name));
+            good = target.mkpath(folderOf(name)) &&
+                   renames.add(source.filePath(name), target.filePath(name));
         }
     }
     if (!good) {
         renames.undo();
+    }
+    for (const QString& name : names) {
+        if (folderOf(name) != QLatin1String(".")) {
+            target.rmdir(folderOf(name)); // where nothing is left in it
+        }
+    }
+    if (!good) {
         throw Error(
             Text::tr("The results cannot be moved into the folder, is a file there in use?"),
             target_);

@@ -21,11 +21,14 @@ public:
     QString path() const;
     // Writes one file, at a path relative to path(). Throws Error: disk full …
     void write(const QString& name, const QByteArray& contents) const;
-    // Replaces the target's entries `names` by those written here; ones that were not written are
-    // removed there. Other files of the target are left alone.
+    // Replaces the target's files `names`, relative to it, by those written here; ones that were
+    // not written are removed there. Other files of the target are left alone. Throws Error, with
+    // the target as it was.
     void commit(const QStringList& names);
 
 private:
+    void refuseOthers(const QString& name) const;
+
     QString target_;
     std::unique_ptr<QTemporaryDir> temporary_;
 };

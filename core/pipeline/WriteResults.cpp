@@ -27,6 +27,19 @@ QString immersionFolder(int number) {
     return QStringLiteral("immersion-%1").arg(number);
 }
 
+// All that a run may write: those of both immersions, so that no second immersion of an earlier run
+// stays beside the results of a single one.
+QStringList resultFiles() {
+    QStringList files{QStringLiteral("proof.png"), QStringLiteral("report.json")};
+    for (const int number : {1, 2}) {
+        for (const char* name :
+             {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp", "stretch.png", "wrinkling.png"}) {
+            files.append(immersionFolder(number) + QLatin1Char('/') + QLatin1String(name));
+        }
+    }
+    return files;
+}
+
 // One of the pieces of writing that go on at the same time: packing pictures takes far longer than
 // the disk.
 struct Piece {
@@ -110,9 +123,7 @@ void writeResults(const Project& project, const JobResult& result, const QString
     results.write(proof, pngBytes(result.proof, proof));
     results.write(QStringLiteral("report.json"), QJsonDocument(report(project, result)).toJson());
     progress(1, Text::tr("Moving the results in place"));
-    // Both folders, so that no second immersion of an earlier run stays beside these results.
-    results.commit({immersionFolder(1), immersionFolder(2), QStringLiteral("proof.png"),
-                    QStringLiteral("report.json")});
+    results.commit(resultFiles());
 }
 
 } // namespace dipwright

@@ -311,8 +311,40 @@ private slots:
         ResultFolder folder(target);
         folder.write("proof.png", "new");
         folder.write("immersion-1/sheet.png", "sheet");
-        folder.commit({"proof.png", "immersion-1", "immersion-2"});
+        folder.commit({"proof.png", "immersion-1/sheet.png", "immersion-2/sheet.png"});
         QCOMPARE(filesBelow(target), (QStringList{"immersion-1/sheet.png", "proof.png"}));
+        QVERIFY(!QFileInfo::exists(target + "/immersion-2"));
+    }
+
+    void whatElseLiesAmongTheResultsStays() {
+        QTemporaryDir home;
+        writeResults(job_, first_, home.path(), {});
+        for (const char* name : {"immersion-1/job.dipw", "immersion-2/notes.txt"}) {
+            QFile file(home.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+        }
+        JobResult single = first_;
+        single.immersions.pop_back();
+        writeResults(job_, single, home.path(), {});
+        QCOMPARE(filesBelow(home.path()).size(), 8 + 2);
+        QVERIFY(QFileInfo::exists(home.filePath("immersion-1/job.dipw")));
+        QCOMPARE(filesBelow(home.filePath("immersion-2")), QStringList("notes.txt"));
+    }
+
+    void whatStandsInTheWayOfResultsIsNotRemoved() {
+        QTemporaryDir home;
+        QVERIFY(QDir(home.path()).mkpath("proof.png"));
+        QFile file(home.filePath("immersion-1"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.close();
+        try {
+            writeResults(job_, first_, home.path(), {});
+            QFAIL("removed it");
+        } catch (const Error& error) {
+            QVERIFY2(error.sentence().contains("in the way"), qPrintable(error.sentence()));
+        }
+        QVERIFY(QFileInfo(home.filePath("immersion-1")).isFile());
+        QCOMPARE(filesBelow(home.path()), QStringList("immersion-1"));
     }
 
     void aJobThatFailsLeavesEarlierResultsAlone() {
