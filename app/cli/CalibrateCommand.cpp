@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
 
+#include "base/Bytes.h"
 #include "printing/Calibration.h"
 
 #include <QRegularExpression>

@@ -1,18 +1,8 @@
 #include "printing/PrintFile.h"
 
 #include "base/Bytes.h"
-#include "base/Error.h"
-
-#include <QCoreApplication>
 
 namespace dipwright {
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
-};
-
-} // namespace
 
 std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>& profile) {
     return !profile || profile->iccProfile.isEmpty()
@@ -35,13 +25,6 @@ PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
 bool isTiff(const QString& path) {
     return path.endsWith(QLatin1String(".tif"), Qt::CaseInsensitive) ||
            path.endsWith(QLatin1String(".tiff"), Qt::CaseInsensitive);
-}
-
-void writeWhole(const QString& path, const std::function<void(QIODevice&)>& write) {
-    const QString failure = replaceFile(path, bytesOf(write));
-    if (!failure.isEmpty()) {
-        throw Error(Text::tr("The file cannot be written: %1").arg(failure), path);
-    }
 }
 
 void writePrintFile(const Sheet& sheet, const std::optional<PrinterProfile>& profile,

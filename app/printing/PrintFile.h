@@ -4,7 +4,6 @@
 #include "project/Profiles.h"
 #include "sheet/Sheet.h"
 
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -17,8 +16,6 @@ PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
                                 const PrinterColour* colour);
 
 bool isTiff(const QString& path);
-// Writes a file whole or not at all. Throws Error.
-void writeWhole(const QString& path, const std::function<void(QIODevice&)>& write);
 
 // PDF, or TIFF where the name ends so; without a profile at true scale and in sRGB. Throws Error.
 void writePrintFile(const Sheet& sheet, const std::optional<PrinterProfile>& profile,

@@ -15,5 +15,7 @@ QByteArray bytesOf(const std::function<void(QIODevice&)>& write);
 bool writeAll(QFileDevice& file, const QByteArray& bytes);
 // Replaces a file whole or not at all. Empty when done, else why not in the system's words.
 QString replaceFile(const QString& path, const QByteArray& bytes);
+// The same with what `write` puts into the device it is given. Throws Error.
+void writeWhole(const QString& path, const std::function<void(QIODevice&)>& write);
 
 } // namespace dipwright

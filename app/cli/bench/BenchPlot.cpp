@@ -1,9 +1,9 @@
 // The paper's Figures 6 and 7 with our figures: steps per second by constraints, and by the field.
 
-#include "base/Error.h"
+#include "base/Bytes.h"
+#include "base/Png.h"
 #include "cli/bench/BenchReport.h"
 
-#include <QFile>
 #include <QImage>
 #include <QPainter>
 #include <QPainterPath>
@@ -269,34 +269,28 @@ void drawFigures(QPaintDevice& device, const BenchReport& report) {
     }
 }
 
-bool drawSvg(const BenchReport& report, const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) {
-        return false;
-    }
+void drawSvg(const BenchReport& report, QIODevice& device) {
     QSvgGenerator svg;
-    svg.setOutputDevice(&file);
+    svg.setOutputDevice(&device);
     svg.setSize(plotSize);
     svg.setViewBox(QRect(QPoint(), plotSize));
     svg.setTitle(QStringLiteral("Steps per second"));
     drawFigures(svg, report);
-    return file.flush();
 }
 
-bool drawPng(const BenchReport& report, const QString& path) {
+QImage drawImage(const BenchReport& report) {
     QImage image(plotSize, QImage::Format_RGB32);
     drawFigures(image, report);
-    return image.save(path, "PNG");
+    return image;
 }
 
 } // namespace
 
 void drawPlot(const BenchReport& report, const QString& path) {
     const bool isSvg = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
-    if (!(isSvg ? drawSvg(report, path) : drawPng(report, path))) {
-        throw Error(QStringLiteral("The plot cannot be written; name a writable .png or .svg file"),
-                    path);
-    }
+    writeWhole(path, [&](QIODevice& device) {
+        isSvg ? drawSvg(report, device) : writePng(drawImage(report), device, path);
+    });
 }
 
 } // namespace dipwright::cli

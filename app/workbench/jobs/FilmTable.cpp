@@ -1,9 +1,7 @@
 #include "jobs/FilmTable.h"
 
 #include "base/Bytes.h"
-#include "base/Error.h"
 
-#include <QCoreApplication>
 #include <QTextStream>
 
 namespace dipwright {
@@ -30,16 +28,10 @@ void write(const FilmReading& reading, QTextStream& table) {
 } // namespace
 
 void writeFilmTable(const FilmReading& reading, const QString& path) {
-    const QByteArray bytes = bytesOf([&](QIODevice& device) {
+    writeWhole(path, [&](QIODevice& device) {
         QTextStream table(&device);
         write(reading, table);
     });
-    const QString failure = replaceFile(path, bytes);
-    if (!failure.isEmpty()) {
-        throw Error(QCoreApplication::translate("FilmTable", "The table cannot be written: %1")
-                        .arg(failure),
-                    path);
-    }
 }
 
 } // namespace dipwright

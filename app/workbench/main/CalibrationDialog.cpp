@@ -1,10 +1,10 @@
 #include "main/CalibrationDialog.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 #include "panels/PictureView.h"
 #include "panels/ShippedNames.h"
 #include "printing/Calibration.h"
-#include "printing/PrintFile.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
