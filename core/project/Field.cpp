@@ -70,14 +70,18 @@ QString shown(const QJsonValue& value) {
         return Text::tr("an array");
     case QJsonValue::Object:
         return Text::tr("an object");
-    case QJsonValue::Undefined:
+    case QJsonValue::Undefined: // told of before
         break;
     }
-    return Text::tr("nothing");
+    return {};
 }
 
 void checkPart(const FieldRule& rule, const QJsonValue& value, const QString& path,
                const QString& file) {
+    if (value.isUndefined()) {
+        throw Error(Text::tr("A value is missing, give %1").arg(expectation(rule)),
+                    place(path, file));
+    }
     if (!keepsRule(rule, value)) {
         throw Error(Text::tr("%1 does not fit here, give %2").arg(shown(value), expectation(rule)),
                     place(path, file));

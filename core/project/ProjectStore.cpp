@@ -78,6 +78,9 @@ QJsonObject readDocument(ArchiveReader& archive, const QString& path) {
     }
     QJsonParseError error;
     const auto document = QJsonDocument::fromJson(archive.read(documentEntry), &error);
+    if (document.isArray()) {
+        throw Error(Text::tr("project.json holds a list where a project should be"), path);
+    }
     if (!document.isObject()) {
         throw Error(Text::tr("project.json is damaged at character %1: %2")
                         .arg(error.offset)
@@ -95,17 +98,35 @@ QImage readTexture(ArchiveReader& archive, const QString& entry, const QString& 
     return image.convertToFormat(QImage::Format_RGBA8888);
 }
 
+// "texture" is the first; "textures", all of them, is there for models of several.
+QJsonArray textureNames(const QJsonObject& model) {
+    QJsonArray names = model.value(QLatin1String("textures")).toArray();
+    const QJsonValue first = model.value(QLatin1String("texture"));
+    if (first.isString()) {
+        if (names.isEmpty()) {
+            names.append(first);
+        } else {
+            names.replace(0, first);
+        }
+    }
+    return names;
+}
+
 std::shared_ptr<const TexturedMesh> readAssets(ArchiveReader& archive, const QJsonObject& json,
                                                const QString& path) {
     const QJsonObject entries = json.value(QLatin1String("model")).toObject();
-    const QByteArray mesh = archive.read(entries.value(QLatin1String("mesh")).toString());
+    const QString meshName = entries.value(QLatin1String("mesh")).toString();
+    if (meshName.isEmpty()) {
+        throw Error(Text::tr("The project names no model, model.mesh is missing"), path);
+    }
+    const QByteArray mesh = archive.read(meshName);
     if (entries.value(QLatin1String("sha256")).toString().toLatin1() != sha256(mesh)) {
         throw Error(Text::tr("The model in the project is not the one that was saved, its sha256 "
                              "differs"),
                     path);
     }
     auto model = std::make_shared<TexturedMesh>(readModel(mesh, path));
-    const QJsonArray textures = entries.value(QLatin1String("textures")).toArray();
+    const QJsonArray textures = textureNames(entries);
     if (std::size_t(textures.size()) != model->textures.size()) {
         throw Error(Text::tr("The project lists %1 textures and its model needs %2")
                         .arg(textures.size())

@@ -6,6 +6,7 @@
 #include "base/Error.h"
 #include "project/ProjectStore.h"
 
+#include <QBuffer>
 #include <QJsonObject>
 #include <QProcess>
 #include <QtTest>
@@ -85,6 +86,22 @@ private slots:
         QVERIFY(model["texture"].toString().startsWith("assets/"));
     }
 
+    // "textures" is there for models of several pictures; other programs write and change
+    // "texture".
+    void thePictureIsNamedByTexture() {
+        writeFile(path("one.dipw"), zip(withDocument(changed("textures", QJsonValue::Undefined))));
+        QCOMPARE(loadProject(path("one.dipw")).model->textures, sampleProject().model->textures);
+        QByteArray red;
+        QBuffer buffer(&red);
+        QImage picture(4, 4, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        QVERIFY(picture.save(&buffer, "PNG"));
+        auto entries = withDocument(changed("texture", "assets/red.png"));
+        entries.push_back({"assets/red.png", red});
+        writeFile(path("red.dipw"), zip(entries));
+        QCOMPARE(loadProject(path("red.dipw")).model->textures.front().size(), QSize(4, 4));
+    }
+
     void theSameProjectGivesTheSameBytes() {
         saveProject(sampleProject(), path("again.dipw"));
         QCOMPARE(bytesOf(path("again.dipw")), good_);
@@ -150,7 +167,8 @@ private slots:
         QTest::newRow("mesh elsewhere")
             << zip(withDocument(changed("mesh", "../../../etc/passwd"))) << "lacks";
         QTest::newRow("texture is no picture")
-            << zip(withDocument(changed("textures", QJsonArray{"mimetype"}))) << "texture";
+            << zip(withDocument(changed("texture", "mimetype"))) << "texture";
+        QTest::newRow("no mesh named") << zip(withDocument(changed("mesh", 5))) << "model.mesh";
         QJsonObject newer = documentOf(entries_);
         newer["version"] = 2;
         QTest::newRow("newer") << zip(withDocument(QJsonDocument(newer).toJson())) << "version 2";
