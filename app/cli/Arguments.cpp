@@ -93,6 +93,20 @@ int wholeNumberOption(const QCommandLineParser& parser, const QString& option, i
     return int(number);
 }
 
+QString pictureOption(const QCommandLineParser& parser, const QString& option,
+                      const QStringList& endings) {
+    const QString path = parser.value(option);
+    const auto ends = [&](const QString& ending) {
+        return path.endsWith(ending, Qt::CaseInsensitive);
+    };
+    if (std::none_of(endings.begin(), endings.end(), ends)) {
+        throw UsageError(QStringLiteral("“%1” does not fit here, name a file that ends on %2")
+                             .arg(path, endings.join(QStringLiteral(" or "))),
+                         QStringLiteral("--") + option);
+    }
+    return path;
+}
+
 void setByOption(Project& project, const QString& path, const QString& value,
                  const QString& option) {
     try {

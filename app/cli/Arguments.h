@@ -18,6 +18,11 @@ double numberOption(const QCommandLineParser& parser, const QString& option, dou
 int wholeNumberOption(const QCommandLineParser& parser, const QString& option, int minimum,
                       int maximum);
 
+// The file that a picture is to be written to; throws UsageError where its name does not end on one
+// of `endings` (".png").
+QString pictureOption(const QCommandLineParser& parser, const QString& option,
+                      const QStringList& endings);
+
 // setByPath on behalf of an option: a refusal is a UsageError that names the option.
 void setByOption(Project& project, const QString& path, const QString& value,
                  const QString& option);

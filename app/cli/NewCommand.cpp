@@ -76,6 +76,16 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
     project.modelSource.texture = options.texture;
 }
 
+// A model or picture that the project takes in is not replaced by it.
+void requireOther(const QString& path, const QCommandLineParser& parser, const QString& option) {
+    const QString source = QFileInfo(parser.value(option)).canonicalFilePath();
+    if (!source.isEmpty() && source == QFileInfo(path).canonicalFilePath()) {
+        throw UsageError(QStringLiteral("The project would replace its own source, name another "
+                                        "file"),
+                         path);
+    }
+}
+
 class NewCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("new"); }
@@ -112,6 +122,8 @@ public:
             throw UsageError(QStringLiteral("Name the model with --model FILE"),
                              QStringLiteral("--model"));
         }
+        requireOther(path, parser, modelOption);
+        requireOther(path, parser, textureOption);
         Project project;
         project.name = QFileInfo(path).completeBaseName();
         project.date = QDate::currentDate().toString(Qt::ISODate);

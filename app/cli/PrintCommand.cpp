@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
 
+#include "base/Bytes.h"
 #include "base/Png.h"
 #include "pipeline/Pipeline.h"
 
@@ -128,7 +129,8 @@ public:
         chooseImmersion(project, parser);
         const PrintTarget target = printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
-        const QString proof = parser.value(proofOption);
+        const QString proof =
+            parser.isSet(proofOption) ? pictureOption(parser, proofOption, {".png"}) : QString();
         if (!(target.file + proof).isEmpty() && project.immersions.size() > 1) {
             throw UsageError(
                 QStringLiteral("The project has two sheets, choose one with --immersion"),

@@ -35,6 +35,9 @@ void cancelOnSignals(const CancelSwitch& cancelSwitch) {
     signalSwitch = &shared;
     std::signal(SIGINT, onSignal);
     std::signal(SIGTERM, onSignal);
+#ifdef SIGHUP
+    std::signal(SIGHUP, onSignal); // the terminal is gone
+#endif
 #ifdef SIGXFSZ
     std::signal(SIGXFSZ, SIG_IGN);
 #endif

@@ -31,6 +31,20 @@ QString commandHelp(const QCommandLineParser& parser, const QString& name) {
         .arg(name, usage, text.mid(end).trimmed().prepend(QStringLiteral("\n\n")));
 }
 
+// An option that is given an empty value, by a variable that is not set, say, is not left out.
+void requireValues(const QCommandLineParser& parser) {
+    for (const QString& option : parser.optionNames()) {
+        if (parser.values(option).contains(QString())) {
+            throw UsageError(QStringLiteral("A value is missing, see --help"),
+                             QStringLiteral("--") + option);
+        }
+    }
+}
+
+void printVersion(QTextStream& out) {
+    out << "dipwright-cli " << QCoreApplication::applicationVersion() << '\n';
+}
+
 // `arguments`: the program and what follows the command.
 void runCommand(const Command& command, const QStringList& arguments, Console& console) {
     QCommandLineParser parser;
@@ -38,15 +52,22 @@ void runCommand(const Command& command, const QStringList& arguments, Console& c
     parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("This help.")});
     parser.addOption(
         {{QStringLiteral("q"), QStringLiteral("quiet")}, QStringLiteral("Shows no progress.")});
+    parser.addOption(
+        {{QStringLiteral("v"), QStringLiteral("version")}, QStringLiteral("The version.")});
     command.declare(parser);
     const bool understood = parser.parse(arguments);
     if (parser.isSet(QStringLiteral("help"))) {
         console.out() << commandHelp(parser, command.name());
         return;
     }
+    if (parser.isSet(QStringLiteral("version"))) {
+        printVersion(console.out());
+        return;
+    }
     if (!understood) {
         throw UsageError(QStringLiteral("%1 See --help").arg(parser.errorText()), command.name());
     }
+    requireValues(parser);
     console.setQuiet(parser.isSet(QStringLiteral("quiet")));
     command.run(parser, console);
 }
@@ -59,7 +80,7 @@ void run(const QStringList& arguments, Console& console) {
         return;
     }
     if (first == QLatin1String("--version") || first == QLatin1String("-v")) {
-        console.out() << "dipwright-cli " << QCoreApplication::applicationVersion() << '\n';
+        printVersion(console.out());
         return;
     }
     for (const auto& command : commands) {

@@ -135,6 +135,9 @@ public:
         const int runs = wholeNumberOption(parser, runsOption, 1, 1000);
         const QStringList parts = chosenParts(parser);
         requireNoPositionalArgument(parser);
+        const QString plot = parser.isSet(plotOption)
+                                 ? pictureOption(parser, plotOption, {".png", ".svg"})
+                                 : QString();
         const SolverRegistry registry;
         const QString id = registry.info(parser.value(solverOption)).id;
         const Progress progress = console.progress();
@@ -145,8 +148,8 @@ public:
         report.device = QString::fromUtf8(registry.module(id).device());
         report.solver = registry.info(id);
         report.ceiling = ceiling;
-        if (parser.isSet(plotOption)) {
-            drawPlot(report, parser.value(plotOption));
+        if (!plot.isEmpty()) {
+            drawPlot(report, plot);
         }
         if (parser.isSet(jsonOption)) {
             console.out() << QJsonDocument(toJson(report)).toJson();
