@@ -65,11 +65,14 @@
     </message>
 </context>
 <context>
-    <name>Dip</name>
+    <name>Bytes</name>
     <message>
-        <source>The body does not meet the film; move it over the film or choose a larger film</source>
-        <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film oder wählen Sie einen größeren Film</translation>
+        <source>The file cannot be written: %1</source>
+        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
     </message>
+</context>
+<context>
+    <name>Dip</name>
     <message>
         <source>Dipping</source>
         <translation>Tauchen</translation>
@@ -86,6 +89,10 @@
         <source>The solver failed with an unknown exception</source>
         <translation>Der Löser ist mit einer unbekannten Ausnahme gescheitert</translation>
     </message>
+    <message>
+        <source>The body does not meet the film; move it over the film, choose a larger film, or give the film more points</source>
+        <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film, wählen Sie einen größeren Film oder geben Sie dem Film mehr Punkte</translation>
+    </message>
 </context>
 <context>
     <name>DipJob</name>
@@ -96,13 +103,6 @@
     <message>
         <source>Preparing the views</source>
         <translation>Ansichten werden vorbereitet</translation>
-    </message>
-</context>
-<context>
-    <name>FilmTable</name>
-    <message>
-        <source>The table cannot be written: %1</source>
-        <translation>Die Tabelle kann nicht geschrieben werden: %1</translation>
     </message>
 </context>
 <context>
@@ -299,12 +299,16 @@
         <translation>Ergebnisse werden an ihren Platz gebracht</translation>
     </message>
     <message>
-        <source>The film would need %1 × %2 points to compare with, more than it may have; give it fewer</source>
-        <translation>Zum Vergleich bräuchte der Film %1 × %2 Punkte, mehr als er haben darf; geben Sie ihm weniger</translation>
+        <source>The film is too fine to be compared with one of %1 × %2 points, set half as many for the comparison</source>
+        <translation>Der Film ist zu fein, um mit einem von %1 × %2 Punkten verglichen zu werden; geben Sie ihm für den Vergleich halb so viele</translation>
     </message>
     <message>
-        <source>%1: a twentieth of this sheet moves by more than %2 mm when it is computed more finely; give the film more points, or turn the part</source>
-        <translation>%1: ein Zwanzigstel dieses Bogens verschiebt sich um mehr als %2 mm, wenn feiner gerechnet wird; geben Sie dem Film mehr Punkte oder drehen Sie das Teil</translation>
+        <source>Comparing the sheets</source>
+        <translation>Bögen werden verglichen</translation>
+    </message>
+    <message>
+        <source>The body is smaller than the film&apos;s cells; give the film more points, or check the model&apos;s unit</source>
+        <translation>Der Körper ist kleiner als die Zellen des Films; geben Sie dem Film mehr Punkte oder prüfen Sie die Einheit des Modells</translation>
     </message>
 </context>
 <context>
@@ -721,10 +725,6 @@
         <translation>ein Objekt</translation>
     </message>
     <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
-    </message>
-    <message>
         <source>%1 does not fit here, give %2</source>
         <translation>%1 passt hier nicht; geben Sie %2 an</translation>
     </message>
@@ -784,6 +784,10 @@
         <source>%1 × %2 points are more than the %3 million that a film may have, give fewer</source>
         <translation>%1 × %2 Punkte sind mehr als die %3 Millionen, die ein Film haben darf; nehmen Sie weniger</translation>
     </message>
+    <message>
+        <source>A value is missing, give %1</source>
+        <translation>Hier fehlt ein Wert; geben Sie %1 an</translation>
+    </message>
 </context>
 <context>
     <name>ProjectStore</name>
@@ -810,6 +814,14 @@
     <message>
         <source>The project cannot be saved: %1</source>
         <translation>Das Projekt kann nicht gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>project.json holds a list where a project should be</source>
+        <translation>project.json enthält eine Liste, wo ein Projekt stehen sollte</translation>
+    </message>
+    <message>
+        <source>The project names no model, model.mesh is missing</source>
+        <translation>Das Projekt nennt kein Modell, model.mesh fehlt</translation>
     </message>
 </context>
 <context>
@@ -1265,6 +1277,10 @@
         <source>The results cannot be moved into the folder, is a file there in use?</source>
         <translation>Die Ergebnisse können nicht in den Ordner verschoben werden; wird dort eine Datei benutzt?</translation>
     </message>
+    <message>
+        <source>%1 is in the way of the results; move it, or choose another folder</source>
+        <translation>%1 steht den Ergebnissen im Weg; verschieben Sie es oder wählen Sie einen anderen Ordner</translation>
+    </message>
 </context>
 <context>
     <name>ShippedNames</name>
@@ -1694,20 +1710,8 @@
         <translation>Wie weit sich der Bogen verschiebt</translation>
     </message>
     <message>
-        <source>Median</source>
-        <translation>Median</translation>
-    </message>
-    <message>
         <source>95 %</source>
         <translation>95 %</translation>
-    </message>
-    <message>
-        <source>99 %</source>
-        <translation>99 %</translation>
-    </message>
-    <message>
-        <source>Most</source>
-        <translation>Größte</translation>
     </message>
     <message>
         <source>With steps half as long</source>
@@ -1718,16 +1722,12 @@
         <translation>Mit halb so breiten Filmzellen</translation>
     </message>
     <message>
-        <source>%1: this sheet is certain. 95 % of it moves by no more than %2 when it is computed more finely.</source>
-        <translation>%1: dieser Bogen ist sicher. 95 % davon verschieben sich um höchstens %2, wenn feiner gerechnet wird.</translation>
-    </message>
-    <message>
         <source>Certainty of the sheet</source>
-        <translation>Sicherheit des Bogens</translation>
+        <translation>Verlässlichkeit des Bogens</translation>
     </message>
     <message>
         <source>Certainty of the Sheets</source>
-        <translation>Sicherheit der Bögen</translation>
+        <translation>Verlässlichkeit der Bögen</translation>
     </message>
     <message>
         <source>&amp;Save Maps…</source>
@@ -1736,6 +1736,50 @@
     <message>
         <source>Save Maps to a Folder</source>
         <translation>Karten in einem Ordner speichern</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Painted twice</source>
+        <translation>Beide malen</translation>
+    </message>
+    <message>
+        <source>Painted once</source>
+        <translation>Nur einer malt</translation>
+    </message>
+    <message>
+        <source>The part of the body that is painted by both dips</source>
+        <translation>Der Teil des Körpers, den beide Tauchgänge bemalen</translation>
+    </message>
+    <message>
+        <source>The part of the body that is painted by one of the dips only</source>
+        <translation>Der Teil des Körpers, den nur einer der Tauchgänge bemalt</translation>
+    </message>
+    <message>
+        <source>%1: nothing is painted that could be compared.</source>
+        <translation>%1: es wird nichts bemalt, das verglichen werden könnte.</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is certain. 95 % of it moves by %2 or less when it is computed more finely.</source>
+        <translation>%1: dieser Bogen ist verlässlich. 95 % davon verschieben sich um %2 oder weniger, wenn feiner gerechnet wird.</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is not certain. 95 % of it moves by up to %2 when it is computed more finely; give the film more points, turn the body, or dip it in two immersions.</source>
+        <translation>%1: dieser Bogen ist nicht verlässlich. 95 % davon verschieben sich um bis zu %2, wenn feiner gerechnet wird; geben Sie dem Film mehr Punkte, drehen Sie den Körper oder tauchen Sie ihn in zwei Tauchgängen.</translation>
+    </message>
+    <message>
+        <source>These are the figures of the project as it was before the last changes.</source>
+        <translation>Dies sind die Zahlen des Projekts, wie es vor den letzten Änderungen war.</translation>
     </message>
 </context>
 <context>
@@ -2166,10 +2210,6 @@
     <message>
         <source>stretch</source>
         <translation>dehnung</translation>
-    </message>
-    <message>
-        <source>The picture cannot be written</source>
-        <translation>Das Bild kann nicht geschrieben werden</translation>
     </message>
     <message>
         <source>Body at %1, %2, %3</source>
@@ -2817,11 +2857,11 @@
     </message>
     <message>
         <source>Checking the certainty</source>
-        <translation>Sicherheit wird geprüft</translation>
+        <translation>Verlässlichkeit wird geprüft</translation>
     </message>
     <message>
         <source>Check Certainty</source>
-        <translation>Sicherheit prüfen</translation>
+        <translation>Verlässlichkeit prüfen</translation>
     </message>
     <message>
         <source>Save Maps</source>
@@ -2833,7 +2873,7 @@
     </message>
     <message>
         <source>C&amp;heck Certainty…</source>
-        <translation>Sic&amp;herheit prüfen …</translation>
+        <translation>&amp;Verlässlichkeit prüfen …</translation>
     </message>
     <message>
         <source>Compute the sheets more finely and see how far they move, and where</source>
@@ -3543,10 +3583,6 @@
         <source>Calibration of %1</source>
         <translation>Kalibrierung von %1</translation>
     </message>
-    <message>
-        <source>The file cannot be written: %1</source>
-        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
-    </message>
 </context>
 <context>
     <name>dipwright::ProfilesDialog</name>
@@ -3985,7 +4021,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>Certainty of the sheet</source>
-        <translation>Sicherheit des Bogens</translation>
+        <translation>Verlässlichkeit des Bogens</translation>
     </message>
     <message>
         <source>How far the ink moves when the film has cells half as wide; ink side up</source>
@@ -3998,8 +4034,8 @@ mm</source>
 mm</translation>
     </message>
     <message>
-        <source>Film that the finer dip does not paint is shown as not moved</source>
-        <translation>Film, der bei feinerer Rechnung nicht malt, ist als unbewegt gezeigt</translation>
+        <source>Purple: film that paints in one of the dips only</source>
+        <translation>Violett: Film, der nur in einer der Rechnungen malt</translation>
     </message>
 </context>
 <context>

@@ -65,11 +65,14 @@
     </message>
 </context>
 <context>
-    <name>Dip</name>
+    <name>Bytes</name>
     <message>
-        <source>The body does not meet the film; move it over the film or choose a larger film</source>
-        <translation>O corpo não encontra o filme; mova-o sobre o filme ou escolha um filme maior</translation>
+        <source>The file cannot be written: %1</source>
+        <translation>O arquivo não pode ser gravado: %1</translation>
     </message>
+</context>
+<context>
+    <name>Dip</name>
     <message>
         <source>Dipping</source>
         <translation>Imersão</translation>
@@ -86,6 +89,10 @@
         <source>The solver failed with an unknown exception</source>
         <translation>O solucionador falhou com uma exceção desconhecida</translation>
     </message>
+    <message>
+        <source>The body does not meet the film; move it over the film, choose a larger film, or give the film more points</source>
+        <translation>O corpo não encontra o filme; mova-o sobre o filme, escolha um filme maior ou dê mais pontos ao filme</translation>
+    </message>
 </context>
 <context>
     <name>DipJob</name>
@@ -96,13 +103,6 @@
     <message>
         <source>Preparing the views</source>
         <translation>Preparando as vistas</translation>
-    </message>
-</context>
-<context>
-    <name>FilmTable</name>
-    <message>
-        <source>The table cannot be written: %1</source>
-        <translation>A tabela não pode ser gravada: %1</translation>
     </message>
 </context>
 <context>
@@ -299,12 +299,16 @@
         <translation>Movendo os resultados para o lugar</translation>
     </message>
     <message>
-        <source>The film would need %1 × %2 points to compare with, more than it may have; give it fewer</source>
-        <translation>Para comparar, o filme precisaria de %1 × %2 pontos, mais do que pode ter; dê-lhe menos</translation>
+        <source>The film is too fine to be compared with one of %1 × %2 points, set half as many for the comparison</source>
+        <translation>O filme é fino demais para ser comparado com um de %1 × %2 pontos; defina metade deles para a comparação</translation>
     </message>
     <message>
-        <source>%1: a twentieth of this sheet moves by more than %2 mm when it is computed more finely; give the film more points, or turn the part</source>
-        <translation>%1: um vigésimo desta folha desloca-se mais de %2 mm quando é calculada com mais finura; dê mais pontos ao filme ou gire a peça</translation>
+        <source>Comparing the sheets</source>
+        <translation>Comparando as folhas</translation>
+    </message>
+    <message>
+        <source>The body is smaller than the film&apos;s cells; give the film more points, or check the model&apos;s unit</source>
+        <translation>O corpo é menor que as células do filme; dê mais pontos ao filme ou verifique a unidade do modelo</translation>
     </message>
 </context>
 <context>
@@ -721,10 +725,6 @@
         <translation>um objeto</translation>
     </message>
     <message>
-        <source>nothing</source>
-        <translation>nada</translation>
-    </message>
-    <message>
         <source>%1 does not fit here, give %2</source>
         <translation>%1 não serve aqui; informe %2</translation>
     </message>
@@ -784,6 +784,10 @@
         <source>%1 × %2 points are more than the %3 million that a film may have, give fewer</source>
         <translation>%1 × %2 pontos passam dos %3 milhões que um filme pode ter; use menos</translation>
     </message>
+    <message>
+        <source>A value is missing, give %1</source>
+        <translation>Falta um valor, informe %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectStore</name>
@@ -810,6 +814,14 @@
     <message>
         <source>The project cannot be saved: %1</source>
         <translation>O projeto não pode ser salvo: %1</translation>
+    </message>
+    <message>
+        <source>project.json holds a list where a project should be</source>
+        <translation>project.json contém uma lista onde deveria haver um projeto</translation>
+    </message>
+    <message>
+        <source>The project names no model, model.mesh is missing</source>
+        <translation>O projeto não nomeia nenhum modelo, falta model.mesh</translation>
     </message>
 </context>
 <context>
@@ -1265,6 +1277,10 @@
         <source>The results cannot be moved into the folder, is a file there in use?</source>
         <translation>Os resultados não podem ser movidos para a pasta; algum arquivo ali está em uso?</translation>
     </message>
+    <message>
+        <source>%1 is in the way of the results; move it, or choose another folder</source>
+        <translation>%1 está no caminho dos resultados; mova-o ou escolha outra pasta</translation>
+    </message>
 </context>
 <context>
     <name>ShippedNames</name>
@@ -1694,20 +1710,8 @@
         <translation>Quanto a folha se desloca</translation>
     </message>
     <message>
-        <source>Median</source>
-        <translation>Mediana</translation>
-    </message>
-    <message>
         <source>95 %</source>
         <translation>95 %</translation>
-    </message>
-    <message>
-        <source>99 %</source>
-        <translation>99 %</translation>
-    </message>
-    <message>
-        <source>Most</source>
-        <translation>Máximo</translation>
     </message>
     <message>
         <source>With steps half as long</source>
@@ -1715,19 +1719,15 @@
     </message>
     <message>
         <source>With film cells half as wide</source>
-        <translation>Com células de metade da largura</translation>
-    </message>
-    <message>
-        <source>%1: this sheet is certain. 95 % of it moves by no more than %2 when it is computed more finely.</source>
-        <translation>%1: esta folha é segura. 95 % dela deslocam-se no máximo %2 quando é calculada com mais finura.</translation>
+        <translation>Com células do filme de metade da largura</translation>
     </message>
     <message>
         <source>Certainty of the sheet</source>
-        <translation>Certeza da folha</translation>
+        <translation>Confiabilidade da folha</translation>
     </message>
     <message>
         <source>Certainty of the Sheets</source>
-        <translation>Certeza das folhas</translation>
+        <translation>Confiabilidade das folhas</translation>
     </message>
     <message>
         <source>&amp;Save Maps…</source>
@@ -1736,6 +1736,50 @@
     <message>
         <source>Save Maps to a Folder</source>
         <translation>Salvar mapas em uma pasta</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Média</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>Painted twice</source>
+        <translation>Pintado por ambas</translation>
+    </message>
+    <message>
+        <source>Painted once</source>
+        <translation>Pintado por uma</translation>
+    </message>
+    <message>
+        <source>The part of the body that is painted by both dips</source>
+        <translation>A parte do corpo pintada pelas duas imersões</translation>
+    </message>
+    <message>
+        <source>The part of the body that is painted by one of the dips only</source>
+        <translation>A parte do corpo pintada por só uma das imersões</translation>
+    </message>
+    <message>
+        <source>%1: nothing is painted that could be compared.</source>
+        <translation>%1: nada é pintado que se possa comparar.</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is certain. 95 % of it moves by %2 or less when it is computed more finely.</source>
+        <translation>%1: esta folha é confiável. 95 % dela deslocam-se %2 ou menos quando é calculada com mais finura.</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is not certain. 95 % of it moves by up to %2 when it is computed more finely; give the film more points, turn the body, or dip it in two immersions.</source>
+        <translation>%1: esta folha não é confiável. 95 % dela deslocam-se até %2 quando é calculada com mais finura; dê mais pontos ao filme, gire o corpo ou mergulhe-o em duas imersões.</translation>
+    </message>
+    <message>
+        <source>These are the figures of the project as it was before the last changes.</source>
+        <translation>Estes são os números do projeto como era antes das últimas mudanças.</translation>
     </message>
 </context>
 <context>
@@ -2166,10 +2210,6 @@
     <message>
         <source>stretch</source>
         <translation>estiramento</translation>
-    </message>
-    <message>
-        <source>The picture cannot be written</source>
-        <translation>A imagem não pode ser gravada</translation>
     </message>
     <message>
         <source>Body at %1, %2, %3</source>
@@ -2817,11 +2857,11 @@
     </message>
     <message>
         <source>Checking the certainty</source>
-        <translation>Verificando a certeza</translation>
+        <translation>Verificando a confiabilidade</translation>
     </message>
     <message>
         <source>Check Certainty</source>
-        <translation>Verificar certeza</translation>
+        <translation>Verificar confiabilidade</translation>
     </message>
     <message>
         <source>Save Maps</source>
@@ -2833,7 +2873,7 @@
     </message>
     <message>
         <source>C&amp;heck Certainty…</source>
-        <translation>Verificar cert&amp;eza…</translation>
+        <translation>Verificar c&amp;onfiabilidade…</translation>
     </message>
     <message>
         <source>Compute the sheets more finely and see how far they move, and where</source>
@@ -3543,10 +3583,6 @@
         <source>Calibration of %1</source>
         <translation>Calibração de %1</translation>
     </message>
-    <message>
-        <source>The file cannot be written: %1</source>
-        <translation>O arquivo não pode ser gravado: %1</translation>
-    </message>
 </context>
 <context>
     <name>dipwright::ProfilesDialog</name>
@@ -3985,11 +4021,11 @@ mm por mm</translation>
     </message>
     <message>
         <source>Certainty of the sheet</source>
-        <translation>Certeza da folha</translation>
+        <translation>Confiabilidade da folha</translation>
     </message>
     <message>
         <source>How far the ink moves when the film has cells half as wide; ink side up</source>
-        <translation>Quanto a tinta se desloca com células de metade da largura; lado da tinta para cima</translation>
+        <translation>Quanto a tinta se desloca com células do filme de metade da largura; lado da tinta para cima</translation>
     </message>
     <message>
         <source>change
@@ -3998,8 +4034,8 @@ mm</source>
 mm</translation>
     </message>
     <message>
-        <source>Film that the finer dip does not paint is shown as not moved</source>
-        <translation>O filme que o cálculo mais fino não pinta é mostrado como imóvel</translation>
+        <source>Purple: film that paints in one of the dips only</source>
+        <translation>Roxo: filme que pinta em só um dos cálculos</translation>
     </message>
 </context>
 <context>

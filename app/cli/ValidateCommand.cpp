@@ -1,10 +1,14 @@
 #include "cli/Arguments.h"
 
+#include "base/Bytes.h"
+#include "base/Png.h"
 #include "pipeline/SheetCertainty.h"
 #include "pipeline/ValidateJob.h"
 #include "validation/PhysicsValidation.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
+#include <bit>
 
 namespace dipwright::cli {
 namespace {
@@ -21,6 +25,10 @@ const QString plotOption = QStringLiteral("plot");
 std::vector<int> resolutions(const QCommandLineParser& parser) {
     const int finest =
         parser.isSet(cellsOption) ? wholeNumberOption(parser, cellsOption, 15, 120) : 60;
+    if (finest % 15 != 0 || !std::has_single_bit(unsigned(finest) / 15)) {
+        throw UsageError(QStringLiteral("Give 15, 30, 60 or 120 cells"),
+                         QStringLiteral("--") + cellsOption);
+    }
     std::vector<int> result;
     for (int cells = 15; cells <= finest; cells *= 2) {
         result.push_back(cells);
@@ -30,6 +38,8 @@ std::vector<int> resolutions(const QCommandLineParser& parser) {
 
 void validateThePhysics(const QCommandLineParser& parser, Console& console) {
     requireNoPositionalArgument(parser);
+    const QString plot =
+        parser.isSet(plotOption) ? pictureOption(parser, plotOption, {".png"}) : QString();
     const SolverRegistry registry;
     PhysicsOptions options;
     options.resolutions = resolutions(parser);
@@ -44,12 +54,9 @@ void validateThePhysics(const QCommandLineParser& parser, Console& console) {
     } else {
         console.out() << physicsTable(results);
     }
-    if (parser.isSet(plotOption)) {
-        const QString path = parser.value(plotOption);
-        if (!physicsPlot(results, QSize(1400, 700)).save(path)) {
-            throw Error(QStringLiteral("The plot cannot be written; name a writable .png file"),
-                        path);
-        }
+    if (!plot.isEmpty()) {
+        const QImage picture = physicsPlot(results, QSize(1400, 700));
+        writeWhole(plot, [&](QIODevice& device) { writePng(picture, device, plot); });
     }
     for (const PhysicsResult& result : results) {
         if (!result.passed()) {
@@ -61,25 +68,29 @@ void validateThePhysics(const QCommandLineParser& parser, Console& console) {
 
 void printChange(const QString& immersion, const QString& finer, const SheetChange& change,
                  QTextStream& out) {
-    out << QStringLiteral("%1  %2  %3  %4  %5  %6  %7 %\n")
-               .arg(immersion, -16)
-               .arg(finer, -13)
-               .arg(change.median, 7, 'f', 3)
-               .arg(change.percentile95, 7, 'f', 3)
-               .arg(change.percentile99, 7, 'f', 3)
-               .arg(change.maximum, 7, 'f', 3)
-               .arg(100 * change.painted, 6, 'f', 1);
+    const auto padded = [](double number, int width, int decimals) {
+        return QString::number(number, 'f', decimals).rightJustified(width);
+    };
+    out << QStringLiteral("%1  %2  %3  %4  %5  %6 %  %7 %\n")
+               .arg(immersion.leftJustified(16), finer, padded(change.distance.mean, 7, 3),
+                    padded(change.distance.percentile95, 7, 3),
+                    padded(change.distance.maximum, 7, 3), padded(100 * change.painted, 6, 1),
+                    padded(100 * change.paintedOnce, 5, 1));
 }
 
 void printCertainty(const std::vector<ImmersionCertainty>& certainty, QTextStream& out) {
-    out << "How far the sheet moves, mm\n"
-           "immersion         computed with   median     95 %     99 %      max   painted\n";
+    out << "How far the sheet moves, mm, and the body painted in both dips and in one only\n"
+           "immersion         computed with     mean     95 %      max      both      one\n";
     for (const ImmersionCertainty& one : certainty) {
         printChange(one.immersion.name, QStringLiteral("half the step"), one.halfStep, out);
         printChange(one.immersion.name, QStringLiteral("half the cell"), one.halfSpacing, out);
     }
-    for (const QString& warning : certaintyWarnings(certainty)) {
-        out << "warning: " << warning << '\n';
+    for (const ImmersionCertainty& one : certainty) {
+        if (!isCertain(one)) {
+            out << "warning: " << one.immersion.name
+                << ": this sheet is not certain; give the film more points, turn the body, or dip "
+                   "it in two immersions\n";
+        }
     }
 }
 
@@ -88,16 +99,32 @@ void validateTheSheet(const QCommandLineParser& parser, Console& console) {
     if (parser.isSet(solverOption)) {
         project.process.solver = parser.value(solverOption);
     }
+    if (parser.isSet(mapsOption)) {
+        checkResultFolder(parser.value(mapsOption)); // better now than after the work
+    }
     const std::vector<ImmersionCertainty> certainty =
         sheetCertainty(project, SolverRegistry(), console.progress());
+    if (parser.isSet(mapsOption)) {
+        writeCertaintyMaps(certainty, parser.value(mapsOption));
+    }
     if (parser.isSet(jsonOption)) {
         console.out() << QJsonDocument(certaintyJson(certainty)).toJson();
     } else {
         printCertainty(certainty, console.out());
     }
-    if (parser.isSet(mapsOption)) {
-        writeCertaintyMaps(certainty, parser.value(mapsOption));
+}
+
+void validateTheJob(const QCommandLineParser& parser, Console& console) {
+    const QStringList warnings = validateJob(projectArgument(parser), SolverRegistry());
+    if (parser.isSet(jsonOption)) {
+        const QJsonObject json{{"version", 1}, {"warnings", QJsonArray::fromStringList(warnings)}};
+        console.out() << QJsonDocument(json).toJson();
+        return;
     }
+    for (const QString& warning : warnings) {
+        console.out() << "warning: " << warning << '\n';
+    }
+    console.out() << "The project can be run\n";
 }
 
 class ValidateCommand : public Command {
@@ -115,14 +142,14 @@ public:
             {physicsOption, QStringLiteral("Compares the film with its closed forms instead; takes "
                                            "no project.")});
         parser.addOption(
-            {sheetOption, QStringLiteral("Dips with steps half as long and with film cells half as "
-                                         "wide as well, and compares the sheets. Takes some ten "
-                                         "times as long as a run.")});
+            {sheetOption, QStringLiteral("Dips once more with steps half as long, and once with "
+                                         "film cells half as wide, and compares the sheets. Takes "
+                                         "some ten times as long as a run.")});
         parser.addOption(
             {mapsOption,
              QStringLiteral("With --sheet: draws where the sheet moves, DIR/certainty-N.png."),
              QStringLiteral("DIR")});
-        parser.addOption({jsonOption, QStringLiteral("With --sheet or --physics: prints JSON.")});
+        parser.addOption({jsonOption, QStringLiteral("Prints JSON.")});
         parser.addOption({solverOption,
                           QStringLiteral("With --sheet or --physics: the solver to judge."),
                           QStringLiteral("ID")});
@@ -136,25 +163,35 @@ public:
                           QStringLiteral("FILE.png")});
     }
     void run(const QCommandLineParser& parser, Console& console) const override {
-        if (parser.isSet(physicsOption) && parser.isSet(sheetOption)) {
+        requireUse(parser);
+        if (parser.isSet(physicsOption)) {
+            validateThePhysics(parser, console);
+        } else if (parser.isSet(sheetOption)) {
+            validateTheSheet(parser, console);
+        } else {
+            validateTheJob(parser, console);
+        }
+    }
+
+private:
+    // Every option stands for something where it is given.
+    static void requireUse(const QCommandLineParser& parser) {
+        const bool physics = parser.isSet(physicsOption), sheet = parser.isSet(sheetOption);
+        if (physics && sheet) {
             throw UsageError(QStringLiteral("Validate the physics or a project's sheets, not both "
                                             "at once"),
                              QStringLiteral("--physics --sheet"));
         }
-        if (parser.isSet(physicsOption)) {
-            validateThePhysics(parser, console);
-            return;
+        const std::pair<QString, bool> uses[] = {{cellsOption, physics},
+                                                 {plotOption, physics},
+                                                 {mapsOption, sheet},
+                                                 {solverOption, physics || sheet}};
+        for (const auto& [option, isUsed] : uses) {
+            if (parser.isSet(option) && !isUsed) {
+                throw UsageError(QStringLiteral("This says nothing here, see --help"),
+                                 QStringLiteral("--") + option);
+            }
         }
-        if (parser.isSet(sheetOption)) {
-            validateTheSheet(parser, console);
-            return;
-        }
-        const Project project = projectArgument(parser);
-        const SolverRegistry registry;
-        for (const QString& warning : validateJob(project, registry)) {
-            console.out() << "warning: " << warning << '\n';
-        }
-        console.out() << "The project can be run\n";
     }
 };
 

@@ -24,7 +24,9 @@ double secondsSince(Clock::time_point start) {
 
 Error missedFilm(const Immersion& immersion) {
     return {
-        Text::tr("The body does not meet the film; move it over the film or choose a larger film"),
+        Text::tr(
+            "The body does not meet the film; move it over the film, choose a larger film, or give "
+            "the film more points"),
         immersion.name};
 }
 

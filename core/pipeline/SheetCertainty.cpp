@@ -5,11 +5,16 @@
 #include "dip/FilmOnBody.h"
 #include "geometry/SurfaceSamples.h"
 #include "pipeline/ResultFolder.h"
+#include "pipeline/SolverChoice.h"
 #include "project/FilmSizes.h"
+#include "results/Results.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace dipwright {
@@ -22,43 +27,38 @@ struct Text {
 constexpr double wantedSamples = 40'000; // of the body
 constexpr int mapEdge = 1600;            // pixels
 
-// Shares of the time of an immersion: the film of twice the points takes most of it.
+// Shares of the time: that of the field, and in an immersion of the first two films. The third has
+// twice the points a side and takes most of it.
+constexpr double fieldDone = 0.02;
 constexpr double ownDone = 0.1;
 constexpr double halfStepDone = 0.3;
+constexpr double dipDone = 0.9; // of a film
 
 struct HeldBody {
-    HeldBody(const TexturedMesh& model, const Immersion& held)
-        : immersion(held), posed(posedBody(model, held)), query(posed.model.mesh),
+    HeldBody(const TexturedMesh& model, const Immersion& immersion)
+        : posed(posedBody(model, immersion)), query(posed.model.mesh),
           samples(evenSamples(posed.model.mesh, surfaceArea(posed.model.mesh) / wantedSamples)) {}
 
-    Immersion immersion;
     PosedBody posed;
     SurfaceQuery query;
     std::vector<SurfacePoint> samples;
 };
 
-class LaidFilm {
-public:
+struct LaidFilm {
     LaidFilm(DippedFilm dipped, const HeldBody& body, const ProcessSettings& process)
-        : film_(std::make_shared<DippedFilm>(std::move(dipped))),
-          contact_(
-              std::make_shared<FilmContact>(locateFilm(*film_, body.posed, body.query, process))),
-          onBody_(*film_, *contact_, body.posed) {}
-
-    const std::shared_ptr<const DippedFilm>& film() const { return film_; }
-    const std::shared_ptr<const FilmContact>& contact() const { return contact_; }
+        : film(std::move(dipped)), contact(locateFilm(film, body.posed, body.query, process)),
+          onBody(film, contact, body.posed) {}
 
     // The place on the flat film that is over a place of the body, if any is.
     std::optional<Eigen::Vector2f> over(const SurfacePoint& point) const {
         Eigen::Vector2f place = Eigen::Vector2f::Zero();
         std::uint32_t triangle = 0;
-        return onBody_.locate(point, place, triangle) ? std::optional(place) : std::nullopt;
+        return onBody.locate(point, place, triangle) ? std::optional(place) : std::nullopt;
     }
 
-private:
-    std::shared_ptr<const DippedFilm> film_;
-    std::shared_ptr<const FilmContact> contact_;
-    FilmOnBody onBody_;
+    DippedFilm film;
+    FilmContact contact;
+    FilmOnBody onBody; // of the two above
 };
 
 Project withHalfStep(Project project) {
@@ -67,112 +67,121 @@ Project withHalfStep(Project project) {
     return project;
 }
 
+// The production film's steps follow its cells by themselves: they are given in cells.
 Project withHalfSpacing(Project project) {
     FilmSettings& film = project.film;
     film.columns = 2 * film.columns - 1;
     film.rows = 2 * film.rows - 1;
-    if (std::max(film.columns, film.rows) > maximumFilmPoints ||
-        film.columns * film.rows > maximumFilmGrid) {
-        throw Error(Text::tr("The film would need %1 × %2 points to compare with, more than it may "
-                             "have; give it fewer")
+    if (!mayHavePoints(film.columns, film.rows)) {
+        throw Error(Text::tr("The film is too fine to be compared with one of %1 × %2 points, set "
+                             "half as many for the comparison")
                         .arg(film.columns)
                         .arg(film.rows),
                     QStringLiteral("film.points"));
     }
+    project.process.timeStep = Seconds(project.process.timeStep.value() / 2);
     return project;
 }
 
+// How far the film over a place of the body moves, mm; below 0 where one film only is over it
+// (`once`) or none (`never`).
+constexpr float once = -1, never = -2;
+float moved(const LaidFilm& own, const LaidFilm& finer, const SurfacePoint& place) {
+    const auto before = own.over(place);
+    const auto after = finer.over(place);
+    return before && after ? (*after - *before).norm() : before || after ? once : never;
+}
+
+std::vector<float> moved(const LaidFilm& own, const LaidFilm& finer,
+                         const std::vector<SurfacePoint>& places) {
+    std::vector<float> distances(places.size(), never);
+    tbb::parallel_for(std::size_t(0), places.size(), [&](std::size_t i) {
+        if (places[i].isValid()) {
+            distances[i] = moved(own, finer, places[i]);
+        }
+    });
+    return distances;
+}
+
 SheetChange change(const LaidFilm& own, const LaidFilm& finer, const HeldBody& body) {
-    std::vector<double> distances;
-    for (const SurfacePoint& sample : body.samples) {
-        const auto before = own.over(sample);
-        const auto after = finer.over(sample);
-        if (before && after) {
-            distances.push_back(double((*after - *before).norm()));
-        }
-    }
+    std::vector<float> distances = moved(own, finer, body.samples);
+    const auto all = double(distances.size());
     SheetChange result;
-    if (!distances.empty()) {
-        std::sort(distances.begin(), distances.end());
-        const auto below = [&](double share) {
-            return distances[std::size_t(share * double(distances.size() - 1))];
-        };
-        result.median = below(0.5);
-        result.percentile95 = below(0.95);
-        result.percentile99 = below(0.99);
-        result.maximum = below(1);
-        result.painted = double(distances.size()) / double(body.samples.size());
-    }
-    const std::vector<SurfacePoint>& surface = own.contact()->surface;
-    result.points.assign(surface.size(), 0);
-    for (std::size_t point = 0; point < surface.size(); ++point) {
-        if (surface[point].isValid()) {
-            if (const auto after = finer.over(surface[point])) {
-                result.points[point] = (*after - restPosition(own.film()->grid, point)).norm();
-            }
-        }
-    }
+    result.paintedOnce = double(std::count(distances.begin(), distances.end(), once)) / all;
+    std::erase_if(distances, [](float distance) { return distance < 0; });
+    result.painted = double(distances.size()) / all;
+    result.distance = distribution(std::move(distances));
     return result;
 }
 
+QImage map(const LaidFilm& own, const LaidFilm& finer) {
+    std::vector<float> distances = moved(own, finer, own.contact.surface);
+    for (float& distance : distances) {
+        distance =
+            distance == once ? std::numeric_limits<float>::quiet_NaN() : std::max(distance, 0.f);
+    }
+    return certaintyMap(own.film, own.contact, distances, mapEdge);
+}
+
+ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
+                             const DistanceField& field, const solver::SolverModule& module,
+                             const Progress& progress) {
+    const HeldBody body(*project.model, immersion);
+    const auto laid = [&](const Project& job, const Progress& part) {
+        DippedFilm film = simulateDip(body.posed, field, immersion, job.film, job.process, module,
+                                      part.part(0, dipDone), {});
+        part(dipDone, Text::tr("Comparing the sheets"));
+        return LaidFilm(std::move(film), body, job.process);
+    };
+    const LaidFilm own = laid(project, progress.part(0, ownDone));
+    ImmersionCertainty result;
+    result.immersion = immersion;
+    result.halfStep =
+        change(own, laid(withHalfStep(project), progress.part(ownDone, halfStepDone)), body);
+    const LaidFilm finer = laid(withHalfSpacing(project), progress.part(halfStepDone, 1));
+    result.halfSpacing = change(own, finer, body);
+    result.map = map(own, finer);
+    return result;
+}
+
+bool isCertain(const SheetChange& change, double most) {
+    return change.painted > 0 && change.distance.percentile95 <= most &&
+           change.paintedOnce <= certainPaintedOnce;
+}
+
 QJsonObject toJson(const SheetChange& change) {
-    return {{"median_mm", change.median},
-            {"p95_mm", change.percentile95},
-            {"p99_mm", change.percentile99},
-            {"max_mm", change.maximum},
-            {"painted", change.painted}};
+    return {{"mean_mm", change.distance.mean},
+            {"p95_mm", change.distance.percentile95},
+            {"max_mm", change.distance.maximum},
+            {"painted", change.painted},
+            {"painted_once", change.paintedOnce}};
 }
 
 } // namespace
+
+bool isCertain(const ImmersionCertainty& certainty) {
+    return isCertain(certainty.halfStep, certainHalfStep) &&
+           isCertain(certainty.halfSpacing, certainHalfSpacing);
+}
 
 std::vector<ImmersionCertainty>
 sheetCertainty(const Project& project, const SolverRegistry& registry, const Progress& progress) {
     if (!project.model) {
         throw Error(Text::tr("The project has no model, import one first"), project.name);
     }
-    const Project halfStep = withHalfStep(project);
-    const Project halfSpacing = withHalfSpacing(project);
-    const solver::SolverModule& module = registry.module(project.process.solver);
-    const auto field =
-        cachedDistanceField(project.model->mesh, project.fieldResolution, progress.part(0, 0.02));
+    withHalfSpacing(project); // refuses before any work
+    const solver::SolverModule& module =
+        registry.module(chooseSolver(project.process.solver, registry).id);
+    const auto field = cachedDistanceField(project.model->mesh, project.fieldResolution,
+                                           progress.part(0, fieldDone));
     std::vector<ImmersionCertainty> result;
-    const double share = 0.98 / double(project.immersions.size());
+    const double share = (1 - fieldDone) / double(project.immersions.size());
     for (const Immersion& immersion : project.immersions) {
-        const HeldBody body(*project.model, immersion);
-        const double begin = 0.02 + share * double(result.size());
-        const Progress part = progress.part(begin, begin + share);
-        const auto laid = [&](const Project& job, double from, double to) {
-            return LaidFilm(simulateDip(body.posed, *field, immersion, job.film, job.process,
-                                        module, part.part(from, to), {}),
-                            body, job.process);
-        };
-        const LaidFilm own = laid(project, 0, ownDone);
-        ImmersionCertainty certainty{immersion, own.film(), own.contact(), {}, {}};
-        certainty.halfStep = change(own, laid(halfStep, ownDone, halfStepDone), body);
-        certainty.halfSpacing = change(own, laid(halfSpacing, halfStepDone, 1), body);
-        result.push_back(std::move(certainty));
+        const double begin = fieldDone + share * double(result.size());
+        result.push_back(
+            certainty(project, immersion, *field, module, progress.part(begin, begin + share)));
     }
     return result;
-}
-
-QStringList certaintyWarnings(const std::vector<ImmersionCertainty>& certainty) {
-    QStringList warnings;
-    for (const ImmersionCertainty& one : certainty) {
-        if (one.halfStep.percentile95 > certainHalfStep ||
-            one.halfSpacing.percentile95 > certainHalfSpacing) {
-            warnings.append(
-                Text::tr("%1: a twentieth of this sheet moves by more than %2 mm when it is "
-                         "computed more finely; give the film more points, or turn the part")
-                    .arg(one.immersion.name)
-                    .arg(std::max(one.halfStep.percentile95, one.halfSpacing.percentile95), 0, 'f',
-                         2));
-        }
-    }
-    return warnings;
-}
-
-QImage certaintyMap(const ImmersionCertainty& certainty) {
-    return certaintyMap(*certainty.film, *certainty.contact, certainty.halfSpacing.points, mapEdge);
 }
 
 void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder) {
@@ -180,7 +189,7 @@ void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const 
     QStringList names;
     for (const ImmersionCertainty& one : certainty) {
         const QString name = QStringLiteral("certainty-%1.png").arg(names.size() + 1);
-        results.write(name, pngBytes(certaintyMap(one), name));
+        results.write(name, pngBytes(one.map, name));
         names.append(name);
     }
     results.commit(names);
@@ -190,6 +199,7 @@ QJsonObject certaintyJson(const std::vector<ImmersionCertainty>& certainty) {
     QJsonArray immersions;
     for (const ImmersionCertainty& one : certainty) {
         immersions.append(QJsonObject{{"name", one.immersion.name},
+                                      {"certain", isCertain(one)},
                                       {"half_step", toJson(one.halfStep)},
                                       {"half_spacing", toJson(one.halfSpacing)}});
     }

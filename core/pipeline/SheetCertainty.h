@@ -1,46 +1,51 @@
 // How certain a job's sheets are: how far they move when the same dips are computed more finely.
 #pragma once
 
-#include "pipeline/Pipeline.h"
+#include "film/DippedFilm.h"
+#include "project/Project.h"
+#include "solver/SolverRegistry.h"
+
+#include <QImage>
+#include <QJsonObject>
 
 namespace dipwright {
 
 // How far, on the flat film, the places move that the places of the body take their colour from.
-// mm, over points spread evenly over the body's surface that are painted both times.
 struct SheetChange {
-    double median = 0, percentile95 = 0, percentile99 = 0, maximum = 0;
-    double painted = 0; // share of the body's surface that is painted both times
-    // Of each point of the job's own film that is on the body; 0 of what is not, or where the finer
-    // dip paints nothing.
-    std::vector<float> points;
+    Distribution distance;  // mm, over points spread evenly over the body, where painted both times
+    double painted = 0;     // share of the body's surface that is painted both times
+    double paintedOnce = 0; // and of what is painted by one of the dips only
 };
 
 struct ImmersionCertainty {
     Immersion immersion;
-    std::shared_ptr<const DippedFilm> film; // as the job computes it
-    std::shared_ptr<const FilmContact> contact;
     SheetChange halfStep;    // steps half as long
-    SheetChange halfSpacing; // film cells half as wide, and steps with them
+    SheetChange halfSpacing; // film cells half as wide, and steps half as long with them
+    QImage map;              // where the film moves in the latter: certaintyMap() in Results.h
 };
 
-// What a sheet that is computed finely enough moves by at most, 95 % of it; mm.
-inline constexpr double certainHalfStep = 0.05;
-inline constexpr double certainHalfSpacing = 0.15;
+// What a certain sheet moves by at most, 95 % of it, and how much of the body may be painted by one
+// of two dips only: a film cell along the border.
+inline constexpr double certainHalfStep = 0.05;    // mm
+inline constexpr double certainHalfSpacing = 0.15; // mm
+inline constexpr double certainPaintedOnce = 0.05; // of the body's surface
 
-// Dips every immersion three times on the project's solver. Throws Error (no model, no such solver,
-// no contact, a film that cannot have so many points) or Cancelled.
+// False where nothing is painted.
+bool isCertain(const ImmersionCertainty& certainty);
+
+// Dips every immersion three times on the project's solver or, where that needs a GPU that is not
+// there, on the best that can run. From any thread; touches no file but the field cache; the maps
+// need a QGuiApplication. Throws Error (no model, no such solver, no contact, a film that cannot
+// have twice the points a side) or Cancelled.
 std::vector<ImmersionCertainty>
 sheetCertainty(const Project& project, const SolverRegistry& registry, const Progress& progress);
 
-// A sentence for each immersion that moves by more.
-QStringList certaintyWarnings(const std::vector<ImmersionCertainty>& certainty);
-
-// Where the sheet moves when the film's cells are half as wide.
-QImage certaintyMap(const ImmersionCertainty& certainty);
-// Writes the map of each immersion into `folder`, certainty-N.png; other files are left alone. All
+// Writes the maps into `folder`, certainty-N.png for immersion N; other files are left alone. All
 // of them or none. Throws Error.
 void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder);
 
+// {"version":1,"immersions":[{"name","certain","half_step":{"mean_mm","p95_mm","max_mm","painted",
+// "painted_once"},"half_spacing":{…}}]}
 QJsonObject certaintyJson(const std::vector<ImmersionCertainty>& certainty);
 
 } // namespace dipwright

@@ -1,6 +1,7 @@
 #include "pipeline/ValidateJob.h"
 
 #include "base/Error.h"
+#include "pipeline/SolverChoice.h"
 
 #include <QCoreApplication>
 
@@ -38,26 +39,16 @@ void checkImmersion(const Project& project, const Immersion& immersion, QStringL
     if (!film.contains(body)) {
         warnings.append(Text::tr("%1: the body reaches past the film's edge").arg(immersion.name));
     }
+    if (body.sizes().maxCoeff() < grid.spacingX()) {
+        throw Error(
+            Text::tr("The body is smaller than the film's cells; give the film more points, "
+                     "or check the model's unit"),
+            immersion.name);
+    }
     if (body.sizes().minCoeff() < cellsAcrossBody * grid.spacingX()) {
         warnings.append(Text::tr("%1: the film's cells are coarse for this body, give the film "
                                  "more points")
                             .arg(immersion.name));
-    }
-}
-
-// A solver that needs a GPU gives way to another where there is none; any other must be able to
-// run.
-void checkSolver(const QString& id, const SolverRegistry& registry, QStringList& warnings) {
-    try {
-        registry.module(id);
-    } catch (const Error& error) {
-        const std::optional<SolverInfo> wanted = registry.found(id);
-        if (!wanted || wanted->deviceKind != QLatin1String("gpu")) {
-            throw;
-        }
-        registry.module(QStringLiteral("auto"));
-        warnings.append(
-            Text::tr("The CPU will take over from %1: %2").arg(wanted->name, error.sentence()));
     }
 }
 
@@ -70,7 +61,9 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     sheetPixels(project.film.width, project.film.height, project.sheet.resolution);
     pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}});
     QStringList warnings;
-    checkSolver(project.process.solver, registry, warnings);
+    if (const QString note = chooseSolver(project.process.solver, registry).note; !note.isEmpty()) {
+        warnings.append(note);
+    }
     if (!isClosed(project.model->mesh)) {
         warnings.append(Text::tr("The model is not closed, what is inside is guessed"));
     }

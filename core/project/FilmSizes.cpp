@@ -60,6 +60,10 @@ QSizeF filmSize(const QString& name) {
                 name);
 }
 
+bool mayHavePoints(int columns, int rows) {
+    return std::max(columns, rows) <= maximumFilmPoints && columns * rows <= maximumFilmGrid;
+}
+
 void resizeFilm(FilmSettings& film, Millimetres width, Millimetres height) {
     if (film.width == width && film.height == height) {
         return;

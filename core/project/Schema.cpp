@@ -51,7 +51,7 @@ Field<Project> filmPoints() {
             [](Project& project, const QJsonValue& value) {
                 const int columns = value.toArray().at(0).toInt();
                 const int rows = value.toArray().at(1).toInt();
-                if (columns * rows > maximumFilmGrid) {
+                if (!mayHavePoints(columns, rows)) {
                     throw Error(Text::tr("%1 × %2 points are more than the %3 million that a film "
                                          "may have, give fewer")
                                     .arg(columns)

@@ -18,8 +18,9 @@ struct Text {
 const QColor background(252, 252, 252);
 const QColor ink(38, 42, 48);
 const QColor paleInk(105, 112, 120);
+const QColor unknown(208, 60, 140); // in none of the colour maps
 
-// A value a film point, and which of the film is on the body.
+// A value a film point, NaN where it is not known, and which of the film is on the body.
 class FilmValues {
 public:
     FilmValues(const DippedFilm& film, const FilmContact& contact, std::vector<float> values)
@@ -49,15 +50,18 @@ public:
                         (first ? 0 : 1)] != 0;
     }
 
-    // Of the points that belong to painted film, or of all where nothing is painted.
+    // Those known of the points that belong to painted film, or of all where nothing is painted.
     std::vector<float> paintedValues() const {
-        std::vector<float> values;
+        std::vector<float> painted, all;
         for (std::size_t i = 0; i < values_.size(); ++i) {
-            if (isOn_[i]) {
-                values.push_back(values_[i]);
+            if (!std::isnan(values_[i])) {
+                all.push_back(values_[i]);
+                if (isOn_[i]) {
+                    painted.push_back(values_[i]);
+                }
             }
         }
-        return values.empty() ? values_ : values;
+        return !painted.empty() ? painted : !all.empty() ? all : std::vector<float>{0};
     }
 
 private:
@@ -161,8 +165,10 @@ QImage filmPicture(const FilmValues& film, const solver::FilmGrid& grid, const S
                                              film.isPainted(column(x + reach), row(y)) &&
                                              film.isPainted(column(x), row(y - reach)) &&
                                              film.isPainted(column(x), row(y + reach)));
-            const double value = scale.share(film.at(column(x), row(y)));
-            const QRgb colour = colours[std::size_t(std::lround(255 * value))];
+            const double value = film.at(column(x), row(y));
+            const QRgb colour = std::isnan(value)
+                                    ? unknown.rgb()
+                                    : colours[std::size_t(std::lround(255 * scale.share(value)))];
             line[x] = border ? ink.rgb() : painted ? colour : faded(colour);
         }
     }
@@ -360,7 +366,7 @@ MapSubject certaintySubject(const FilmValues& values) {
     return {Text::tr("Certainty of the sheet"),
             Text::tr("How far the ink moves when the film has cells half as wide; ink side up"),
             Text::tr("change\nmm"),
-            Text::tr("Film that the finer dip does not paint is shown as not moved"),
+            Text::tr("Purple: film that paints in one of the dips only"),
             scale,
             *std::max_element(painted.begin(), painted.end()) > scale.high};
 }

@@ -26,7 +26,7 @@ QImage stretchMap(const DippedFilm& film, const FilmContact& contact, int longEd
 QImage wrinklingMap(const DippedFilm& film, const FilmContact& contact, int longEdge);
 
 // How far the sheet moves when it is computed more finely: `changes` in mm, one of each film point,
-// over the flat film, drawn like stretchMap().
+// NaN where it paints in one of the dips only; over the flat film, drawn like stretchMap().
 QImage certaintyMap(const DippedFilm& film, const FilmContact& contact,
                     const std::vector<float>& changes, int longEdge);
 

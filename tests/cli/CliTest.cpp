@@ -275,6 +275,40 @@ private slots:
         QCOMPARE(cli(coarse + QStringList{"--physics"}).exitCode, 2);
     }
 
+    void optionsThatSayNothingAreRefused() {
+        const QString ball = path("ball.dipw");
+        const std::vector<QStringList> wrong{
+            {"validate", ball, "--maps", path("maps")},
+            {"validate", ball, "--sheet", "--plot", path("plot.png")},
+            {"validate", "--physics", "--cells", "20"},
+            {"validate", ball, "--sheet", "--maps", ""},
+            {"run", ball, "--out", path("empty"), "--film-image", ""},
+            {"bench", "--parts", "steps", "--rows", "1", "--plot", ball},
+        };
+        for (const QStringList& command : wrong) {
+            const Outcome refused = cli(command);
+            QVERIFY2(refused.exitCode == 2, qPrintable(command.join(' ')));
+            QCOMPARE(refused.errorLines().size(), 1);
+        }
+        QCOMPARE(cli({"info", ball}).exitCode, 0); // not written over
+        QVERIFY(cli({"run", "--version"}).out.startsWith("dipwright-cli "));
+    }
+
+    void aProjectDoesNotReplaceItsSource() {
+        QVERIFY(QFile::copy(path("ball.obj"), path("same.obj")));
+        QCOMPARE(cli({"new", path("./same.obj"), "--model", path("same.obj")}).exitCode, 2);
+        QCOMPARE(bytesOf(path("same.obj")), bytesOf(path("ball.obj")));
+    }
+
+    void aBodySmallerThanTheFilmsCellsIsRefused() {
+        QCOMPARE(cli({"new", path("speck.dipw"), "--model", path("ball.obj"), "--size-mm", "1"})
+                     .exitCode,
+                 0);
+        const Outcome refused = cli({"validate", path("speck.dipw")});
+        QCOMPARE(refused.exitCode, 1);
+        QVERIFY2(refused.err.contains("more points"), refused.err);
+    }
+
     void theOriginalsAreNotNeededToRun() {
         QTemporaryDir away;
         const QString model = writeBall(away.path());

@@ -3,8 +3,10 @@
 
 #include "base/Error.h"
 #include "project/ProjectStore.h"
+#include "solver/PluginFolder.h"
 
-#include <QGuiApplication>
+#include <QDir>
+#include <QJsonArray>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -48,47 +50,71 @@ private slots:
         const auto certainty = sheetCertainty(project, registry_, {});
         QCOMPARE(certainty.size(), project.immersions.size());
         for (const ImmersionCertainty& one : certainty) {
-            QVERIFY2(one.halfStep.percentile95 < 0.05,
-                     qPrintable(QString::number(one.halfStep.percentile95)));
-            QVERIFY2(one.halfSpacing.percentile95 < 0.15,
-                     qPrintable(QString::number(one.halfSpacing.percentile95)));
+            const double step = one.halfStep.distance.percentile95;
+            const double spacing = one.halfSpacing.distance.percentile95;
+            QVERIFY2(step < certainHalfStep, qPrintable(QString::number(step)));
+            QVERIFY2(spacing < certainHalfSpacing, qPrintable(QString::number(spacing)));
             QVERIFY(one.halfSpacing.painted > 0.5 && one.halfSpacing.painted < 0.8);
+            QVERIFY(one.halfSpacing.paintedOnce < 0.02);
+            QVERIFY(isCertain(one));
         }
-        QVERIFY(certaintyWarnings(certainty).isEmpty());
     }
 
     void moreFilmPointsAreMoreCertain() {
         const auto finer = sheetCertainty(sphereOn(49), registry_, {});
-        QVERIFY(finer[0].halfSpacing.percentile95 < coarse_[0].halfSpacing.percentile95 / 2);
-        QVERIFY(finer[0].halfSpacing.percentile95 > 0);
+        const Distribution& change = finer[0].halfSpacing.distance;
+        QVERIFY(change.percentile95 < coarse_[0].halfSpacing.distance.percentile95 / 2);
+        QVERIFY(change.percentile95 > 0);
     }
 
-    void changesAreOrdered() {
-        for (const SheetChange& change : {coarse_[0].halfStep, coarse_[0].halfSpacing}) {
-            QVERIFY(change.median > 0 && change.median < change.percentile95);
-            QVERIFY(change.percentile95 <= change.percentile99);
-            QVERIFY(change.percentile99 <= change.maximum);
-        }
+    void theMapIsPaleWhereThereIsNoBody() {
+        const QImage& map = coarse_[0].map;
+        QVERIFY(map.height() >= 1000);
+        // In the film's corner, and in its middle, which is not pale.
+        const QColor corner = map.pixelColor(map.width() / 6, map.height() / 6);
+        const QColor middle = map.pixelColor(4 * map.width() / 10, map.height() / 2);
+        QVERIFY(corner.lightnessF() > 0.7 && middle.lightnessF() < 0.5);
     }
 
-    void filmThatIsNotOnTheBodyDoesNotMove() {
-        const std::vector<float>& points = coarse_[0].halfSpacing.points;
-        QCOMPARE(points.size(), std::size_t(25 * 25));
-        QCOMPARE(points.front(), 0.f);
-        int moved = 0;
-        for (std::size_t point = 0; point < points.size(); ++point) {
-            QVERIFY(points[point] == 0 || coarse_[0].contact->surface[point].isValid());
-            moved += points[point] > 0 ? 1 : 0;
-        }
-        QVERIFY2(moved > 50, qPrintable(QString::number(moved)));
-    }
-
-    void tooCoarseFilmIsToldOf() {
+    void tooCoarseFilmIsNotCertain() {
         const auto certainty = sheetCertainty(sphereOn(9), registry_, {});
-        QVERIFY(certainty[0].halfSpacing.percentile95 > certainHalfSpacing);
-        const QStringList warnings = certaintyWarnings(certainty);
-        QCOMPARE(warnings.size(), 1);
-        QVERIFY2(warnings[0].startsWith("Front: "), qPrintable(warnings[0]));
+        QVERIFY(certainty[0].halfSpacing.distance.percentile95 > certainHalfSpacing);
+        QVERIFY(!isCertain(certainty[0]));
+        const QJsonObject json = certaintyJson(certainty)["immersions"].toArray()[0].toObject();
+        QCOMPARE(json["name"].toString(), QStringLiteral("Front"));
+        QCOMPARE(json["certain"].toBool(true), false);
+    }
+
+    void aSheetThatPaintsNothingIsNotCertain() {
+        Project project = sphereOn(9);
+        project.film.width = project.film.height = Millimetres(900);
+        const auto certainty = sheetCertainty(project, registry_, {});
+        QCOMPARE(certainty[0].halfStep.painted, 0.0);
+        QVERIFY(!isCertain(certainty[0]));
+    }
+
+    void filmOfThePaperIsComparedAsWell() {
+        Project project = sphereOn(17);
+        applyPreset(project, QStringLiteral("paper-2020"));
+        project.film.columns = project.film.rows = 17;
+        const auto certainty = sheetCertainty(project, registry_, {});
+        QVERIFY(certainty[0].halfStep.distance.percentile95 > 0);
+        QVERIFY(certainty[0].halfSpacing.distance.percentile95 > 0);
+    }
+
+    void theCpuTakesOverFromAGpuThatIsNotThere() {
+        const test::PluginFolder folder;
+        QJsonObject description = test::PluginFolder::description(QStringLiteral("device"));
+        folder.add(QStringLiteral("device"),
+                   QStringLiteral(DIPWRIGHT_BAD_MODULES "/") +
+                       test::PluginFolder::moduleName(QStringLiteral("device")));
+        description[QLatin1String("device")] = QStringLiteral("gpu");
+        folder.describe(description);
+        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        Project project = sphereOn(25);
+        project.process.solver = QStringLiteral("device");
+        const auto certainty = sheetCertainty(project, registry, {});
+        QCOMPARE(certainty[0].halfSpacing.distance.mean, coarse_[0].halfSpacing.distance.mean);
     }
 
     void mapsAreWritten() {
@@ -110,6 +136,17 @@ private slots:
         } catch (const Error& error) {
             QVERIFY2(error.sentence().contains("49 × 2999"), qPrintable(error.sentence()));
         }
+    }
+
+    void progressGrows() {
+        Progress progress;
+        double last = 0;
+        progress.report = [&](double share, const QString& text) {
+            QVERIFY2(share >= last - 1e-9 && share <= 1 + 1e-9, qPrintable(text));
+            last = share;
+        };
+        sheetCertainty(sphereOn(9), registry_, progress);
+        QVERIFY(last > 0.9);
     }
 
     void cancelledItThrows() {

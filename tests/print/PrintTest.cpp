@@ -7,6 +7,7 @@
 #include "printing/PrintService.h"
 
 #include <QColorSpace>
+#include <QScopeGuard>
 #include <QtTest>
 
 using namespace dipwright;
@@ -333,6 +334,7 @@ void PrintTest::cancelledJobIsNotPrinted() {
     };
     const PrintTask task = planPrint(*system_, chessSheet("Cancelled"), to("pigment")).task;
     const int before = receivedBy("pigment");
+    const auto release = qScopeGuard([&] { queueHolds("no-hold"); });
     QVERIFY(queueHolds("indefinite"));
     const PrintJob job = system_->submit(task);
     QCOMPARE(system_->status(job).state, JobState::Held);

@@ -10,6 +10,7 @@
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace dipwright {
 
@@ -17,24 +18,42 @@ namespace {
 
 constexpr double mapPixelsPerMillimetre = 8; // the map has no size of its own
 
-// What stands in the table's columns.
-using Figure = double SheetChange::*;
-constexpr std::array<Figure, 4> figures{&SheetChange::median, &SheetChange::percentile95,
-                                        &SheetChange::percentile99, &SheetChange::maximum};
+// A decimal more than lengths are shown with elsewhere: these are small.
+QString shownDistance(double millimetres, LengthUnit unit) {
+    return QLocale().toString(millimetres * shownPerStored(Unit::Length, unit), 'f',
+                              unitDecimals(Unit::Length, unit) + 1) +
+           unitSuffix(Unit::Length, unit);
+}
+
+QStringList figures(const SheetChange& change, LengthUnit unit) {
+    const auto percent = [](double share) {
+        return CertaintyDialog::tr("%1 %").arg(QLocale().toString(100 * share, 'f', 1));
+    };
+    return {shownDistance(change.distance.mean, unit),
+            shownDistance(change.distance.percentile95, unit),
+            shownDistance(change.distance.maximum, unit), percent(change.painted),
+            percent(change.paintedOnce)};
+}
 
 QTableWidget* table(const ImmersionCertainty& certainty, LengthUnit unit) {
-    auto* table = new QTableWidget(2, int(figures.size()));
+    const QStringList columns{CertaintyDialog::tr("Mean"), CertaintyDialog::tr("95 %"),
+                              CertaintyDialog::tr("Maximum"), CertaintyDialog::tr("Painted twice"),
+                              CertaintyDialog::tr("Painted once")};
+    auto* table = new QTableWidget(2, int(columns.size()));
     table->setObjectName(QStringLiteral("figures"));
     table->setAccessibleName(CertaintyDialog::tr("How far the sheet moves"));
-    table->setHorizontalHeaderLabels({CertaintyDialog::tr("Median"), CertaintyDialog::tr("95 %"),
-                                      CertaintyDialog::tr("99 %"), CertaintyDialog::tr("Most")});
+    table->setHorizontalHeaderLabels(columns);
+    table->horizontalHeaderItem(3)->setToolTip(
+        CertaintyDialog::tr("The part of the body that is painted by both dips"));
+    table->horizontalHeaderItem(4)->setToolTip(
+        CertaintyDialog::tr("The part of the body that is painted by one of the dips only"));
     table->setVerticalHeaderLabels({CertaintyDialog::tr("With steps half as long"),
                                     CertaintyDialog::tr("With film cells half as wide")});
     int row = 0;
     for (const SheetChange* change : {&certainty.halfStep, &certainty.halfSpacing}) {
-        for (int column = 0; column < int(figures.size()); ++column) {
-            auto* item =
-                new QTableWidgetItem(shownLength(change->*figures[std::size_t(column)], unit));
+        const QStringList texts = figures(*change, unit);
+        for (int column = 0; column < texts.size(); ++column) {
+            auto* item = new QTableWidgetItem(texts[column]);
             item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             table->setItem(row, column, item);
         }
@@ -50,22 +69,18 @@ QTableWidget* table(const ImmersionCertainty& certainty, LengthUnit unit) {
     return table;
 }
 
-QWidget* page(const ImmersionCertainty& certainty, const QImage& map, LengthUnit unit) {
-    const QStringList warnings = certaintyWarnings({certainty});
-    auto* verdict = new QLabel(
-        warnings.isEmpty()
-            ? CertaintyDialog::tr("%1: this sheet is certain. 95 % of it moves by no more than "
-                                  "%2 when it is computed more finely.")
-                  .arg(certainty.immersion.name,
-                       shownLength(std::max(certainty.halfStep.percentile95,
-                                            certainty.halfSpacing.percentile95),
-                                   unit))
-            : warnings.front());
+QLabel* sentence(const QString& text) {
+    auto* label = new QLabel(text);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+QWidget* page(const ImmersionCertainty& certainty, LengthUnit unit) {
+    QLabel* verdict = sentence(certaintyVerdict(certainty, unit));
     verdict->setObjectName(QStringLiteral("verdict"));
-    verdict->setWordWrap(true);
-    verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* picture = new PicturePanel(CertaintyDialog::tr("Certainty of the sheet"), {});
-    picture->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
+    picture->setPicture(certainty.map, QSizeF(certainty.map.size()) / mapPixelsPerMillimetre);
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->addWidget(verdict);
@@ -76,24 +91,46 @@ QWidget* page(const ImmersionCertainty& certainty, const QImage& map, LengthUnit
 
 } // namespace
 
-CertaintyDialog::CertaintyDialog(const CertaintyOutcome& outcome, LengthUnit unit, QWidget* parent)
+QString certaintyVerdict(const ImmersionCertainty& certainty, LengthUnit unit) {
+    const QString& name = certainty.immersion.name;
+    if (certainty.halfSpacing.painted == 0) {
+        return CertaintyDialog::tr("%1: nothing is painted that could be compared.").arg(name);
+    }
+    const QString distance = shownDistance(std::max(certainty.halfStep.distance.percentile95,
+                                                    certainty.halfSpacing.distance.percentile95),
+                                           unit);
+    return isCertain(certainty)
+               ? CertaintyDialog::tr("%1: this sheet is certain. 95 % of it moves by %2 or less "
+                                     "when it is computed more finely.")
+                     .arg(name, distance)
+               : CertaintyDialog::tr("%1: this sheet is not certain. 95 % of it moves by up to %2 "
+                                     "when it is computed more finely; give the film more points, "
+                                     "turn the body, or dip it in two immersions.")
+                     .arg(name, distance);
+}
+
+CertaintyDialog::CertaintyDialog(const std::vector<ImmersionCertainty>& certainty, bool outdated,
+                                 LengthUnit unit, QWidget* parent)
     : QDialog(parent) {
     setObjectName(QStringLiteral("certaintyDialog"));
     setWindowTitle(tr("Certainty of the Sheets"));
     auto* tabs = new QTabWidget;
     tabs->setDocumentMode(true);
-    for (std::size_t number = 0; number < outcome.immersions.size(); ++number) {
-        tabs->addTab(page(outcome.immersions[number], outcome.maps[number], unit),
-                     outcome.immersions[number].immersion.name);
+    for (const ImmersionCertainty& one : certainty) {
+        tabs->addTab(page(one, unit), one.immersion.name);
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QPushButton* save = buttons->addButton(tr("&Save Maps…"), QDialogButtonBox::ActionRole);
     connect(save, &QPushButton::clicked, this, &CertaintyDialog::askFolder);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
+    if (outdated) {
+        layout->addWidget(sentence(tr("These are the figures of the project as it was before the "
+                                      "last changes.")));
+    }
     layout->addWidget(tabs, 1);
     layout->addWidget(buttons);
-    resize(760, 720);
+    resize(860, 720);
 }
 
 void CertaintyDialog::askFolder() {

@@ -7,22 +7,18 @@
 
 #include <QDialog>
 
-class QTabWidget;
-
 namespace dipwright {
 
-// What the dialog shows, made beside the user interface.
-struct CertaintyOutcome {
-    std::vector<ImmersionCertainty> immersions;
-    std::vector<QImage> maps; // an immersion each
-};
+// Whether the sheet is certain, in a sentence.
+QString certaintyVerdict(const ImmersionCertainty& certainty, LengthUnit unit);
 
 class CertaintyDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // `outcome` holds one immersion or more.
-    CertaintyDialog(const CertaintyOutcome& outcome, LengthUnit unit, QWidget* parent = nullptr);
+    // `outdated`: the project has been changed since.
+    CertaintyDialog(const std::vector<ImmersionCertainty>& certainty, bool outdated,
+                    LengthUnit unit, QWidget* parent = nullptr);
 
 signals:
     void saveAsked(const QString& folder); // all maps

@@ -25,7 +25,7 @@ class QToolButton;
 
 namespace dipwright {
 
-struct CertaintyOutcome;
+struct ImmersionCertainty;
 class LogPanel;
 class NoticeBar;
 class PropertyPanel;
@@ -145,7 +145,7 @@ private:
     void setFilmLook(FilmLook look);
     void wearPicture(const QString& path);
     void checkCertainty();
-    void showCertainty(const CertaintyOutcome& outcome);
+    void showCertainty(const std::vector<ImmersionCertainty>& certainty, bool outdated);
     void exportResults();
     void exportSheet(bool pdf);
     void exportStretch(const QString& kind);
@@ -195,9 +195,10 @@ private:
     QProgressBar* progressBar_ = nullptr;
     QToolButton* cancelButton_ = nullptr;
 
-    std::size_t immersion_ = 0; // the one shown
-    QTimer liveTimer_;          // pictures of the dip that runs
-    QTimer updateTimer_;        // from the last change to a new run
+    std::size_t immersion_ = 0;   // the one shown
+    QTimer liveTimer_;            // pictures of the dip that runs
+    QTimer updateTimer_;          // from the last change to a new run
+    CancelSwitch certaintyCheck_; // of the last one
     const RecordedFrame* shownFrame_ = nullptr;
     bool measuring_ = false;
     std::vector<Eigen::Vector3f> measured_; // model coordinates

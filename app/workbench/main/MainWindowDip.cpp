@@ -1,5 +1,7 @@
 // The dip of a window's document, its results and what is read off them under the cursor.
+#include "base/Bytes.h"
 #include "base/Error.h"
+#include "base/Png.h"
 #include "jobs/FilmTable.h"
 #include "main/CalibrationDialog.h"
 #include "main/CertaintyDialog.h"
@@ -14,7 +16,6 @@
 #include "panels/ShippedNames.h"
 #include "panels/StretchPanel.h"
 #include "panels/Timeline.h"
-#include "printing/PrintFile.h"
 
 #include <QAction>
 #include <QDir>
@@ -63,6 +64,7 @@ void MainWindow::projectChanged() {
 
 void MainWindow::startDip() {
     updateTimer_.stop();
+    certaintyCheck_.cancel();
     const bool fine = view_->isUsable() && !view_->isSoftwareRendered();
     session_.run(fine ? finePoints : coarsePoints);
 }
@@ -194,38 +196,37 @@ void MainWindow::showProfiles() {
     dialog->open();
 }
 
-// On the project as it is now, run or not.
+// On the project as it is now, run or not. A dip that is wanted meanwhile does not wait for it.
 void MainWindow::checkCertainty() {
-    jobs_.start(std::make_unique<ValueJob<CertaintyOutcome>>(
+    using Certainty = std::vector<ImmersionCertainty>;
+    const Project project = document_->project();
+    certaintyCheck_ = jobs_.start(std::make_unique<ValueJob<Certainty>>(
         tr("Checking the certainty"),
-        [project = document_->project(),
-         &registry = workbench_.registry()](const Progress& progress) {
-            CertaintyOutcome outcome;
-            outcome.immersions = sheetCertainty(project, registry, progress);
-            for (const ImmersionCertainty& one : outcome.immersions) {
-                outcome.maps.push_back(certaintyMap(one));
-            }
-            return outcome;
+        [project, &registry = workbench_.registry()](const Progress& progress) {
+            return sheetCertainty(project, registry, progress);
         },
-        [this](const CertaintyOutcome& outcome) { showCertainty(outcome); },
+        [this, project](const Certainty& certainty) {
+            const bool outdated = !document_ || !(document_->project() == project);
+            showCertainty(certainty, outdated);
+        },
         [this](std::exception_ptr failure) { reportFailure(tr("Check Certainty"), failure); }));
     updateActions();
 }
 
-void MainWindow::showCertainty(const CertaintyOutcome& outcome) {
-    auto* dialog = new CertaintyDialog(outcome, workbench_.preferences().unit, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &CertaintyDialog::saveAsked, this,
-            [this, immersions = outcome.immersions](const QString& folder) {
-                writeAsJob(tr("Save Maps"), tr("Wrote the maps to %1"), folder,
-                           [immersions](const QString& target, const Progress&) {
-                               writeCertaintyMaps(immersions, target);
-                           });
-            });
-    for (const QString& warning : certaintyWarnings(outcome.immersions)) {
-        report(warning);
+void MainWindow::showCertainty(const std::vector<ImmersionCertainty>& certainty, bool outdated) {
+    const LengthUnit unit = workbench_.preferences().unit;
+    for (const ImmersionCertainty& one : certainty) {
+        report(certaintyVerdict(one, unit));
     }
-    dialog->open();
+    auto* dialog = new CertaintyDialog(certainty, outdated, unit, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &CertaintyDialog::saveAsked, this, [this, certainty](const QString& folder) {
+        writeAsJob(tr("Save Maps"), tr("Wrote the maps to %1"), folder,
+                   [certainty](const QString& target, const Progress&) {
+                       writeCertaintyMaps(certainty, target);
+                   });
+    });
+    dialog->show(); // beside what the user does by now
 }
 
 void MainWindow::exportResults() {
@@ -295,9 +296,7 @@ void MainWindow::exportStretch(const QString& kind) {
         write = [reading](const QString& path) { writeFilmTable(*reading, path); };
     } else {
         write = [picture = results_->stretch().picture()](const QString& path) {
-            if (!picture.save(path)) {
-                throw Error(tr("The picture cannot be written"), path);
-            }
+            writeWhole(path, [&](QIODevice& device) { writePng(picture, device, path); });
         };
     }
     exportFile(tr("Export Stretch"), tr("stretch"), kind, write);
