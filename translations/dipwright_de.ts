@@ -4034,8 +4034,8 @@ mm</source>
 mm</translation>
     </message>
     <message>
-        <source>Purple: film that paints in one of the dips only</source>
-        <translation>Violett: Film, der nur in einer der Rechnungen malt</translation>
+        <source>Magenta: film that paints in one of the dips only</source>
+        <translation>Magenta: Film, der nur in einer der Rechnungen malt</translation>
     </message>
 </context>
 <context>

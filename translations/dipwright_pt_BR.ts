@@ -1751,11 +1751,11 @@
     </message>
     <message>
         <source>Painted twice</source>
-        <translation>Pintado por ambas</translation>
+        <translation>Nas duas</translation>
     </message>
     <message>
         <source>Painted once</source>
-        <translation>Pintado por uma</translation>
+        <translation>Em uma só</translation>
     </message>
     <message>
         <source>The part of the body that is painted by both dips</source>
@@ -4034,8 +4034,8 @@ mm</source>
 mm</translation>
     </message>
     <message>
-        <source>Purple: film that paints in one of the dips only</source>
-        <translation>Roxo: filme que pinta em só um dos cálculos</translation>
+        <source>Magenta: film that paints in one of the dips only</source>
+        <translation>Magenta: filme que pinta em só um dos cálculos</translation>
     </message>
 </context>
 <context>

@@ -366,7 +366,7 @@ MapSubject certaintySubject(const FilmValues& values) {
     return {Text::tr("Certainty of the sheet"),
             Text::tr("How far the ink moves when the film has cells half as wide; ink side up"),
             Text::tr("change\nmm"),
-            Text::tr("Purple: film that paints in one of the dips only"),
+            Text::tr("Magenta: film that paints in one of the dips only"),
             scale,
             *std::max_element(painted.begin(), painted.end()) > scale.high};
 }
