@@ -27,6 +27,7 @@ public:
     explicit ArchiveReader(const QString& path);
     ~ArchiveReader();
 
+    const QSet<QString>& names() const { return names_; }
     bool contains(const QString& name) const { return names_.contains(name); }
     // The whole entry, its checksum verified. Throws Error.
     QByteArray read(const QString& name);

@@ -9,6 +9,7 @@
 
 #include <QByteArray>
 #include <QJsonObject>
+#include <map>
 
 namespace dipwright {
 
@@ -34,6 +35,7 @@ struct Project {
     InkSettings ink;
     ProjectProfiles profiles; // that it was made with, by content
     QJsonObject unknown;      // keys this version does not know; they survive a save
+    std::map<QString, QByteArray> unknownEntries; // and so do the file's other entries, by name
 
     bool operator==(const Project&) const = default;
 };

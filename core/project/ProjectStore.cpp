@@ -18,6 +18,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(ProjectStore)
 };
 
+const QString mimeEntry = QStringLiteral("mimetype");
 const QByteArray mimeType = QByteArrayLiteral("application/vnd.dipwright.project");
 const QString documentEntry = QStringLiteral("project.json");
 const QString meshEntry = QStringLiteral("assets/model.dwmodel");
@@ -61,13 +62,20 @@ QByteArray projectBytes(const Project& project) {
     json.insert(QStringLiteral("model"), model);
 
     ArchiveWriter archive;
-    archive.add(QStringLiteral("mimetype"), mimeType, ArchiveWriter::Packing::Stored);
+    archive.add(mimeEntry, mimeType, ArchiveWriter::Packing::Stored);
     archive.add(documentEntry, QJsonDocument(json).toJson(), ArchiveWriter::Packing::Deflated);
     archive.add(meshEntry, mesh, ArchiveWriter::Packing::Deflated);
+    QSet<QString> own{mimeEntry, documentEntry, meshEntry};
     for (std::size_t index = 0; index < project.model->textures.size(); ++index) {
         const QString entry = textureEntry(index);
         archive.add(entry, pngBytes(project.model->textures[index], entry),
                     ArchiveWriter::Packing::Stored);
+        own.insert(entry);
+    }
+    for (const auto& [name, contents] : project.unknownEntries) {
+        if (!own.contains(name)) {
+            archive.add(name, contents, ArchiveWriter::Packing::Deflated);
+        }
     }
     return archive.finish();
 }
@@ -139,6 +147,23 @@ std::shared_ptr<const TexturedMesh> readAssets(ArchiveReader& archive, const QJs
     return model;
 }
 
+// All that is neither the document nor an asset that it names.
+std::map<QString, QByteArray> readOthers(ArchiveReader& archive, const QJsonObject& json) {
+    const QJsonObject model = json.value(QLatin1String("model")).toObject();
+    QSet<QString> others = archive.names();
+    others -= {mimeEntry, documentEntry, model.value(QLatin1String("mesh")).toString()};
+    for (const QJsonValue& texture : textureNames(model)) {
+        others.remove(texture.toString());
+    }
+    std::map<QString, QByteArray> entries;
+    for (const QString& name : others) {
+        if (!name.endsWith(QLatin1Char('/'))) { // a folder
+            entries.emplace(name, archive.read(name));
+        }
+    }
+    return entries;
+}
+
 } // namespace
 
 Project loadProject(const QString& path) {
@@ -146,6 +171,7 @@ Project loadProject(const QString& path) {
     const QJsonObject json = readDocument(archive, path);
     Project project = fromJson(json, path);
     project.model = readAssets(archive, json, path);
+    project.unknownEntries = readOthers(archive, json);
     return project;
 }
 

@@ -102,6 +102,19 @@ private slots:
         QCOMPARE(loadProject(path("red.dipw")).model->textures.front().size(), QSize(4, 4));
     }
 
+    void whatOthersHaveAddedSurvivesASave() {
+        auto entries = plus("results/run.txt", "yesterday");
+        entries.push_back({"assets/notes.bin", QByteArray("\0\1\2", 3)});
+        writeFile(path("more.dipw"), zip(entries));
+        saveProject(loadProject(path("more.dipw")), path("more.dipw"));
+        const Project project = loadProject(path("more.dipw"));
+        QCOMPARE(project.unknownEntries.size(), 2U);
+        QCOMPARE(project.unknownEntries.at("results/run.txt"), QByteArray("yesterday"));
+        QCOMPARE(project.unknownEntries.at("assets/notes.bin"), QByteArray("\0\1\2", 3));
+        saveProject(sampleProject(), path("plain.dipw"));
+        QVERIFY(loadProject(path("plain.dipw")).unknownEntries.empty());
+    }
+
     void theSameProjectGivesTheSameBytes() {
         saveProject(sampleProject(), path("again.dipw"));
         QCOMPARE(bytesOf(path("again.dipw")), good_);
