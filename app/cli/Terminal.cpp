@@ -20,6 +20,13 @@ extern "C" void onSignal(int number) {
     signalSwitch->cancel();
 }
 
+// What is ignored stays so: nohup means it.
+void cancelOn(int number) {
+    if (std::signal(number, onSignal) == SIG_IGN) {
+        std::signal(number, SIG_IGN);
+    }
+}
+
 } // namespace
 
 bool standardErrorIsTerminal() {
@@ -33,10 +40,10 @@ bool standardErrorIsTerminal() {
 void cancelOnSignals(const CancelSwitch& cancelSwitch) {
     static CancelSwitch shared = cancelSwitch;
     signalSwitch = &shared;
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
+    cancelOn(SIGINT);
+    cancelOn(SIGTERM);
 #ifdef SIGHUP
-    std::signal(SIGHUP, onSignal); // the terminal is gone
+    cancelOn(SIGHUP); // the terminal is gone
 #endif
 #ifdef SIGXFSZ
     std::signal(SIGXFSZ, SIG_IGN);
