@@ -4016,10 +4016,6 @@ mm je mm</translation>
         <translation>Auf dem Körper: um über 1 % gestaucht auf %1 % des Films · kleinste Dehnung %2</translation>
     </message>
     <message>
-        <source>The VTK file cannot be written: %1</source>
-        <translation>Die VTK-Datei kann nicht geschrieben werden: %1</translation>
-    </message>
-    <message>
         <source>Certainty of the sheet</source>
         <translation>Verlässlichkeit des Bogens</translation>
     </message>

@@ -4016,10 +4016,6 @@ mm por mm</translation>
         <translation>No corpo: comprimido em mais de 1 % em %1 % do filme · menor estiramento %2</translation>
     </message>
     <message>
-        <source>The VTK file cannot be written: %1</source>
-        <translation>O arquivo VTK não pode ser gravado: %1</translation>
-    </message>
-    <message>
         <source>Certainty of the sheet</source>
         <translation>Confiabilidade da folha</translation>
     </message>

@@ -1,5 +1,6 @@
 #include "cli/Arguments.h"
 
+#include "pipeline/SolverChoice.h"
 #include "project/ProjectStore.h"
 
 #include <QImageReader>
@@ -146,6 +147,14 @@ Project projectArgument(const QCommandLineParser& parser) {
     Project project = loadProject(positionalArgument(parser, QStringLiteral("JOB.dipw")));
     applySettings(project, parser);
     return project;
+}
+
+QString usableSolver(const QString& wanted, const SolverRegistry& registry, QTextStream& out) {
+    const SolverChoice choice = chooseSolver(wanted, registry);
+    if (!choice.note.isEmpty()) {
+        out << "warning: " << choice.note << '\n';
+    }
+    return choice.id;
 }
 
 void declareFilmImage(QCommandLineParser& parser) {

@@ -37,6 +37,9 @@ void applySettings(Project& project, const QCommandLineParser& parser);
 void declareProject(QCommandLineParser& parser);
 Project projectArgument(const QCommandLineParser& parser);
 
+// The solver that computes for `wanted`; tells the user where another takes over.
+QString usableSolver(const QString& wanted, const SolverRegistry& registry, QTextStream& out);
+
 // --film-image chessboard|FILE. Throws Error for a picture that cannot be read.
 void declareFilmImage(QCommandLineParser& parser);
 void applyFilmImage(JobOptions& options, const QCommandLineParser& parser);

@@ -70,8 +70,9 @@ public:
         const SolverRegistry registry;
         const QString solver =
             parser.isSet(solverOption) ? parser.value(solverOption) : project.process.solver;
+        const QString usable = usableSolver(solver, registry, console.out());
         const std::vector<RankedPoses> ranking =
-            searchPoses(project, registry.module(solver), options, console.progress());
+            searchPoses(project, registry.module(usable), options, console.progress());
         printRanking(ranking, console.out());
         writeBest(parser, ranking.front());
     }

@@ -102,8 +102,12 @@ void validateTheSheet(const QCommandLineParser& parser, Console& console) {
     if (parser.isSet(mapsOption)) {
         checkResultFolder(parser.value(mapsOption)); // better now than after the work
     }
+    const SolverRegistry registry;
+    if (!parser.isSet(jsonOption)) {
+        project.process.solver = usableSolver(project.process.solver, registry, console.out());
+    }
     const std::vector<ImmersionCertainty> certainty =
-        sheetCertainty(project, SolverRegistry(), console.progress());
+        sheetCertainty(project, registry, console.progress());
     if (parser.isSet(mapsOption)) {
         writeCertaintyMaps(certainty, parser.value(mapsOption));
     }

@@ -80,11 +80,10 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
              const ResultFolder& folder) {
     pieces.push_back(
         {Text::tr("Writing the film of %1").arg(result.immersion.name), [&result, prefix, &folder] {
-             const QString path = folder.path() + QLatin1Char('/') + prefix;
-             QDir().mkpath(path);
-             writeFilmVtp(*result.film, *result.contact, *result.body,
-                          path + QStringLiteral("film.vtp"));
-             writeBodyVtp(*result.body, *result.coverage, path + QStringLiteral("body.vtp"));
+             folder.write(prefix + QStringLiteral("film.vtp"),
+                          filmVtp(*result.film, *result.contact, *result.body));
+             folder.write(prefix + QStringLiteral("body.vtp"),
+                          bodyVtp(*result.body, *result.coverage));
          }});
     const QString text = Text::tr("Writing the stretch of %1").arg(result.immersion.name);
     pieces.push_back(

@@ -76,6 +76,16 @@ QString shown(const QJsonValue& value) {
     return {};
 }
 
+// Of an array what stands in it, if that is little.
+QString shownParts(const QJsonValue& value) {
+    constexpr int most = 4;
+    QStringList parts;
+    for (const QJsonValue& part : value.toArray().size() > most ? QJsonArray() : value.toArray()) {
+        parts.append(shown(part));
+    }
+    return parts.isEmpty() ? shown(value) : parts.join(QStringLiteral(", "));
+}
+
 void checkPart(const FieldRule& rule, const QJsonValue& value, const QString& path,
                const QString& file) {
     if (value.isUndefined()) {
@@ -116,7 +126,7 @@ void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& p
     }
     if (!value.isArray() || value.toArray().size() != rule.parts) {
         throw Error(Text::tr("%1 does not fit here, give %2 parts, each %3")
-                        .arg(shown(value), QString::number(rule.parts), expectation(rule)),
+                        .arg(shownParts(value), QString::number(rule.parts), expectation(rule)),
                     place(path, file));
     }
     for (int part = 0; part < rule.parts; ++part) {

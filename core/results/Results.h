@@ -11,11 +11,9 @@
 
 namespace dipwright {
 
-// VTK XML PolyData as interfaces.md says, in the pose frame: float arrays, compressed. The file is
-// there whole or not at all; throws Error when not writable.
-void writeFilmVtp(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
-                  const QString& path);
-void writeBodyVtp(const PosedBody& body, const Coverage& coverage, const QString& path);
+// VTK XML PolyData files as interfaces.md says, in the pose frame: float arrays, compressed.
+QByteArray filmVtp(const DippedFilm& film, const FilmContact& contact, const PosedBody& body);
+QByteArray bodyVtp(const PosedBody& body, const Coverage& coverage);
 
 // The mean stretch of each film point over the flat film, ink side up, with a labelled scale, the
 // outline of the painted area and its distribution. `longEdge` pixels tall.

@@ -1,12 +1,8 @@
 #include "results/Results.h"
 
-#include "base/Bytes.h"
-#include "base/Error.h"
-
-#include <QCoreApplication>
 #include <bit>
-#include <cerrno>
 #include <map>
+#include <new>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
@@ -20,27 +16,19 @@
 namespace dipwright {
 namespace {
 
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(dipwright::Results)
-};
-
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-// VTK writes into memory: Qt takes any path, and replaces a file whole or not at all.
-void write(vtkPolyData* data, const QString& path) {
+QByteArray vtpBytes(vtkPolyData* data) {
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetInputData(data);
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
     writer->SetCompressorTypeToZLib();
     writer->WriteToOutputStringOn();
-    const bool composed = writer->Write() == 1;
-    const QString failure =
-        composed ? replaceFile(path, QByteArray::fromStdString(writer->GetOutputString()))
-                 : qt_error_string(ENOMEM);
-    if (!failure.isEmpty()) {
-        throw Error(Text::tr("The VTK file cannot be written: %1").arg(failure), path);
+    if (writer->Write() != 1) {
+        throw std::bad_alloc(); // nothing else can go wrong in memory
     }
+    return QByteArray::fromStdString(writer->GetOutputString());
 }
 
 vtkNew<vtkFloatArray> floatArray(const char* name, int components, std::size_t tuples) {
@@ -128,8 +116,7 @@ void addPrincipalStretches(const DippedFilm& film, vtkCellData& cells) {
 
 } // namespace
 
-void writeFilmVtp(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
-                  const QString& path) {
+QByteArray filmVtp(const DippedFilm& film, const FilmContact& contact, const PosedBody& body) {
     const std::size_t count = film.grid.pointCount();
     const std::vector<float> stretches = pointStretches(film);
     vtkNew<vtkFloatArray> rest = floatArray("rest", 3, count);
@@ -155,10 +142,10 @@ void writeFilmVtp(const DippedFilm& film, const FilmContact& contact, const Pose
     data->GetPointData()->AddArray(uv);
     data->GetPointData()->AddArray(stretch);
     addPrincipalStretches(film, *data->GetCellData());
-    write(data, path);
+    return vtpBytes(data);
 }
 
-void writeBodyVtp(const PosedBody& body, const Coverage& coverage, const QString& path) {
+QByteArray bodyVtp(const PosedBody& body, const Coverage& coverage) {
     const SplitBody split = splitAtSeams(body.model);
     vtkNew<vtkFloatArray> texture = floatArray("TCoords", 2, split.positions.size());
     for (std::size_t i = 0; i < split.positions.size(); ++i) {
@@ -173,7 +160,7 @@ void writeBodyVtp(const PosedBody& body, const Coverage& coverage, const QString
     data->SetPolys(cells(split.triangles));
     data->GetPointData()->SetTCoords(texture);
     data->GetCellData()->AddArray(covered);
-    write(data, path);
+    return vtpBytes(data);
 }
 
 } // namespace dipwright

@@ -290,7 +290,9 @@ void MainWindow::exportStretch(const QString& kind) {
     if (kind == QLatin1String("vtp")) {
         write = [result, number](const QString& path) {
             const ImmersionResult& immersion = result->immersions[number];
-            writeFilmVtp(*immersion.film, *immersion.contact, *immersion.body, path);
+            writeWhole(path, [&](QIODevice& device) {
+                device.write(filmVtp(*immersion.film, *immersion.contact, *immersion.body));
+            });
         };
     } else if (kind == QLatin1String("csv")) {
         write = [reading](const QString& path) { writeFilmTable(*reading, path); };
