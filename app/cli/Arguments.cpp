@@ -96,7 +96,7 @@ int wholeNumberOption(const QCommandLineParser& parser, const QString& option, i
 
 QString pictureOption(const QCommandLineParser& parser, const QString& option,
                       const QStringList& endings) {
-    const QString path = parser.value(option);
+    QString path = parser.value(option);
     const auto ends = [&](const QString& ending) {
         return path.endsWith(ending, Qt::CaseInsensitive);
     };

@@ -79,9 +79,10 @@ QString shown(const QJsonValue& value) {
 // Of an array what stands in it, if that is little.
 QString shownParts(const QJsonValue& value) {
     constexpr int most = 4;
+    const QJsonArray array = value.toArray();
     QStringList parts;
-    for (const QJsonValue& part : value.toArray().size() > most ? QJsonArray() : value.toArray()) {
-        parts.append(shown(part));
+    for (int i = 0; array.size() <= most && i < array.size(); ++i) {
+        parts.append(shown(array.at(i)));
     }
     return parts.isEmpty() ? shown(value) : parts.join(QStringLiteral(", "));
 }

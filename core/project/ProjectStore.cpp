@@ -152,7 +152,7 @@ std::map<QString, QByteArray> readOthers(ArchiveReader& archive, const QJsonObje
     const QJsonObject model = json.value(QLatin1String("model")).toObject();
     QSet<QString> others = archive.names();
     others -= {mimeEntry, documentEntry, model.value(QLatin1String("mesh")).toString()};
-    for (const QJsonValue& texture : textureNames(model)) {
+    for (const auto& texture : textureNames(model)) {
         others.remove(texture.toString());
     }
     std::map<QString, QByteArray> entries;
