@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "dip/FilmOnBody.h"
 #include "pipeline/JobSheet.h"
+#include "pipeline/SolverChoice.h"
 #include "pipeline/TotalCoverage.h"
 #include "texture/Chessboard.h"
 
@@ -163,14 +164,7 @@ private:
         if (result_.solver.deviceKind != QLatin1String("gpu")) {
             return false;
         }
-        const SolverInfo* best = nullptr;
-        const std::vector<SolverInfo> solvers = registry_.solvers();
-        for (const SolverInfo& solver : solvers) {
-            if (solver.available && solver.deviceKind == QLatin1String("cpu") &&
-                (!best || solver.priority > best->priority)) {
-                best = &solver;
-            }
-        }
+        const std::optional<SolverInfo> best = bestCpuSolver(registry_);
         if (!best) {
             return false;
         }

@@ -13,17 +13,30 @@ struct Text {
 
 } // namespace
 
+std::optional<SolverInfo> bestCpuSolver(const SolverRegistry& registry) {
+    std::optional<SolverInfo> best;
+    for (const SolverInfo& solver : registry.solvers()) {
+        if (solver.available && solver.deviceKind == QLatin1String("cpu") &&
+            (!best || solver.priority > best->priority)) {
+            best = solver;
+        }
+    }
+    return best;
+}
+
 SolverChoice chooseSolver(const QString& wanted, const SolverRegistry& registry) {
     try {
         registry.module(wanted); // loads it, or throws the reason why it cannot run
         return {wanted, {}};
     } catch (const Error& error) {
         const std::optional<SolverInfo> solver = registry.found(wanted);
-        if (!solver || solver->deviceKind != QLatin1String("gpu")) {
+        const bool needsGpu = solver && solver->deviceKind == QLatin1String("gpu");
+        const std::optional<SolverInfo> other =
+            needsGpu ? bestCpuSolver(registry) : std::optional<SolverInfo>();
+        if (!other) {
             throw;
         }
-        const QString other = registry.info(QStringLiteral("auto")).id;
-        return {other,
+        return {other->id,
                 Text::tr("The CPU will take over from %1: %2").arg(solver->name, error.sentence())};
     }
 }
