@@ -185,12 +185,12 @@ sheetCertainty(const Project& project, const SolverRegistry& registry, const Pro
 }
 
 void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder) {
+    // Both, so that no second map of an earlier check stays beside that of a single immersion.
+    const QStringList names{QStringLiteral("certainty-1.png"), QStringLiteral("certainty-2.png")};
     ResultFolder results(folder);
-    QStringList names;
-    for (const ImmersionCertainty& one : certainty) {
-        const QString name = QStringLiteral("certainty-%1.png").arg(names.size() + 1);
-        results.write(name, pngBytes(one.map, name));
-        names.append(name);
+    for (std::size_t number = 0; number < certainty.size(); ++number) {
+        const QString& name = names[qsizetype(number)];
+        results.write(name, pngBytes(certainty[number].map, name));
     }
     results.commit(names);
 }

@@ -40,8 +40,8 @@ bool isCertain(const ImmersionCertainty& certainty);
 std::vector<ImmersionCertainty>
 sheetCertainty(const Project& project, const SolverRegistry& registry, const Progress& progress);
 
-// Writes the maps into `folder`, certainty-N.png for immersion N; other files are left alone. All
-// of them or none. Throws Error.
+// Writes the maps into `folder`, certainty-N.png for immersion N, in place of those of an earlier
+// check; other files are left alone. All of them or none. Throws Error.
 void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder);
 
 // {"version":1,"immersions":[{"name","certain","half_step":{"mean_mm","p95_mm","max_mm","painted",

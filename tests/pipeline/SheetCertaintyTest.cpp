@@ -119,6 +119,8 @@ private slots:
 
     void mapsAreWritten() {
         const QTemporaryDir folder;
+        writeCertaintyMaps({coarse_[0], coarse_[0]}, folder.filePath("maps"));
+        QVERIFY(QFileInfo::exists(folder.filePath("maps/certainty-2.png")));
         writeCertaintyMaps(coarse_, folder.filePath("maps"));
         const QImage map(folder.filePath("maps/certainty-1.png"));
         QVERIFY(map.height() >= 1000);
