@@ -100,7 +100,7 @@ QString pictureOption(const QCommandLineParser& parser, const QString& option,
     const auto ends = [&](const QString& ending) {
         return path.endsWith(ending, Qt::CaseInsensitive);
     };
-    if (std::none_of(endings.begin(), endings.end(), ends)) {
+    if (parser.isSet(option) && std::none_of(endings.begin(), endings.end(), ends)) {
         throw UsageError(QStringLiteral("“%1” does not fit here, name a file that ends on %2")
                              .arg(path, endings.join(QStringLiteral(" or "))),
                          QStringLiteral("--") + option);

@@ -18,8 +18,8 @@ double numberOption(const QCommandLineParser& parser, const QString& option, dou
 int wholeNumberOption(const QCommandLineParser& parser, const QString& option, int minimum,
                       int maximum);
 
-// The file that a picture is to be written to; throws UsageError where its name does not end on one
-// of `endings` (".png").
+// The file that a picture is to be written to, empty without the option; throws UsageError where
+// its name does not end on one of `endings` (".png").
 QString pictureOption(const QCommandLineParser& parser, const QString& option,
                       const QStringList& endings);
 

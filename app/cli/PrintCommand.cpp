@@ -129,8 +129,7 @@ public:
         chooseImmersion(project, parser);
         const PrintTarget target = printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
-        const QString proof =
-            parser.isSet(proofOption) ? pictureOption(parser, proofOption, {".png"}) : QString();
+        const QString proof = pictureOption(parser, proofOption, {".png"});
         if (!(target.file + proof).isEmpty() && project.immersions.size() > 1) {
             throw UsageError(
                 QStringLiteral("The project has two sheets, choose one with --immersion"),

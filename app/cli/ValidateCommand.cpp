@@ -38,8 +38,7 @@ std::vector<int> resolutions(const QCommandLineParser& parser) {
 
 void validateThePhysics(const QCommandLineParser& parser, Console& console) {
     requireNoPositionalArgument(parser);
-    const QString plot =
-        parser.isSet(plotOption) ? pictureOption(parser, plotOption, {".png"}) : QString();
+    const QString plot = pictureOption(parser, plotOption, {".png"});
     const SolverRegistry registry;
     PhysicsOptions options;
     options.resolutions = resolutions(parser);

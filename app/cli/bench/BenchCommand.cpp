@@ -135,9 +135,7 @@ public:
         const int runs = wholeNumberOption(parser, runsOption, 1, 1000);
         const QStringList parts = chosenParts(parser);
         requireNoPositionalArgument(parser);
-        const QString plot = parser.isSet(plotOption)
-                                 ? pictureOption(parser, plotOption, {".png", ".svg"})
-                                 : QString();
+        const QString plot = pictureOption(parser, plotOption, {".png", ".svg"});
         const SolverRegistry registry;
         const QString id = registry.info(parser.value(solverOption)).id;
         const Progress progress = console.progress();

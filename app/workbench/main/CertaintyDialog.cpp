@@ -18,11 +18,8 @@ namespace {
 
 constexpr double mapPixelsPerMillimetre = 8; // the map has no size of its own
 
-// A decimal more than lengths are shown with elsewhere: these are small.
 QString shownDistance(double millimetres, LengthUnit unit) {
-    return QLocale().toString(millimetres * shownPerStored(Unit::Length, unit), 'f',
-                              unitDecimals(Unit::Length, unit) + 1) +
-           unitSuffix(Unit::Length, unit);
+    return shownLength(millimetres, unit, 1);
 }
 
 QStringList figures(const SheetChange& change, LengthUnit unit) {

@@ -206,7 +206,7 @@ void MainWindow::checkCertainty() {
             return sheetCertainty(project, registry, progress);
         },
         [this, project](const Certainty& certainty) {
-            const bool outdated = !document_ || !(document_->project() == project);
+            const bool outdated = !document_ || document_->project() != project;
             showCertainty(certainty, outdated);
         },
         [this](std::exception_ptr failure) { reportFailure(tr("Check Certainty"), failure); }));

@@ -71,14 +71,14 @@ int unitDecimals(Unit unit, LengthUnit length) {
     return 0;
 }
 
-QString shownNumber(double value, Unit unit, LengthUnit length) {
+QString shownNumber(double value, Unit unit, LengthUnit length, int moreDecimals) {
     return QLocale().toString(value * shownPerStored(unit, length), 'f',
-                              unitDecimals(unit, length)) +
+                              unitDecimals(unit, length) + moreDecimals) +
            unitSuffix(unit, length);
 }
 
-QString shownLength(double millimetres, LengthUnit length) {
-    return shownNumber(millimetres, Unit::Length, length);
+QString shownLength(double millimetres, LengthUnit length, int moreDecimals) {
+    return shownNumber(millimetres, Unit::Length, length, moreDecimals);
 }
 
 } // namespace dipwright

@@ -12,8 +12,8 @@ double shownPerStored(Unit unit, LengthUnit length);
 QString unitSuffix(Unit unit, LengthUnit length); // " mm", with the space before it
 // Decimals that show `step` of a stored value.
 int unitDecimals(Unit unit, LengthUnit length);
-// "12.5 mm"
-QString shownLength(double millimetres, LengthUnit length);
-QString shownNumber(double value, Unit unit, LengthUnit length);
+// "12.50 mm"; with more decimals where small differences count.
+QString shownLength(double millimetres, LengthUnit length, int moreDecimals = 0);
+QString shownNumber(double value, Unit unit, LengthUnit length, int moreDecimals = 0);
 
 } // namespace dipwright
