@@ -40,6 +40,9 @@ public:
     // reached.
     double solve(PlaneVector& displacement, const Drag& drag, double residual);
 
+    void reshape(std::size_t cell, bool second, const pbd::Matrix2<float>& change) {
+        film_.reshape(cell, second, change);
+    }
     void relax(const PlaneVector& displacement, double keep) { film_.relax(displacement, keep); }
 
     template <typename Piece>

@@ -468,6 +468,11 @@ void PlaneFilm::hessian(const PlaneVector& direction, PlaneVector& result) const
     });
 }
 
+void PlaneFilm::reshape(std::size_t cell, bool second, const Matrix2<float>& change) {
+    setInverseShape(cell, second, change * inverseShape(cell, second));
+    crept_[cell / std::size_t(columns_ - 1)] = 1;
+}
+
 void PlaneFilm::relax(const PlaneVector& displacement, double keep) {
     std::vector<Matrix2<float>> shapes;
     shapes.reserve(crossing_.size());

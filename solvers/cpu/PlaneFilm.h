@@ -48,6 +48,8 @@ public:
     // current ones (PlaneStress.h), and makes the floating part of a crossing triangle stand for
     // all of it.
     void relax(const PlaneVector& displacement, double keep);
+    // The inverse rest shape of a triangle times `change`.
+    void reshape(std::size_t cell, bool second, const pbd::Matrix2<float>& change);
 
     int columns() const { return columns_; }
     int rows() const { return rows_; }

@@ -202,7 +202,7 @@ std::size_t placeArrays(QuasiStaticDip& dip, const QuasiStaticModel& model,
     layout.place(dip.crosses, triangles);
     layout.place(dip.crossing, triangles);
     layout.place(dip.anchors, triangles);
-    layout.place(dip.released, triangles);
+    layout.place(dip.laid, triangles);
     for (float2** array : {&dip.right, &dip.result, &dip.smoothed}) {
         layout.place(*array, pointsOfLevels);
     }
@@ -254,9 +254,7 @@ QuasiStaticDips::QuasiStaticDips(const Device& device, Setups setups)
     memory_.clear();
     for (const solver::DipSetup* setup : setups) {
         placeArrays(dip, model_, levels_.pointCount(), memory_.data() + bytes * dips_.size());
-        dip.body = {pbd::fieldGrid<float>(setup->field), setup->motion,
-                    float(setup->settings.contactDistance),
-                    float(std::sin(setup->settings.overhang))};
+        dip.body = pbd::contactBody<float>(*setup);
         dip.body.field.distance = fields_.onDevice(setup->field);
         layFlat(*setup, dip);
         dips_.push_back(dip);

@@ -112,7 +112,7 @@ struct QuasiStaticDip {
     std::uint8_t* crosses = nullptr;
     pbd::CrossingTriangle<float>* crossing = nullptr;
     pbd::CrossingAnchor<float>* anchors = nullptr;
-    pbd::ReleasedCorners<float>* released = nullptr;
+    pbd::LaidCorners<float>* laid = nullptr;
 
     // Over all levels. `right` of the finest level is what is left of the forces.
     float2 *right = nullptr, *result = nullptr, *smoothed = nullptr;

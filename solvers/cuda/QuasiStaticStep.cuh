@@ -29,7 +29,7 @@ public:
         team_.meet();
         bool freeChanged = false;
         if (state_.anyAdhered) {
-            findCrossing(descent);
+            findCrossing(descent, true);
             moveAnchors();
             solve(float(pbd::pointDrag(model_.spacingX, model_.spacingZ, increment)));
             freeChanged = holdTorn();
@@ -38,9 +38,9 @@ public:
         const bool hasTouched = touch(increment);
         state_.anyAdhered = anyOf(hasTouched) || state_.anyAdhered;
         if (state_.anyAdhered) {
-            findCrossing(descent);
-            if (releaseWhereTurnedUp(increment)) {
-                findCrossing(descent);
+            findCrossing(descent, false);
+            if (releaseWhereTurnedUp(descent)) {
+                findCrossing(descent, false);
             }
             setAnchors();
         }
@@ -127,7 +127,8 @@ private:
     }
 
     // The triangles that cross the contact line with the body at `descent`, and still move.
-    __device__ void findCrossing(double descent) {
+    // `moved`: because the body has; else because the film has.
+    __device__ void findCrossing(double descent, bool moved) {
         const auto frame = pbd::bodyFrame<float>(dip_.body.motion, descent);
         float steepness = 1;
         bool driven = false;
@@ -142,9 +143,9 @@ private:
             dip_.crosses[triangle] = crosses ? 1 : 0;
             if (crosses) {
                 pbd::CrossingCorner<float> seen[3];
-                findCorners(triangle, frame, dip_.displacement, seen);
-                pbd::UnfoldedTriangle<float> unfolded =
-                    pbd::unfoldedTriangle(dip_.body, frame, model_.cell, points, seen);
+                findCorners(points, frame, seen);
+                pbd::UnfoldedTriangle<float> unfolded = pbd::unfoldedTriangle(
+                    dip_.body, frame, model_.cell, points, seen, moved, dip_.laid[triangle]);
                 unfolded.crossing.cell = std::uint32_t(triangle / 2);
                 dip_.crossing[triangle] = unfolded.crossing;
                 steepness = fminf(steepness, unfolded.steepness);
@@ -157,15 +158,14 @@ private:
         state_.driven = found[1] > 0;
     }
 
-    __device__ void findCorners(int triangle, const pbd::BodyFrame<float>& frame,
-                                const float2* displacement,
+    __device__ void findCorners(const pbd::TriangleCorners& triangle,
+                                const pbd::BodyFrame<float>& frame,
                                 pbd::CrossingCorner<float> (&found)[3]) const {
-        const pbd::TriangleCorners points = corners(triangle);
         for (int k = 0; k < 3; ++k) {
-            const std::uint32_t point = points.points[k];
-            found[k] = pbd::crossingCorner(
-                solver::PointState(dip_.states[point]), planePosition(point, displacement[point]),
-                frame.toWorld(attached(point)), dip_.released[triangle], k);
+            const std::uint32_t point = triangle.points[k];
+            found[k] = pbd::crossingCorner(solver::PointState(dip_.states[point]),
+                                           planePosition(point, dip_.displacement[point]),
+                                           frame.toWorld(attached(point)));
         }
     }
     __device__ pbd::Vector3<float> attached(std::uint32_t point) const {
@@ -224,31 +224,24 @@ private:
     }
 
     // Lets film go where the body has turned up past what it holds on. Whether the team has any.
-    __device__ bool releaseWhereTurnedUp(double increment) const {
+    __device__ bool releaseWhereTurnedUp(double descent) const {
         bool any = false;
         forTriangles([&](int triangle) {
             if (dip_.crosses[triangle] &&
                 dip_.crossing[triangle].upwards > dip_.body.steepestHeld) {
-                release(triangle, increment);
+                release(triangle, descent);
                 any = true;
             }
         });
         return anyOf(any);
     }
-    __device__ void release(int triangle, double increment) const {
-        const auto frameAt = [&](double descent) {
-            return pbd::bodyFrame<float>(dip_.body.motion, descent);
-        };
+    __device__ void release(int triangle, double descent) const {
         const pbd::TriangleCorners points = corners(triangle);
-        pbd::CrossingStep<float> step;
-        step.descent = state_.descent;
-        step.increment = increment;
-        findCorners(triangle, frameAt(state_.descent), dip_.before, step.before);
-        findCorners(triangle, frameAt(state_.descent + increment), dip_.displacement, step.after);
-        const pbd::Vector3<float> held[3] = {attached(points.points[0]), attached(points.points[1]),
-                                             attached(points.points[2])};
-        pbd::releaseWhereTurnedUp(dip_.body, model_.cell, points, step, held,
-                                  dip_.released[triangle]);
+        pbd::CrossingCorner<float> seen[3];
+        findCorners(points, pbd::bodyFrame<float>(dip_.body.motion, descent), seen);
+        const pbd::Matrix2<float> change = pbd::releaseWhereTurnedUp(
+            dip_.body, points, dip_.crossing[triangle], seen, dip_.laid[triangle]);
+        setShape(triangle, change * shapeOf(dip_, triangle));
     }
 
     __device__ pbd::EdgePair<float> edges(const pbd::TriangleCorners& points) const {
@@ -272,8 +265,11 @@ private:
                               gradientOf(pbd::unfoldedEdges(plane, dip_.crossing[triangle]), shape),
                               shape, keep)
                         : pbd::relaxedInverseShape(shape, gradientOf(plane, shape), keep);
-            dip_.inverseShape[triangle] = {relaxed.a, relaxed.b, relaxed.c, relaxed.d};
+            setShape(triangle, relaxed);
         });
+    }
+    __device__ void setShape(int triangle, const pbd::Matrix2<float>& inverse) const {
+        dip_.inverseShape[triangle] = {inverse.a, inverse.b, inverse.c, inverse.d};
     }
 
     // Free points within the contact distance at the end of the step stick. A point far from the

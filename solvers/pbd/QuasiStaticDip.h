@@ -5,10 +5,10 @@
 // line see it where its piece of the body's surface lies when that is unfolded about the line
 // (ContactPath.h). One step lowers the body by so much that the contact line travels a fraction of
 // a cell along the surface, lets the film find its equilibrium, and lets every point that met the
-// surface on the way adhere when and where it met it. Where the body turns up past what film holds
-// on, it lets go of it: the edge of what floats stays where it lay on the water at that moment
-// (ReleasedCorners). Film that tears stays where it is, all of it: it is softened, and springs back
-// no more.
+// surface on the way adhere when and where it met it. Where the body turns up it loses its grip,
+// and film follows its unfolding less and less (LaidCorners); past what film holds on it lets go of
+// it: the edge of what floats stays where it lay on the water. Film that tears stays where it is,
+// all of it: it is softened, and springs back no more.
 #pragma once
 
 #include "pbd/FilmContact.h"
@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <vector>
 
 namespace dipwright::pbd {
@@ -30,7 +29,8 @@ namespace dipwright::pbd {
 //   moveCrossing(vector<CrossingTriangle<Real>>),
 //   solve(Vector& displacement, Drag<Vector>, double residual),
 //   tornTriangles(const Vector& displacement, double limit) → vector<TriangleCorners>,
-//   relax(const Vector& displacement, double keep) and
+//   relax(const Vector& displacement, double keep),
+//   reshape(cell, second, Matrix2 change): a triangle's inverse rest shape times `change`, and
 //   forEach(count, work): work(i) for all i below `count`, in any order, on its threads.
 template <typename Equilibrium>
 class QuasiStaticDip {
@@ -39,13 +39,11 @@ public:
     using Real = typename Vector::Real;
 
     explicit QuasiStaticDip(const solver::DipSetup& setup)
-        : grid_(setup.film),
-          settings_(setup.settings), body_{fieldGrid<Real>(setup.field), setup.motion,
-                                           Real(settings_.contactDistance),
-                                           Real(std::sin(settings_.overhang))},
+        : grid_(setup.film), settings_(setup.settings), body_(contactBody<Real>(setup)),
           equilibrium_(setup.film), displacement_(grid_.pointCount()), before_(grid_.pointCount()),
           states_(grid_.pointCount(), solver::PointState::Free), attached_(grid_.pointCount()),
-          free_(grid_.pointCount(), 1.f), clearance_(grid_.pointCount(), Real(0)) {
+          free_(grid_.pointCount(), 1.f), clearance_(grid_.pointCount(), Real(0)),
+          laid_(2 * std::size_t(grid_.columns - 1) * std::size_t(grid_.rows - 1)) {
         for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
             free_[point] = setup.pinned[point] ? 0.f : 1.f;
         }
@@ -87,7 +85,7 @@ private:
         const BodyFrame<Real> frame = bodyFrame<Real>(body_.motion, descent_ + increment);
         predict(increment);
         if (anyAdhered_) {
-            equilibrium_.moveCrossing(crossingTriangles(frame));
+            equilibrium_.moveCrossing(crossingTriangles(frame, true));
             equilibrium_.solve(displacement_,
                                {before_, pointDrag(grid_.spacingX(), grid_.spacingZ(), increment)},
                                settings_.residual);
@@ -105,9 +103,9 @@ private:
         }
         anyAdhered_ = anyAdhered_ || anyStuck;
         if (anyAdhered_) {
-            std::vector<CrossingTriangle<Real>> crossing = crossingTriangles(frame);
-            if (releaseWhereTurnedUp(crossing, increment)) {
-                crossing = crossingTriangles(frame);
+            std::vector<CrossingTriangle<Real>> crossing = crossingTriangles(frame, false);
+            if (releaseWhereTurnedUp(crossing, frame)) {
+                crossing = crossingTriangles(frame, false);
             }
             equilibrium_.setCrossing(std::move(crossing), displacement_);
         }
@@ -174,59 +172,52 @@ private:
 
     // Lets film go where the body has turned up past what it holds on. Whether there was any.
     bool releaseWhereTurnedUp(const std::vector<CrossingTriangle<Real>>& crossing,
-                              double increment) {
+                              const BodyFrame<Real>& frame) {
         bool any = false;
         for (const CrossingTriangle<Real>& triangle : crossing) {
             if (triangle.upwards > body_.steepestHeld) {
-                release(triangle, increment);
+                release(triangle, frame);
                 any = true;
             }
         }
         return any;
     }
-    void release(const CrossingTriangle<Real>& crossing, double increment) {
+    void release(const CrossingTriangle<Real>& crossing, const BodyFrame<Real>& frame) {
         const std::size_t index = triangleIndex(crossing.cell, crossing.second);
         const TriangleCorners triangle = triangleCorners(grid_.columns, index);
-        CrossingStep<Real> step{descent_, increment};
-        findCorners(triangle, index, bodyFrame<Real>(body_.motion, descent_), before_, step.before);
-        findCorners(triangle, index, bodyFrame<Real>(body_.motion, descent_ + increment),
-                    displacement_, step.after);
-        Vector3<Real> held[3];
-        for (int k = 0; k < 3; ++k) {
-            held[k] = attached_[triangle.points[k]];
-        }
-        pbd::releaseWhereTurnedUp(body_, cell(), triangle, step, held, released_[index]);
+        CrossingCorner<Real> corners[3];
+        findCorners(triangle, frame, corners);
+        equilibrium_.reshape(
+            crossing.cell, crossing.second,
+            pbd::releaseWhereTurnedUp(body_, triangle, crossing, corners, laid_[index]));
     }
 
     // Two triangles a cell, cell after cell.
     static std::size_t triangleIndex(std::size_t cell, bool second) { return 2 * cell + second; }
 
-    void findCorners(const TriangleCorners& triangle, std::size_t index,
-                     const BodyFrame<Real>& frame, const Vector& displacement,
+    void findCorners(const TriangleCorners& triangle, const BodyFrame<Real>& frame,
                      CrossingCorner<Real> (&corners)[3]) const {
-        const auto found = released_.find(index);
-        const ReleasedCorners<Real> released =
-            found == released_.end() ? ReleasedCorners<Real>{} : found->second;
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t point = triangle.points[k];
-            corners[k] = crossingCorner(states_[point], planePosition(displacement, point),
-                                        frame.toWorld(attached_[point]), released, k);
+            corners[k] = crossingCorner(states_[point], planePosition(displacement_, point),
+                                        frame.toWorld(attached_[point]));
         }
     }
 
     // Unfolds the surface under every triangle that crosses the contact line and still moves. Where
     // there is no contact line near (a flat face, a body that has gone under) its corners stay
-    // where they are.
-    std::vector<CrossingTriangle<Real>> crossingTriangles(const BodyFrame<Real>& frame) {
+    // where they are. `moved`: because the body has; else because the film has.
+    std::vector<CrossingTriangle<Real>> crossingTriangles(const BodyFrame<Real>& frame,
+                                                          bool moved) {
         const std::vector<std::size_t> indices = movingTrianglesOnLine();
         std::vector<CrossingTriangle<Real>> crossing(indices.size());
         std::vector<Real> steepness(indices.size());
         Equilibrium::forEach(indices.size(), [&](std::size_t i) {
             const TriangleCorners triangle = triangleCorners(grid_.columns, indices[i]);
             CrossingCorner<Real> corners[3];
-            findCorners(triangle, indices[i], frame, displacement_, corners);
+            findCorners(triangle, frame, corners);
             const UnfoldedTriangle<Real> unfolded =
-                unfoldedTriangle(body_, frame, cell(), triangle, corners);
+                unfoldedTriangle(body_, frame, cell(), triangle, corners, moved, laid_[indices[i]]);
             crossing[i] = unfolded.crossing;
             crossing[i].cell = std::uint32_t(indices[i] / 2);
             steepness[i] = unfolded.steepness;
@@ -314,8 +305,8 @@ private:
     std::vector<Vector3<Real>> attached_; // where an adhered point sits, body coordinates
     std::vector<float> free_;             // 1: the equilibrium moves it
     std::vector<Real> clearance_;         // how far from contact a free point is at least
-    std::map<std::size_t, ReleasedCorners<Real>> released_; // by triangle, see triangleIndex
-    Real steepness_ = Real(1);                              // the least of all contact-line places
+    std::vector<LaidCorners<Real>> laid_; // by triangle, see triangleIndex
+    Real steepness_ = Real(1);            // the least of all contact-line places
     double descent_ = 0, increment_ = 0;
     std::int64_t steps_ = 0;
     bool anyAdhered_ = false;

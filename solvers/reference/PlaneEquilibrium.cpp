@@ -230,6 +230,11 @@ std::vector<pbd::TriangleCorners> PlaneEquilibrium::tornTriangles(const PlaneVec
     return torn;
 }
 
+void PlaneEquilibrium::reshape(std::size_t cell, bool second, const Matrix2<double>& change) {
+    Matrix2<double>& shape = triangles_[2 * cell + second].inverseShape;
+    shape = change * shape;
+}
+
 void PlaneEquilibrium::relax(const PlaneVector& displacement, double keep) {
     for (Triangle& triangle : triangles_) {
         const Matrix2<double> whole = wholeGradient(triangle, displacement);

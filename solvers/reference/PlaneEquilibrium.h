@@ -39,6 +39,8 @@ public:
     std::vector<pbd::TriangleCorners> tornTriangles(const PlaneVector& displacement,
                                                     double limit) const;
     void relax(const PlaneVector& displacement, double keep);
+    // The inverse rest shape of a triangle times `change`.
+    void reshape(std::size_t cell, bool second, const pbd::Matrix2<double>& change);
     template <typename Piece>
     static void forEach(std::size_t count, const Piece& work) {
         for (std::size_t i = 0; i < count; ++i) {

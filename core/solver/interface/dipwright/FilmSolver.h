@@ -88,8 +88,9 @@ struct Settings {
     // residual at which a step counts as in equilibrium (mean force over mean elastic force).
     double contactTravel = 0.5;
     double residual = 1e-4;
-    // Film holds on faces that turn upwards by no more than this, radians from the vertical. Past
-    // it the film is caught (PointState::Trapped) but neither painted nor pulled along.
+    // Film is laid on faces that turn upwards by no more than this, radians from the vertical; ever
+    // less of it on the way there. Past it the film is let go of, and what the body catches
+    // (PointState::Trapped) is neither painted nor pulled along.
     double overhang = 0.35;
     double tearStretch = 4; // film stretched to more than this many times its area tears
     int threads = 0;        // 0: all the host has
