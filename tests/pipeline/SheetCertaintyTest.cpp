@@ -62,7 +62,7 @@ private slots:
     }
 
     // Legs of six film cells, and a head dipped after the shoulders have let film go: what the
-    // documentation says of it. It is certain from 330 × 467 points on, too slow for a test.
+    // documentation says of it. It is certain from 315 × 446 points on, too slow for a test.
     void aCowIsAsCertainAsDocumented() {
         ImportOptions options;
         options.longestEdge = Millimetres(90);

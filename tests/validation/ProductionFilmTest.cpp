@@ -147,6 +147,7 @@ private slots:
     void nothingMovesBeforeContact();
     void pinnedEdgesHold();
     void aSmallFirstContactDoesNotSpinTheFilm();
+    void doesNotHoldPastTheOverhang();
     void laysEverLessPastTheEquator();
 };
 
@@ -295,6 +296,20 @@ void ProductionFilmTest::aSmallFirstContactDoesNotSpinTheFilm() {
     }
     qInfo("turned by %g degrees", turn);
     QVERIFY(std::abs(turn) < 0.5);
+}
+
+void ProductionFilmTest::doesNotHoldPastTheOverhang() {
+    const Body body = bodyOf(sphereMesh(35, 64, 128));
+    const Ending ending = dipOnCpu(squareDip(body, 91, 72));  // all of it under water
+    const double highest = 35 + 35 * std::sin(20 * pi / 180); // over the lowest point
+    int adhered = 0;
+    for (std::size_t point = 0; point < ending.states.size(); ++point) {
+        if (ending.adhered(point)) {
+            ++adhered;
+            QVERIFY(ending.at(point).y() - startHeight + ending.descent < highest + 0.3);
+        }
+    }
+    QVERIFY(adhered > 500);
 }
 
 // Past the equator the body holds on to film less and less (FilmContact.h). A sphere of 35 mm in a
