@@ -1,9 +1,9 @@
 // The small habits of a document application: layouts with names, keys that clash, a report to hand
 // on, a notice when another solver took over, pictures exported as they are shown.
 #include "WindowDriver.h"
-#include "main/CertaintyDialog.h"
-#include "main/NewProjectDialog.h"
-#include "main/PreferencesDialog.h"
+#include "dialogs/CertaintyDialog.h"
+#include "dialogs/NewProjectDialog.h"
+#include "dialogs/PreferencesDialog.h"
 #include "panels/NoticeBar.h"
 #include "panels/PictureView.h"
 #include "panels/StretchPanel.h"

@@ -1,8 +1,8 @@
 // The panels by themselves: fields, heat scale, isolines and the picture view.
 #include "Contrast.h"
 #include "document/ProjectValue.h"
+#include "look/HeatScale.h"
 #include "look/Theme.h"
-#include "panels/HeatScale.h"
 #include "panels/PictureView.h"
 #include "panels/PropertyField.h"
 #include "panels/PropertySpecs.h"

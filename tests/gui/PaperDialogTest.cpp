@@ -1,7 +1,7 @@
 // The dialogs between the program and the printer: profiles and calibration.
-#include "main/CalibrationDialog.h"
-#include "main/PrintDialog.h"
-#include "main/ProfilesDialog.h"
+#include "dialogs/CalibrationDialog.h"
+#include "dialogs/PrintDialog.h"
+#include "dialogs/ProfilesDialog.h"
 
 #include "base/Error.h"
 #include "panels/PictureView.h"

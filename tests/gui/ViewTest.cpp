@@ -1,7 +1,7 @@
 // The 3D view with a real OpenGL context: what is drawn, the camera, rays and rings.
 #include "WindowDriver.h"
 #include "geometry/Shapes.h"
-#include "look/Theme.h"
+#include "view/ViewTheme.h"
 
 #include <QApplication>
 #include <QMouseEvent>

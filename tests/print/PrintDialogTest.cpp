@@ -1,5 +1,5 @@
 // The print dialog as a user works it: what arrives at a real (software) printer is measured.
-#include "main/PrintDialog.h"
+#include "dialogs/PrintDialog.h"
 
 #include "ChessSheet.h"
 #include "PaperMeasure.h"

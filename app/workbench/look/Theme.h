@@ -1,7 +1,5 @@
-// Light and dark: one palette each, checked for contrast, and the colours of the 3D view.
+// Light and dark: one palette each, checked for contrast.
 #pragma once
-
-#include "viewport/DipView.h"
 
 #include <QPalette>
 #include <QString>
@@ -13,7 +11,6 @@ namespace dipwright {
 enum class Theme { System, Light, Dark };
 
 QPalette themePalette(bool dark);
-ViewColours viewColours(bool dark);
 // Whether the desktop itself is dark; meaningful before applyTheme().
 bool systemIsDark();
 void applyTheme(QApplication& application, Theme theme);

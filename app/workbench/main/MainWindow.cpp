@@ -1,13 +1,13 @@
 #include "main/MainWindow.h"
 
 #include "base/Error.h"
+#include "dialogs/GuideWindow.h"
+#include "dialogs/PreferencesDialog.h"
+#include "dialogs/Tour.h"
 #include "document/SavedLayouts.h"
 #include "look/Theme.h"
 #include "main/MainWindowActions.h"
-#include "main/PreferencesDialog.h"
-#include "main/Tour.h"
 #include "main/Workbench.h"
-#include "panels/GuideWindow.h"
 #include "panels/LogPanel.h"
 #include "panels/NoticeBar.h"
 #include "panels/PropertyPanel.h"
@@ -16,6 +16,7 @@
 #include "panels/StartPage.h"
 #include "panels/StretchPanel.h"
 #include "panels/Timeline.h"
+#include "view/ViewTheme.h"
 
 #include <QAction>
 #include <QActionGroup>

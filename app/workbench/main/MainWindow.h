@@ -4,12 +4,12 @@
 
 #include "document/Document.h"
 #include "document/Recovery.h"
-#include "jobs/DipSession.h"
 #include "jobs/JobRunner.h"
-#include "main/DipScene.h"
 #include "model/ImportModel.h"
 #include "panels/ProjectTree.h"
 #include "panels/Units.h"
+#include "session/DipSession.h"
+#include "view/DipScene.h"
 
 #include <QMainWindow>
 #include <QTimer>

@@ -1,8 +1,8 @@
 // The documents of a window: new, open, save, restore, close, and what replaces their model.
 #include "base/Error.h"
+#include "dialogs/NewProjectDialog.h"
 #include "document/RecentProjects.h"
 #include "main/MainWindow.h"
-#include "main/NewProjectDialog.h"
 #include "main/Workbench.h"
 #include "panels/LogPanel.h"
 #include "panels/NoticeBar.h"

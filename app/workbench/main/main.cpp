@@ -1,6 +1,6 @@
 // The workbench: dipwright [FILE.dipw …]
 #include "document/Recovery.h"
-#include "main/Languages.h"
+#include "look/Languages.h"
 #include "main/MainWindow.h"
 #include "main/Workbench.h"
 

@@ -1,7 +1,7 @@
 // How often each value occurs, drawn in the colours of the scale: key and statistics in one.
 #pragma once
 
-#include "panels/HeatScale.h"
+#include "look/HeatScale.h"
 
 #include <QWidget>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "jobs/FilmReading.h"
-#include "panels/HeatScale.h"
+#include "look/HeatScale.h"
 #include "panels/Histogram.h"
 #include "panels/PictureView.h"
 

@@ -1,4 +1,4 @@
-#include "panels/HeatScale.h"
+#include "look/HeatScale.h"
 
 #include "results/Results.h"
 

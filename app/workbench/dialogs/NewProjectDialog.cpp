@@ -1,4 +1,4 @@
-#include "main/NewProjectDialog.h"
+#include "dialogs/NewProjectDialog.h"
 
 #include "look/Icons.h"
 #include "panels/Units.h"

@@ -1,4 +1,4 @@
-#include "panels/GuideWindow.h"
+#include "dialogs/GuideWindow.h"
 
 #include <QFile>
 #include <QListWidget>

@@ -1,4 +1,4 @@
-#include "panels/SolverPage.h"
+#include "dialogs/SolverPage.h"
 
 #include "look/Icons.h"
 #include "panels/ShippedNames.h"

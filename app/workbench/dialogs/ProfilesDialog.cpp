@@ -1,4 +1,4 @@
-#include "main/ProfilesDialog.h"
+#include "dialogs/ProfilesDialog.h"
 
 #include "base/Error.h"
 #include "look/Icons.h"

@@ -1,4 +1,4 @@
-#include "main/CalibrationDialog.h"
+#include "dialogs/CalibrationDialog.h"
 
 #include "base/Bytes.h"
 #include "base/Error.h"

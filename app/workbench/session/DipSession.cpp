@@ -1,4 +1,4 @@
-#include "jobs/DipSession.h"
+#include "session/DipSession.h"
 
 namespace dipwright {
 

@@ -1,4 +1,4 @@
-#include "main/Languages.h"
+#include "look/Languages.h"
 
 #include <QCoreApplication>
 #include <QLibraryInfo>

@@ -1,4 +1,4 @@
-#include "main/CertaintyDialog.h"
+#include "dialogs/CertaintyDialog.h"
 
 #include "panels/PicturePanel.h"
 

@@ -1,4 +1,4 @@
-#include "main/DipScene.h"
+#include "view/DipScene.h"
 
 #include "look/Theme.h"
 #include "texture/Chessboard.h"

@@ -1,4 +1,4 @@
-#include "main/PrintDialog.h"
+#include "dialogs/PrintDialog.h"
 
 #include "base/Error.h"
 #include "panels/NoticeBar.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "jobs/DipJob.h"
-#include "panels/HeatScale.h"
+#include "look/HeatScale.h"
 #include "viewport/DipView.h"
 
 #include <QObject>

@@ -1,4 +1,4 @@
-#include "main/Tour.h"
+#include "dialogs/Tour.h"
 
 #include <QEvent>
 #include <QFrame>

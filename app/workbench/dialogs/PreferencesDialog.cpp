@@ -1,8 +1,8 @@
-#include "main/PreferencesDialog.h"
+#include "dialogs/PreferencesDialog.h"
 
-#include "main/Languages.h"
+#include "dialogs/SolverPage.h"
+#include "look/Languages.h"
 #include "panels/ShippedNames.h"
-#include "panels/SolverPage.h"
 #include "project/FilmSizes.h"
 #include "project/ProfileLibrary.h"
 
