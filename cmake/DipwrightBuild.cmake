@@ -1,5 +1,6 @@
 # What every target of the project shares: the language level, the warnings, where binaries go,
 # and the two functions with which folders declare their library and their tests.
+include(DipwrightRooms)
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -38,24 +39,34 @@ endif()
 target_compile_definitions(dipwright_options INTERFACE
     DIPWRIGHT_VERSION="${PROJECT_VERSION}" $<$<CXX_COMPILER_ID:MSVC>:_USE_MATH_DEFINES>)
 
-# dipwright_library(NAME SOURCES … PUBLIC … PRIVATE …)
-#   One folder of core, solvers or app as a static library. A target sees only the folders that it
-#   links: an include path reaches a folder's headers only through the target that owns them.
+# dipwright_library(NAME SOURCES … PRIVATE_HEADERS … PUBLIC … PRIVATE …)
+#   One room of core, solvers or app as a static library; headers alone where there are no SOURCES.
+#   PUBLIC are the rooms that its headers include, PRIVATE those that only its sources include;
+#   PRIVATE_HEADERS are for this room alone. What is not linked cannot be included (DipwrightRooms).
 function(dipwright_library name)
-    cmake_parse_arguments(LIB "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
-    add_library(${name} STATIC ${LIB_SOURCES})
-    target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/..)
-    target_link_libraries(${name} PUBLIC ${LIB_PUBLIC} PRIVATE dipwright_options ${LIB_PRIVATE})
+    cmake_parse_arguments(LIB "" "" "SOURCES;PRIVATE_HEADERS;PUBLIC;PRIVATE" ${ARGN})
+    if(LIB_SOURCES)
+        add_library(${name} STATIC ${LIB_SOURCES})
+        target_link_libraries(${name} PUBLIC ${LIB_PUBLIC} PRIVATE dipwright_options ${LIB_PRIVATE})
+    else()
+        add_library(${name} INTERFACE)
+        target_link_libraries(${name} INTERFACE ${LIB_PUBLIC})
+    endif()
+    dipwright_room(${name} SOURCES ${LIB_SOURCES} PRIVATE_HEADERS ${LIB_PRIVATE_HEADERS})
 endfunction()
 
-# dipwright_test(NAME SOURCES … LINK …)
-#   A Qt Test program that ctest runs by the name NAME, without a display. ENVIRONMENT adds variables.
+# dipwright_test(NAME SOURCES … LINK … INSIDE …)
+#   A Qt Test program that ctest runs by the name NAME, without a display. ENVIRONMENT adds variables;
+#   INSIDE names rooms whose private headers it sees as well.
 function(dipwright_test name)
-    cmake_parse_arguments(TST "" "" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
+    cmake_parse_arguments(TST "" "" "SOURCES;LINK;INSIDE;ENVIRONMENT" ${ARGN})
     add_executable(${name} ${TST_SOURCES})
     set_target_properties(${name} PROPERTIES AUTOMOC ON
         RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-    target_link_libraries(${name} PRIVATE dipwright_options Qt6::Test ${TST_LINK})
+    target_link_libraries(${name} PRIVATE dipwright_options Qt6::Test ${TST_LINK} ${TST_INSIDE})
+    foreach(room IN LISTS TST_INSIDE)
+        target_include_directories(${name} PRIVATE ${PROJECT_BINARY_DIR}/rooms/${room}/private)
+    endforeach()
     target_compile_definitions(${name} PRIVATE
         DIPWRIGHT_BINARY_FOLDER="${CMAKE_BINARY_DIR}/bin"
         DIPWRIGHT_RESOURCE_FOLDER="${PROJECT_SOURCE_DIR}/resources"
