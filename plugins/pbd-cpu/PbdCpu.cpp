@@ -1,9 +1,9 @@
-// The module pbd-cpu: a thin shell round the films of solvers/cpu.
+// The module pbd-cpu: a thin shell round the films of solvers on the CPU.
 
-#include "CpuCeiling.h"
-#include "CpuName.h"
-#include "cpu/PaperFilm.h"
-#include "cpu/QuasiStaticFilm.h"
+#include "measuring/cpu/CpuCeiling.h"
+#include "measuring/cpu/CpuName.h"
+#include "paper/cpu/PaperFilm.h"
+#include "production/cpu/ProductionFilm.h"
 
 #include <dipwright/FilmSolver.h>
 
@@ -22,7 +22,7 @@ namespace {
 std::unique_ptr<solver::FilmSolver> makeFilm(const solver::Settings& settings) {
     if (settings.lattice == solver::Lattice::Isotropic &&
         settings.support == solver::Support::Water) {
-        return cpu::makeQuasiStaticFilm();
+        return cpu::makeProductionFilm();
     }
     return cpu::makePaperFilm();
 }

@@ -1,8 +1,9 @@
-// The module pbd-cuda: a thin shell round the films of solvers/cuda.
+// The module pbd-cuda: a thin shell round the films of solvers on a GPU.
 
-#include "cuda/DeviceCeiling.h"
-#include "cuda/Dips.h"
-#include "cuda/Snapshot.h"
+#include "common/cuda/Snapshot.h"
+#include "measuring/cuda/DeviceCeiling.h"
+#include "paper/cuda/PaperDips.h"
+#include "production/cuda/ProductionDips.h"
 
 #include <dipwright/FilmSolver.h>
 
@@ -13,19 +14,19 @@ namespace dipwright {
 
 namespace {
 
-bool isQuasiStatic(const solver::DipSetup& setup) {
+bool isProduction(const solver::DipSetup& setup) {
     return setup.settings.lattice == solver::Lattice::Isotropic &&
            setup.settings.support == solver::Support::Water;
 }
 
 std::unique_ptr<cuda::Dips> makeDips(const cuda::Device& device, cuda::Setups setups) {
-    return isQuasiStatic(*setups.front()) ? cuda::makeQuasiStaticDips(device, setups)
-                                          : cuda::makePaperDips(device, setups);
+    return isProduction(*setups.front()) ? cuda::makeProductionDips(device, setups)
+                                         : cuda::makePaperDips(device, setups);
 }
 
 std::size_t dipsAtOnce(const cuda::Device& device, const solver::DipSetup& setup) {
-    return isQuasiStatic(setup) ? cuda::quasiStaticDipsAtOnce(device, setup)
-                                : cuda::paperDipsAtOnce(device, setup);
+    return isProduction(setup) ? cuda::productionDipsAtOnce(device, setup)
+                               : cuda::paperDipsAtOnce(device, setup);
 }
 
 class CudaFilm : public solver::FilmSolver {

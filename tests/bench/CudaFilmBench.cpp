@@ -9,9 +9,10 @@
 // FIELD: a file of "nx ny nz x y z spacing lowest height" in text, an end of line, and the samples
 // as floats.
 
-#include "cpu/PaperFilm.h"
-#include "cpu/QuasiStaticFilm.h"
-#include "cuda/Dips.h"
+#include "paper/cpu/PaperFilm.h"
+#include "paper/cuda/PaperDips.h"
+#include "production/cpu/ProductionFilm.h"
+#include "production/cuda/ProductionDips.h"
 #include "solvers/TestFilm.h"
 
 #include <chrono>
@@ -146,7 +147,7 @@ void run(const cuda::Device& device, const Options& options, const Body& body, i
          int rows) {
     const solver::DipSetup setup = setupOf(options, body, columns, rows);
     const std::vector<const solver::DipSetup*> setups(std::size_t(options.batch), &setup);
-    const auto makeDips = options.isProduction ? cuda::makeQuasiStaticDips : cuda::makePaperDips;
+    const auto makeDips = options.isProduction ? cuda::makeProductionDips : cuda::makePaperDips;
     std::vector<double> seconds;
     Ending first;
     for (int dip = 0; dip < options.dips; ++dip) {
@@ -168,7 +169,7 @@ void run(const cuda::Device& device, const Options& options, const Body& body, i
     std::printf("%8d points: %.4f s a dip (%.4f … %.4f), %.0f steps/s\n", columns * rows, median,
                 seconds.front(), seconds.back(), steps / median);
     if (options.checks) {
-        const auto film = options.isProduction ? cpu::makeQuasiStaticFilm() : cpu::makePaperFilm();
+        const auto film = options.isProduction ? cpu::makeProductionFilm() : cpu::makePaperFilm();
         compare(first, dip(*film, setup));
     }
     std::fflush(stdout);

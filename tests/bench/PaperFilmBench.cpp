@@ -2,7 +2,7 @@
 //
 //   paper_film_bench [jacobi|gauss-seidel] [scalar] [threads=N] [dips=N] [COLUMNSxROWS …]
 
-#include "cpu/PaperFilm.h"
+#include "paper/cpu/PaperFilm.h"
 #include "solvers/TestFilm.h"
 
 #include <chrono>

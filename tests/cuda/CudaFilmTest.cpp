@@ -3,9 +3,9 @@
 
 #include "dip/Dip.h"
 #include "geometry/Shapes.h"
+#include "paper/reference/PlainPaperFilm.h"
+#include "production/reference/ReferenceFilm.h"
 #include "project/ProjectStore.h"
-#include "reference/PlainPaperFilm.h"
-#include "reference/ReferenceFilm.h"
 #include "solver/SolverRegistry.h"
 #include "solvers/TestFilm.h"
 
@@ -86,9 +86,9 @@ Ending plainPaperDip(const solver::DipSetup& setup) {
 
 // mm between a point and the surface that it touches, at the end of the dip.
 double clearanceOf(const Ending& end, std::size_t point, const solver::DipSetup& setup) {
-    const auto frame = pbd::bodyFrame<double>(setup.motion, setup.motion.travel);
-    const auto field = pbd::fieldGrid<double>(setup.field);
-    return pbd::sampleField(field, frame.toBody(end.position(point))).distance -
+    const auto frame = numerics::bodyFrame<double>(setup.motion, setup.motion.travel);
+    const auto field = numerics::fieldGrid<double>(setup.field);
+    return numerics::sampleField(field, frame.toBody(end.position(point))).distance -
            setup.settings.contactDistance;
 }
 

@@ -1,10 +1,10 @@
 // The paper's film on the CPU (film-physics §1).
 
-#include "cpu/PaperFilm.h"
+#include "paper/cpu/PaperFilm.h"
 
 #include "TestFilm.h"
-#include "pbd/BodyFrame.h"
-#include "reference/PlainPaperFilm.h"
+#include "common/BodyFrame.h"
+#include "paper/reference/PlainPaperFilm.h"
 
 #include <QTest>
 #include <bit>
@@ -127,7 +127,7 @@ void PaperFilmTest::adheredPointsLieOnTheSurface() {
         setup.settings.contactDistance = contactDistance;
         const Ending end = dipped(setup);
         QVERIFY(adheredCount(end) > 300);
-        const pbd::Vector3<double> centre{0, setup.motion.start[1] - end.progress.descent, 0};
+        const numerics::Vector3<double> centre{0, setup.motion.start[1] - end.progress.descent, 0};
         for (std::size_t point = 0; point < end.states.size(); ++point) {
             if (end.isAdhered(point)) {
                 const double off = length(end.position(point) - centre) - 35 - contactDistance;

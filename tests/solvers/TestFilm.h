@@ -1,7 +1,7 @@
 // Small dips for the tests of the films: bodies by their exact distance, sampled like a real field.
 #pragma once
 
-#include "pbd/FieldSampling.h"
+#include "common/FieldSampling.h"
 
 #include <dipwright/FilmSolver.h>
 
@@ -72,7 +72,7 @@ struct Ending {
     std::vector<solver::PointState> states;
     solver::Progress progress;
 
-    pbd::Vector3<double> position(std::size_t point) const {
+    numerics::Vector3<double> position(std::size_t point) const {
         return {positions[3 * point], positions[3 * point + 1], positions[3 * point + 2]};
     }
     bool isAdhered(std::size_t point) const { return states[point] == solver::PointState::Adhered; }

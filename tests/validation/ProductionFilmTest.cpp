@@ -1,12 +1,12 @@
 // The production film on the CPU: against its closed forms, against the reference solver, and
 // against itself on finer grids, with shorter steps and with other numbers of threads.
 
-#include "cpu/QuasiStaticFilm.h"
+#include "production/cpu/ProductionFilm.h"
 #include "dip/Dip.h"
 #include "geometry/Shapes.h"
-#include "pbd/FilmContact.h"
+#include "production/formulas/Adhesion.h"
+#include "production/reference/ReferenceFilm.h"
 #include "project/ProjectStore.h"
-#include "reference/ReferenceFilm.h"
 #include "validation/PhysicsValidation.h"
 
 #include <QTest>
@@ -24,7 +24,7 @@ public:
     const char* unavailableReason() const override { return nullptr; }
     const char* device() const override { return "test"; }
     std::unique_ptr<solver::FilmSolver> create() const override {
-        return cpu::makeQuasiStaticFilm();
+        return cpu::makeProductionFilm();
     }
     bool runBatch(std::span<solver::BatchItem>, solver::CancelFunction, void*) const override {
         return false;
@@ -60,7 +60,7 @@ Ending dip(solver::FilmSolver& film, const solver::DipSetup& setup) {
 }
 
 Ending dipOnCpu(const solver::DipSetup& setup) {
-    return dip(*cpu::makeQuasiStaticFilm(), setup);
+    return dip(*cpu::makeProductionFilm(), setup);
 }
 
 struct Body {
@@ -331,7 +331,7 @@ void ProductionFilmTest::laysEverLessPastTheEquator() {
     const Ending ending = dipOnCpu(setup);
 
     const double overhang = radians(process.overhang);
-    const auto held = pbd::contactBody<double>(setup);
+    const auto held = numerics::contactBody<double>(setup);
     const auto slope = [&](double theta, double R) {
         const double u = -std::cos(theta);
         const double g =

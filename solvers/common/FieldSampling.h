@@ -1,0 +1,149 @@
+// Trilinear sampling of the signed distance field (film-physics §1).
+#pragma once
+
+#include "common/Vector3.h"
+
+#include <dipwright/FilmSolver.h>
+
+namespace dipwright::numerics {
+
+// A FieldView in the precision of the solver. `distance` is not owned and may lie on a device.
+template <typename Real>
+struct FieldGrid {
+    const float* distance = nullptr;
+    int nx = 0, ny = 0, nz = 0;
+    Vector3<Real> origin; // of sample (0, 0, 0), body coordinates
+    Real spacing{};
+    Real inverseSpacing{};
+};
+
+template <typename Real>
+FieldGrid<Real> fieldGrid(const solver::FieldView& view) {
+    return {view.distance,
+            view.size[0],
+            view.size[1],
+            view.size[2],
+            {Real(view.origin[0]), Real(view.origin[1]), Real(view.origin[2])},
+            Real(view.spacing),
+            Real(1 / view.spacing)};
+}
+
+template <typename Real>
+struct FieldSample {
+    Real distance{};        // φ, mm, negative inside
+    Vector3<Real> gradient; // ∇φ of the trilinear interpolant, not normalised
+    Real outside{};         // mm from the grid, 0 within it
+};
+
+namespace detail {
+
+// One coordinate in cells, held within the grid: the cell, the place in it, and how far outside.
+template <typename Real>
+struct CellPlace {
+    int cell;
+    Real fraction, outside;
+};
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE CellPlace<Real> cellPlace(Real coordinate, int size) {
+    const Real last = Real(size - 1);
+    const Real clamped = coordinate > Real(0) ? (coordinate < last ? coordinate : last) : Real(0);
+    int cell = int(clamped);
+    cell = cell > size - 2 ? size - 2 : cell;
+    return {cell, clamped - Real(cell), coordinate - clamped};
+}
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE Real mix(Real a, Real b, Real t) {
+    return a + t * (b - a);
+}
+
+} // namespace detail
+
+// φ and ∇φ at `position` (body coordinates). Outside the grid: the sample at the nearest place of
+// the grid, plus the distance to it. A position that is not a number gives a distance that is none
+// either.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE FieldSample<Real> sampleField(const FieldGrid<Real>& field,
+                                                    Vector3<Real> position) {
+    using detail::mix;
+    const Vector3<Real> grid = (position - field.origin) * field.inverseSpacing;
+    const auto x = detail::cellPlace(grid.x, field.nx);
+    const auto y = detail::cellPlace(grid.y, field.ny);
+    const auto z = detail::cellPlace(grid.z, field.nz);
+
+    const std::size_t rowStride = std::size_t(field.nx);
+    const std::size_t layerStride = rowStride * std::size_t(field.ny);
+    const float* corner = field.distance + std::size_t(z.cell) * layerStride +
+                          std::size_t(y.cell) * rowStride + std::size_t(x.cell);
+    const Real c000 = corner[0], c100 = corner[1];
+    const Real c010 = corner[rowStride], c110 = corner[rowStride + 1];
+    const Real c001 = corner[layerStride], c101 = corner[layerStride + 1];
+    const Real c011 = corner[layerStride + rowStride], c111 = corner[layerStride + rowStride + 1];
+
+    const Real c00 = mix(c000, c100, x.fraction), c10 = mix(c010, c110, x.fraction);
+    const Real c01 = mix(c001, c101, x.fraction), c11 = mix(c011, c111, x.fraction);
+    const Real c0 = mix(c00, c10, y.fraction), c1 = mix(c01, c11, y.fraction);
+
+    const Real alongX0 = mix(c100 - c000, c110 - c010, y.fraction);
+    const Real alongX1 = mix(c101 - c001, c111 - c011, y.fraction);
+    const Vector3<Real> gradient{mix(alongX0, alongX1, z.fraction),
+                                 mix(c10 - c00, c11 - c01, z.fraction), c1 - c0};
+    const Vector3<Real> beyond{x.outside, y.outside, z.outside};
+    const Real squared = dot(beyond, beyond); // nearly always 0, which needs no root
+    const Real outside = squared == Real(0) ? Real(0) : std::sqrt(squared) * field.spacing;
+    return {mix(c0, c1, z.fraction) + outside, gradient * field.inverseSpacing, outside};
+}
+
+// ∇φ at `position`, by differences over a cell to either side: unlike that of the trilinear
+// interpolant, which jumps from cell to cell, it changes steadily along the surface.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE Vector3<Real> smoothGradient(const FieldGrid<Real>& field,
+                                                   Vector3<Real> position) {
+    const Real reach = field.spacing;
+    const auto difference = [&](const Vector3<Real>& way) {
+        return (sampleField(field, position + way).distance -
+                sampleField(field, position - way).distance) *
+               (Real(0.5) * field.inverseSpacing);
+    };
+    return {difference({reach, Real(0), Real(0)}), difference({Real(0), reach, Real(0)}),
+            difference({Real(0), Real(0), reach})};
+}
+
+// How far the body is from the sampled place at the least, up to what interpolation loses; for a
+// body that lies within the field's grid.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE Real clearance(const FieldSample<Real>& sample) {
+    const Real nearGrid = sample.distance - sample.outside - sample.outside;
+    return nearGrid > sample.outside || sample.outside == Real(0) ? nearGrid : sample.outside;
+}
+
+// `position` moved along ∇φ to where φ is `level` (Newton's method; a few steps, as φ is nearly
+// linear over a cell). Where the gradient vanishes the position stays. `sample`: that at
+// `position`.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE Vector3<Real> onLevel(const FieldGrid<Real>& field, Vector3<Real> position,
+                                            FieldSample<Real> sample, Real level) {
+    const int steps = 8;
+    const Real closeEnough = Real(1e-4) * field.spacing;
+    const Real flattest = Real(0.25); // |∇φ|² is 1 but near ridges, where a step could go anywhere
+    for (int step = 0; step < steps; ++step) {
+        const Real missing = level - sample.distance;
+        if (std::abs(missing) <= closeEnough) {
+            break;
+        }
+        const Real steepness = dot(sample.gradient, sample.gradient);
+        position =
+            position + sample.gradient * (missing / (steepness > flattest ? steepness : flattest));
+        sample = sampleField(field, position);
+    }
+    return position;
+}
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE Vector3<Real> onLevel(const FieldGrid<Real>& field, Vector3<Real> position,
+                                            Real level) {
+    return onLevel(field, position, sampleField(field, position), level);
+}
+
+} // namespace dipwright::numerics

@@ -1,0 +1,50 @@
+// Work over the rows of a grid on all cores, in bands that do not depend on the number of threads.
+#pragma once
+
+#include "common/cpu/FlushDenormals.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace dipwright::cpu {
+
+inline constexpr int pointsPerBand = 8192;
+
+// Calls work(begin, end) for bands of rows of a grid.
+template <typename Work>
+void forRowBands(int rows, int columns, const Work& work) {
+    const int rowsPerBand = std::max(pointsPerBand / columns, 8);
+    if (rows <= rowsPerBand) { // coarse grids: not worth a task
+        work(0, rows);
+        return;
+    }
+    const int bands = (rows + rowsPerBand - 1) / rowsPerBand;
+    tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1),
+                      [&](const tbb::blocked_range<int>& range) {
+                          const FlushDenormals flush;
+                          for (int band = range.begin(); band != range.end(); ++band) {
+                              work(band * rowsPerBand, std::min(rows, (band + 1) * rowsPerBand));
+                          }
+                      });
+}
+
+// The sum of sumOfRow(row) over all rows, always added in the same order.
+template <typename SumOfRow>
+double sumOverRows(int rows, int columns, const SumOfRow& sumOfRow) {
+    std::vector<double> sums(std::size_t(rows), 0.0);
+    forRowBands(rows, columns, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row) {
+            sums[std::size_t(row)] = sumOfRow(row);
+        }
+    });
+    double sum = 0;
+    for (const double rowSum : sums) {
+        sum += rowSum;
+    }
+    return sum;
+}
+
+} // namespace dipwright::cpu

@@ -1,0 +1,39 @@
+#include "common/cuda/Dips.h"
+
+#include <stdexcept>
+#include <vector>
+
+namespace dipwright::cuda {
+
+void Dips::read(std::size_t dip, std::span<float> positions,
+                std::span<solver::PointState> states) const {
+    use(device_);
+    const StoredFilm source = stored(dip);
+    std::vector<std::byte> copy(source.bytes);
+    check(cudaMemcpy(copy.data(), source.onDevice, source.bytes, cudaMemcpyDeviceToHost));
+    unpack(dip, copy.data(), progress(dip), positions, states);
+}
+
+void Dips::unpack(std::size_t dip, const std::byte* stored, const solver::Progress& progress,
+                  std::span<float> positions, std::span<solver::PointState> states) const {
+    const std::size_t count = film_.pointCount();
+    if (positions.size() != 3 * count || !(states.empty() || states.size() == count)) {
+        throw std::invalid_argument("the arrays to read into do not match the film");
+    }
+    unpackPoints(dip, stored, progress, positions, states);
+}
+
+bool areAlike(const solver::DipSetup& a, const solver::DipSetup& b) {
+    const solver::FilmGrid &film = a.film, &other = b.film;
+    const solver::Settings &s = a.settings, &t = b.settings;
+    return film.columns == other.columns && film.rows == other.rows && film.width == other.width &&
+           film.depth == other.depth && a.motion.speed == b.motion.speed &&
+           a.field.spacing == b.field.spacing && s.lattice == t.lattice && s.support == t.support &&
+           s.contactDistance == t.contactDistance && s.relaxationTime == t.relaxationTime &&
+           s.timeStep == t.timeStep && s.iterations == t.iterations &&
+           s.relaxation == t.relaxation && s.selfContact == t.selfContact &&
+           s.contactTravel == t.contactTravel && s.residual == t.residual &&
+           s.overhang == t.overhang && s.tearStretch == t.tearStretch;
+}
+
+} // namespace dipwright::cuda

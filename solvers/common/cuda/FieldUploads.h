@@ -1,0 +1,32 @@
+// Distance fields on the device, each once however many dips share it.
+#pragma once
+
+#include "common/cuda/Device.h"
+
+#include <dipwright/FilmSolver.h>
+
+#include <map>
+
+namespace dipwright::cuda {
+
+class FieldUploads {
+public:
+    // The samples of `field` in device memory; valid as long as this object.
+    const float* onDevice(const solver::FieldView& field) {
+        auto found = samples_.find(field.distance);
+        if (found == samples_.end()) {
+            const std::size_t count = std::size_t(field.size[0]) * std::size_t(field.size[1]) *
+                                      std::size_t(field.size[2]);
+            found = samples_
+                        .emplace(field.distance,
+                                 DeviceArray<float>(std::span<const float>(field.distance, count)))
+                        .first;
+        }
+        return found->second.data();
+    }
+
+private:
+    std::map<const float*, DeviceArray<float>> samples_; // by the host's address
+};
+
+} // namespace dipwright::cuda

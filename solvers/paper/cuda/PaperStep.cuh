@@ -1,0 +1,524 @@
+// The paper's step on the GPU (film-physics §1).
+//
+// A block keeps its tile of the film, and the points round it within the reach of one pass's
+// sweeps, in registers for as long as the kernel runs; a warp's neighbours along a row are in its
+// other lanes, those above and below in shared memory. A pass begins with every block handing out
+// the points that it owns near its edges, and taking those round its tile from its neighbours.
+// Every point handed out carries the number of the pass, so that its bytes are their own signal:
+// nobody waits for more than what he needs, and there is no barrier between blocks.
+//
+// Points are displacements from the flat film, as on the CPU, and the arithmetic is the CPU's,
+// operation by operation (this file is to be compiled without contraction): the film's motion is so
+// sensitive that a difference of a millionth of a millimetre would be seen at the end.
+#pragma once
+
+#include "common/BodyFrame.h"
+#include "common/FieldSampling.h"
+#include "common/cuda/Tiles.h"
+#include "paper/cuda/PaperTiles.h"
+
+#include <cstdint>
+
+namespace dipwright::cuda {
+
+// What holds a point.
+enum class Hold : unsigned { Free, Pinned, Adhered, Missing }; // missing: outside the film
+
+// A point in memory: its displacement, and how it is held. As it is handed out, `mark` also tells
+// in which pass.
+struct alignas(16) StoredPoint {
+    float x, y, z;
+    unsigned mark;
+
+    __host__ __device__ Hold hold() const { return Hold(mark % 4); }
+};
+
+constexpr unsigned handedOutIn(int pass) {
+    return 4 * (unsigned(pass) + 1);
+}
+
+// What all films of a batch have in common.
+struct PaperModel {
+    int columns = 0, rows = 0;
+    double width = 0, depth = 0, spacingX = 0, spacingZ = 0; // mm
+    float restX = 0, restZ = 0, restDiagonal = 0;            // lengths
+    float firstX = 0, firstZ = 0;                            // of the first column and row
+    float vertical = 1;                                      // 0: the water holds free points
+    float share[3][3] = {}; // 1 / stiffnesses of a point with so many neighbours along X and Z
+    double stepLength = 0;  // mm that the body comes down in one step
+    double contactDistance = 0;
+    float clearanceMargin = 0; // mm: a point farther than this from the body cannot touch it
+    float surelyFar = 0;       // mm: so far from the body in single precision: not touching it
+    int iterations = 0, passesPerStep = 0;
+    PaperTiles tiles;
+};
+
+// What one dip has for itself.
+struct PaperDip {
+    numerics::FieldGrid<double> field;
+    numerics::FieldGrid<float> coarseField; // the same samples
+    numerics::BodyFrame<double> frameAtStart;
+    numerics::BodyFrame<float> coarseFrameAtStart;
+    double travel = 0;
+    int steps = 0;
+    StoredPoint* now = nullptr;    // adhered points at the height that they had at descent 0
+    StoredPoint* before = nullptr; // one step ago
+    StoredPoint* handed[2] = {};   // by pass modulo 2; adhered points where they are in that step
+};
+
+// A launch does both, or, where the blocks do not all fit on the device together, one of the two
+// for one pass.
+enum class PaperWork { All, HandOut, Sweep };
+
+namespace paper {
+
+struct Pull {
+    float x, y, z;
+};
+__device__ inline Pull operator+(Pull a, Pull b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+__device__ inline Pull operator-(Pull a, Pull b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+__device__ inline Pull operator*(Pull a, float factor) {
+    return {a.x * factor, a.y * factor, a.z * factor};
+}
+
+// length / √squared, both operations rounded as IEEE 754 has it, for numbers far from the ends of
+// the range: what the compiler makes of it, without its checks, and with one estimate for both.
+__device__ inline float lengthOverRoot(float length, float squared) {
+    float inverse;
+    asm("rsqrt.approx.ftz.f32 %0, %1;" : "=f"(inverse) : "f"(squared));
+    float root = squared * inverse;
+    root = __fmaf_rn(__fmaf_rn(-root, root, squared), 0.5f * inverse, root);
+    inverse = __fmaf_rn(inverse, __fmaf_rn(inverse, -root, 1.0f), inverse);
+    const float quotient = length * inverse;
+    return __fmaf_rn(inverse, __fmaf_rn(quotient, -root, length), quotient);
+}
+
+// A point in the arithmetic of sweeps. Weight 1: free; 0: held; 2: missing, as the share of a
+// constraint between a free and a missing point is then zero.
+struct Position {
+    float x, y, z, weight;
+};
+
+__device__ inline float weightOf(Hold hold) {
+    return hold == Hold::Free ? 1.0f : hold == Hold::Missing ? 2.0f : 0.0f;
+}
+
+// 1/(w1 + w2): a half where both are free.
+__device__ inline float sharing(float weight, float other) {
+    return 1.0f - 0.5f * weight * other;
+}
+
+// How far a constraint moves its first end, where that is free; the second it moves as far the
+// other way. (dx, dy, dz): from the first to the second.
+__device__ inline Pull pull(float dx, float dy, float dz, float length, float share) {
+    constexpr float shortestSquared = 1e-20f; // points in one place pull nowhere
+    const float squared = fmaxf((dx * dx + dy * dy) + dz * dz, shortestSquared);
+    const float excess = 1.0f - lengthOverRoot(length, squared);
+    return Pull{dx, dy, dz} * (excess * share);
+}
+
+// The same row of the lane beside this one; the outermost lanes get something that nobody needs.
+__device__ inline float fromRight(float value) {
+    return __shfl_down_sync(0xffffffff, value, 1);
+}
+__device__ inline Position fromRight(const Position& p) {
+    return {fromRight(p.x), fromRight(p.y), fromRight(p.z), 0};
+}
+__device__ inline Pull fromLeft(const Pull& p) {
+    constexpr unsigned all = 0xffffffff;
+    return {__shfl_up_sync(all, p.x, 1), __shfl_up_sync(all, p.y, 1), __shfl_up_sync(all, p.z, 1)};
+}
+
+// 16 bytes that are written and read as one.
+__device__ inline void handOut(StoredPoint* to, const StoredPoint& point) {
+    const std::uint64_t low =
+        std::uint64_t(__float_as_uint(point.x)) | std::uint64_t(__float_as_uint(point.y)) << 32;
+    const std::uint64_t high = std::uint64_t(__float_as_uint(point.z)) | std::uint64_t(point.mark)
+                                                                             << 32;
+    asm volatile(
+        "{ .reg .b128 p; mov.b128 p, {%1, %2}; st.relaxed.gpu.global.b128 [%0], p; }" ::"l"(to),
+        "l"(low), "l"(high)
+        : "memory");
+}
+
+__device__ inline StoredPoint take(const StoredPoint* from) {
+    std::uint64_t low, high;
+    asm volatile("{ .reg .b128 p; ld.relaxed.gpu.global.b128 p, [%2]; mov.b128 {%0, %1}, p; }"
+                 : "=l"(low), "=l"(high)
+                 : "l"(from)
+                 : "memory");
+    return {__uint_as_float(unsigned(low)), __uint_as_float(unsigned(low >> 32)),
+            __uint_as_float(unsigned(high)), unsigned(high >> 32)};
+}
+
+// The columns or rows that a tile owns.
+struct Span {
+    int first, last;
+    __device__ bool owns(int index) const { return index >= first && index < last; }
+    // Whether another tile takes it.
+    __device__ bool isNearEdge(int index, int reach) const {
+        return index < first + reach || index >= last - reach;
+    }
+};
+
+__device__ inline Span tileSpan(int points, int tiles, int tile) {
+    return {tileStart(points, tiles, tile), tileStart(points, tiles, tile + 1)};
+}
+
+// One point in the hands of its thread.
+struct Point {
+    float x, y, z;                   // now; adhered: where it is in the world
+    float beforeX, beforeY, beforeZ; // free: one step ago; held: beforeY is the height kept
+    float clearance;                 // mm, at least so far from the body
+    Hold hold;
+};
+
+// Where a point that is near the body is held to it from now on, if it touches it: where ∇φ leads
+// it out to the contact distance.
+struct Anchor {
+    float x, y, z; // displacement, at descent 0
+    bool holds;
+};
+
+// Few points come here: not inlined, it leaves the registers to the sweeps.
+__device__ __noinline__ Anchor anchorOf(const PaperModel& film, const PaperDip& dip, int column,
+                                        int row, double descent, float x, float y, float z) {
+    const double restX = -film.width / 2 + column * film.spacingX;
+    const double restZ = -film.depth / 2 + row * film.spacingZ;
+    numerics::BodyFrame<double> frame = dip.frameAtStart;
+    frame.translation.y -= descent;
+    numerics::Vector3<double> place =
+        frame.toBody({restX + double(x), double(y), restZ + double(z)});
+    const numerics::FieldSample<double> sample = numerics::sampleField(dip.field, place);
+    if (!(sample.distance <= film.contactDistance)) {
+        return {0, 0, 0, false};
+    }
+    place = numerics::onLevel(dip.field, place, sample, film.contactDistance);
+    const numerics::Vector3<double> anchor = dip.frameAtStart.toWorld(place);
+    return {float(anchor.x - restX), float(anchor.y), float(anchor.z - restZ), true};
+}
+
+// Moves a free point on to where it would be at the end of the step without constraints. Returns
+// whether it may be near the body then.
+__device__ inline bool moveOn(const PaperModel& film, Point& point, float& motion) {
+    const Pull step{point.x - point.beforeX, point.y - point.beforeY, point.z - point.beforeZ};
+    point.beforeX = point.x;
+    point.beforeY = point.y;
+    point.beforeZ = point.z;
+    point.x += step.x;
+    point.y += step.y;
+    point.z += step.z;
+    motion = fabsf(step.x) + fabsf(step.y) + fabsf(step.z);
+    point.clearance -= float(film.stepLength) + motion;
+    return !(point.clearance - motion >
+             film.clearanceMargin); // as far again may the sweeps move it
+}
+
+// One column of a strip from the end of a step to the beginning of the next one's sweeps. Points
+// are sampled together, so that they wait for memory only once.
+template <int stripRows>
+__device__ inline void predict(const PaperModel& film, const PaperDip& dip, int column,
+                               int firstRow, double descent, Point (&points)[stripRows],
+                               const bool (&isOwn)[stripRows]) {
+    bool isNear[stripRows], anyNear = false;
+    float motion[stripRows];
+#pragma unroll
+    for (int r = 0; r < stripRows; ++r) {
+        isNear[r] = isOwn[r] && points[r].hold == Hold::Free && moveOn(film, points[r], motion[r]);
+        anyNear = anyNear || isNear[r];
+    }
+    if (!anyNear) {
+        return;
+    }
+    numerics::BodyFrame<float> frame = dip.coarseFrameAtStart;
+    frame.translation.y -= float(descent);
+    numerics::FieldSample<float> samples[stripRows];
+#pragma unroll
+    for (int r = 0; r < stripRows; ++r) {
+        samples[r] = numerics::sampleField(
+            dip.coarseField,
+            frame.toBody({film.firstX + column * film.restX + points[r].x, points[r].y,
+                          film.firstZ + (firstRow + r) * film.restZ + points[r].z}));
+    }
+#pragma unroll
+    for (int r = 0; r < stripRows; ++r) {
+        if (!isNear[r]) {
+            continue;
+        }
+        points[r].clearance = numerics::clearance(samples[r]) - motion[r];
+        if (!(samples[r].distance > film.surelyFar)) {
+            const Anchor anchor = anchorOf(film, dip, column, firstRow + r, descent, points[r].x,
+                                           points[r].y, points[r].z);
+            if (anchor.holds) {
+                points[r].hold = Hold::Adhered;
+                points[r].x = anchor.x;
+                points[r].beforeY = anchor.y;
+                points[r].z = anchor.z;
+            }
+        }
+    }
+}
+
+// The shares of the constraints of one strip of points.
+template <int stripRows, bool hasDiagonals>
+struct StripShares {
+    static constexpr int gaps = stripRows + 1; // above the first row … below the last
+    float right[stripRows], down[gaps];        // by the row above
+    float rightDown[hasDiagonals ? gaps : 1], rightUp[hasDiagonals ? gaps : 1];
+
+    // From the weights of the strip's rows and of those above and below.
+    __device__ void set(const float (&weights)[stripRows + 2]) {
+        float onRight[stripRows + 2];
+#pragma unroll
+        for (int v = 0; v < stripRows + 2; ++v) {
+            onRight[v] = fromRight(weights[v]);
+        }
+#pragma unroll
+        for (int v = 0; v < gaps; ++v) {
+            down[v] = sharing(weights[v], weights[v + 1]);
+            if (v > 0) {
+                right[v - 1] = sharing(weights[v], onRight[v]);
+            }
+            if constexpr (hasDiagonals) {
+                rightDown[v] = sharing(weights[v], onRight[v + 1]);
+                rightUp[v] = sharing(weights[v + 1], onRight[v]);
+            }
+        }
+    }
+};
+
+} // namespace paper
+
+// Passes firstPass … lastPass − 1 of all dips.
+template <int stripRows, bool hasDiagonals>
+__global__ void __launch_bounds__(PaperTiles::mostWarps* PaperTiles::lanes)
+    paperPasses(const __grid_constant__ PaperModel film, const PaperDip* dips, PaperWork work,
+                int firstPass, int lastPass) {
+    using namespace paper;
+    extern __shared__ Position edgeRows[]; // by parity, warp, first or last row, lane
+    __shared__ PaperDip dip;
+
+    const PaperTiles& tiles = film.tiles;
+    if (threadIdx.x == 0) {
+        dip = dips[int(blockIdx.x) / tiles.count()];
+    }
+    __syncthreads();
+    lastPass = min(lastPass, dip.steps * film.passesPerStep);
+    if (firstPass >= lastPass) {
+        return;
+    }
+    const int tile = int(blockIdx.x) % tiles.count();
+    const int reach = tiles.reach;
+    const Span columns = tileSpan(film.columns, tiles.across, tile % tiles.across);
+    const Span rows = tileSpan(film.rows, tiles.down, tile / tiles.across);
+
+    // Points beyond the film's border are there, but missing.
+    const int lane = int(threadIdx.x) % 32, warp = int(threadIdx.x) / 32;
+    const int column = columns.first - reach + lane;
+    const int firstRow = rows.first - reach + warp * stripRows;
+    const int firstIndex = firstRow * film.columns + column;
+    const auto edgeRow = [&](int parity, int ofWarp, int isLast) -> Position& {
+        return edgeRows[((parity * tiles.warps + ofWarp) * 2 + isLast) * 32 + lane];
+    };
+    const int warpAbove = max(warp - 1, 0), warpBelow = min(warp + 1, tiles.warps - 1);
+    const int alongX = (column > 0) + (column < film.columns - 1);
+    const float columnStiffness = hasDiagonals && alongX < 2 ? 0.5f : 1.0f;
+    const auto isBorder = [&](int row) { return row == 0 || row == film.rows - 1; };
+
+    Point points[stripRows];
+    bool isTaken[stripRows], isOwn[stripRows], isHandedOut[stripRows];
+#pragma unroll
+    for (int r = 0; r < stripRows; ++r) {
+        const int row = firstRow + r;
+        isOwn[r] = columns.owns(column) && rows.owns(row);
+        isTaken[r] = !isOwn[r] && column >= 0 && column < min(film.columns, columns.last + reach) &&
+                     row >= 0 && row < min(film.rows, rows.last + reach);
+        isHandedOut[r] =
+            isOwn[r] && (columns.isNearEdge(column, reach) || rows.isNearEdge(row, reach));
+        points[r] = {0, 0, 0, 0, 0, 0, -INFINITY, Hold::Missing};
+        if (isOwn[r]) {
+            const int index = firstIndex + r * film.columns;
+            const StoredPoint now = dip.now[index], before = dip.before[index];
+            Point& point = points[r];
+            point = {now.x, now.y, now.z, before.x, before.y, before.z, -INFINITY, now.hold()};
+            if (point.hold != Hold::Free) {
+                point.beforeY = now.y;
+            }
+        }
+    }
+
+    int parity = 0;
+    int step = firstPass / film.passesPerStep, part = firstPass % film.passesPerStep;
+    for (int pass = firstPass; pass < lastPass; ++pass) {
+        const int sweeps = min(reach, film.iterations - part * reach);
+        const double descent = fmin(dip.travel, double(step + 1) * film.stepLength);
+        StoredPoint* handed = dip.handed[pass % 2] + firstIndex;
+
+        if (work != PaperWork::Sweep) {
+            if (part == 0) {
+                predict(film, dip, column, firstRow, descent, points, isOwn);
+            }
+#pragma unroll
+            for (int r = 0; r < stripRows; ++r) {
+                if (isOwn[r] && points[r].hold == Hold::Adhered) {
+                    points[r].y = points[r].beforeY - float(descent);
+                }
+                if (isHandedOut[r] || (work == PaperWork::HandOut && isOwn[r])) {
+                    handOut(handed + r * film.columns,
+                            {points[r].x, points[r].y, points[r].z,
+                             handedOutIn(pass) + unsigned(points[r].hold)});
+                }
+            }
+        }
+        if (work == PaperWork::HandOut) {
+            break;
+        }
+
+        StoredPoint taken[stripRows];
+#pragma unroll
+        for (int r = 0; r < stripRows; ++r) {
+            if (isTaken[r] || (work == PaperWork::Sweep && isOwn[r])) {
+                taken[r] = take(handed + r * film.columns);
+            }
+        }
+        bool hasFree = false;
+#pragma unroll
+        for (int r = 0; r < stripRows; ++r) {
+            if (isTaken[r] || (work == PaperWork::Sweep && isOwn[r])) {
+                while (taken[r].mark - unsigned(taken[r].hold()) != handedOutIn(pass)) {
+                    __nanosleep(20);
+                    taken[r] = take(handed + r * film.columns);
+                }
+                points[r].x = taken[r].x;
+                points[r].y = taken[r].y;
+                points[r].z = taken[r].z;
+                points[r].hold = taken[r].hold();
+            }
+            hasFree = hasFree || points[r].hold == Hold::Free;
+        }
+        // A strip without free points rests.
+        const bool works = __any_sync(0xffffffff, hasFree);
+        const auto keepEdges = [&](int to, float firstWeight, float lastWeight) {
+            const Point &first = points[0], &last = points[stripRows - 1];
+            edgeRow(to, warp, 0) = {first.x, first.y, first.z, firstWeight};
+            edgeRow(to, warp, 1) = {last.x, last.y, last.z, lastWeight};
+        };
+        keepEdges(parity, weightOf(points[0].hold), weightOf(points[stripRows - 1].hold));
+        __syncthreads();
+
+        StripShares<stripRows, hasDiagonals> shares;
+        float share[stripRows]; // of the corrections' sum
+        if (works) {
+            float weights[stripRows + 2];
+            weights[0] = edgeRow(parity, warpAbove, 1).weight;
+            weights[stripRows + 1] = edgeRow(parity, warpBelow, 0).weight;
+#pragma unroll
+            for (int r = 0; r < stripRows; ++r) {
+                weights[r + 1] = weightOf(points[r].hold);
+                share[r] = points[r].hold == Hold::Free
+                               ? film.share[alongX][isBorder(firstRow + r) ? 1 : 2]
+                               : 0.0f;
+            }
+            shares.set(weights);
+        } else {
+            keepEdges(1 - parity, 0, 0);
+        }
+
+        for (int sweep = 1; sweep <= sweeps; ++sweep) {
+            const int left = sweeps - sweep; // rows beside the tile that are still needed
+            if (works && firstRow + stripRows > rows.first - left && firstRow < rows.last + left) {
+                Position now[stripRows + 2], onRight[stripRows + 2];
+                now[0] = edgeRow(parity, warpAbove, 1);
+                now[stripRows + 1] = edgeRow(parity, warpBelow, 0);
+#pragma unroll
+                for (int r = 0; r < stripRows; ++r) {
+                    now[r + 1] = {points[r].x, points[r].y, points[r].z, 0};
+                }
+#pragma unroll
+                for (int v = hasDiagonals ? 0 : 1; v < stripRows + (hasDiagonals ? 2 : 1); ++v) {
+                    onRight[v] = fromRight(now[v]);
+                }
+                const auto down = [&](int v) {
+                    return pull(now[v + 1].x - now[v].x, now[v + 1].y - now[v].y,
+                                film.restZ + (now[v + 1].z - now[v].z), film.restZ,
+                                shares.down[v]) *
+                           columnStiffness;
+                };
+                const auto rightDown = [&](int v) {
+                    return pull(film.restX + (onRight[v + 1].x - now[v].x),
+                                onRight[v + 1].y - now[v].y,
+                                film.restZ + (onRight[v + 1].z - now[v].z), film.restDiagonal,
+                                shares.rightDown[v]) *
+                           0.5f;
+                };
+                const auto rightUp = [&](int v) {
+                    return pull(film.restX + (onRight[v].x - now[v + 1].x),
+                                onRight[v].y - now[v + 1].y,
+                                -film.restZ + (onRight[v].z - now[v + 1].z), film.restDiagonal,
+                                shares.rightUp[v]) *
+                           0.5f;
+                };
+                // What the constraints to the row above move a point of this one, the other way.
+                Pull above = down(0);
+                if constexpr (hasDiagonals) {
+                    above = (above + fromLeft(rightDown(0))) - rightUp(0);
+                }
+#pragma unroll
+                for (int r = 0; r < stripRows; ++r) {
+                    const int v = r + 1;
+                    Pull right =
+                        pull(film.restX + (onRight[v].x - now[v].x), onRight[v].y - now[v].y,
+                             onRight[v].z - now[v].z, film.restX, shares.right[r]);
+                    if constexpr (hasDiagonals) {
+                        right = right * (isBorder(firstRow + r) ? 0.5f : 1.0f);
+                    }
+                    const Pull below = down(v);
+                    Pull sum = (right - fromLeft(right)) + below;
+                    if constexpr (hasDiagonals) {
+                        const Pull ahead = rightDown(v), back = rightUp(v);
+                        sum = (sum + (ahead - fromLeft(back))) - above;
+                        above = (below + fromLeft(ahead)) - back;
+                    } else {
+                        sum = sum - above;
+                        above = below;
+                    }
+                    points[r].x = now[v].x + sum.x * share[r];
+                    points[r].y = now[v].y + sum.y * (share[r] * film.vertical);
+                    points[r].z = now[v].z + sum.z * share[r];
+                }
+                if (left > 0) {
+                    keepEdges(1 - parity, 0, 0); // weights are read before the sweeps only
+                }
+            }
+            parity = 1 - parity;
+            if (left > 0) {
+                __syncthreads();
+            }
+        }
+        part = part + 1 == film.passesPerStep ? 0 : part + 1;
+        step += part == 0;
+    }
+
+#pragma unroll
+    for (int r = 0; r < stripRows; ++r) {
+        if (isOwn[r]) {
+            const int index = firstIndex + r * film.columns;
+            const Point& point = points[r];
+            const bool isFree = point.hold == Hold::Free;
+            // Before the sweeps the next step's place is known only of points that are held now.
+            if (work != PaperWork::HandOut || !isFree) {
+                dip.now[index] = {point.x, isFree ? point.y : point.beforeY, point.z,
+                                  unsigned(point.hold)};
+            }
+            if (work != PaperWork::Sweep) {
+                dip.before[index] = {point.beforeX, point.beforeY, point.beforeZ, 0};
+            }
+        }
+    }
+}
+
+} // namespace dipwright::cuda

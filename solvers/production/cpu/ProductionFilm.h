@@ -1,0 +1,12 @@
+// The production film on the CPU: isotropic, carried by the water, always in equilibrium.
+#pragma once
+
+#include <dipwright/FilmSolver.h>
+
+namespace dipwright::cpu {
+
+// Simulates Lattice::Isotropic with Support::Water (film-physics §2). The same bits for any number
+// of threads.
+std::unique_ptr<solver::FilmSolver> makeProductionFilm();
+
+} // namespace dipwright::cpu

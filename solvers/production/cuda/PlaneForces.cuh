@@ -1,0 +1,214 @@
+// The elastic forces of the production film on the GPU (PlaneStress.h, CrossingTriangle.h), and
+// their derivative, tile by tile: a block computes the triangles that touch its tile's points,
+// those of the border once more than its neighbours, and gathers their forces in shared memory.
+#pragma once
+
+#include "production/cuda/PlaneMultigrid.cuh"
+
+namespace dipwright::cuda {
+
+// Forces on the edges of one cell: on the lower (first) and upper horizontal one, and what the cell
+// adds to its left and right one.
+struct CellForces {
+    float2 first, second, left, right;
+};
+
+struct FilmTile {
+    PlaneRange points;  // own
+    PlaneRange corners; // of all triangles that touch them
+    PlaneRange cells;
+
+    __device__ FilmTile(const ProductionModel& model, int index) {
+        const int across = index % model.tiles.across, down = index / model.tiles.across;
+        points = {tileStart(model.columns, model.tiles.across, across),
+                  tileStart(model.columns, model.tiles.across, across + 1),
+                  tileStart(model.rows, model.tiles.down, down),
+                  tileStart(model.rows, model.tiles.down, down + 1)};
+        corners = grown(points, 1, model.columns, model.rows);
+        cells = {corners.x0, corners.x1 - 1, corners.z0, corners.z1 - 1};
+    }
+};
+
+// The edges of a triangle between displaced points; `rest`: those of the undeformed film, or 0.
+template <typename At>
+__device__ inline numerics::EdgePair<float> triangleEdges(const numerics::TriangleCorners& triangle,
+                                                          float restX, float restZ, const At& at) {
+    const float2 left = at(triangle.points[0]), right = at(triangle.points[1]),
+                 third = at(triangle.points[2]);
+    const float2 shared = triangle.thirdOnRight ? right : left;
+    const float2 vertical = triangle.thirdAbove ? third - shared : shared - third;
+    return {restX + (right.x - left.x), right.y - left.y, vertical.x, restZ + vertical.y};
+}
+
+__device__ inline numerics::Matrix2<float> shapeOf(const ProductionDip& dip, int triangle) {
+    const float4 shape = dip.inverseShape[triangle];
+    return {shape.x, shape.y, shape.z, shape.w};
+}
+
+// Runs triangleForces(triangle, corners, at) → EdgePair for both triangles of every cell of a tile,
+// with at(point) from `values` in shared memory, and gather(x, z, force) for every point of it.
+template <typename TriangleForces, typename Gather>
+__device__ inline void gatherForces(const ProductionModel& model, const FilmTile& tile,
+                                    const float2* values, CellForces* forces,
+                                    const TriangleForces& triangleForces, const Gather& gather) {
+    const int cellColumns = model.columns - 1;
+    const auto at = [&](std::uint32_t point) {
+        const int z = int(point) / model.columns, x = int(point) - z * model.columns;
+        return values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0];
+    };
+    forRange(tile.cells, [&](int x, int z) {
+        CellForces cell;
+        for (const bool second : {false, true}) {
+            const numerics::TriangleCorners corners =
+                numerics::triangleCorners(model.columns, x, z, second);
+            const numerics::EdgePair<float> force =
+                triangleForces(2 * (z * cellColumns + x) + second, corners, x, z, at);
+            (second ? cell.second : cell.first) = {force.hx, force.hz};
+            (corners.thirdOnRight ? cell.right : cell.left) = {force.vx, force.vz};
+        }
+        forces[(z - tile.cells.z0) * tile.cells.width() + x - tile.cells.x0] = cell;
+    });
+    __syncthreads();
+    forRange(tile.points, [&](int x, int z) {
+        float2 sum{0, 0};
+        for (int j = max(z - 1, 0); j < min(z + 1, model.rows - 1); ++j) {
+            for (int i = max(x - 1, 0); i < min(x + 1, cellColumns); ++i) {
+                const CellForces& cell =
+                    forces[(j - tile.cells.z0) * tile.cells.width() + i - tile.cells.x0];
+                const float2 edge = j == z ? cell.first : cell.second;
+                const float2 side = i == x ? cell.left : cell.right;
+                sum = i == x ? sum - edge : sum + edge;
+                sum = j == z ? sum - side : sum + side;
+            }
+        }
+        gather(x, z, sum);
+    });
+    __syncthreads();
+}
+
+// The forces, the water's drag of `drag` a point among them, at start + length·newtonStep, which
+// become the displacement, or at the displacement where `length` is 0; left in the multigrid's
+// finest right side, and where they were taken in `stress`. Returns the roots of the sums of
+// squares of the forces on free points, and of those within the film.
+struct FilmForce {
+    double left, elastic;
+};
+
+__device__ inline FilmForce force(const ProductionModel& model, const ProductionDip& dip,
+                                  float drag, float length, Team& team, float2* memory) {
+    double sums[2] = {0, 0};
+#pragma unroll 1
+    for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
+        const FilmTile tile(model, t);
+        float2* values = memory;
+        auto* forces = reinterpret_cast<CellForces*>(memory + tile.corners.count());
+        forRange(tile.corners, [&](int x, int z) {
+            const int point = z * model.columns + x;
+            const float2 place = length == 0 ? dip.displacement[point]
+                                             : dip.start[point] + dip.newtonStep[point] * length;
+            values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0] = place;
+            if (length != 0 && x >= tile.points.x0 && x < tile.points.x1 && z >= tile.points.z0 &&
+                z < tile.points.z1) {
+                dip.displacement[point] = place;
+            }
+        });
+        __syncthreads();
+        gatherForces(
+            model, tile, values, forces,
+            [&](int triangle, const numerics::TriangleCorners& corners, int x, int z,
+                const auto& at) {
+                const numerics::EdgePair<float> edges =
+                    triangleEdges(corners, model.edgeX, model.edgeZ, at);
+                const numerics::Matrix2<float> shape = shapeOf(dip, triangle);
+                const bool crosses = dip.crosses[triangle] != 0;
+                numerics::StressState<float> state;
+                numerics::EdgePair<float> result;
+                if (crosses) {
+                    const numerics::CrossingTriangle<float>& crossing = dip.crossing[triangle];
+                    const numerics::Matrix2<float> P = numerics::stress(
+                        numerics::floatingGradient(
+                            dip.anchors[triangle],
+                            gradientOf(numerics::unfoldedEdges(edges, crossing), shape)),
+                        state);
+                    result = numerics::crossingForces(crossing, P, shape, model.area);
+                } else {
+                    result = numerics::edgeForces(numerics::stress(gradientOf(edges, shape), state),
+                                                  shape, model.area);
+                }
+                if (x >= tile.points.x0 && z >= tile.points.z0) { // counted once
+                    dip.stress[triangle] = {state.cosine, state.sine, state.turn,
+                                            crosses ? 1.0f : 0.0f};
+                    float moves = 0;
+                    for (const std::uint32_t point : corners.points) {
+                        moves = fmaxf(moves, dip.levelFree[point]);
+                    }
+                    sums[1] += double(moves * (result.hx * result.hx + result.hz * result.hz));
+                }
+                return result;
+            },
+            [&](int x, int z, float2 sum) {
+                const int point = z * model.columns + x;
+                const float2 way =
+                    values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0] -
+                    dip.before[point];
+                const float2 left = (sum + way * drag) * dip.levelFree[point];
+                dip.right[point] = left;
+                sums[0] += double(left.x * left.x + left.y * left.y);
+            });
+    }
+    team.sum(sums);
+    return {sqrt(sums[0]), sqrt(sums[1])};
+}
+
+// product = Hessian · direction, with direction = smoothed + keep·(the direction before). Returns
+// their product.
+__device__ inline double curvature(const ProductionModel& model, const ProductionDip& dip,
+                                   float drag, const float2* before, float2* direction, float keep,
+                                   Team& team, float2* memory) {
+    double sums[1] = {0};
+#pragma unroll 1
+    for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
+        const FilmTile tile(model, t);
+        float2* values = memory;
+        auto* forces = reinterpret_cast<CellForces*>(memory + tile.corners.count());
+        const auto value = [&](int x, int z) -> float2& {
+            return values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0];
+        };
+        forRange(tile.corners, [&](int x, int z) {
+            const int point = z * model.columns + x;
+            const float2 smoothed = dip.smoothed[point];
+            value(x, z) = keep == 0 ? smoothed : smoothed + before[point] * keep;
+        });
+        __syncthreads();
+        gatherForces(
+            model, tile, values, forces,
+            [&](int triangle, const numerics::TriangleCorners& corners, int, int, const auto& at) {
+                const numerics::Matrix2<float> shape = shapeOf(dip, triangle);
+                const float4 stress = dip.stress[triangle];
+                const numerics::StressState<float> state{stress.x, stress.y, stress.z};
+                const numerics::Matrix2<float> change =
+                    gradientOf(triangleEdges(corners, 0, 0, at), shape);
+                if (stress.w == 0) {
+                    return numerics::edgeForces(numerics::stressDerivative(change, state), shape,
+                                                model.area);
+                }
+                return numerics::crossingForces(
+                    dip.crossing[triangle],
+                    numerics::stressDerivative(
+                        numerics::floatingChange(dip.anchors[triangle], change), state),
+                    shape, model.area);
+            },
+            [&](int x, int z, float2 sum) {
+                const int point = z * model.columns + x;
+                const float2 own = value(x, z);
+                const float2 product = (sum + own * drag) * dip.levelFree[point];
+                direction[point] = own;
+                dip.product[point] = product;
+                sums[0] += double(own.x * product.x + own.y * product.y);
+            });
+    }
+    team.sum(sums);
+    return sums[0];
+}
+
+} // namespace dipwright::cuda

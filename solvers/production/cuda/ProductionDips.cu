@@ -1,0 +1,359 @@
+// The host's side of the production films on the GPU.
+
+#include "production/cuda/ProductionDips.h"
+
+#include "common/SetupLimits.h"
+#include "common/cuda/FieldUploads.h"
+#include "production/cuda/ProductionStep.cuh"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace dipwright::cuda {
+
+namespace {
+
+constexpr int mostTilePoints = 34 * 34; // of the film, those beside the tile's own among them
+
+// Bytes of shared memory beside what the kernel takes dynamically.
+constexpr std::size_t staticSharedBytes = sizeof(Team) + sizeof(ProductionDip) + 256;
+
+// The cut of a grid that `blocks` blocks are done with soonest. work(columns, rows): the points
+// that a block has to do with for a tile of this size; 0 where they are too many.
+template <typename Work>
+PlaneTiles planeTiles(int columns, int rows, int blocks, const Work& work) {
+    PlaneTiles best;
+    for (int most = blocks;; most += blocks) {
+        int least = 0;
+        for (int across = 1; across <= std::min(columns, most); ++across) {
+            const PlaneTiles tiles{across, std::min(rows, most / across)};
+            const int points = work((columns + tiles.across - 1) / tiles.across,
+                                    (rows + tiles.down - 1) / tiles.down);
+            if (points > 0 && (least == 0 || points < least)) {
+                best = tiles;
+                least = points;
+            }
+        }
+        if (least > 0) {
+            return best;
+        }
+    }
+}
+
+PlaneTiles filmTiles(int columns, int rows, int blocks) {
+    return planeTiles(columns, rows, blocks, [](int tileColumns, int tileRows) {
+        const int points = (tileColumns + 2) * (tileRows + 2);
+        return points <= mostTilePoints ? points : 0;
+    });
+}
+
+// Of a level, by tiles of the coarser one.
+PlaneTiles coarseTiles(const PlaneLevel& level, int blocks) {
+    const auto fine = [](const PlaneAxis& axis, int coarse) {
+        const int leaning = (coarse + 1) * (axis.fine - 1) / (axis.coarse - 1) + 1;
+        return std::min(leaning + 2 * numerics::multigrid::smoothingDegree, axis.fine);
+    };
+    return planeTiles(level.alongX.coarse, level.alongZ.coarse, blocks,
+                      [&](int tileColumns, int tileRows) {
+                          const int width = fine(level.alongX, tileColumns);
+                          const int height = fine(level.alongZ, tileRows);
+                          return LongStrip::cover(width, height) ? width * height : 0;
+                      });
+}
+
+constexpr std::size_t patchBytes(std::size_t points) {
+    return points * PlanePatch::valuesPerPoint * sizeof(float2);
+}
+
+// Shared memory for one tile, the largest there can be.
+constexpr std::size_t tileBytes =
+    std::max(patchBytes(LongStrip::mostInPatch),
+             std::size_t(mostTilePoints) * (sizeof(float2) + sizeof(CellForces)));
+
+PlaneAxis axis(int fine, int coarse) {
+    return {fine, coarse, 1 / float(fine - 1), 1 / float(coarse - 1)};
+}
+
+// The levels of one film.
+class Levels {
+public:
+    Levels(const Device& device, ProductionModel& model, int blocks) {
+        int columns = model.columns, rows = model.rows;
+        std::uint32_t offset = 0;
+        for (;;) {
+            PlaneLevel& level = model.levels[model.levelCount++];
+            const double hx = model.width / (columns - 1), hz = model.depth / (rows - 1);
+            level.columns = columns;
+            level.rows = rows;
+            level.offset = offset;
+            level.stencil = numerics::multigrid::stencil(hx, hz);
+            offset += std::uint32_t(columns) * std::uint32_t(rows);
+            if (numerics::multigrid::isCoarsest(columns, rows)) {
+                break;
+            }
+            if (model.levelCount == ProductionModel::mostLevels) {
+                throw std::invalid_argument("the film has too many points along one edge");
+            }
+            const int coarseColumns = numerics::multigrid::coarser(columns);
+            const int coarseRows = numerics::multigrid::coarser(rows);
+            level.alongX = axis(columns, coarseColumns);
+            level.alongZ = axis(rows, coarseRows);
+            level.tiles = coarseTiles(level, blocks);
+            columns = coarseColumns;
+            rows = coarseRows;
+        }
+        pointCount_ = offset;
+        chooseWholeLevel(device, model);
+    }
+
+    std::size_t pointCount() const { return pointCount_; }
+    std::size_t sharedBytes() const { return sharedBytes_; }
+
+private:
+    // The first level that, with all after it, one block holds.
+    void chooseWholeLevel(const Device& device, ProductionModel& model) {
+        std::size_t bytes = 0;
+        int level = model.levelCount;
+        while (level > 0) {
+            const PlaneLevel& finer = model.levels[level - 1];
+            const std::size_t points = std::size_t(finer.columns) * std::size_t(finer.rows);
+            const std::size_t all =
+                bytes + patchBytes(points) + points * (sizeof(float2) + sizeof(float));
+            // The tiles on the way up lie behind the first level's solution.
+            const std::size_t needed = std::max(all, patchBytes(points) + tileBytes);
+            if (!LongStrip::cover(finer.columns, finer.rows) ||
+                needed + staticSharedBytes > device.sharedBytes) {
+                break;
+            }
+            sharedBytes_ = needed;
+            bytes = all;
+            --level;
+        }
+        if (level == model.levelCount) {
+            throw std::invalid_argument(
+                "the film is too long for its width to be computed on the GPU; choose the CPU");
+        }
+        model.wholeLevel = level;
+    }
+
+    std::size_t pointCount_ = 0, sharedBytes_ = 0;
+};
+
+ProductionModel modelOf(const solver::DipSetup& setup, int blocks) {
+    const solver::FilmGrid& film = setup.film;
+    ProductionModel model;
+    model.columns = film.columns;
+    model.rows = film.rows;
+    model.width = film.width;
+    model.depth = film.depth;
+    model.spacingX = film.spacingX();
+    model.spacingZ = film.spacingZ();
+    model.cell = float(std::min(film.spacingX(), film.spacingZ()));
+    model.edgeX = 1 / float(1 / film.spacingX());
+    model.edgeZ = 1 / float(1 / film.spacingZ());
+    model.area = float(film.spacingX() * film.spacingZ() / 2);
+    model.contactTravel = setup.settings.contactTravel;
+    model.residual = setup.settings.residual;
+    model.tearStretch = setup.settings.tearStretch;
+    model.relaxationTime = setup.settings.relaxationTime;
+    model.tiles = filmTiles(film.columns, film.rows, blocks);
+    std::ranges::copy(numerics::multigrid::chebyshev(numerics::multigrid::smoothingDegree),
+                      model.smoothing);
+    std::ranges::copy(numerics::multigrid::chebyshev(numerics::multigrid::coarsestDegree),
+                      model.coarsest);
+    return model;
+}
+
+// Where one dip's numbers lie in one block of device memory.
+class Layout {
+public:
+    // `start` may be null: then only the size is of use.
+    explicit Layout(std::byte* start) : next_(start), start_(start) {}
+
+    template <typename Value>
+    void place(Value*& array, std::size_t count) {
+        constexpr std::size_t alignment = 256;
+        array = reinterpret_cast<Value*>(next_);
+        next_ += (count * sizeof(Value) + alignment - 1) / alignment * alignment;
+    }
+    std::size_t bytes() const { return std::size_t(next_ - start_); }
+
+private:
+    std::byte *next_, *start_;
+};
+
+// Places all arrays of a dip from `start` on; returns how many bytes they take.
+std::size_t placeArrays(ProductionDip& dip, const ProductionModel& model,
+                        std::size_t pointsOfLevels, std::byte* start) {
+    const std::size_t points = std::size_t(model.columns) * std::size_t(model.rows);
+    const std::size_t triangles = 2 * std::size_t(model.columns - 1) * std::size_t(model.rows - 1);
+    Layout layout(start);
+    layout.place(dip.state, 1);
+    layout.place(dip.team, 1);
+    layout.place(dip.displacement, points); // these three: the stored film
+    layout.place(dip.attached, points);
+    layout.place(dip.states, points);
+    for (float2** array : {&dip.before, &dip.start, &dip.best, &dip.newtonStep, &dip.product,
+                           &dip.direction[0], &dip.direction[1]}) {
+        layout.place(*array, points);
+    }
+    layout.place(dip.free, points);
+    layout.place(dip.clearance, points);
+    layout.place(dip.inverseShape, triangles);
+    layout.place(dip.stress, triangles);
+    layout.place(dip.crosses, triangles);
+    layout.place(dip.crossing, triangles);
+    layout.place(dip.anchors, triangles);
+    layout.place(dip.laid, triangles);
+    for (float2** array : {&dip.right, &dip.result, &dip.smoothed}) {
+        layout.place(*array, pointsOfLevels);
+    }
+    layout.place(dip.levelFree, pointsOfLevels);
+    return layout.bytes();
+}
+
+template <typename Value>
+void upload(Value* to, const std::vector<Value>& values) {
+    check(cudaMemcpy(to, values.data(), values.size() * sizeof(Value), cudaMemcpyHostToDevice));
+}
+
+class ProductionDips final : public Dips {
+public:
+    ProductionDips(const Device& device, Setups setups);
+
+    void advance(int maximumSteps) override;
+    solver::Progress progress(std::size_t dip) const override;
+    StoredFilm stored(std::size_t dip) const override;
+
+private:
+    void unpackPoints(std::size_t dip, const std::byte* stored, const solver::Progress& progress,
+                      std::span<float> positions,
+                      std::span<solver::PointState> states) const override;
+    void layFlat(const solver::DipSetup& setup, const ProductionDip& dip) const;
+
+    int blocksPerDip_;
+    ProductionModel model_;
+    Levels levels_;
+    FieldUploads fields_;
+    DeviceArray<std::byte> memory_;
+    std::vector<ProductionDip> dips_;
+    DeviceArray<ProductionDip> dipsOnDevice_;
+    std::vector<ProductionState> states_;
+};
+
+ProductionDips::ProductionDips(const Device& device, Setups setups)
+    : Dips(device, setups.front()->film),
+      blocksPerDip_(std::max(1, std::min(device.multiprocessors, TeamMemory::mostBlocks) /
+                                    int(setups.size()))),
+      model_(modelOf(*setups.front(), blocksPerDip_)),
+      levels_((use(device), device), model_, blocksPerDip_) {
+    for (const solver::DipSetup* setup : setups) {
+        numerics::requireValid(*setup);
+    }
+    ProductionDip dip;
+    const std::size_t bytes = placeArrays(dip, model_, levels_.pointCount(), nullptr);
+    memory_ = DeviceArray<std::byte>(bytes * setups.size());
+    memory_.clear();
+    for (const solver::DipSetup* setup : setups) {
+        placeArrays(dip, model_, levels_.pointCount(), memory_.data() + bytes * dips_.size());
+        dip.body = numerics::contactBody<float>(*setup);
+        dip.body.field.distance = fields_.onDevice(setup->field);
+        layFlat(*setup, dip);
+        dips_.push_back(dip);
+        states_.emplace_back();
+    }
+    dipsOnDevice_ = DeviceArray<ProductionDip>(std::span<const ProductionDip>(dips_));
+    check(cudaFuncSetAttribute(reinterpret_cast<const void*>(productionSteps),
+                               cudaFuncAttributeMaxDynamicSharedMemorySize,
+                               int(levels_.sharedBytes())));
+}
+
+void ProductionDips::layFlat(const solver::DipSetup& setup, const ProductionDip& dip) const {
+    std::vector<float> free(film().pointCount(), 1.0f);
+    for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
+        free[point] = setup.pinned[point] ? 0.0f : 1.0f;
+    }
+    upload(dip.free, free);
+    const float4 shape{float(1 / film().spacingX()), 0, 0, float(1 / film().spacingZ())};
+    upload(dip.inverseShape,
+           std::vector<float4>(2 * std::size_t(film().columns - 1) * std::size_t(film().rows - 1),
+                               shape));
+    upload(dip.state, std::vector<ProductionState>(1));
+}
+
+void ProductionDips::advance(int maximumSteps) {
+    use(device());
+    for (const ProductionDip& dip : dips_) {
+        check(cudaMemset(&dip.team->arrived, 0, sizeof dip.team->arrived));
+    }
+    const ProductionDip* dips = dipsOnDevice_.data();
+    void* arguments[] = {&model_, &dips, &blocksPerDip_, &maximumSteps};
+    check(cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(productionSteps),
+                                      dim3(unsigned(blocksPerDip_) * unsigned(dips_.size())),
+                                      dim3(Team::threads), arguments, levels_.sharedBytes(),
+                                      nullptr));
+    for (std::size_t dip = 0; dip < dips_.size(); ++dip) {
+        check(cudaMemcpy(&states_[dip], dips_[dip].state, sizeof states_[dip],
+                         cudaMemcpyDeviceToHost));
+    }
+}
+
+solver::Progress ProductionDips::progress(std::size_t dip) const {
+    const ProductionState& state = states_[dip];
+    return {state.steps, state.descent, state.descent >= dips_[dip].body.motion.travel};
+}
+
+StoredFilm ProductionDips::stored(std::size_t dip) const {
+    const ProductionDip& own = dips_[dip];
+    const auto* first = reinterpret_cast<const std::byte*>(own.displacement);
+    const auto* last = reinterpret_cast<const std::byte*>(own.states + film().pointCount());
+    return {first, std::size_t(last - first)};
+}
+
+void ProductionDips::unpackPoints(std::size_t dip, const std::byte* stored,
+                                  const solver::Progress& progress, std::span<float> positions,
+                                  std::span<solver::PointState> states) const {
+    const ProductionDip& own = dips_[dip];
+    const std::byte* first = this->stored(dip).onDevice;
+    const auto inCopy = [&]<typename Value>(const Value* onDevice) {
+        return reinterpret_cast<const Value*>(
+            stored + (reinterpret_cast<const std::byte*>(onDevice) - first));
+    };
+    const float2* displacement = inCopy(own.displacement);
+    const float3* attached = inCopy(own.attached);
+    const std::uint8_t* held = inCopy(own.states);
+    const auto frame = numerics::bodyFrame<float>(own.body.motion, progress.descent);
+    const std::size_t count = film().pointCount();
+    for (std::size_t point = 0; point < count; ++point) {
+        const auto state = solver::PointState(held[point]);
+        numerics::Vector3<float> place{
+            float(-film().width / 2 + double(point % film().columns) * film().spacingX()) +
+                displacement[point].x,
+            0,
+            float(-film().depth / 2 + double(point / film().columns) * film().spacingZ()) +
+                displacement[point].y};
+        if (state != solver::PointState::Free) {
+            place = frame.toWorld({attached[point].x, attached[point].y, attached[point].z});
+        }
+        positions[3 * point] = place.x;
+        positions[3 * point + 1] = place.y;
+        positions[3 * point + 2] = place.z;
+        if (!states.empty()) {
+            states[point] = state;
+        }
+    }
+}
+
+} // namespace
+
+std::unique_ptr<Dips> makeProductionDips(const Device& device, Setups setups) {
+    return std::make_unique<ProductionDips>(device, setups);
+}
+
+std::size_t productionDipsAtOnce(const Device& device, const solver::DipSetup&) {
+    constexpr int fewestBlocks = 8; // below, the film waits for its blocks, not for their meetings
+    return std::size_t(std::max(1, device.multiprocessors / fewestBlocks));
+}
+
+} // namespace dipwright::cuda

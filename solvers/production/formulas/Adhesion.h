@@ -1,0 +1,419 @@
+// Where film points stick to the body, and what the triangles see of those that have: the part of a
+// dip's step that is done point by point and triangle by triangle (film-physics §2.3, §2.4).
+#pragma once
+
+#include "production/formulas/ContactPath.h"
+#include "production/formulas/CrossingTriangle.h"
+
+#include <dipwright/FilmSolver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dipwright::numerics {
+
+// The body as a film point meets it.
+template <typename Real>
+struct ContactBody {
+    FieldGrid<Real> field;
+    solver::BodyMotion motion;
+    Real contactDistance{};
+    // Of the unit normal's y. Up to the first film is held fast, past the second not at all.
+    Real firmlyHeld{}, steepestHeld{};
+};
+
+// Film is held fast up to so far before the overhang, radians.
+inline constexpr double gripFades = 5 * std::numbers::pi / 180;
+
+// The body of a dip. Its grip fades so that no film is laid past the overhang: where the normal's y
+// is u, the contact line recedes by u of its way along the surface; of film that follows a share g
+// of its unfolding, as much is laid as g − (1 − g) u of film held fast. With g falling linearly in
+// u that is nothing at the overhang if g reaches zero at the `steepestHeld` taken here.
+template <typename Real>
+ContactBody<Real> contactBody(const solver::DipSetup& setup) {
+    const double last = std::sin(setup.settings.overhang);
+    const double firmly = std::sin(setup.settings.overhang - gripFades);
+    return {fieldGrid<Real>(setup.field), setup.motion, Real(setup.settings.contactDistance),
+            Real(firmly), Real(last + std::max(last, 0.0) * (last - firmly))};
+}
+
+// A film point that has met the body in a step. A face that turns up too far does not hold it. It
+// stays free at first: film that is let go of in the same step draws it back. What is there still a
+// step later is trapped.
+template <typename Real>
+struct Attachment {
+    Vector3<Real> place; // body coordinates
+    solver::PointState state{};
+};
+
+// The point that went from `start` by `way` while the body came down from `descent` by `increment`,
+// to within the contact distance: at the moment in the step, and at the place, at which it met it.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>& body,
+                                                         double descent, double increment,
+                                                         Vector3<Real> start, Vector3<Real> way) {
+    Real early(0), late(1);
+    const auto placeAt = [&](Real share) {
+        return bodyFrame<Real>(body.motion, descent + increment * double(share))
+            .toBody(start + way * share);
+    };
+    for (int iteration = 0; iteration < 24; ++iteration) {
+        const Real middle = (early + late) / Real(2);
+        const Real distance = sampleField(body.field, placeAt(middle)).distance;
+        (distance > body.contactDistance ? early : late) = middle;
+    }
+    const Vector3<Real> place = placeAt(late);
+    const Vector3<Real> gradient =
+        bodyFrame<Real>(body.motion, 0).directionToWorld(smoothGradient(body.field, place));
+    if (!(gradient.y > body.steepestHeld * length(gradient))) {
+        return {place, solver::PointState::Adhered};
+    }
+    const bool wasIn = !(sampleField(body.field, placeAt(Real(0))).distance > body.contactDistance);
+    return {place, wasIn ? solver::PointState::Trapped : solver::PointState::Free};
+}
+
+// A corner of a triangle that crosses the contact line.
+template <typename Real>
+struct CrossingCorner {
+    bool isFree{};
+    Vector3<Real> plane; // in the water plane
+    Vector3<Real> held;  // held: in the world, on the body
+    bool isTrapped{};    // caught by a face that turns up too far: never held on to
+};
+
+// How film lies at the corners of a triangle that the body holds, from step to step; all zero
+// before the triangle crosses the contact line. In the water plane, from the corner's place there.
+//
+// The body holds on to film less and less where it turns up (grip). Film that it holds in part
+// follows its unfolding by that part, and slips.
+template <typename Real>
+struct LaidCorners {
+    Real unfoldedX[3] = {}, unfoldedZ[3] = {};
+    Real slipX[3] = {}, slipZ[3] = {}; // from where it would lie, unfolded, to where it does
+    Real upwards[3] = {};              // of the contact line, see ContactLine
+    bool isHeld[3] = {};
+    bool isReleased[3] = {}; // let go of: it stays where it is
+    Real lost = 0;           // of the triangle's weight: what was cut off when it was let go of
+};
+
+// Corner of a triangle; `held`: in the world, of a free point anything.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline CrossingCorner<Real>
+crossingCorner(solver::PointState state, const Vector3<Real>& plane, const Vector3<Real>& held) {
+    CrossingCorner<Real> corner;
+    corner.isFree = state == solver::PointState::Free;
+    corner.plane = plane;
+    corner.held = corner.isFree ? Vector3<Real>{} : held;
+    corner.isTrapped = state == solver::PointState::Trapped;
+    return corner;
+}
+
+template <typename Real>
+struct UnfoldedTriangle {
+    CrossingTriangle<Real> crossing; // but for its cell
+    Real steepness = 1;              // least of the contact line, see ContactLine
+    Vector3<Real> offset[3];         // of the corners, from `plane` to where film lies
+    Real upwards[3] = {-1, -1, -1};  // of the contact line of each corner that film holds on to
+};
+
+namespace detail {
+
+// The share of its unfolding that film follows where the body turns up by `upwards`: all up to
+// `firmlyHeld`, nothing from `steepestHeld` on.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Real grip(const ContactBody<Real>& body, Real upwards) {
+    const Real share = (body.steepestHeld - upwards) / (body.steepestHeld - body.firmlyHeld);
+    return std::fmin(std::fmax(share, Real(0)), Real(1));
+}
+
+// Where film lies, from the corner's place in the plane.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Vector3<Real> offset(const LaidCorners<Real>& film, int k) {
+    return {film.unfoldedX[k] + film.slipX[k], Real(0), film.unfoldedZ[k] + film.slipZ[k]};
+}
+
+// Corner `k` now unfolds to `position`, by a contact line of which the body turns up by `upwards`;
+// `moved`: because the body has. A corner that is new was on the line in the step, straight above
+// its place on the body.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline void
+slide(const ContactBody<Real>& body, const CrossingCorner<Real>& corner, int k,
+      const Vector3<Real>& position, Real upwards, bool moved, LaidCorners<Real>& film) {
+    const Real x = position.x - corner.plane.x, z = position.z - corner.plane.z;
+    if (!film.isHeld[k]) {
+        film.isHeld[k] = moved = true;
+        film.unfoldedX[k] = corner.held.x - corner.plane.x;
+        film.unfoldedZ[k] = corner.held.z - corner.plane.z;
+        film.slipX[k] = film.slipZ[k] = Real(0);
+        film.upwards[k] = upwards;
+    }
+    if (moved) {
+        const Real loose = Real(1) - grip(body, (film.upwards[k] + upwards) / Real(2));
+        film.slipX[k] -= loose * (x - film.unfoldedX[k]);
+        film.slipZ[k] -= loose * (z - film.unfoldedZ[k]);
+    }
+    film.unfoldedX[k] = x;
+    film.unfoldedZ[k] = z;
+    film.upwards[k] = upwards;
+}
+
+// The floating fraction of the side between two corners, as far as it is told apart.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Real floatingShare(bool isFree, Real distance, bool otherIsFree,
+                                                Real otherDistance, Real cell) {
+    if (isFree == otherIsFree) {
+        return isFree ? Real(1) : Real(0);
+    }
+    const Real all = distance + otherDistance;
+    return all > Real(1e-6) * cell
+               ? std::fmax((isFree ? distance : otherDistance) / all, Real(leastFloatingFraction))
+               : Real(1);
+}
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline int freeCount(const CrossingCorner<Real> (&corners)[3]) {
+    return corners[0].isFree + corners[1].isFree + corners[2].isFree;
+}
+
+// Of the free corners.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Vector3<Real> middleOfFree(const CrossingCorner<Real> (&corners)[3]) {
+    Vector3<Real> sum;
+    for (const CrossingCorner<Real>& corner : corners) {
+        sum = corner.isFree ? sum + corner.plane : sum;
+    }
+    return sum * (Real(1) / Real(freeCount(corners)));
+}
+
+// Of the held corners, on the body.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Vector3<Real> middleOfHeld(const CrossingCorner<Real> (&corners)[3]) {
+    Vector3<Real> sum;
+    for (const CrossingCorner<Real>& corner : corners) {
+        sum = corner.isFree ? sum : sum + corner.held;
+    }
+    return sum * (Real(1) / Real(3 - freeCount(corners)));
+}
+
+// Whether two corners hold on to two places of the body that face each other across the water.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline bool spansGap(const ContactBody<Real>& body,
+                                           const BodyFrame<Real>& frame, Real cell,
+                                           const CrossingCorner<Real> (&corners)[3]) {
+    if (freeCount(corners) != 1) {
+        return false;
+    }
+    const Vector3<Real> middle = middleOfHeld(corners);
+    if (!(sampleWorld(body.field, frame, {middle.x, Real(0), middle.z}).distance >
+          body.contactDistance)) {
+        return false;
+    }
+    Vector3<Real> outwards[2];
+    int found = 0;
+    for (const CrossingCorner<Real>& corner : corners) {
+        if (!corner.isFree) {
+            const ContactLine<Real> line = contactLine(body.field, frame, body.contactDistance,
+                                                       cell, corner.held, middleOfFree(corners));
+            if (!line.found) {
+                return false;
+            }
+            outwards[found++] = line.outwards;
+        }
+    }
+    return dot(outwards[0], outwards[1]) < Real(0);
+}
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline void setEdges(const TriangleCorners& triangle,
+                                           const CrossingCorner<Real> (&corners)[3],
+                                           UnfoldedTriangle<Real>& result) {
+    const Vector3<Real>(&offset)[3] = result.offset;
+    const int shared = triangle.shared();
+    const Vector3<Real> horizontal = offset[1] - offset[0];
+    const Vector3<Real> vertical =
+        triangle.thirdAbove ? offset[2] - offset[shared] : offset[shared] - offset[2];
+    CrossingTriangle<Real>& crossing = result.crossing;
+    crossing.second = !triangle.thirdAbove;
+    crossing.thirdOnRight = triangle.thirdOnRight;
+    crossing.hx = horizontal.x;
+    crossing.hz = horizontal.z;
+    crossing.vx = vertical.x;
+    crossing.vz = vertical.z;
+    crossing.sharedFree = corners[shared].isFree;
+    crossing.horizontalFree = corners[1 - shared].isFree;
+    crossing.verticalFree = corners[2].isFree;
+    crossing.upwards =
+        std::fmax(result.upwards[0], std::fmax(result.upwards[1], result.upwards[2]));
+}
+
+// Every held corner unfolded by itself: of film that more than one contact line holds, or that has
+// been let go of in part.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
+unfoldedApart(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
+              const TriangleCorners& triangle, const CrossingCorner<Real> (&corners)[3], bool moved,
+              LaidCorners<Real>& film) {
+    UnfoldedTriangle<Real> result;
+    for (int k = 0; k < 3; ++k) {
+        const CrossingCorner<Real>& corner = corners[k];
+        if (corner.isFree || corner.isTrapped) {
+            continue;
+        }
+        if (!film.isReleased[k]) {
+            const ContactLine<Real> line = contactLine(body.field, frame, body.contactDistance,
+                                                       cell, corner.held, middleOfFree(corners));
+            if (!line.found) {
+                continue;
+            }
+            slide(
+                body, corner, k,
+                unfolded(body.field, frame, body.contactDistance, cell, line, corner.held).position,
+                line.upwards, moved, film);
+            result.upwards[k] = line.upwards;
+            result.steepness = std::fmin(result.steepness, line.steepness);
+        }
+        result.offset[k] = offset(film, k);
+    }
+    setEdges(triangle, corners, result);
+    CrossingTriangle<Real>& crossing = result.crossing;
+    crossing.horizontalShare = crossing.verticalShare = crossing.diagonalShare =
+        Real(1) - film.lost;
+    return result;
+}
+
+// All corners unfolded about one contact line.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
+unfoldedTogether(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
+                 const TriangleCorners& triangle, const CrossingCorner<Real> (&corners)[3],
+                 bool moved, LaidCorners<Real>& film) {
+    UnfoldedTriangle<Real> result;
+    const ContactLine<Real> line = contactLine(body.field, frame, body.contactDistance, cell,
+                                               middleOfHeld(corners), middleOfFree(corners));
+    const Real perFree = Real(1) / Real(freeCount(corners));
+    const Real perHeld = Real(1) / Real(3 - freeCount(corners));
+    Real distance[3] = {}; // from the contact line: along the surface, or across the water
+    Real floating(0), laid(0);
+    for (int k = 0; k < 3 && line.found; ++k) {
+        const CrossingCorner<Real>& corner = corners[k];
+        if (corner.isFree) {
+            distance[k] = std::fmax(dot(corner.plane - line.place, line.outwards), Real(0));
+            floating += distance[k] * perFree;
+        } else {
+            const Unfolded<Real> place =
+                unfolded(body.field, frame, body.contactDistance, cell, line, corner.held);
+            slide(body, corner, k, place.position, line.upwards, moved, film);
+            result.offset[k] = offset(film, k);
+            result.upwards[k] = line.upwards;
+            distance[k] = place.path;
+            laid += distance[k] * perHeld;
+        }
+    }
+    setEdges(triangle, corners, result);
+    result.steepness = line.steepness;
+    const int shared = triangle.shared(), end = 1 - shared;
+    const auto share = [&](int k, int l) {
+        return floatingShare(corners[k].isFree, distance[k], corners[l].isFree, distance[l], cell);
+    };
+    CrossingTriangle<Real>& crossing = result.crossing;
+    crossing.horizontalShare = share(shared, end);
+    crossing.verticalShare = share(shared, 2);
+    crossing.diagonalShare = share(end, 2);
+    crossing.normalX = line.outwards.x;
+    crossing.normalZ = line.outwards.z;
+    crossing.floating =
+        floating + laid > Real(1e-6) * cell ? floating / (floating + laid) : Real(1);
+    return result;
+}
+
+} // namespace detail
+
+// Unfolds the surface under a triangle of which one or two corners are held, and lets its film
+// follow. Where there is no contact line near (a flat face, a body that has gone under) its corners
+// stay where they are. `moved`: because the body has; else because the film has.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
+unfoldedTriangle(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
+                 const TriangleCorners& triangle, const CrossingCorner<Real> (&corners)[3],
+                 bool moved, LaidCorners<Real>& film) {
+    bool isApart = false;
+    for (int k = 0; k < 3; ++k) {
+        isApart = isApart || corners[k].isTrapped || film.isReleased[k];
+    }
+    return isApart || detail::spansGap(body, frame, cell, corners)
+               ? detail::unfoldedApart(body, frame, cell, triangle, corners, moved, film)
+               : detail::unfoldedTogether(body, frame, cell, triangle, corners, moved, film);
+}
+
+namespace detail {
+
+// Cuts what is laid off a triangle of which all corners on the body have just been let go of, so
+// that the film's new edge is where the contact line was: its corners on the body are moved to the
+// line, on the way to its free ones. Returns what its inverse rest shape changes by, so that its
+// stretch stays the same.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
+cutAtLine(const TriangleCorners& triangle, const CrossingTriangle<Real>& crossing,
+          const CrossingCorner<Real> (&corners)[3], LaidCorners<Real>& film) {
+    const int shared = triangle.shared();
+    const auto share = [&](int k, int l) {
+        return k != 2 && l != 2             ? crossing.horizontalShare
+               : k == shared || l == shared ? crossing.verticalShare
+                                            : crossing.diagonalShare;
+    };
+    const Real perFree = Real(1) / Real(freeCount(corners));
+    const Vector3<Real> free = middleOfFree(corners);
+    Vector3<Real> before[3], after[3];
+    Real weight(1);
+    for (int k = 0; k < 3; ++k) {
+        before[k] = after[k] = corners[k].plane;
+        if (!corners[k].isFree) {
+            Real floating(0);
+            for (int l = 0; l < 3; ++l) {
+                floating += corners[l].isFree ? perFree * share(k, l) : Real(0);
+            }
+            before[k] = corners[k].plane + offset(film, k);
+            after[k] = free + (before[k] - free) * floating;
+            weight *= floating;
+        }
+    }
+    const auto edges = [&](const Vector3<Real>(&p)[3]) {
+        const Vector3<Real> h = p[1] - p[0];
+        const Vector3<Real> v = triangle.thirdAbove ? p[2] - p[shared] : p[shared] - p[2];
+        return Matrix2<Real>{h.x, v.x, h.z, v.z};
+    };
+    const Matrix2<Real> whole = edges(before), cut = edges(after);
+    if (!(std::fabs(cut.a * cut.d - cut.b * cut.c) > Real(0))) {
+        return {Real(1), Real(0), Real(0), Real(1)};
+    }
+    for (int k = 0; k < 3; ++k) {
+        film.slipX[k] += after[k].x - before[k].x;
+        film.slipZ[k] += after[k].z - before[k].z;
+    }
+    film.lost = Real(1) - weight;
+    return inverse(cut) * whole;
+}
+
+} // namespace detail
+
+// Lets go of film at the corners at which the body has turned up past what holds it. Returns what
+// the triangle's inverse rest shape changes by.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
+releaseWhereTurnedUp(const ContactBody<Real>& body, const TriangleCorners& triangle,
+                     const CrossingTriangle<Real>& crossing,
+                     const CrossingCorner<Real> (&corners)[3], LaidCorners<Real>& film) {
+    // Not where each corner has a contact line of its own, or some were let go of before.
+    bool isWhole = crossing.normalX != Real(0) || crossing.normalZ != Real(0);
+    for (int k = 0; k < 3; ++k) {
+        if (!corners[k].isFree && !film.isReleased[k]) {
+            film.isReleased[k] = film.isHeld[k] && film.upwards[k] > body.steepestHeld;
+            isWhole = isWhole && film.isReleased[k];
+        }
+    }
+    return isWhole ? detail::cutAtLine(triangle, crossing, corners, film)
+                   : Matrix2<Real>{Real(1), Real(0), Real(0), Real(1)};
+}
+
+} // namespace dipwright::numerics

@@ -1,0 +1,168 @@
+// A film triangle that crosses the contact line: in part on the body, in part on the water.
+//
+// It differs from a floating triangle in three ways.
+// 1. It sees its adhered corners unfolded (ContactPath.h), as an offset of its edges.
+// 2. Only its floating part strains. What is laid keeps the strain it was laid with, so that a
+// change
+//    of the triangle's length across the contact line belongs to the floating fraction f of it.
+//    With F_whole the gradient of the whole triangle, F_anchor the floating part's at the start of
+//    the step and M the line's normal at rest:  F = F_whole + (1/f − 1)(F_whole − F_anchor) M Mᵀ.
+//    f is taken in the middle of the step: what is laid in it is laid, on the average, with the
+//    mean of the strains before and after.
+// 3. Only its floating part pulls at its free corners: the part beyond the contact line, where a
+//    virtual displacement falls from its corner's value to zero on the line instead of at the
+//    adhered corner. With constant stress P and test functions that are linear along the triangle's
+//    sides, the force on a free corner is  ½ P Σ share(e) (ℓ n)(e)  over the two sides e that meet
+//    in it, (ℓ n) the side's length times its outward normal at rest, share(e) the floating
+//    fraction of the side. With shares of one this is the ordinary constant-strain force.
+// Without 2 and 3 the film is laid with the strain of half a cell inside the contact line: an error
+// of first order in the spacing.
+#pragma once
+
+#include "production/formulas/GridTriangle.h"
+
+namespace dipwright::numerics {
+
+template <typename Real>
+struct CrossingTriangle {
+    std::uint32_t cell{}; // row·(columns − 1) + column
+    bool second{};        // the triangle with the cell's second (higher) horizontal edge
+    bool thirdOnRight{};  // its vertical edge is the cell's right one
+    // Added to the horizontal edge and to the vertical edge, from lower to higher grid index.
+    Real hx{}, hz{}, vx{}, vz{};
+    // Floating fraction of the horizontal, vertical and diagonal side; and whether the corner
+    // shared by the first two, the other end of the horizontal and that of the vertical side are
+    // free.
+    Real horizontalShare = 1, verticalShare = 1, diagonalShare = 1;
+    bool sharedFree{}, horizontalFree{}, verticalFree{};
+    // Across the contact line in the water plane (unit, away from the body), and the floating
+    // fraction of the triangle across it. Zero normal: no contact line was found.
+    Real normalX{}, normalZ{}, floating = 1;
+    // Vertical share of the body's unit normal on the contact line: above 0 past the equator.
+    Real upwards{};
+};
+
+// The state of a crossing triangle at the start of a step.
+template <typename Real>
+struct CrossingAnchor {
+    Matrix2<Real> gradient; // F of the floating part
+    Real floating = 1;      // f at the start
+    Real gain{};            // 1/f − 1 in the middle of the step
+    Real mx{}, mz{};        // M
+};
+
+// What little floats when the line has almost reached the free corners is not told apart from this:
+// a free corner that nothing but such shreds hold would move at the least force, or at none.
+inline constexpr double leastFloatingFraction = 0.3;
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline CrossingAnchor<Real>
+crossingAnchor(const CrossingTriangle<Real>& triangle, const Matrix2<Real>& gradient) {
+    // The normal of a line maps back to rest by Fᵀ.
+    const Real mx = gradient.a * triangle.normalX + gradient.c * triangle.normalZ;
+    const Real mz = gradient.b * triangle.normalX + gradient.d * triangle.normalZ;
+    const Real size = std::sqrt(mx * mx + mz * mz);
+    if (!(size > Real(0.01))) {
+        return {gradient, triangle.floating, Real(0), Real(0), Real(0)};
+    }
+    return {gradient, triangle.floating, Real(0), mx / size, mz / size};
+}
+
+// For a step at whose end the triangle is as given.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline CrossingAnchor<Real>
+anchorOverStep(CrossingAnchor<Real> anchor, const CrossingTriangle<Real>& end) {
+    const Real middle = (anchor.floating + end.floating) / Real(2);
+    anchor.gain = Real(1) / std::fmax(middle, Real(leastFloatingFraction)) - Real(1);
+    return anchor;
+}
+
+// dF of the floating part for a change of the whole triangle.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> floatingChange(const CrossingAnchor<Real>& anchor,
+                                                          const Matrix2<Real>& change) {
+    const Real x = anchor.gain * (change.a * anchor.mx + change.b * anchor.mz);
+    const Real z = anchor.gain * (change.c * anchor.mx + change.d * anchor.mz);
+    return {change.a + x * anchor.mx, change.b + x * anchor.mz, change.c + z * anchor.mx,
+            change.d + z * anchor.mz};
+}
+
+// F of the floating part, from that of the whole triangle.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> floatingGradient(const CrossingAnchor<Real>& anchor,
+                                                            const Matrix2<Real>& whole) {
+    const Matrix2<Real>& start = anchor.gradient;
+    const Matrix2<Real> change = floatingChange(
+        anchor, {whole.a - start.a, whole.b - start.b, whole.c - start.c, whole.d - start.d});
+    return {start.a + change.a, start.b + change.b, start.c + change.c, start.d + change.d};
+}
+
+// A crossing triangle's edges with its held corners unfolded.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline EdgePair<Real> unfoldedEdges(const EdgePair<Real>& edges,
+                                                          const CrossingTriangle<Real>& triangle) {
+    return {edges.hx + triangle.hx, edges.hz + triangle.hz, edges.vx + triangle.vx,
+            edges.vz + triangle.vz};
+}
+
+// The inverse rest shape of a triangle after a step in which it crossed the contact line: for which
+// all of it has the gradient F of its floating part (with edges E = F_whole·D that is F⁻¹·E), its
+// stretch decayed by `keep`.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
+relaxedCrossingShape(const CrossingAnchor<Real>& anchor, const Matrix2<Real>& whole,
+                     const Matrix2<Real>& inverseShape, Real keep) {
+    const Matrix2<Real> floating = floatingGradient(anchor, whole);
+    const bool sound = whole.a * whole.d - whole.b * whole.c > Real(0.01) &&
+                       floating.a * floating.d - floating.b * floating.c > Real(0.01);
+    return sound ? relaxedInverseShape(inverseShape * (inverse(whole) * floating), floating, keep)
+                 : inverseShape;
+}
+
+// Forces on the edges of a crossing triangle.
+// `P` the stress, `inverseShape` the inverse of the rest shape, `area` the triangle's weight.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline EdgePair<Real>
+crossingForces(const CrossingTriangle<Real>& triangle, const Matrix2<Real>& P,
+               const Matrix2<Real>& inverseShape, Real area) {
+    const Real determinant =
+        Real(1) / (inverseShape.a * inverseShape.d - inverseShape.b * inverseShape.c);
+    // Rest edges from the shared corner s outwards: to h along the horizontal, to v along the
+    // vertical.
+    const Real signH = triangle.thirdOnRight ? Real(-1) : Real(1);
+    const Real signV = triangle.second ? Real(-1) : Real(1);
+    const Real hX = signH * inverseShape.d * determinant,
+               hZ = -signH * inverseShape.c * determinant;
+    const Real vX = -signV * inverseShape.b * determinant,
+               vZ = signV * inverseShape.a * determinant;
+    const Real orientation = hX * vZ - hZ * vX > Real(0) ? Real(1) : Real(-1);
+    // thickness of the crept film: its weight over its rest area
+    const Real half = orientation * area / std::fabs(determinant);
+    const Real shareH = half * triangle.horizontalShare, shareV = half * triangle.verticalShare;
+    const Real shareD = half * triangle.diagonalShare;
+    // outward normals times lengths, weighted: of s→h, h→v, v→s
+    const Real nHx = shareH * hZ, nHz = -shareH * hX;
+    const Real nDx = shareD * (vZ - hZ), nDz = -shareD * (vX - hX);
+    const Real nVx = -shareV * vZ, nVz = shareV * vX;
+    const auto forceX = [&](Real nx, Real nz) { return P.a * nx + P.b * nz; };
+    const auto forceZ = [&](Real nx, Real nz) { return P.c * nx + P.d * nz; };
+    const Real sharedX = forceX(nHx + nVx, nHz + nVz), sharedZ = forceZ(nHx + nVx, nHz + nVz);
+    Real endHx = forceX(nHx + nDx, nHz + nDz), endHz = forceZ(nHx + nDx, nHz + nDz);
+    Real endVx = forceX(nVx + nDx, nVz + nDz), endVz = forceZ(nVx + nDx, nVz + nDz);
+    if (triangle
+            .sharedFree) { // the force on a held corner does not matter: let it balance the rest
+        if (!triangle.horizontalFree) {
+            if (!triangle.verticalFree) {
+                endVx = endVz = Real(0);
+            }
+            endHx = -sharedX - endVx;
+            endHz = -sharedZ - endVz;
+        } else {
+            endVx = -sharedX - endHx;
+            endVz = -sharedZ - endHz;
+        }
+    }
+    return {signH * endHx, signH * endHz, signV * endVx, signV * endVz};
+}
+
+} // namespace dipwright::numerics

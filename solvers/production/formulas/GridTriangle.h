@@ -1,0 +1,81 @@
+// The film's triangles: their corners in the grid, their edges, and the forces on these.
+//
+// Every triangle has one horizontal and one vertical grid edge; its forces are taken as forces on
+// these two (FilmSolver.h, FilmGrid, tells how cells are cut).
+#pragma once
+
+#include "production/formulas/PlaneStress.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace dipwright::numerics {
+
+// Film points: the two ends of a triangle's horizontal edge, and the third corner, which shares the
+// vertical edge with one of them.
+struct TriangleCorners {
+    std::uint32_t points[3]; // left, right, third
+    bool thirdOnRight;
+    bool thirdAbove; // in the next row
+
+    // Which of `points` is the corner of both edges.
+    DIPWRIGHT_HOST_DEVICE int shared() const { return thirdOnRight ? 1 : 0; }
+};
+
+// Of the first triangle of a cell (on its lower horizontal edge), or of the second.
+DIPWRIGHT_HOST_DEVICE inline TriangleCorners triangleCorners(int columns, int column, int row,
+                                                             bool second) {
+    const bool even = (column + row) % 2 == 0;
+    const bool onRight = even != second;
+    const std::uint32_t lower = std::uint32_t(row) * std::uint32_t(columns) + std::uint32_t(column);
+    const std::uint32_t upper = lower + std::uint32_t(columns);
+    const std::uint32_t base = second ? upper : lower;
+    const std::uint32_t third = (second ? lower : upper) + (onRight ? 1 : 0);
+    return {{base, base + 1, third}, onRight, !second};
+}
+
+// By number: two triangles a cell, cell after cell.
+DIPWRIGHT_HOST_DEVICE inline TriangleCorners triangleCorners(int columns, std::size_t number) {
+    const int cell = int(number / 2), cells = columns - 1;
+    return triangleCorners(columns, cell % cells, cell / cells, number % 2 != 0);
+}
+
+// x and z of a triangle's horizontal and vertical edge, from lower to higher grid index; or of the
+// forces on them, as a gradient: the higher end gets +, the lower end −.
+template <typename Real>
+struct EdgePair {
+    Real hx{}, hz{}, vx{}, vz{};
+};
+
+// The deformation gradient.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> gradientOf(const EdgePair<Real>& edges,
+                                                      const Matrix2<Real>& inverseShape) {
+    return Matrix2<Real>{edges.hx, edges.vx, edges.hz, edges.vz} * inverseShape;
+}
+
+// Whether film is stretched to more than `limit` times its length in some direction or its area:
+// then it tears. `edges` of the triangle; the undeformed ones are spacingX and spacingZ long.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline bool isTorn(const EdgePair<Real>& edges, Real spacingX, Real spacingZ,
+                                         Real limit) {
+    const Matrix2<Real> F{edges.hx / spacingX, edges.vx / spacingZ, edges.hz / spacingX,
+                          edges.vz / spacingZ};
+    const Real sum = F.a + F.d, skew = F.c - F.b, difference = F.a - F.d, shear = F.c + F.b;
+    const Real larger =
+        (std::sqrt(sum * sum + skew * skew) + std::sqrt(difference * difference + shear * shear)) /
+        Real(2);
+    return larger > limit || F.a * F.d - F.b * F.c > limit;
+}
+
+// Stress back to forces on the two edges: area · P · inverseShapeᵀ.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline EdgePair<Real>
+edgeForces(const Matrix2<Real>& P, const Matrix2<Real>& inverseShape, Real area) {
+    return {area * (P.a * inverseShape.a + P.b * inverseShape.b),
+            area * (P.c * inverseShape.a + P.d * inverseShape.b),
+            area * (P.a * inverseShape.c + P.b * inverseShape.d),
+            area * (P.c * inverseShape.c + P.d * inverseShape.d)};
+}
+
+} // namespace dipwright::numerics

@@ -1,0 +1,107 @@
+// The elastic sheet of the production film: a constant-strain triangle in the water plane.
+//
+// Energy per rest area, with F the deformation gradient, F = R·U its polar decomposition and s = tr
+// U:
+//     W = μ |F − R|² + (λ/2)(s − 2)²,
+// the corotated (Biot strain) plane-stress law. Poisson ratio 1/3 makes λ = μ, and as only the
+// ratio matters in equilibrium both are 1. In two dimensions R comes without a decomposition: s =
+// √((a + d)² + (c − b)²), cos = (a + d)/s, sin = (c − b)/s for F = [a b; c d].
+//
+// Gathered film. With δ = λ1 − λ2 the same law reads  W = δ²/2 + (s − 2)².  Film under a mean
+// stretch s/2 below 2/3 could then give way by turning in its own plane, triangle against triangle,
+// and which way it turns would hang on nothing but the grid. (W is rank-one convex where the
+// second term's derivative g′ is at least −s.) Real film wrinkles out of the plane instead and
+// hardly resists any more. So below the mean stretch 4/5 the second term goes on as g′ = −s/2,
+// tangent to (s − 2)² there: the film still has one equilibrium, and it gathers evenly.
+#pragma once
+
+#include "common/HostDevice.h"
+
+#include <cmath>
+
+namespace dipwright::numerics {
+
+// A 2 × 2 matrix [a b; c d]: x and z of the film's X direction in the first column, of its Z
+// direction in the second.
+template <typename Real>
+struct Matrix2 {
+    Real a{}, b{}, c{}, d{};
+};
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> operator*(const Matrix2<Real>& m,
+                                                     const Matrix2<Real>& n) {
+    return {m.a * n.a + m.b * n.c, m.a * n.b + m.b * n.d, m.c * n.a + m.d * n.c,
+            m.c * n.b + m.d * n.d};
+}
+
+// h′(s) where the film gathers; P = 2F + h(s)·R in all, see stress().
+inline constexpr double gatheredResistance = -1.5;
+
+// What the Hessian needs to remember of the point of linearisation.
+template <typename Real>
+struct StressState {
+    Real cosine{}, sine{}; // of the rotation R
+    Real turn{};           // h(s)/s, the coefficient of the rotation's own derivative
+};
+
+// P = ∂W/∂F at F, and the state for stressDerivative.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stress(const Matrix2<Real>& F,
+                                                  StressState<Real>& state) {
+    const Real sum = F.a + F.d, skew = F.c - F.b;
+    const Real s = std::sqrt(sum * sum + skew * skew) + Real(1e-12);
+    const Real inverse = Real(1) / s;
+    const Real cosine = sum * inverse, sine = skew * inverse;
+    // P = 2(F − R) + (s − 2)R = 2F + (s − 4)R, or 2F − 3/2·sR where the film gathers
+    const Real firm = s - Real(4), gathered = Real(gatheredResistance) * s;
+    const Real rotation = firm > gathered ? firm : gathered;
+    state = {cosine, sine, rotation * inverse};
+    return {Real(2) * F.a + rotation * cosine, Real(2) * F.b - rotation * sine,
+            Real(2) * F.c + rotation * sine, Real(2) * F.d + rotation * cosine};
+}
+
+// dP for a change dF, at the point where `state` was taken: dR = (RJ : dF)/s · RJ enters with h/s.
+// Both h/s and h′ are held at −1, where a change of R or of s alone costs nothing, when the film is
+// compressed on the whole: the Hessian stays positive semi-definite.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stressDerivative(const Matrix2<Real>& dF,
+                                                            const StressState<Real>& state) {
+    const Real cosine = state.cosine, sine = state.sine;
+    const Real resists = state.turn > Real(0.999 * gatheredResistance) ? Real(1) : Real(-1);
+    const Real turns = state.turn > Real(-1) ? state.turn : Real(-1);
+    const Real stretch = resists * (cosine * (dF.a + dF.d) + sine * (dF.c - dF.b)); // R : dF
+    const Real turn = turns * (cosine * (dF.c - dF.b) - sine * (dF.a + dF.d));      // RJ : dF
+    return {Real(2) * dF.a + stretch * cosine - turn * sine,
+            Real(2) * dF.b - stretch * sine - turn * cosine,
+            Real(2) * dF.c + stretch * sine + turn * cosine,
+            Real(2) * dF.d + stretch * cosine - turn * sine};
+}
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> inverse(const Matrix2<Real>& m) {
+    const Real scale = Real(1) / (m.a * m.d - m.b * m.c);
+    return {m.d * scale, -m.b * scale, -m.c * scale, m.a * scale};
+}
+
+// Stress decay: the inverse rest shape after the stretch U = RᵀF has relaxed to
+// I + (U − I)·keep (keep = exp(−Δt/τ); 0: viscous, 1: elastic). With edges E = F·D, D the rest
+// shape, the new rest shape is U'⁻¹·U·D.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> relaxedInverseShape(const Matrix2<Real>& inverseShape,
+                                                               const Matrix2<Real>& F, Real keep) {
+    const Real sum = F.a + F.d, skew = F.c - F.b;
+    const Real s = std::sqrt(sum * sum + skew * skew) + Real(1e-12);
+    const Real cosine = sum / s, sine = skew / s;
+    const Matrix2<Real> U{cosine * F.a + sine * F.c, cosine * F.b + sine * F.d,
+                          cosine * F.c - sine * F.a, cosine * F.d - sine * F.b};
+    const Real determinant = U.a * U.d - U.b * U.c;
+    if (!(determinant > Real(1e-6))) {
+        return inverseShape; // turned inside out or flat: leave it to recover elastically
+    }
+    const Matrix2<Real> kept{Real(1) + (U.a - Real(1)) * keep, U.b * keep, U.c * keep,
+                             Real(1) + (U.d - Real(1)) * keep};
+    return inverseShape * (inverse(U) * kept);
+}
+
+} // namespace dipwright::numerics

@@ -1,0 +1,50 @@
+// How far the production film's step goes, and what the film's stress has decayed to by then.
+#pragma once
+
+#include "common/HostDevice.h"
+
+#include <dipwright/FilmSolver.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace dipwright::numerics {
+
+// On a face flatter than this, the step is no shorter.
+inline constexpr double leastSteepness = 0.15;
+
+// Descent in which the contact line travels `travel` mm along a surface of this steepness.
+DIPWRIGHT_HOST_DEVICE inline double contactIncrement(double travel, double steepness) {
+    return travel * (steepness > leastSteepness ? steepness : leastSteepness);
+}
+
+// As far as the nearest point is away that is not next to film on the body. So the first contact of
+// every part of the body is met when it comes, and not run over.
+DIPWRIGHT_HOST_DEVICE inline double approachIncrement(double travel, double nearestClearance) {
+    const double least = 0.1 * travel;
+    return nearestClearance > least ? nearestClearance : least;
+}
+
+// Whether a point of the two cells around this one, or itself, is on the body.
+template <typename IsFree>
+DIPWRIGHT_HOST_DEVICE inline bool isNextToContact(int columns, int rows, int point,
+                                                  const IsFree& isFree) {
+    constexpr int reach = 2;
+    const int column = point % columns, row = point / columns;
+    for (int j = row > reach ? row - reach : 0; j < rows && j <= row + reach; ++j) {
+        for (int i = column > reach ? column - reach : 0; i < columns && i <= column + reach; ++i) {
+            if (!isFree(std::size_t(j) * std::size_t(columns) + std::size_t(i))) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+// The share of its stress that the film keeps over a step of `increment` mm at `speed` mm/s.
+DIPWRIGHT_HOST_DEVICE inline double keptStress(double increment, double speed,
+                                               double relaxationTime) {
+    return relaxationTime > 0 ? std::exp(-(increment / speed) / relaxationTime) : 0.0;
+}
+
+} // namespace dipwright::numerics
