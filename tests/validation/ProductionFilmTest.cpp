@@ -312,7 +312,7 @@ void ProductionFilmTest::doesNotHoldPastTheOverhang() {
     QVERIFY(adhered > 500);
 }
 
-// Past the equator the body holds on to film less and less (FilmContact.h). A sphere of 35 mm in a
+// Past the equator the body holds on to film less and less (Adhesion.h). A sphere of 35 mm in a
 // film held at a ring of 90 mm; the closed form is that of §3 with the rate at which film is laid:
 //   dR/ds = (g + (1 − g) da/ds)/λr, and da/ds = −u, u the y of the body's normal.
 void ProductionFilmTest::laysEverLessPastTheEquator() {
