@@ -104,7 +104,7 @@ private:
     }
     // Whether there was a film to show: one on another device may be on its way.
     bool show(const FilmObserver& observer) {
-        solver::Progress shown = state_;
+        solver::DipState shown = state_;
         const bool hasArrived = solver_->peek(dip_.positions, dip_.states, shown);
         if (hasArrived) {
             observer({dip_.positions, dip_.states, shown.descent, shown.steps});
@@ -114,7 +114,7 @@ private:
 
     solver::BatchItem dip_;
     std::unique_ptr<solver::FilmSolver> solver_;
-    solver::Progress state_;
+    solver::DipState state_;
     int stepsAtOnce_ = 1;
     double seconds_ = 0;
 };

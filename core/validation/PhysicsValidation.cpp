@@ -45,7 +45,7 @@ struct DipRun {
     solver::DipSetup setup;
     std::vector<float> positions; // world
     std::vector<solver::PointState> states;
-    solver::Progress progress;
+    solver::DipState progress;
     double seconds = 0;
 
     bool adhered(std::size_t point) const { return states[point] == solver::PointState::Adhered; }

@@ -34,7 +34,7 @@ public:
         film_ = makeFilm(setup.settings);
         film_->begin(setup);
     }
-    solver::Progress advance(int maximumSteps) override { return begun().advance(maximumSteps); }
+    solver::DipState advance(int maximumSteps) override { return begun().advance(maximumSteps); }
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
         begun().read(positions, states);
     }
@@ -73,7 +73,7 @@ void simulate(solver::BatchItem& item, Cancellation& cancelled) {
     constexpr int stepsBetweenQuestions = 4;
     CpuFilm film;
     film.begin(item.setup);
-    solver::Progress progress;
+    solver::DipState progress;
     while (!progress.finished) {
         if (cancelled()) {
             return;

@@ -39,7 +39,7 @@ public:
         const solver::DipSetup* const only[] = {&setup};
         dips_ = makeDips(device_, only);
     }
-    solver::Progress advance(int maximumSteps) override {
+    solver::DipState advance(int maximumSteps) override {
         begun().advance(maximumSteps);
         return begun().progress(0);
     }
@@ -47,7 +47,7 @@ public:
         begun().read(0, positions, states);
     }
     bool peek(std::span<float> positions, std::span<solver::PointState> states,
-              solver::Progress& shown) override {
+              solver::DipState& shown) override {
         if (!snapshot_) {
             snapshot_.emplace(begun(), 0);
         }

@@ -58,7 +58,7 @@ Rate rate(solver::FilmSolver& film, const solver::DipSetup& setup) {
     film.begin(setup);
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t coreStart = std::clock();
-    solver::Progress progress;
+    solver::DipState progress;
     while (!progress.finished) {
         progress = film.advance(64);
     }

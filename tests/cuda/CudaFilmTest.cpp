@@ -200,7 +200,7 @@ void CudaFilmTest::givesTheSameBitsTwice() {
     // Nor does it matter how many steps are asked for at once.
     const auto film = registry_.module(QStringLiteral("pbd-cuda")).create();
     film->begin(setup);
-    solver::Progress progress;
+    solver::DipState progress;
     while (!progress.finished) {
         progress = film->advance(7);
     }
@@ -220,7 +220,7 @@ void CudaFilmTest::showsWholeStepsWhileItComputes() {
     const auto readAlong = registry_.module(QStringLiteral("pbd-cuda")).create();
     shown->begin(setup);
     readAlong->begin(setup);
-    solver::Progress progress, reached;
+    solver::DipState progress, reached;
     Ending frame = ending(*shown, setup.film);
     int frames = 0;
     while (!progress.finished) {

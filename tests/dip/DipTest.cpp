@@ -36,7 +36,7 @@ public:
         ++script_.begun;
         script_.setup = setup;
     }
-    solver::Progress advance(int maximumSteps) override {
+    solver::DipState advance(int maximumSteps) override {
         ++script_.asked;
         for (int step = 0; step < maximumSteps && done_ < script_.steps; ++step) {
             if (done_ == script_.throwsAtStep) {
@@ -63,7 +63,7 @@ public:
     }
 
     bool peek(std::span<float> positions, std::span<solver::PointState> states,
-              solver::Progress& shown) override {
+              solver::DipState& shown) override {
         if (!script_.showsLate) {
             return FilmSolver::peek(positions, states, shown);
         }
@@ -78,7 +78,7 @@ public:
 
 private:
     Script& script_;
-    std::optional<solver::Progress> underWay_;
+    std::optional<solver::DipState> underWay_;
     int done_ = 0;
 };
 

@@ -17,7 +17,7 @@ public:
         throw std::runtime_error("out of film");
 #endif
     }
-    solver::Progress advance(int steps) override {
+    solver::DipState advance(int steps) override {
 #if defined(DIPWRIGHT_BAD_ADVANCE)
         throw std::runtime_error("out of water");
 #elif defined(DIPWRIGHT_BAD_ADVANCE_UNKNOWN)

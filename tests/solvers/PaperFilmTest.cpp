@@ -142,9 +142,9 @@ void PaperFilmTest::adheredPointsMoveExactlyWithTheBody() {
     const auto setup = paperDip(body, -35, 40, 57, 40);
     const auto film = cpu::makePaperFilm();
     film->begin(setup);
-    const solver::Progress early = film->advance(120);
+    const solver::DipState early = film->advance(120);
     const Ending before = ending(*film, setup.film);
-    const solver::Progress late = film->advance(240);
+    const solver::DipState late = film->advance(240);
     const Ending after = ending(*film, setup.film);
     QVERIFY(adheredCount(before) > 20);
     for (std::size_t point = 0; point < before.states.size(); ++point) {

@@ -70,7 +70,7 @@ inline solver::DipSetup paperDip(const SampledBody& body, double lowest, int col
 struct Ending {
     std::vector<float> positions;
     std::vector<solver::PointState> states;
-    solver::Progress progress;
+    solver::DipState progress;
 
     numerics::Vector3<double> position(std::size_t point) const {
         return {positions[3 * point], positions[3 * point + 1], positions[3 * point + 2]};
@@ -88,7 +88,7 @@ inline Ending ending(const solver::FilmSolver& film, const solver::FilmGrid& gri
 
 inline Ending dip(solver::FilmSolver& film, const solver::DipSetup& setup) {
     film.begin(setup);
-    solver::Progress progress;
+    solver::DipState progress;
     while (!progress.finished) {
         progress = film.advance(64);
     }

@@ -48,7 +48,7 @@ Ending dip(solver::FilmSolver& film, const solver::DipSetup& setup) {
     Ending ending;
     ending.setup = setup;
     film.begin(setup);
-    solver::Progress progress;
+    solver::DipState progress;
     while (!progress.finished) {
         progress = film.advance(16);
     }

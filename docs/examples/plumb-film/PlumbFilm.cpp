@@ -42,31 +42,31 @@ class PlumbFilm : public FilmSolver {
 public:
     void begin(const DipSetup& setup) override {
         setup_ = setup;
-        progress_ = {};
+        state_ = {};
         const FilmGrid& film = setup.film;
         touched_.assign(film.pointCount(), -1);
     }
 
-    Progress advance(int maximumSteps) override {
-        for (int step = 0; step < maximumSteps && !progress_.finished; ++step) {
-            progress_.descent = std::min(progress_.descent + stepLength, setup_.motion.travel);
-            progress_.finished = progress_.descent >= setup_.motion.travel;
-            ++progress_.steps;
+    DipState advance(int maximumSteps) override {
+        for (int step = 0; step < maximumSteps && !state_.finished; ++step) {
+            state_.descent = std::min(state_.descent + stepLength, setup_.motion.travel);
+            state_.finished = state_.descent >= setup_.motion.travel;
+            ++state_.steps;
             for (std::size_t point = 0; point < touched_.size(); ++point) {
                 if (touched_[point] < 0 && distanceAt(setup_.field, inBody(rest(point))) <=
                                                setup_.settings.contactDistance) {
-                    touched_[point] = progress_.descent;
+                    touched_[point] = state_.descent;
                 }
             }
         }
-        return progress_;
+        return state_;
     }
 
     void read(std::span<float> positions, std::span<PointState> states) const override {
         for (std::size_t point = 0; point < touched_.size(); ++point) {
             Vector place = rest(point);
             const bool isTouched = touched_[point] >= 0;
-            place[1] = isTouched ? touched_[point] - progress_.descent : 0;
+            place[1] = isTouched ? touched_[point] - state_.descent : 0;
             std::copy(place.begin(), place.end(), positions.begin() + std::ptrdiff_t(3 * point));
             if (!states.empty()) {
                 states[point] = isTouched ? PointState::Adhered : PointState::Free;
@@ -89,7 +89,7 @@ private:
         for (int axis = 0; axis < 3; ++axis) {
             moved[axis] = world[axis] - motion.start[axis];
         }
-        moved[1] += progress_.descent;
+        moved[1] += state_.descent;
         Vector result{};
         for (int column = 0; column < 3; ++column) {
             for (int row = 0; row < 3; ++row) {
@@ -100,7 +100,7 @@ private:
     }
 
     DipSetup setup_;
-    Progress progress_;
+    DipState state_;
     std::vector<double> touched_; // the descent at which each point met the body; negative: not yet
 };
 
@@ -114,14 +114,14 @@ public:
         for (BatchItem& item : items) {
             PlumbFilm film;
             film.begin(item.setup);
-            Progress progress;
-            while (!progress.finished) {
+            DipState state;
+            while (!state.finished) {
                 if (cancelled && cancelled(context)) {
                     return false;
                 }
-                progress = film.advance(16);
+                state = film.advance(16);
             }
-            item.finish(progress.steps,
+            item.finish(state.steps,
                         [&](auto positions, auto states) { film.read(positions, states); });
         }
         return true;

@@ -14,7 +14,7 @@ void Dips::read(std::size_t dip, std::span<float> positions,
     unpack(dip, copy.data(), progress(dip), positions, states);
 }
 
-void Dips::unpack(std::size_t dip, const std::byte* stored, const solver::Progress& progress,
+void Dips::unpack(std::size_t dip, const std::byte* stored, const solver::DipState& progress,
                   std::span<float> positions, std::span<solver::PointState> states) const {
     const std::size_t count = film_.pointCount();
     if (positions.size() != 3 * count || !(states.empty() || states.size() == count)) {

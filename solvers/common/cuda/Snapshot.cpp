@@ -19,7 +19,7 @@ Snapshot::Event Snapshot::makeEvent() {
 }
 
 bool Snapshot::peek(std::span<float> positions, std::span<solver::PointState> states,
-                    solver::Progress& shown) {
+                    solver::DipState& shown) {
     use(dips_.device());
     if (!underWay_) {
         begin();

@@ -17,7 +17,7 @@ public:
 
     // As solver::FilmSolver::peek.
     bool peek(std::span<float> positions, std::span<solver::PointState> states,
-              solver::Progress& shown);
+              solver::DipState& shown);
 
 private:
     template <auto destroy>
@@ -39,7 +39,7 @@ private:
     Event copied_ = makeEvent(), arrived_ = makeEvent();
     std::unique_ptr<CUstream_st, Destroyer<cudaStreamDestroy>>
         way_;                                  // to the host, beside the steps
-    std::optional<solver::Progress> underWay_; // the film's when it was copied
+    std::optional<solver::DipState> underWay_; // the film's when it was copied
 };
 
 } // namespace dipwright::cuda

@@ -31,7 +31,7 @@ public:
     explicit PaperFilm(PaperKernels kernels) : kernels_(std::move(kernels)) {}
 
     void begin(const solver::DipSetup& setup) override;
-    solver::Progress advance(int maximumSteps) override;
+    solver::DipState advance(int maximumSteps) override;
     void read(std::span<float> positions, std::span<solver::PointState> states) const override;
 
 private:
@@ -52,7 +52,7 @@ private:
     std::vector<PaperBand> bands_;
     std::unique_ptr<SelfContact> selfContact_;
     std::unique_ptr<tbb::task_arena> arena_;
-    solver::Progress progress_;
+    solver::DipState progress_;
 };
 
 void PaperFilm::begin(const solver::DipSetup& setup) {
@@ -105,7 +105,7 @@ void PaperFilm::cutIntoBands(int threads) {
     }
 }
 
-solver::Progress PaperFilm::advance(int maximumSteps) {
+solver::DipState PaperFilm::advance(int maximumSteps) {
     require(arena_ != nullptr, "the dip has not begun");
     arena_->execute([&] {
         for (int i = 0; i < maximumSteps && !progress_.finished; ++i) {

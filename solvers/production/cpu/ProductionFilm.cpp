@@ -23,7 +23,7 @@ public:
         dip_.emplace(setup);
     }
 
-    solver::Progress advance(int maximumSteps) override {
+    solver::DipState advance(int maximumSteps) override {
         return arena_->execute([&] { return dip_->advance(maximumSteps); });
     }
 

@@ -223,11 +223,11 @@ public:
     ProductionDips(const Device& device, Setups setups);
 
     void advance(int maximumSteps) override;
-    solver::Progress progress(std::size_t dip) const override;
+    solver::DipState progress(std::size_t dip) const override;
     StoredFilm stored(std::size_t dip) const override;
 
 private:
-    void unpackPoints(std::size_t dip, const std::byte* stored, const solver::Progress& progress,
+    void unpackPoints(std::size_t dip, const std::byte* stored, const solver::DipState& progress,
                       std::span<float> positions,
                       std::span<solver::PointState> states) const override;
     void layFlat(const solver::DipSetup& setup, const ProductionDip& dip) const;
@@ -299,7 +299,7 @@ void ProductionDips::advance(int maximumSteps) {
     }
 }
 
-solver::Progress ProductionDips::progress(std::size_t dip) const {
+solver::DipState ProductionDips::progress(std::size_t dip) const {
     const ProductionState& state = states_[dip];
     return {state.steps, state.descent, state.descent >= dips_[dip].body.motion.travel};
 }
@@ -312,7 +312,7 @@ StoredFilm ProductionDips::stored(std::size_t dip) const {
 }
 
 void ProductionDips::unpackPoints(std::size_t dip, const std::byte* stored,
-                                  const solver::Progress& progress, std::span<float> positions,
+                                  const solver::DipState& progress, std::span<float> positions,
                                   std::span<solver::PointState> states) const {
     const ProductionDip& own = dips_[dip];
     const std::byte* first = this->stored(dip).onDevice;

@@ -50,7 +50,7 @@ public:
         equilibrium_.setFree(free_);
     }
 
-    solver::Progress advance(int maximumSteps) {
+    solver::DipState advance(int maximumSteps) {
         for (int i = 0; i < maximumSteps && !finished(); ++i) {
             step();
         }

@@ -22,7 +22,7 @@ public:
         points_ = setup.film.pointCount();
         dip_.emplace(exact);
     }
-    solver::Progress advance(int maximumSteps) override { return dip_->advance(maximumSteps); }
+    solver::DipState advance(int maximumSteps) override { return dip_->advance(maximumSteps); }
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
         numerics::readFilm(*dip_, points_, positions, states);
     }

@@ -106,7 +106,8 @@ struct DipSetup {
     std::vector<std::uint8_t> pinned;
 };
 
-struct Progress {
+// How far a dip has come.
+struct DipState {
     std::int64_t steps = 0; // done so far
     double descent = 0;     // mm the body has come down
     bool finished = false;  // descent has reached the travel
@@ -128,7 +129,7 @@ public:
     virtual void begin(const DipSetup& setup) = 0;
 
     // Advances by at most `maximumSteps` steps of the solver's own length.
-    virtual Progress advance(int maximumSteps) = 0;
+    virtual DipState advance(int maximumSteps) = 0;
 
     // World positions (x, y, z per point, film order) and states of all points as they are now.
     // `positions` holds 3·pointCount floats, `states` pointCount or is empty.
@@ -138,7 +139,7 @@ public:
     // arrays are filled as by read(), with the film as it was after whole steps, and `shown`, on
     // entry the film's progress now, is its progress then. False: the film as it is now has begun
     // to come over, or has not arrived; advance and ask again.
-    virtual bool peek(std::span<float> positions, std::span<PointState> states, Progress& shown) {
+    virtual bool peek(std::span<float> positions, std::span<PointState> states, DipState& shown) {
         static_cast<void>(shown); // is now
         read(positions, states);
         return true;
