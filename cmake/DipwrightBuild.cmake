@@ -16,6 +16,8 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 set(DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin/plugins)
 # Where the samples are made (resources/samples): NAME.dipw, models/NAME.obj.
 set(DIPWRIGHT_SAMPLE_FOLDER ${CMAKE_BINARY_DIR}/share/samples)
+# Plugins that misbehave, for the tests: where no program looks for any.
+set(DIPWRIGHT_BAD_MODULE_FOLDER ${CMAKE_BINARY_DIR}/tests/bad-modules)
 if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release)
 endif()
@@ -55,24 +57,51 @@ function(dipwright_library name)
     dipwright_room(${name} SOURCES ${LIB_SOURCES} PRIVATE_HEADERS ${LIB_PRIVATE_HEADERS})
 endfunction()
 
-# dipwright_test(NAME SOURCES … LINK … INSIDE …)
-#   A Qt Test program that ctest runs by the name NAME, without a display. ENVIRONMENT adds variables;
-#   INSIDE names rooms whose private headers it sees as well.
+# Where a test finds what is built and what lies in the repository.
+add_library(dipwright_test_options INTERFACE)
+target_link_libraries(dipwright_test_options INTERFACE dipwright_options Qt6::Test)
+target_compile_definitions(dipwright_test_options INTERFACE
+    DIPWRIGHT_BINARY_FOLDER="${CMAKE_BINARY_DIR}/bin"
+    DIPWRIGHT_PLUGINS="${DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY}"
+    DIPWRIGHT_BAD_MODULES="${DIPWRIGHT_BAD_MODULE_FOLDER}"
+    DIPWRIGHT_RESOURCE_FOLDER="${PROJECT_SOURCE_DIR}/resources"
+    DIPWRIGHT_SAMPLE_FOLDER="${DIPWRIGHT_SAMPLE_FOLDER}"
+    DIPWRIGHT_SHARED_MODELS="${PROJECT_SOURCE_DIR}/../shared/data/models")
+
+# dipwright_test_helper(NAME SOURCES … LINK …)
+#   What several tests share, as a library of its file's name: NAME.cpp, and other SOURCES.
+function(dipwright_test_helper name)
+    cmake_parse_arguments(HLP "" "" "SOURCES;LINK" ${ARGN})
+    add_library(${name} STATIC ${name}.cpp ${HLP_SOURCES})
+    target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+    target_link_libraries(${name} PUBLIC ${HLP_LINK} PRIVATE dipwright_test_options)
+endfunction()
+
+# dipwright_test(NAME [ON_SCREEN] SOURCES … LINK … INSIDE … NEEDS … ENVIRONMENT …)
+#   A Qt Test program: class NAME in NAME.cpp (and other SOURCES), built as NAME, which ctest runs by
+#   the name NAME: without a display, or ON_SCREEN on a screen of its own where there is xvfb-run.
+#   INSIDE names rooms whose private headers it sees as well, NEEDS targets that have to be there when
+#   it runs; ENVIRONMENT adds variables.
+find_program(DIPWRIGHT_XVFB_RUN xvfb-run)
 function(dipwright_test name)
-    cmake_parse_arguments(TST "" "" "SOURCES;LINK;INSIDE;ENVIRONMENT" ${ARGN})
-    add_executable(${name} ${TST_SOURCES})
+    cmake_parse_arguments(TST "ON_SCREEN" "" "SOURCES;LINK;INSIDE;NEEDS;ENVIRONMENT" ${ARGN})
+    add_executable(${name} ${name}.cpp ${TST_SOURCES})
     set_target_properties(${name} PROPERTIES AUTOMOC ON
         RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-    target_link_libraries(${name} PRIVATE dipwright_options Qt6::Test ${TST_LINK} ${TST_INSIDE})
+    target_link_libraries(${name} PRIVATE dipwright_test_options ${TST_LINK} ${TST_INSIDE})
     foreach(room IN LISTS TST_INSIDE)
         target_include_directories(${name} PRIVATE ${PROJECT_BINARY_DIR}/rooms/${room}/private)
     endforeach()
-    target_compile_definitions(${name} PRIVATE
-        DIPWRIGHT_BINARY_FOLDER="${CMAKE_BINARY_DIR}/bin"
-        DIPWRIGHT_RESOURCE_FOLDER="${PROJECT_SOURCE_DIR}/resources"
-        DIPWRIGHT_SAMPLE_FOLDER="${DIPWRIGHT_SAMPLE_FOLDER}"
-        DIPWRIGHT_SHARED_MODELS="${PROJECT_SOURCE_DIR}/../shared/data/models")
-    add_test(NAME ${name} COMMAND ${name})
-    set_tests_properties(${name} PROPERTIES TIMEOUT 600
-        ENVIRONMENT "QT_QPA_PLATFORM=offscreen;DIPWRIGHT_PLUGIN_PATH=${DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY};${TST_ENVIRONMENT}")
+    if(TST_NEEDS)
+        add_dependencies(${name} ${TST_NEEDS})
+    endif()
+    set(launcher "")
+    set(platform QT_QPA_PLATFORM=offscreen)
+    if(TST_ON_SCREEN AND DIPWRIGHT_XVFB_RUN)
+        set(launcher ${DIPWRIGHT_XVFB_RUN} -a -s "-screen 0 1600x1000x24")
+        set(platform QT_QPA_PLATFORM=xcb)
+    endif()
+    add_test(NAME ${name} COMMAND ${launcher} $<TARGET_FILE:${name}>)
+    set_tests_properties(${name} PROPERTIES TIMEOUT 900
+        ENVIRONMENT "${platform};DIPWRIGHT_PLUGIN_PATH=${DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY};${TST_ENVIRONMENT}")
 endfunction()

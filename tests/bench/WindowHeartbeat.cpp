@@ -8,7 +8,7 @@
 // "Most work" is the processor time of the longest turn: on a busy machine it tells more than the
 // clock. Without the view no pictures are drawn: what is left is not the fault of a slow OpenGL.
 
-#include "gui/WindowDriver.h"
+#include "WindowDriver.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

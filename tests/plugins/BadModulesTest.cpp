@@ -1,9 +1,9 @@
 // Modules that misbehave are listed with their reason, and never bring the program down.
 
+#include "PluginFolder.h"
 #include "base/Error.h"
 #include "dip/Dip.h"
 #include "geometry/Shapes.h"
-#include "solver/PluginFolder.h"
 #include "solver/SolverRegistry.h"
 
 #include <QProcess>

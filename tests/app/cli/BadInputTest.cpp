@@ -1,0 +1,215 @@
+// Whatever a user hands to dipwright-cli: one sentence, the right exit code, nothing half-written.
+#include "BallModel.h"
+#include "CliProcess.h"
+#include "TestFiles.h"
+
+#include <QImage>
+#include <QtTest>
+#include <array>
+
+using namespace dipwright::test;
+
+namespace {
+
+// A PNG that claims these many pixels a side and holds none.
+QByteArray pngClaiming(quint32 width, quint32 height) {
+    QByteArray header("IHDR");
+    for (const quint32 number : {width, height}) {
+        for (int shift = 24; shift >= 0; shift -= 8) {
+            header.append(char(number >> shift));
+        }
+    }
+    header.append(QByteArray("\x08\x02\x00\x00\x00", 5));
+    quint32 crc = 0xffffffffu;
+    for (const char byte : header) {
+        crc ^= quint8(byte);
+        for (int bit = 0; bit < 8; ++bit) {
+            crc = (crc & 1u) != 0 ? 0xedb88320u ^ (crc >> 1) : crc >> 1;
+        }
+    }
+    crc ^= 0xffffffffu;
+    QByteArray png("\x89PNG\r\n\x1a\n\0\0\0\x0d", 12);
+    png += header;
+    for (int shift = 24; shift >= 0; shift -= 8) {
+        png.append(char(crc >> shift));
+    }
+    return png;
+}
+
+QSet<QString> everythingIn(const QString& folder) {
+    const QDir::Filters all = QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot;
+    const QStringList names = QDir(folder).entryList(all);
+    return {names.begin(), names.end()};
+}
+
+} // namespace
+
+class BadInputTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY(folder_.isValid());
+        QVERIFY(cache_.isValid());
+        qputenv("DIPWRIGHT_CACHE", cache_.path().toLocal8Bit());
+        writeBall(folder_.path());
+        QVERIFY(cli({"new", path("ball.dipw"), "--model", path("ball.obj")}).exitCode == 0);
+        writeFile(path("empty.obj"), {});
+        writeFile(path("picture.obj"), bytesOf(path("ball.png")));
+        writeFile(path("text.stl"), "once upon a time");
+        writeFile(path("cut.stl"),
+                  QByteArray(80, ' ') + QByteArray("\xff\x00\x00\x00", 4) + QByteArray(70, 0));
+        writeFile(path("points.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+        writeFile(path("nan.obj"), "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
+        writeFile(path("flat.obj"), "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n");
+        writeFile(path("empty.png"), {});
+        writeFile(path("text.png"), "this is no picture");
+        writeFile(path("none.png"), pngClaiming(0, 0));
+        writeFile(path("vast.png"), pngClaiming(100'000, 100'000));
+        const QByteArray project = bytesOf(path("ball.dipw"));
+        writeFile(path("empty.dipw"), {});
+        writeFile(path("cut.dipw"), project.left(project.size() / 2));
+        writeFile(path("text.dipw"), "once upon a time");
+        writeFile(path("file"), "a file, not a folder");
+    }
+
+    void usageIsTwo_data() {
+        QTest::addColumn<QStringList>("arguments");
+        const QString job = path("ball.dipw");
+        QTest::newRow("no command") << QStringList{};
+        QTest::newRow("unknown command") << QStringList{"fly"};
+        QTest::newRow("no number of dips") << QStringList{"optimize", job};
+        QTest::newRow("three dips") << QStringList{"optimize", job, "--immersions", "3"};
+        QTest::newRow("too few candidates")
+            << QStringList{"optimize", job, "--immersions", "1", "--candidates", "1"};
+        QTest::newRow("unknown option") << QStringList{"run", job, "--fly"};
+        QTest::newRow("no project") << QStringList{"run", "--out", path("out")};
+        QTest::newRow("two projects") << QStringList{"run", job, job, "--out", path("out")};
+        QTest::newRow("no out") << QStringList{"run", job};
+        QTest::newRow("option without value") << QStringList{"run", job, "--out"};
+        QTest::newRow("set without value") << QStringList{"info", job, "--set", "film.points"};
+        QTest::newRow("set unknown") << QStringList{"info", job, "--set", "film.pionts=3x3"};
+        QTest::newRow("1 × 1 points")
+            << QStringList{"run", job, "--out", path("out"), "--set", "film.points=1x1"};
+        QTest::newRow("100,000 × 100,000 points")
+            << QStringList{"run", job, "--out", path("out"), "--set", "film.points=100000x100000"};
+        QTest::newRow("dpi") << QStringList{"run", job, "--out", path("out"), "--dpi", "many"};
+        QTest::newRow("threads") << QStringList{"run", job, "--out", path("out"), "--threads", "0"};
+        QTest::newRow("rows") << QStringList{"bench", "--rows", "9"};
+        QTest::newRow("argument too many") << QStringList{"solvers", "all"};
+        QTest::newRow("no model") << QStringList{"new", path("out")};
+        QTest::newRow("empty project name") << QStringList{"new", "", "--model", path("ball.obj")};
+        QTest::newRow("size") << newWith({"--size-mm", "-3"});
+        QTest::newRow("preset") << newWith({"--preset", "paper-1999"});
+        QTest::newRow("immersion") << newWith({"--immersion", "upside down"});
+        QTest::newRow("immersion key") << newWith({"--immersion", "speed=3"});
+        QTest::newRow("immersion rotation") << newWith({"--immersion", "rotation=1;2"});
+        QTest::newRow("three immersions")
+            << newWith({"--immersion", "name=A", "--immersion", "name=B", "--immersion", "name=C"});
+    }
+    void usageIsTwo() { refused(2); }
+
+    void failureIsOne_data() {
+        QTest::addColumn<QStringList>("arguments");
+        const QString job = path("ball.dipw");
+        for (const char* model : {"missing.obj", "empty.obj", "picture.obj", "text.stl", "cut.stl",
+                                  "points.obj", "nan.obj", "flat.obj"}) {
+            QTest::newRow(model) << QStringList{"new", path("out"), "--model", path(model)};
+        }
+        for (const char* texture :
+             {"missing.png", "empty.png", "text.png", "none.png", "vast.png"}) {
+            QTest::newRow(texture) << newWith({"--texture", path(texture)});
+            QTest::newRow(QByteArray("film image ") + texture)
+                << QStringList{"run", job, "--out", path("out"), "--film-image", path(texture)};
+        }
+        for (const char* project : {"missing.dipw", "empty.dipw", "cut.dipw", "text.dipw"}) {
+            QTest::newRow(project) << QStringList{"run", path(project), "--out", path("out")};
+            QTest::newRow(QByteArray("info ") + project) << QStringList{"info", path(project)};
+        }
+        QTest::newRow("no place for the project")
+            << QStringList{"new", path("nowhere/job.dipw"), "--model", path("ball.obj")};
+        QTest::newRow("the film is missed") << QStringList{
+            "run", job, "--out", path("out"), "--set", "immersions[0].offset_mm=400;0"};
+        QTest::newRow("the paper is too small") << QStringList{
+            "run", job, "--out", path("out"), "--set", "sheet.paper=A4", "--set", "film.preset=A3"};
+        QTest::newRow("no such solver")
+            << QStringList{"run", job, "--out", path("out"), "--solver", "abacus"};
+        QTest::newRow("out is a file") << QStringList{"run", job, "--out", path("file")};
+        QTest::newRow("out is below a file") << QStringList{"run", job, "--out", path("file/out")};
+    }
+    void failureIsOne() { refused(1); }
+
+#ifdef Q_OS_UNIX
+    // The file size limit stands for a full disk: a write fails in the middle of a file.
+    void aFullDiskLeavesNothingBehind_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("blocks");
+        QTest::newRow("new") << newWith({}) << "8";
+        const QStringList run{"run",   path("ball.dipw"),   "--out", path("out"),
+                              "--set", "film.points=41x58", "--set", "body.sdf_resolution=64"};
+        for (const char* blocks : {"8", "64", "128", "512"}) {
+            QTest::newRow(QByteArray("run ") + blocks) << run << QString(blocks);
+        }
+    }
+    void aFullDiskLeavesNothingBehind() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, blocks);
+        const QSet<QString> before = everythingIn(folder_.path());
+        const Outcome outcome = program(
+            "/bin/sh",
+            QStringList{"-c", "ulimit -f \"$0\"; exec \"$@\"", blocks, cliPath()} + arguments);
+        QCOMPARE(outcome.exitCode, 1);
+        QVERIFY2(outcome.errorLines().size() == 1, outcome.err);
+        QVERIFY2(outcome.err.contains("too large"), outcome.err); // the system's reason
+        QCOMPARE(everythingIn(folder_.path()), before);
+    }
+
+    void outputThatCannotBeWrittenIsAFailure() {
+        const Outcome outcome = program(
+            "/bin/sh", {"-c", "exec \"$0\" info \"$1\" > /dev/full", cliPath(), path("ball.dipw")});
+        QCOMPARE(outcome.exitCode, 1);
+        QVERIFY2(outcome.errorLines().size() == 1, outcome.err);
+    }
+#endif
+#ifdef Q_OS_LINUX
+
+    // Where functions of the names of QuaZip's own are loaded before them it packs into a file with
+    // a name of rubbish, here in a folder of its own, and says that all is well.
+    void aProjectThatCannotBePackedReplacesNone() {
+        const QTemporaryDir rubbish;
+        const QByteArray before = bytesOf(path("ball.dipw"));
+        const Outcome outcome = program(
+            "/bin/sh", {"-c", "cd \"$0\" && LD_PRELOAD=libminizip.so.1 exec \"$@\"", rubbish.path(),
+                        cliPath(), "new", path("ball.dipw"), "--model", path("ball.obj")});
+        QVERIFY2(outcome.exitCode == 1, outcome.out + outcome.err);
+        QVERIFY2(outcome.err.contains("cannot be packed"), outcome.err);
+        QCOMPARE(bytesOf(path("ball.dipw")), before);
+    }
+#endif
+
+private:
+    QString path(const QString& name) const {
+        return folder_.filePath(name);
+    }
+    QStringList newWith(const QStringList& options) const {
+        return QStringList{"new", path("out"), "--model", path("ball.obj")} + options;
+    }
+
+    void refused(int exitCode) {
+        QFETCH(QStringList, arguments);
+        const QSet<QString> before = everythingIn(folder_.path());
+        const Outcome outcome = cli(arguments);
+        QVERIFY2(outcome.exitCode == exitCode, outcome.out + outcome.err);
+        const QList<QByteArray> errors = outcome.errorLines();
+        QVERIFY2(errors.size() == 1, outcome.err);
+        // What (where), and no trace of the code behind it.
+        QVERIFY2(errors.first().endsWith(')') && errors.first().contains(" ("), errors.first());
+        QVERIFY2(!errors.first().contains("std::"), errors.first());
+        QCOMPARE(everythingIn(folder_.path()), before);
+    }
+
+    QTemporaryDir folder_, cache_;
+};
+
+QTEST_GUILESS_MAIN(BadInputTest)
+#include "BadInputTest.moc"

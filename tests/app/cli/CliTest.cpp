@@ -1,0 +1,405 @@
+// dipwright-cli from a model to a sheet, through the program itself.
+#include "BallModel.h"
+#include "CliProcess.h"
+#include "TestFiles.h"
+
+#include <QColorSpace>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QtTest>
+#include <cmath>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
+
+using namespace dipwright::test;
+
+namespace {
+
+// Coarse and small, so that a run takes about a second.
+const QStringList quickly{"--set", "film.size_mm=120x120",   "--set", "film.points=41x41",
+                          "--set", "body.sdf_resolution=64", "--set", "sheet.dpi=100"};
+
+QJsonObject jsonOf(const QString& path) {
+    return QJsonDocument::fromJson(bytesOf(path)).object();
+}
+
+void compareArray(vtkDataArray* array, int components, vtkIdType tuples, int type) {
+    QVERIFY(array);
+    QCOMPARE(array->GetNumberOfComponents(), components);
+    QCOMPARE(array->GetNumberOfTuples(), tuples);
+    QCOMPARE(array->GetDataType(), type);
+}
+
+} // namespace
+
+class CliTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY(folder_.isValid());
+        qputenv("DIPWRIGHT_CACHE", path("cache").toLocal8Bit());
+        const Outcome made = cli({"new", path("ball.dipw"), "--model", writeBall(folder_.path()),
+                                  "--immersion", "name=Top,rotation=0;30;0,offset=2;-3",
+                                  "--immersion", "name=Bottom,rotation=180;0;0"});
+        QVERIFY2(made.exitCode == 0, made.err);
+        const Outcome single = cli({"new", path("single.dipw"), "--model", path("ball.obj")});
+        QVERIFY2(single.exitCode == 0, single.err);
+        const Outcome done = run({"--out", path("out")});
+        QVERIFY2(done.exitCode == 0, done.err);
+        summary_ = done;
+    }
+
+    void everyHelpAndTheVersionAreThere() {
+        const Outcome help = cli({"--help"});
+        QCOMPARE(help.exitCode, 0);
+        for (const char* command :
+             {"new", "run", "optimize", "info", "validate", "solvers", "bench"}) {
+            QVERIFY2(help.out.contains(command), command);
+            const Outcome own = cli({command, "--help"});
+            QCOMPARE(own.exitCode, 0);
+            QVERIFY2(own.out.contains(command) && own.out.contains("--help"), own.out);
+            QVERIFY(own.err.isEmpty());
+        }
+        const Outcome version = cli({"--version"});
+        QCOMPARE(version.exitCode, 0);
+        QVERIFY(QRegularExpression("^dipwright-cli \\d+\\.\\d+\\.\\d+\n$")
+                    .match(version.out)
+                    .hasMatch());
+    }
+
+    void aRunWritesWhatIsPromisedAndNothingElse() {
+        QStringList expected{"proof.png", "report.json"};
+        for (const char* immersion : {"immersion-1", "immersion-2"}) {
+            for (const char* file : {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp",
+                                     "stretch.png", "wrinkling.png"}) {
+                expected.append(QStringLiteral("%1/%2").arg(immersion, file));
+            }
+        }
+        expected.sort();
+        QCOMPARE(filesBelow(path("out")), expected);
+        QVERIFY(summary_.out.contains("Top") && summary_.out.contains("Bottom"));
+    }
+
+    void theSheetHasItsSizeItsResolutionAndItsProfile() {
+        const QImage sheet(path("out/immersion-1/sheet.png"));
+        QCOMPARE(sheet.size(), QSize(472, 472)); // 120 mm at 100 dpi
+        QVERIFY(std::abs(sheet.dotsPerMeterX() * 0.0254 - 100) < 0.02);
+        QVERIFY(sheet.colorSpace().isValid());
+        const QByteArray pdf = bytesOf(path("out/immersion-1/sheet.pdf"));
+        QVERIFY(pdf.startsWith("%PDF-") && pdf.trimmed().endsWith("%%EOF"));
+    }
+
+    void theFilmIsReadByVtk() {
+        vtkNew<vtkXMLPolyDataReader> reader;
+        reader->SetFileName(path("out/immersion-1/film.vtp").toLocal8Bit().constData());
+        reader->Update();
+        vtkPolyData* film = reader->GetOutput();
+        QCOMPARE(film->GetNumberOfPoints(), vtkIdType(41 * 41));
+        QCOMPARE(film->GetNumberOfPolys(), vtkIdType(2 * 40 * 40));
+        vtkPointData* points = film->GetPointData();
+        compareArray(points->GetArray("rest"), 3, 41 * 41, VTK_FLOAT);
+        compareArray(points->GetArray("adhered"), 1, 41 * 41, VTK_UNSIGNED_CHAR);
+        compareArray(points->GetArray("uv"), 2, 41 * 41, VTK_FLOAT);
+        compareArray(points->GetArray("stretch"), 1, 41 * 41, VTK_FLOAT);
+    }
+
+    void theBodyIsReadByVtk() {
+        vtkNew<vtkXMLPolyDataReader> reader;
+        reader->SetFileName(path("out/immersion-2/body.vtp").toLocal8Bit().constData());
+        reader->Update();
+        vtkPolyData* body = reader->GetOutput();
+        QVERIFY(body->GetPointData()->GetTCoords());
+        QVERIFY(body->GetCellData()->GetArray("covered"));
+        double box[6];
+        body->GetBounds(box);
+        QVERIFY2(std::abs(box[2]) < 1e-3 && std::abs(box[3] - 40) < 0.1, "lowest point at y = 0");
+    }
+
+    void picturesArePictures() {
+        QVERIFY(!QImage(path("out/proof.png")).isNull());
+        QVERIFY(!QImage(path("out/immersion-2/stretch.png")).isNull());
+    }
+
+    void theReportHasTheShapeThatIsPromised() {
+        const QJsonObject report = jsonOf(path("out/report.json"));
+        QCOMPARE(report["version"].toInt(), 1);
+        QCOMPARE(report["project"].toString(), QStringLiteral("ball"));
+        for (const char* key : {"id", "device", "version"}) {
+            QVERIFY(!report["solver"].toObject()[QLatin1String(key)].toString().isEmpty());
+        }
+        const QJsonArray immersions = report["immersions"].toArray();
+        QCOMPARE(immersions.size(), 2);
+        for (const QJsonValue& value : immersions) {
+            const QJsonObject immersion = value.toObject();
+            QVERIFY(hasNumbers(immersion["film"].toObject(),
+                               {"columns", "rows", "points", "constraints"}));
+            QVERIFY(hasNumbers(
+                immersion, {"steps", "wall_seconds", "steps_per_second", "adhered", "coverage"}));
+            for (const char* key : {"stretch", "area_stretch"}) {
+                const QJsonObject stretch = immersion[QLatin1String(key)].toObject();
+                QVERIFY(hasNumbers(stretch, {"min", "mean", "p95", "max"}));
+                QVERIFY(stretch["min"].toDouble() <= stretch["mean"].toDouble());
+                QVERIFY(stretch["p95"].toDouble() <= stretch["max"].toDouble());
+            }
+            QVERIFY(hasNumbers(immersion["texture"].toObject(),
+                               {"contact", "filled", "seam_triangles"}));
+            QVERIFY(hasNumbers(immersion["registration_mm"].toObject(), {"mean", "p95", "max"}));
+            QVERIFY(hasNumbers(immersion["ink"].toObject(), {"shortfall_area"}));
+        }
+        const double first = immersions[0].toObject()["coverage"].toDouble();
+        const double second = immersions[1].toObject()["coverage"].toDouble();
+        const double total = report["coverage_total"].toDouble();
+        QVERIFY2(total >= std::max(first, second) - 0.01 && total <= first + second + 0.01,
+                 qPrintable(QString::number(total)));
+        // A ball dipped from both sides is painted all round, but for a belt at the waterline.
+        QVERIFY2(total > 0.8, qPrintable(QString::number(total)));
+    }
+
+    void theSameProjectGivesTheSameBytesOnAnyNumberOfThreads() {
+        const Outcome one = run({"--out", path("one"), "--threads", "1", "--quiet"});
+        QCOMPARE(one.exitCode, 0);
+        QVERIFY2(one.err.isEmpty(), one.err);
+        QCOMPARE(run({"--out", path("two"), "--threads", "2"}).exitCode, 0);
+        for (const QString& file : filesBelow(path("out"))) {
+            if (file != "report.json") { // which holds the seconds it took
+                QVERIFY2(bytesOf(path("one/" + file)) == bytesOf(path("out/" + file)),
+                         qPrintable(file));
+                QVERIFY2(bytesOf(path("two/" + file)) == bytesOf(path("out/" + file)),
+                         qPrintable(file));
+            }
+        }
+    }
+
+    void progressIsPlainLines() {
+        QVERIFY(summary_.err.contains(" %  ") && !summary_.err.contains('\r'));
+    }
+
+    void settingsHoldForTheRun() {
+        const Outcome done = cli({"run", path("ball.dipw"), "--out", path("set"), "--dpi", "75",
+                                  "--set", "film.points=31x41", "--set", "film.size_mm=90x120",
+                                  "--set", "body.sdf_resolution=64"});
+        QVERIFY2(done.exitCode == 0, done.err);
+        const QJsonObject film = jsonOf(path("set/report.json"))["immersions"]
+                                     .toArray()[0]
+                                     .toObject()["film"]
+                                     .toObject();
+        QCOMPARE(film["columns"].toInt(), 31);
+        QCOMPARE(film["rows"].toInt(), 41);
+        QCOMPARE(QImage(path("set/immersion-1/sheet.png")).size(), QSize(266, 354));
+    }
+
+    void theStandardSheetIsA4At300Dpi() {
+        const Outcome done =
+            cli({"run", path("single.dipw"), "--out", path("a4"), "--set", "film.points=31x43",
+                 "--set", "body.sdf_resolution=64", "--film-image", path("ball.png")});
+        QVERIFY2(done.exitCode == 0, done.err);
+        const QImage sheet(path("a4/immersion-1/sheet.png"));
+        QCOMPARE(sheet.size(), QSize(2480, 3508));
+        QCOMPARE(sheet.dotsPerMeterX(), 11811);
+        // The picture is stretched over all of the film: its corner is the sheet's.
+        const QImage picture(path("ball.png"));
+        QCOMPARE(sheet.pixel(0, 0), picture.convertToFormat(sheet.format()).pixel(0, 0));
+    }
+
+    void theChessboardReplacesEarlierResultsAndNothingElse() {
+        QFile note(path("two/note.txt"));
+        QVERIFY(note.open(QIODevice::WriteOnly));
+        note.close();
+        const Outcome done = cli(QStringList{"run", path("single.dipw"), "--out", path("two"),
+                                             "--film-image", "chessboard"} +
+                                 quickly);
+        QVERIFY2(done.exitCode == 0, done.err);
+        const QStringList files = filesBelow(path("two"));
+        QVERIFY(files.contains("note.txt"));
+        QVERIFY(files.contains("immersion-1/sheet.png"));
+        QVERIFY(files.filter("immersion-2").isEmpty());
+        QCOMPARE(files.size(), 9);
+        const QImage chess(path("two/immersion-1/sheet.png"));
+        const int middle = chess.width() / 2;
+        QVERIFY(qGray(chess.pixel(middle + 30, middle + 30)) !=
+                qGray(chess.pixel(middle - 30, middle + 30)));
+    }
+
+    void infoTellsWhatIsInside() {
+        const Outcome text = cli({"info", path("ball.dipw"), "--set", "film.swell=1.1;1"});
+        QCOMPARE(text.exitCode, 0);
+        QVERIFY(text.out.contains("Top") && text.out.contains("1.1"));
+        const Outcome json = cli({"info", path("ball.dipw"), "--json"});
+        const QJsonObject document = QJsonDocument::fromJson(json.out).object();
+        QCOMPARE(document["format"].toString(), QStringLiteral("dipwright-project"));
+        QCOMPARE(document["immersions"].toArray().size(), 2);
+        QCOMPARE(document["model_info"].toObject()["closed"].toBool(), true);
+    }
+
+    void validateTellsWhetherItCanRun() {
+        QCOMPARE(cli({"validate", path("ball.dipw")}).exitCode, 0);
+        const Outcome edge =
+            cli({"validate", path("ball.dipw"), "--set", "immersions[0].offset_mm=100;0"});
+        QCOMPARE(edge.exitCode, 0);
+        QVERIFY2(edge.out.contains("warning: Top"), edge.out);
+        const Outcome missed =
+            cli({"validate", path("ball.dipw"), "--set", "immersions[0].offset_mm=500;0"});
+        QCOMPARE(missed.exitCode, 1);
+        QCOMPARE(missed.errorLines().size(), 1);
+    }
+
+    void validateTellsHowCertainTheSheetIs() {
+        const QStringList coarse{"validate",
+                                 path("ball.dipw"),
+                                 "--sheet",
+                                 "--set",
+                                 "film.size_mm=80x80",
+                                 "--set",
+                                 "film.points=16x16",
+                                 "--set",
+                                 "body.sdf_resolution=64"};
+        const Outcome done = cli(coarse + QStringList{"--maps", path("certainty")});
+        QVERIFY2(done.exitCode == 0, done.err);
+        QVERIFY2(done.out.contains("half the step") && done.out.contains("half the cell"),
+                 done.out);
+        QVERIFY2(done.out.contains("warning: Top"), done.out);
+        QVERIFY(!QImage(path("certainty/certainty-1.png")).isNull());
+        const Outcome json = cli(coarse + QStringList{"--json"});
+        const QJsonArray immersions =
+            QJsonDocument::fromJson(json.out).object()["immersions"].toArray();
+        QCOMPARE(immersions.size(), 2);
+        QVERIFY(immersions[0].toObject()["half_spacing"].toObject()["p95_mm"].toDouble() > 0);
+        QCOMPARE(cli(coarse + QStringList{"--physics"}).exitCode, 2);
+    }
+
+    void optionsThatSayNothingAreRefused() {
+        const QString ball = path("ball.dipw");
+        const std::vector<QStringList> wrong{
+            {"validate", ball, "--maps", path("maps")},
+            {"validate", ball, "--sheet", "--plot", path("plot.png")},
+            {"validate", "--physics", "--cells", "20"},
+            {"validate", ball, "--sheet", "--maps", ""},
+            {"run", ball, "--out", path("empty"), "--film-image", ""},
+            {"bench", "--parts", "steps", "--rows", "1", "--plot", ball},
+        };
+        for (const QStringList& command : wrong) {
+            const Outcome refused = cli(command);
+            QVERIFY2(refused.exitCode == 2, qPrintable(command.join(' ')));
+            QCOMPARE(refused.errorLines().size(), 1);
+        }
+        QCOMPARE(cli({"info", ball}).exitCode, 0); // not written over
+        QVERIFY(cli({"run", "--version"}).out.startsWith("dipwright-cli "));
+    }
+
+    void aProjectDoesNotReplaceItsSource() {
+        QVERIFY(QFile::copy(path("ball.obj"), path("same.obj")));
+        QCOMPARE(cli({"new", path("./same.obj"), "--model", path("same.obj")}).exitCode, 2);
+        QCOMPARE(bytesOf(path("same.obj")), bytesOf(path("ball.obj")));
+    }
+
+    void aBodySmallerThanTheFilmsCellsIsRefused() {
+        QCOMPARE(cli({"new", path("speck.dipw"), "--model", path("ball.obj"), "--size-mm", "1"})
+                     .exitCode,
+                 0);
+        const Outcome refused = cli({"validate", path("speck.dipw")});
+        QCOMPARE(refused.exitCode, 1);
+        QVERIFY2(refused.err.contains("more points"), refused.err);
+    }
+
+    void theOriginalsAreNotNeededToRun() {
+        QTemporaryDir away;
+        const QString model = writeBall(away.path());
+        QVERIFY(cli({"new", path("own.dipw"), "--model", model}).exitCode == 0);
+        QVERIFY(away.remove());
+        QCOMPARE(cli({"info", path("own.dipw")}).exitCode, 0);
+    }
+
+    void aModelIsScaledByItsLongestEdge() {
+        QVERIFY(cli({"new", path("large.dipw"), "--model", path("ball.obj"), "--size-mm", "110"})
+                    .exitCode == 0);
+        const QJsonObject info =
+            QJsonDocument::fromJson(cli({"info", path("large.dipw"), "--json"}).out).object();
+        const QJsonArray size = info["model_info"].toObject()["size_mm"].toArray();
+        QVERIFY(std::abs(size[1].toDouble() - 110) < 1e-3);
+    }
+
+    void thePresetIsStored() {
+        QVERIFY(
+            cli({"new", path("paper.dipw"), "--model", path("ball.obj"), "--preset", "paper-2020"})
+                .exitCode == 0);
+        const QJsonObject info =
+            QJsonDocument::fromJson(cli({"info", path("paper.dipw"), "--json"}).out).object();
+        QCOMPARE(info["film"].toObject()["lattice"].toString(), QStringLiteral("structural"));
+        QCOMPARE(info["film"].toObject()["support"].toString(), QStringLiteral("none"));
+        const Outcome done =
+            cli(QStringList{"run", path("paper.dipw"), "--out", path("paper")} + quickly);
+        QVERIFY2(done.exitCode == 0, done.err);
+    }
+
+    void theBestPosesAreWrittenIntoTheProject() {
+        QVERIFY(QFile::copy(path("single.dipw"), path("best.dipw")));
+        const Outcome done = cli({"optimize", path("best.dipw"), "--immersions", "2",
+                                  "--candidates", "6", "--set", "film.size_mm=100x100"});
+        QVERIFY2(done.exitCode == 0, done.err);
+        QVERIFY2(done.out.contains("painted"), done.out);
+        const QJsonObject info =
+            QJsonDocument::fromJson(cli({"info", path("best.dipw"), "--json"}).out).object();
+        QCOMPARE(info["immersions"].toArray().size(), 2);
+        // What was set for the search stays out of the file.
+        QCOMPARE(info["film"].toObject()["size_mm"].toArray(), (QJsonArray{210, 297}));
+    }
+
+    void solversAreListed() {
+        QVERIFY(cli({"solvers"}).out.contains("pbd-cpu"));
+        const QJsonArray solvers = QJsonDocument::fromJson(cli({"solvers", "--json"}).out).array();
+        QVERIFY(!solvers.isEmpty());
+        for (const QJsonValue& value : solvers) {
+            const QJsonObject solver = value.toObject();
+            QVERIFY(!solver["id"].toString().isEmpty() && !solver["name"].toString().isEmpty());
+            QVERIFY(!solver["version"].toString().isEmpty());
+            QVERIFY(!solver["device"].toString().isEmpty());
+            QVERIFY(solver["available"].toBool() || !solver["reason"].toString().isEmpty());
+        }
+    }
+
+#ifdef Q_OS_UNIX
+    void aRequestToTerminateLeavesNothingBehind() {
+        QProcess process;
+        process.start(cliPath(), {"run", path("ball.dipw"), "--out", path("cancelled"), "--set",
+                                  "film.points=600x848", "--set", "body.sdf_resolution=64"});
+        process.setReadChannel(QProcess::StandardError);
+        QByteArray told;
+        while (!told.contains("Dipping")) {
+            QVERIFY(process.waitForReadyRead(-1));
+            told += process.readAll();
+        }
+        process.terminate();
+        QVERIFY(process.waitForFinished(-1));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 1);
+        const QByteArray rest = process.readAllStandardError();
+        QVERIFY2(rest.count("error:") == 1 && rest.contains("ancelled"), rest);
+        QVERIFY(!QFileInfo::exists(path("cancelled")));
+        QVERIFY(QDir(folder_.path())
+                    .entryList({".dipwright-*"}, QDir::AllEntries | QDir::Hidden)
+                    .isEmpty());
+    }
+#endif
+
+private:
+    QString path(const QString& name) const {
+        return folder_.filePath(name);
+    }
+    Outcome run(const QStringList& options) const {
+        return cli(QStringList{"run", path("ball.dipw")} + quickly + options);
+    }
+
+    QTemporaryDir folder_;
+    Outcome summary_;
+};
+
+QTEST_GUILESS_MAIN(CliTest)
+#include "CliTest.moc"

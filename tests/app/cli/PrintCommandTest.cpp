@@ -1,0 +1,274 @@
+// dipwright-cli print, profile and calibrate, as a user types them, against a print system of the
+// test's own.
+#include "CliProcess.h"
+#include "PaperMeasure.h"
+#include "PrivateCups.h"
+
+#include "base/Units.h"
+
+#include <QColorSpace>
+#include <QtTest>
+
+using namespace dipwright;
+using dipwright::test::cli;
+using dipwright::test::Outcome;
+
+namespace {
+
+const QString turtle = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw");
+// Coarse, to be quick: what is tried here is the way to the paper.
+const QStringList coarse{"--set", "film.points=41x58", "--set",  "body.sdf_resolution=64",
+                         "--set", "sheet.dpi=150",     "--quiet"};
+
+// From 0 to 100 mm on the ruler of a calibration page, as received; 0 where there is none.
+double calibrationRuler(const QString& path, bool across, int ticksWanted) {
+    constexpr int dpi = 1200;
+    const QImage strip =
+        renderedPage(path, dpi, across ? QRectF(5, 280, 200, 10) : QRectF(7, 40, 10, 250));
+    for (int line = (across ? strip.height() : strip.width()) - 1; line > 0; --line) {
+        std::vector<double> ticks = darkMiddles(strip, across, line);
+        if (int(ticks.size()) == ticksWanted) {
+            return std::abs(ticks[100] - ticks[0]) / dpi * millimetresPerInch;
+        }
+    }
+    return 0;
+}
+
+double rulerLength(const QString& path) {
+    constexpr int dpi = 1200;
+    const QImage strip = renderedPage(path, dpi, QRectF(30, 297 - 9, 150, 7));
+    for (int row = strip.height() - 1; row > 0; --row) {
+        const std::vector<double> ticks = darkMiddles(strip, true, row);
+        if (ticks.size() == 101) {
+            return (ticks.back() - ticks.front()) / dpi * millimetresPerInch;
+        }
+    }
+    return 0;
+}
+
+} // namespace
+
+class PrintCommandTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    std::unique_ptr<PrivateCups> cups_;
+
+    int received() const { return int(cups_->received("pigment").size()); }
+
+private slots:
+    void initTestCase();
+    void printersAreListed();
+    void turtlesTwoSheetsArrive();
+    void chessboardIsTrue();
+    void calibrationMakesPrintsTrue();
+    void sheetsAreWrittenAsFiles();
+    void sheetsAreInThePrintersColours();
+    void projectKeepsItsProfile();
+    void refusalsPrintNothing();
+    void wrongUsageIsToldApart();
+};
+
+void PrintCommandTest::initTestCase() {
+    cups_ = std::make_unique<PrivateCups>();
+    QVERIFY2(cups_->problem().isEmpty(), qPrintable(cups_->problem()));
+    QVERIFY(cups_->add({"pigment", true, {{"iso_a4_210x297mm", 210, 297, 0}}}));
+    QVERIFY(cups_->add({"grey", false, {{"iso_a4_210x297mm", 210, 297, 0}}}));
+    qputenv("DIPWRIGHT_PROFILE_PATH", folder_.filePath("profiles").toUtf8());
+}
+
+void PrintCommandTest::printersAreListed() {
+    const Outcome outcome = cli({"print", "--printers"});
+    QCOMPARE(outcome.exitCode, 0);
+    QVERIFY(outcome.out.contains("pigment: ready, colour"));
+    QVERIFY(outcome.out.contains("grey: ready, grey only"));
+    QVERIFY(outcome.out.contains("210 × 297 mm, borderless"));
+}
+
+void PrintCommandTest::turtlesTwoSheetsArrive() {
+    const int before = received();
+    const Outcome outcome = cli(QStringList{"print", turtle, "--printer", "pigment"} + coarse);
+    QVERIFY2(outcome.exitCode == 0, outcome.err);
+    QCOMPARE(outcome.out.count("Printed "), 2);
+    const QStringList papers = cups_->received("pigment").mid(before);
+    QCOMPARE(papers.size(), 2);
+    for (const QString& paper : papers) {
+        QVERIFY(std::abs(pdfPage(paper).width() - 210) < 0.02);
+        QVERIFY(std::abs(pdfPage(paper).height() - 297) < 0.02);
+        QVERIFY(std::abs(rulerLength(paper) - 100) < 0.02);
+        QVERIFY(pdfWords(paper).contains("Film A4 210 × 297 mm"));
+    }
+    QVERIFY(pdfWords(papers[0]) != pdfWords(papers[1])); // each names its immersion
+}
+
+void PrintCommandTest::chessboardIsTrue() {
+    const int before = received();
+    const Outcome outcome = cli(QStringList{"print", turtle, "--printer", "pigment", "--immersion",
+                                            "2", "--film-image", "chessboard"} +
+                                coarse);
+    QVERIFY2(outcome.exitCode == 0, outcome.err);
+    QCOMPARE(received(), before + 1);
+    constexpr int dpi = 600;
+    const QString paper = cups_->received("pigment").last();
+    const QImage row = renderedPage(paper, dpi, QRectF(15, 157, 180, 1));
+    const QImage column = renderedPage(paper, dpi, QRectF(113.5, 15, 1, 267));
+    for (const QImage& strip : {row, column.transformed(QTransform().rotate(90))}) {
+        const std::vector<double> found = edges(strip, strip.height() / 2, 0);
+        QVERIFY(found.size() >= 10);
+        for (std::size_t i = 1; i < found.size(); ++i) {
+            const double square = (found[i] - found[i - 1]) / dpi * millimetresPerInch;
+            QVERIFY2(std::abs(square - 17) <= 0.02, qPrintable(QString::number(square)));
+        }
+    }
+}
+
+// A printer that prints 1.004 × 0.997 too large is measured, corrected and verified.
+void PrintCommandTest::calibrationMakesPrintsTrue() {
+    const int before = received();
+    Outcome outcome = cli({"calibrate", "--profile", "Mine", "--printer", "pigment"});
+    QVERIFY2(outcome.exitCode == 0, outcome.err);
+    QVERIFY(outcome.out.contains("must measure 170 and 220 mm"));
+    outcome = cli({"calibrate", "--profile", "Mine", "--measured",
+                   QString("%1x%2").arg(170 * 1.004, 0, 'f', 2).arg(220 * 0.997, 0, 'f', 2)});
+    QVERIFY2(outcome.out.contains("1.00400 × 0.99700"), outcome.out);
+    outcome = cli({"calibrate", "--profile", "Mine", "--printer", "pigment", "--verify"});
+    QVERIFY2(outcome.exitCode == 0, outcome.err);
+    QVERIFY(outcome.out.contains("--verify --measured 170x220")); // else it would start anew
+    const QStringList pages = cups_->received("pigment").mid(before);
+    QCOMPARE(pages.size(), 2);
+    QVERIFY(pdfWords(pages[0]).contains("Calibration"));
+    QVERIFY(pdfWords(pages[1]).contains("Corrected for X 1.004, Y 0.997"));
+    const double first[] = {calibrationRuler(pages[0], true, 171),
+                            calibrationRuler(pages[0], false, 221)};
+    const double second[] = {calibrationRuler(pages[1], true, 171),
+                             calibrationRuler(pages[1], false, 221)};
+    const double error[] = {1.004, 0.997};
+    for (int axis : {0, 1}) {
+        QVERIFY2(std::abs(first[axis] - 100) < 0.02, qPrintable(QString::number(first[axis])));
+        const double length = second[axis] * error[axis];
+        QVERIFY2(std::abs(length - 100) <= 0.05, qPrintable(QString::number(length)));
+    }
+    outcome = cli(QStringList{"print", turtle, "--printer", "pigment", "--immersion", "1",
+                              "--profile", "Mine"} +
+                  coarse);
+    QVERIFY2(outcome.exitCode == 0, outcome.err);
+    const double onPaper = rulerLength(cups_->received("pigment").last()) * 1.004;
+    QVERIFY2(std::abs(onPaper - 100) < 0.05, qPrintable(QString::number(onPaper)));
+}
+
+void PrintCommandTest::sheetsAreWrittenAsFiles() {
+    for (const QString& name : {QString("sheet.pdf"), QString("sheet.tiff")}) {
+        const QString path = folder_.filePath(name);
+        const Outcome outcome =
+            cli(QStringList{"print", turtle, "--immersion", "1", "--to", path} + coarse);
+        QVERIFY2(outcome.exitCode == 0, outcome.err);
+        QVERIFY(QFileInfo(path).size() > 10000);
+    }
+    QVERIFY(std::abs(rulerLength(folder_.filePath("sheet.pdf")) - 100) < 0.02);
+    QCOMPARE(cli({"print", turtle, "--to", folder_.filePath("both.pdf")}).exitCode, 2);
+}
+
+// A printer whose colours are those of Adobe RGB: the sheet's sRGB gets other numbers there.
+void PrintCommandTest::sheetsAreInThePrintersColours() {
+    const QString icc = folder_.filePath("wide.icc");
+    const QColorSpace wide(QColorSpace::AdobeRgb);
+    QFile file(icc);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(wide.iccProfile());
+    file.close();
+    QVERIFY(cli({"profile", "set", "printer", "Wide", "--icc", icc}).exitCode == 0);
+    const auto image = [&](const QStringList& profile) {
+        const QString path = folder_.filePath("colour.pdf");
+        const Outcome outcome =
+            cli(QStringList{"print", turtle, "--immersion", "1", "--to", path} + profile + coarse);
+        output("pdfimages", {"-png", path, folder_.filePath("colour")});
+        return outcome.exitCode == 0 ? QImage(folder_.filePath("colour-000.png")) : QImage();
+    };
+    QImage expected = image({});
+    QVERIFY(!expected.isNull());
+    expected.setColorSpace(QColorSpace::SRgb);
+    expected.convertToColorSpace(wide);
+    const QImage found = image({"--profile", "Wide", "--proof", folder_.filePath("proof.png")});
+    QCOMPARE(found.size(), expected.size());
+    int changed = 0;
+    for (int y = 0; y < found.height(); y += 3) {
+        for (int x = 0; x < found.width(); x += 3) {
+            const QColor a = found.pixelColor(x, y);
+            const QColor b = expected.pixelColor(x, y);
+            QVERIFY(std::abs(a.red() - b.red()) <= 2 && std::abs(a.green() - b.green()) <= 2 &&
+                    std::abs(a.blue() - b.blue()) <= 2);
+            changed += a != Qt::white && a.saturation() > 60;
+        }
+    }
+    QVERIFY(changed > 1000);
+    QCOMPARE(QImage(folder_.filePath("proof.png")).size(), found.size());
+    QVERIFY(
+        output("qpdf", {"--qdf", folder_.filePath("colour.pdf"), "-"}).contains(wide.iccProfile()));
+}
+
+void PrintCommandTest::projectKeepsItsProfile() {
+    const QString job = folder_.filePath("job.dipw");
+    QVERIFY(QFile::copy(turtle, job));
+    QVERIFY(cli({"profile", "set", "printer", "Old", "--set", "scale=1.004;0.997"}).exitCode == 0);
+    QVERIFY(cli({"profile", "use", "printer", "Old", job}).exitCode == 0);
+    const auto printed = [&](const QString& path) {
+        const Outcome outcome =
+            cli(QStringList{"print", job, "--immersion", "1", "--to", path} + coarse);
+        QFile file(path);
+        return outcome.exitCode == 0 && file.open(QIODevice::ReadOnly) ? file.readAll()
+                                                                       : QByteArray();
+    };
+    const QString path = folder_.filePath("kept.pdf");
+    const QByteArray before = printed(path);
+    QVERIFY(std::abs(rulerLength(path) * 1.004 - 100) < 0.05);
+    // Next year the profile of that name is another one, and the year after there is none.
+    QVERIFY(cli({"profile", "set", "printer", "Old", "--set", "scale=0.98;1.02"}).exitCode == 0);
+    QVERIFY(printed(folder_.filePath("next.pdf")) == before);
+    QVERIFY(cli({"profile", "remove", "printer", "Old"}).exitCode == 0);
+    QVERIFY(printed(folder_.filePath("after.pdf")) == before);
+}
+
+void PrintCommandTest::refusalsPrintNothing() {
+    const int before = received();
+    const auto refused = [&](const QStringList& arguments, const QByteArray& word) {
+        const Outcome outcome = cli(QStringList{"print", turtle, "--quiet"} + arguments);
+        const bool told =
+            outcome.errorLines().size() == 1 && outcome.errorLines().first().contains(word);
+        if (outcome.exitCode != 1 || !told) {
+            qWarning() << arguments << outcome.exitCode << outcome.err;
+        }
+        return outcome.exitCode == 1 && told;
+    };
+    QVERIFY(refused({"--printer", "nosuch"}, "no such printer"));
+    QVERIFY(refused({"--printer", "pigment", "--profile", "nosuch"}, "no printer profile"));
+    QVERIFY(refused({"--printer", "pigment", "--set", "film.size_mm=300x300"},
+                    "larger than every paper"));
+    QVERIFY(refused(QStringList{"--printer", "grey"} + coarse, "grey only"));
+    QVERIFY(cups_->command("cupsdisable", {"pigment"}));
+    QVERIFY(refused({"--printer", "pigment"}, "stopped"));
+    QVERIFY(cups_->command("cupsenable", {"pigment"}));
+    QCOMPARE(received(), before);
+    QVERIFY(cups_->received("grey").isEmpty());
+}
+
+void PrintCommandTest::wrongUsageIsToldApart() {
+    for (const QStringList& arguments :
+         {QStringList{"print", turtle},
+          QStringList{"print", turtle, "--printer", "pigment", "--to", "x.pdf"},
+          QStringList{"print", turtle, "--to", "x.bmp"},
+          QStringList{"print", turtle, "--printer", "pigment", "--copies", "0"},
+          QStringList{"print", turtle, "--printer", "pigment", "--immersion", "3"},
+          QStringList{"profile"}, QStringList{"profile", "set", "scanner", "x"},
+          QStringList{"profile", "fold"},
+          QStringList{"profile", "set", "printer", "x", "--set", "scale=7;7"},
+          QStringList{"calibrate"},
+          QStringList{"calibrate", "--profile", "Mine", "--measured", "170"}}) {
+        const Outcome outcome = cli(arguments);
+        QVERIFY2(outcome.exitCode == 2,
+                 qPrintable(arguments.join(' ') + QString::fromUtf8(outcome.err)));
+        QCOMPARE(outcome.errorLines().size(), 1);
+    }
+}
+
+QTEST_MAIN(PrintCommandTest)
+#include "PrintCommandTest.moc"

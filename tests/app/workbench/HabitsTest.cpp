@@ -1,0 +1,235 @@
+// The small habits of a document application: layouts with names, keys that clash, a report to hand
+// on, a notice when another solver took over, pictures exported as they are shown.
+#include "PluginFolder.h"
+#include "WindowDriver.h"
+#include "dialogs/CertaintyDialog.h"
+#include "dialogs/NewProjectDialog.h"
+#include "dialogs/PreferencesDialog.h"
+#include "panels/NoticeBar.h"
+#include "panels/PictureView.h"
+#include "panels/StretchPanel.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QInputDialog>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTableWidget>
+
+using namespace dipwright;
+using test::PluginFolder;
+
+namespace {
+
+const QString model = QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/spot_triangulated.obj");
+const QString texture = QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/spot_texture.png");
+
+void makeCoarse(Project& project) {
+    project.film.columns = 28;
+    project.film.rows = 40;
+    project.fieldResolution = 64;
+    project.sheet.resolution = DotsPerInch(72);
+}
+
+// A GPU solver that every run prefers and that fails as soon as it steps.
+void addFailingGpu(const PluginFolder& folder) {
+    const QString name = QStringLiteral("advance");
+    folder.add(name, QStringLiteral(DIPWRIGHT_BAD_MODULES "/") + PluginFolder::moduleName(name));
+    QJsonObject description = PluginFolder::description(name);
+    description[QLatin1String("device")] = QStringLiteral("gpu");
+    description[QLatin1String("priority")] = 1000;
+    folder.describe(description);
+}
+
+} // namespace
+
+class HabitsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        workbench_ = std::make_unique<Workbench>(folder_.filePath(QStringLiteral("recovery")));
+        window_ = std::make_unique<MainWindow>(*workbench_);
+        window_->show();
+    }
+    void cleanup() {
+        window_.reset();
+        workbench_.reset();
+    }
+
+    void aLayoutIsKeptUnderItsName() {
+        const WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        auto* log = driver.find<QDockWidget>("logDock");
+        auto* results = driver.find<QDockWidget>("resultsDock");
+        log->show();
+        results->hide();
+        driver.trigger("saveLayout");
+        auto* question = driver.find<QInputDialog>("layoutName");
+        QVERIFY(question && question->isVisible());
+        question->setTextValue(QStringLiteral("Small / screen"));
+        question->accept();
+        driver.trigger("resetLayout");
+        QVERIFY(results->isVisible() && !log->isVisible());
+        QAction* entry = layoutEntry(QStringLiteral("Small / screen"));
+        QVERIFY(entry);
+        entry->trigger();
+        QVERIFY(!results->isVisible() && log->isVisible());
+    }
+
+    void keysThatTwoCommandsWantAreRefused() {
+        PreferencesDialog dialog(workbench_->preferences(), workbench_->registry(),
+                                 window_->actions());
+        dialog.show();
+        auto* clash = dialog.findChild<QLabel*>(QStringLiteral("shortcutClash"));
+        const auto* ok = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        QVERIFY(clash->text().isEmpty() && ok->isEnabled());
+        QKeySequenceEdit* save = nullptr;
+        for (auto* edit : dialog.findChildren<QKeySequenceEdit*>()) {
+            save = edit->keySequence() == QKeySequence(QKeySequence::Save) ? edit : save;
+        }
+        save->setKeySequence(QKeySequence(QStringLiteral("Ctrl+R")));
+        QVERIFY(clash->text().contains(QStringLiteral("Run")));
+        QVERIFY(!ok->isEnabled());
+        save->setKeySequence(QKeySequence(QStringLiteral("Ctrl+Shift+K")));
+        QVERIFY(ok->isEnabled());
+        QCOMPARE(dialog.preferences().shortcuts.value(QStringLiteral("save")),
+                 QKeySequence(QStringLiteral("Ctrl+Shift+K")));
+    }
+
+    void theReportNamesProgramMachineAndSolvers() {
+        window_->findChild<QPushButton*>(QStringLiteral("copyReport"))->click();
+        const QString report = QGuiApplication::clipboard()->text();
+        for (const char* fact : {"Dipwright ", "Qt ", "OpenGL: ", "pbd-cpu"}) {
+            QVERIFY2(report.contains(QLatin1String(fact)), qPrintable(report));
+        }
+    }
+
+    void aSolverThatTookOverIsAnnounced() {
+        window_.reset();
+        const PluginFolder folder;
+        addFailingGpu(folder);
+        const QByteArray before = qgetenv("DIPWRIGHT_PLUGIN_PATH");
+        qputenv("DIPWRIGHT_PLUGIN_PATH",
+                (folder.path() + QDir::listSeparator()).toLocal8Bit() + before);
+        workbench_ = std::make_unique<Workbench>(folder_.filePath(QStringLiteral("recovery")));
+        qputenv("DIPWRIGHT_PLUGIN_PATH", before);
+        window_ = std::make_unique<MainWindow>(*workbench_);
+        window_->show();
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        auto* notice = window_->findChild<NoticeBar*>();
+        QVERIFY(!notice->isVisible());
+        QVERIFY(driver.run());
+        QVERIFY(notice->isVisible());
+        QVERIFY2(notice->text().contains(QStringLiteral("took over")), qPrintable(notice->text()));
+    }
+
+    void howCertainTheSheetIsIsShown() {
+        const WindowDriver driver(*window_);
+        QVERIFY(!driver.action("certainty")->isEnabled());
+        QVERIFY(makeProject());
+        driver.trigger("certainty");
+        QVERIFY(!driver.action("certainty")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(driver.find<QDialog>("certaintyDialog"), 120000);
+        auto* dialog = driver.find<QDialog>("certaintyDialog");
+        const auto* verdict = dialog->findChild<QLabel*>(QStringLiteral("verdict"));
+        QVERIFY2(verdict->text().contains(QStringLiteral("not certain")),
+                 qPrintable(verdict->text()));
+        const auto* figures = dialog->findChild<QTableWidget*>(QStringLiteral("figures"));
+        QCOMPARE(figures->rowCount(), 2);
+        QVERIFY2(figures->item(1, 2)->text().endsWith(QStringLiteral(" mm")),
+                 qPrintable(figures->item(1, 2)->text()));
+        QVERIFY(!dialog->findChild<PictureView*>()->isEmpty());
+        emit qobject_cast<CertaintyDialog*>(dialog)->saveAsked(folder_.path());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            QFileInfo::exists(folder_.filePath(QStringLiteral("certainty-1.png"))), 60000);
+        dialog->close();
+    }
+
+    void certaintyThatIsNotWaitedForIsCancelled() {
+        const WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        driver.trigger("certainty");
+        driver.trigger("cancel");
+        QTRY_VERIFY_WITH_TIMEOUT(driver.action("certainty")->isEnabled(), 60000);
+        QVERIFY(!driver.find<QDialog>("certaintyDialog"));
+        QVERIFY(!driver.find<QMessageBox>("failure"));
+    }
+
+    void theMapIsExportedAsItIsShown() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        QVERIFY(driver.run());
+        auto* stretch = window_->findChild<StretchPanel*>();
+        const QImage plain = stretch->picture();
+        QVERIFY(plain.height() > 2400);
+        driver.find<QComboBox>("stretchQuantity")->setCurrentIndex(1);
+        const QImage area = stretch->picture();
+        QVERIFY(area != plain);
+        driver.find<QCheckBox>("isolines")->setChecked(true);
+        QVERIFY(stretch->picture() != area);
+    }
+
+    void aTextureIsReplacedWithoutTheModelsFile() {
+        const WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        window_->document()->edit({}, {}, [](Project& project) {
+            project.modelSource.source = QStringLiteral("/gone/away.obj");
+        });
+        QImage picture(32, 32, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        const QString path = folder_.filePath(QStringLiteral("red.png"));
+        QVERIFY(picture.save(path));
+        window_->replaceTexture(path);
+        QTRY_COMPARE(window_->document()->project().model->textures.at(0).size(), QSize(32, 32));
+    }
+
+    void newProjectsBeginWithTheChosenPrinter() {
+        Preferences preferences = workbench_->preferences();
+        const QString wanted = firstPrinter();
+        preferences.printerProfile = wanted;
+        const NewProjectDialog dialog(model, preferences);
+        Project project;
+        project.immersions = {Immersion{}};
+        dialog.completion()(project);
+        QVERIFY(project.profiles.printer.has_value());
+        QCOMPARE(project.profiles.printer->name, wanted);
+    }
+
+private:
+    bool makeProject() { return WindowDriver(*window_).create(model, texture, 90, makeCoarse); }
+    QString firstPrinter() const {
+        const PreferencesDialog dialog(workbench_->preferences(), workbench_->registry(), {});
+        return dialog.findChild<QComboBox*>(QStringLiteral("defaultPrinter"))->itemText(1);
+    }
+    QAction* layoutEntry(const QString& name) const {
+        auto* menu = window_->findChild<QMenu*>(QStringLiteral("layouts"));
+        emit menu->aboutToShow();
+        for (QAction* action : menu->actions()) {
+            if (action->text() == name) {
+                return action;
+            }
+        }
+        return nullptr;
+    }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<Workbench> workbench_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+int main(int argc, char* argv[]) {
+    const WindowApplication application(argc, argv);
+    HabitsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "HabitsTest.moc"

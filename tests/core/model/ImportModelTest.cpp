@@ -1,0 +1,875 @@
+// Models as users bring them: formats, textures, repairs and refusals.
+#include "ModelFiles.h"
+
+#include "base/Error.h"
+#include "base/Units.h"
+#include "geometry/Shapes.h"
+#include "model/ImportModel.h"
+
+#include <QColorSpace>
+#include <QtTest>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+ImportedModel import(const QString& path, const ImportOptions& options = {}) {
+    return importModel(path, options, Progress());
+}
+
+// The error that an import ends with, or an empty sentence.
+QString refusal(const QString& path, const ImportOptions& options = {}) {
+    try {
+        import(path, options);
+        return QString();
+    } catch (const Error& error) {
+        return error.sentence();
+    }
+}
+
+// The colour that a model shows at a place of its surface; seen is the middle of a texel.
+QColor colourAt(const TexturedMesh& model, std::uint32_t triangle, const Eigen::Vector2f& uv) {
+    const Material& material = model.materials[model.material[triangle]];
+    if (material.texture < 0) {
+        return material.colour;
+    }
+    const QImage& image = model.textures[std::size_t(material.texture)];
+    return image.pixelColor(int(uv.x() * float(image.width())),
+                            int((1 - uv.y()) * float(image.height())));
+}
+
+// The colour of a flat model in the plane z = 0 at (x, y).
+QColor colourAtPlace(const TexturedMesh& model, float x, float y) {
+    for (std::uint32_t t = 0; t < model.mesh.triangles.size(); ++t) {
+        const auto& corners = model.mesh.triangles[t];
+        Eigen::Matrix3f places;
+        for (int corner = 0; corner < 3; ++corner) {
+            places.col(corner) = model.mesh.positions[corners[std::size_t(corner)]];
+            places(2, corner) = 1;
+        }
+        const Eigen::Vector3f weights = places.inverse() * Eigen::Vector3f(x, y, 1);
+        if (weights.minCoeff() >= 0) {
+            return colourAt(model, t, model.textureCoordinate({t, weights}));
+        }
+    }
+    return QColor();
+}
+
+bool showsQuarters(const TexturedMesh& model) {
+    return colourAtPlace(model, 0.25F, 0.75F) == QColor(Qt::red) &&
+           colourAtPlace(model, 0.75F, 0.75F) == QColor(Qt::green) &&
+           colourAtPlace(model, 0.25F, 0.25F) == QColor(Qt::blue) &&
+           colourAtPlace(model, 0.75F, 0.25F) == QColor(Qt::white);
+}
+
+std::size_t chartCount(const TexturedMesh& model) {
+    return std::set<std::uint32_t>(model.chart.begin(), model.chart.end()).size();
+}
+
+// ASCII STL of a mesh, every triangle with corners of its own and normals left unset.
+QByteArray stl(const TriangleMesh& mesh) {
+    QByteArray text = "solid body\n";
+    for (const auto& triangle : mesh.triangles) {
+        text += "facet normal 0 0 0\nouter loop\n";
+        for (const auto corner : triangle) {
+            const auto& place = mesh.positions[corner];
+            text += "vertex";
+            for (const float coordinate : place) {
+                text += " " + QByteArray::number(double(coordinate), 'g', 9);
+            }
+            text += "\n";
+        }
+        text += "endloop\nendfacet\n";
+    }
+    return text + "endsolid body\n";
+}
+
+// A sphere as OBJ whose texture is cut along one meridian: one chart, two coordinates on the seam.
+QByteArray sphereWithSeamObj(int rings, int segments) {
+    QByteArray text;
+    const TriangleMesh sphere = sphereMesh(35, rings, segments);
+    for (const auto& place : sphere.positions) {
+        text +=
+            QStringLiteral("v %1 %2 %3\n").arg(place.x()).arg(place.y()).arg(place.z()).toUtf8();
+    }
+    for (int ring = 0; ring <= rings; ++ring) {
+        for (int segment = 0; segment <= segments; ++segment) {
+            text += QStringLiteral("vt %1 %2\n")
+                        .arg(double(segment) / segments)
+                        .arg(1 - double(ring) / rings)
+                        .toUtf8();
+        }
+    }
+    const auto point = [&](int ring, int segment) {
+        return ring == 0       ? 1
+               : ring == rings ? int(sphere.positions.size())
+                               : 2 + (ring - 1) * segments + segment % segments;
+    };
+    const auto corner = [&](int ring, int segment) {
+        const int coordinate = 1 + ring * (segments + 1) + segment;
+        return " " + QByteArray::number(point(ring, segment)) + "/" +
+               QByteArray::number(coordinate);
+    };
+    for (int ring = 0; ring < rings; ++ring) {
+        for (int s = 0; s < segments; ++s) {
+            if (ring < rings - 1) {
+                text +=
+                    "f" + corner(ring, s) + corner(ring + 1, s) + corner(ring + 1, s + 1) + "\n";
+            }
+            if (ring > 0) {
+                text +=
+                    "f" + corner(ring, s) + corner(ring + 1, s + 1) + corner(ring, s + 1) + "\n";
+            }
+        }
+    }
+    return text;
+}
+
+// A tetrahedron in the formats that assimp reads for us unseen.
+void addOtherFormats() {
+    QTest::newRow("collada") << QStringLiteral("tetrahedron.dae") << tetrahedron("collada");
+    QTest::newRow("3ds") << QStringLiteral("tetrahedron.3ds") << tetrahedron("3ds");
+    QTest::newRow("fbx, text") << QStringLiteral("text.fbx") << tetrahedron("fbxa");
+    QTest::newRow("fbx, binary") << QStringLiteral("binary.fbx") << tetrahedronBinaryFbx();
+}
+
+} // namespace
+
+class ImportModelTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void objWithMaterialFile();
+    void objWithTwoMaterials();
+    void objWithoutMaterialFileIsGreyAndSaysSo();
+    void plyWithItsPicture();
+    void binaryPlyWithCoordinatesACorner();
+    void plyAndStlWithoutCoordinates();
+    void gltfShowsItsPictureUpright();
+    void glbShowsItsPictureUpright();
+    void gltfMovesItsPicture();
+    void threeMfShowsItsPictureUpright();
+    void threeMfPlacesComponentsInMillimetres();
+    void spot();
+    void everyFormatIsInTheFilters();
+
+    void picturesAreFoundDespiteCaseAndForeignPaths_data();
+    void picturesAreFoundDespiteCaseAndForeignPaths();
+    void missingPictureIsAWarning();
+    void chosenTextureReplacesAllOthers();
+    void chosenTextureWithoutCoordinatesIsAWarning();
+    void sixteenBitAndGreyPicturesBecomeRgba();
+
+    void cubeHasSixCharts();
+    void sphereWithSeamIsOneClosedChart();
+
+    void scaleByLongestEdgeAndByUnit();
+    void stlIsWeldedAndClosed();
+    void degenerateTrianglesAreRemoved();
+    void insideOutIsTurned();
+    void insideOutPartIsTurnedButACavityIsNot();
+    void turnedNeighboursAreTurnedBack();
+    void openMeshIsAWarning();
+    void mirroredNodeKeepsItsOutside();
+    void aMillionTrianglesAreClosed();
+
+    void pathsOfEveryLanguageWork();
+    void refusals_data();
+    void refusals();
+    void textureRefusals_data();
+    void textureRefusals();
+    void texturesColourProfilesAreHonoured();
+    void optionsOutOfRangeAreRefused();
+    void hostile3mfIsRefused_data();
+    void hostile3mfIsRefused();
+    void truncatedFilesNeverCrash_data();
+    void truncatedFilesNeverCrash();
+    void otherFormatsAreRead_data();
+    void otherFormatsAreRead();
+    void damagedFilesNeverCrash_data();
+    void damagedFilesNeverCrash();
+    void absurdColladaIsRefused_data();
+    void absurdColladaIsRefused();
+    void cancelEndsTheImport();
+
+private:
+    QString at(const QString& name) const { return folder_.filePath(name); }
+    QString write(const QString& name, const QByteArray& bytes) const {
+        writeFile(at(name), bytes);
+        return at(name);
+    }
+    QTemporaryDir folder_;
+};
+
+void ImportModelTest::objWithMaterialFile() {
+    write(QStringLiteral("paint.png"), png(quarters()));
+    write(QStringLiteral("cube.mtl"), "newmtl skin\nKd 0.2 0.4 0.6\nmap_Kd paint.png\n");
+    const auto [model, report] =
+        import(write(QStringLiteral("cube.obj"), cubeObj("mtllib cube.mtl\nusemtl skin\n")));
+    QCOMPARE(report.triangles, std::size_t(12));
+    QVERIFY(report.closed);
+    QVERIFY(std::abs(report.volume - 1000) < 1e-3);
+    QVERIFY(report.box.max().isApprox(Eigen::Vector3f(5, 5, 5)));
+    QVERIFY2(report.warnings.isEmpty(), qPrintable(report.warnings.join(u'|')));
+    QVERIFY(report.repairs.isEmpty());
+    QCOMPARE(model.mesh.positions.size(), std::size_t(8));
+    QCOMPARE(model.materials.size(), std::size_t(1));
+    QCOMPARE(model.materials[0].name, QStringLiteral("skin"));
+    QCOMPARE(model.materials[0].colour, QColor(51, 102, 153));
+    QCOMPARE(model.textures.size(), std::size_t(1));
+    QCOMPARE(model.textures[0].format(), QImage::Format_RGBA8888);
+    QCOMPARE(model.textures[0], quarters());
+    QVERIFY(model.hasTextureCoordinates(0));
+}
+
+void ImportModelTest::objWithTwoMaterials() {
+    write(QStringLiteral("two.mtl"), "newmtl a\nKd 1 0 0\nnewmtl unused\nKd 0 1 0\n"
+                                     "newmtl b\nKd 0 0 1\nmap_Kd paint.png\n");
+    write(QStringLiteral("paint.png"), png(quarters()));
+    QByteArray text = cubeObj("mtllib two.mtl\nusemtl a\n");
+    const auto middle = text.indexOf("f 1/1 5/2");
+    const auto [model, report] =
+        import(write(QStringLiteral("two.obj"), text.insert(middle, "usemtl b\n")));
+    QCOMPARE(model.materials.size(), std::size_t(2));
+    QVERIFY(report.closed);
+    QCOMPARE(std::count(model.material.begin(), model.material.end(), 0), 6);
+    QCOMPARE(std::count(model.material.begin(), model.material.end(), 1), 6);
+    QCOMPARE(model.materials[0].colour, QColor(Qt::red));
+    QCOMPARE(model.materials[0].texture, -1);
+    QCOMPARE(model.materials[1].texture, 0);
+}
+
+void ImportModelTest::objWithoutMaterialFileIsGreyAndSaysSo() {
+    const auto [model, report] =
+        import(write(QStringLiteral("lone.obj"), cubeObj("mtllib lost.mtl\nusemtl skin\n")));
+    QCOMPARE(report.warnings.size(), 1);
+    QVERIFY(report.warnings[0].contains(QStringLiteral("lost.mtl")));
+    QCOMPARE(model.materials.size(), std::size_t(1));
+    QVERIFY(model.textures.empty());
+}
+
+void ImportModelTest::plyWithItsPicture() {
+    write(QStringLiteral("ply.png"), png(quarters()));
+    const auto [model, report] = import(write(QStringLiteral("square.ply"), squarePly("ply.png")));
+    QCOMPARE(report.triangles, std::size_t(2));
+    QVERIFY(showsQuarters(model));
+    QCOMPARE(chartCount(model), std::size_t(1));
+}
+
+void ImportModelTest::binaryPlyWithCoordinatesACorner() {
+    write(QStringLiteral("ply.png"), png(quarters()));
+    for (const bool littleEndian : {true, false}) {
+        const auto [model, report] =
+            import(write(QStringLiteral("binary.ply"), squareBinaryPly("ply.png", littleEndian)));
+        QCOMPARE(report.triangles, std::size_t(2));
+        QVERIFY(showsQuarters(model));
+    }
+}
+
+void ImportModelTest::plyAndStlWithoutCoordinates() {
+    const QByteArray ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                           "property float y\nproperty float z\nelement face 4\n"
+                           "property list uchar int vertex_index\nend_header\n"
+                           "0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+    for (const auto& path : {write(QStringLiteral("bare.ply"), ply),
+                             write(QStringLiteral("bare.stl"), stl(tetrahedronMesh(9)))}) {
+        const auto [model, report] = import(path);
+        QCOMPARE(report.triangles, std::size_t(4));
+        QVERIFY(report.closed);
+        QVERIFY(report.volume > 0);
+        QVERIFY(!model.hasTextureCoordinates(0));
+        QVERIFY(model.textureCoordinate({0, Eigen::Vector3f(1, 0, 0)}).array().isNaN().all());
+        QCOMPARE(model.materials.size(), std::size_t(1));
+        QCOMPARE(chartCount(model), std::size_t(1));
+    }
+}
+
+void ImportModelTest::gltfShowsItsPictureUpright() {
+    const auto [model, report] =
+        import(write(QStringLiteral("square.gltf"), squareGltf(png(quarters()))));
+    QVERIFY(showsQuarters(model));
+    QCOMPARE(model.materials[0].name, QStringLiteral("paint"));
+    QCOMPARE(model.materials[0].colour, QColor(188, 188, 188)); // half of the light, in sRGB
+}
+
+void ImportModelTest::glbShowsItsPictureUpright() {
+    const auto [model, report] =
+        import(write(QStringLiteral("square.glb"), squareGlb(png(quarters()))));
+    QVERIFY(showsQuarters(model));
+}
+
+void ImportModelTest::gltfMovesItsPicture() {
+    QByteArray text = squareGltf(png(quarters()));
+    text.replace(R"("baseColorTexture":{"index":0})",
+                 R"("baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":
+                 {"offset":[0.5,0],"scale":[0.5,0.5]}}})");
+    text.replace(R"("asset":)", R"("extensionsUsed":["KHR_texture_transform"],"asset":)");
+    const auto imported = import(write(QStringLiteral("moved.gltf"), text));
+    QCOMPARE(colourAtPlace(imported.model, 0.1F, 0.1F), QColor(Qt::green)); // upper right alone
+    QCOMPARE(colourAtPlace(imported.model, 0.9F, 0.9F), QColor(Qt::green));
+}
+
+void ImportModelTest::threeMfShowsItsPictureUpright() {
+    writeSquare3mf(at(QStringLiteral("square.3mf")), png(quarters()));
+    const auto [model, report] = import(at(QStringLiteral("square.3mf")));
+    QCOMPARE(report.triangles, std::size_t(2));
+    QVERIFY(showsQuarters(model));
+}
+
+void ImportModelTest::threeMfPlacesComponentsInMillimetres() {
+    const QByteArray part = R"(<model unit="inch"><resources>
+<object id="1" pid="9" pindex="1"><mesh><vertices><vertex x="0" y="0" z="0"/>
+<vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/><vertex x="0" y="0" z="1"/></vertices>
+<triangles><triangle v1="0" v2="2" v3="1"/><triangle v1="0" v2="1" v3="3"/>
+<triangle v1="1" v2="2" v3="3"/><triangle v1="2" v2="0" v3="3" pid="9" p1="0"/></triangles>
+</mesh></object></resources><build/></model>)";
+    const QByteArray root = R"(<model unit="centimeter" xmlns:p="production"><resources>
+<basematerials id="9"><base name="clear" displaycolor="#11223344"/></basematerials>
+<object id="3" type="support"><mesh><vertices><vertex x="90" y="0" z="0"/></vertices></mesh></object>
+<object id="2"><components><component p:path="/3D/part.model" objectid="1"/>
+<component p:path="/3D/part.model" objectid="1" transform="-1 0 0 0 1 0 0 0 1 -5 0 0"/>
+</components></object></resources>
+<build><item objectid="2" transform="0 2 0 -2 0 0 0 0 2 0 0 7"/><item objectid="3"/></build></model>)";
+    const QByteArray materials = R"(<resources><basematerials id="9">
+<base name="red" displaycolor="#FF0000"/><base name="blue" displaycolor="#0000FFFF"/>
+</basematerials>)";
+    write3mf(
+        at(QStringLiteral("parts.3mf")),
+        {{QStringLiteral("3D/3dmodel.model"), root},
+         {QStringLiteral("3D/part.model"), QByteArray(part).replace("<resources>", materials)}});
+    const auto [model, report] = import(at(QStringLiteral("parts.3mf")));
+    QCOMPARE(report.triangles, std::size_t(8));
+    QVERIFY(report.closed);
+    // Two of a sixth of a cubic centimetre, twice as large; turned a quarter about Z, lifted by 7
+    // cm.
+    QVERIFY(std::abs(report.volume - 2 * 8 * 1000 / 6.0) < 0.1);
+    QVERIFY(report.box.min().isApprox(Eigen::Vector3f(-20, -120, 70), 1e-4F));
+    QVERIFY(report.box.max().isApprox(Eigen::Vector3f(0, 20, 90), 1e-4F));
+    QCOMPARE(model.materials.size(), std::size_t(2));
+    QCOMPARE(model.materials[0].colour, QColor(Qt::blue));
+    QCOMPARE(model.materials[1].colour, QColor(Qt::red));
+    QCOMPARE(std::count(model.material.begin(), model.material.end(), 1), 2);
+}
+
+void ImportModelTest::spot() {
+    const QDir models(QStringLiteral(DIPWRIGHT_SHARED_MODELS));
+    const QString path = models.filePath(QStringLiteral("spot/spot_triangulated.obj"));
+    if (!QFileInfo::exists(path)) {
+        return; // the model is not part of the source tree
+    }
+    ImportOptions options;
+    options.longestEdge = Millimetres(90);
+    options.texture = models.filePath(QStringLiteral("spot/spot_texture.png"));
+    const auto [model, report] = import(path, options);
+    QCOMPARE(report.triangles, std::size_t(5856));
+    QVERIFY(report.closed);
+    QVERIFY(std::abs(report.box.sizes().maxCoeff() - 90) < 1e-3F);
+    QCOMPARE(model.textures.size(), std::size_t(1));
+    QVERIFY(chartCount(model) > 1);
+    QVERIFY(model.hasTextureCoordinates(0));
+}
+
+void ImportModelTest::everyFormatIsInTheFilters() {
+    const QStringList patterns = modelFilePatterns();
+    QCOMPARE(patterns.mid(0, 6).join(u' '), QStringLiteral("*.obj *.ply *.stl *.gltf *.glb *.3mf"));
+    QCOMPARE(QSet<QString>(patterns.begin(), patterns.end()).size(), patterns.size());
+}
+
+void ImportModelTest::picturesAreFoundDespiteCaseAndForeignPaths_data() {
+    QTest::addColumn<QByteArray>("name");
+    for (const char* name :
+         {"Maps/Skin One.png", "maps/SKIN one.PNG", "maps\\skin one.png", "./Maps/Skin One.png",
+          "Maps/Skin%20One.png", "beside.png", "C:\\Users\\me\\beside.png", "/home/me/BESIDE.png",
+          "../sub/beside.png"}) {
+        QTest::newRow(name) << QByteArray(name);
+    }
+}
+
+void ImportModelTest::picturesAreFoundDespiteCaseAndForeignPaths() {
+    QFETCH(QByteArray, name);
+    QDir(folder_.path()).mkpath(QStringLiteral("sub/Maps"));
+    write(QStringLiteral("sub/Maps/Skin One.png"), png(quarters()));
+    write(QStringLiteral("sub/beside.png"), png(quarters()));
+    write(QStringLiteral("sub/Found.MTL"), "newmtl skin\nmap_Kd " + name + "\n");
+    const auto [model, report] =
+        import(write(QStringLiteral("sub/found.obj"), cubeObj("mtllib found.mtl\nusemtl skin\n")));
+    QVERIFY2(report.warnings.isEmpty(), qPrintable(report.warnings.join(u'|')));
+    QCOMPARE(model.textures.size(), std::size_t(1));
+    QCOMPARE(model.textures[0], quarters());
+}
+
+void ImportModelTest::missingPictureIsAWarning() {
+    write(QStringLiteral("miss.mtl"), "newmtl skin\nKd 1 0 0\nmap_Kd lost.png\n");
+    const auto [model, report] =
+        import(write(QStringLiteral("miss.obj"), cubeObj("mtllib miss.mtl\nusemtl skin\n")));
+    QCOMPARE(report.warnings.size(), 1);
+    QVERIFY(report.warnings[0].contains(QStringLiteral("lost.png")));
+    QCOMPARE(model.materials[0].texture, -1);
+    QCOMPARE(model.materials[0].colour, QColor(Qt::red));
+}
+
+void ImportModelTest::chosenTextureReplacesAllOthers() {
+    ImportOptions options;
+    options.texture = write(QStringLiteral("chosen.png"), png(quarters(32)));
+    write(QStringLiteral("many.mtl"), "newmtl a\nmap_Kd lost.png\nnewmtl b\nKd 0 0 1\n");
+    QByteArray text = cubeObj("mtllib many.mtl\nusemtl a\n");
+    text.insert(text.indexOf("f 1/1 5/2"), "usemtl b\n");
+    const auto [model, report] = import(write(QStringLiteral("many.obj"), text), options);
+    QVERIFY(report.warnings.isEmpty());
+    QCOMPARE(model.textures.size(), std::size_t(1));
+    QCOMPARE(model.textures[0], quarters(32));
+    for (const Material& material : model.materials) {
+        QCOMPARE(material.texture, 0);
+    }
+}
+
+void ImportModelTest::chosenTextureWithoutCoordinatesIsAWarning() {
+    ImportOptions options;
+    options.texture = write(QStringLiteral("chosen.png"), png(quarters()));
+    const auto [model, report] =
+        import(write(QStringLiteral("plain.stl"), stl(tetrahedronMesh(9))), options);
+    QCOMPARE(report.warnings.size(), 1);
+    QVERIFY(model.textures.empty());
+    QCOMPARE(model.materials[0].texture, -1);
+}
+
+void ImportModelTest::sixteenBitAndGreyPicturesBecomeRgba() {
+    ImportOptions options;
+    QImage deep = quarters().convertToFormat(QImage::Format_RGBA64);
+    for (const QImage& picture : {deep, quarters().convertToFormat(QImage::Format_Grayscale8),
+                                  quarters().convertToFormat(QImage::Format_Indexed8)}) {
+        options.texture = write(QStringLiteral("chosen.png"), png(picture));
+        const auto imported = import(write(QStringLiteral("deep.obj"), cubeObj()), options);
+        QCOMPARE(imported.model.textures[0].format(), QImage::Format_RGBA8888);
+        QCOMPARE(imported.model.textures[0].size(), QSize(16, 16));
+    }
+}
+
+void ImportModelTest::cubeHasSixCharts() {
+    const auto imported = import(write(QStringLiteral("six.obj"), cubeObj()));
+    QCOMPARE(chartCount(imported.model), std::size_t(6));
+    for (std::size_t t = 0; t < 12; t += 2) { // a face's two triangles
+        QCOMPARE(imported.model.chart[t], imported.model.chart[t + 1]);
+    }
+}
+
+void ImportModelTest::sphereWithSeamIsOneClosedChart() {
+    const auto [model, report] =
+        import(write(QStringLiteral("seam.obj"), sphereWithSeamObj(12, 24)));
+    QVERIFY(report.closed);
+    QCOMPARE(model.mesh.positions.size(), std::size_t(2 + 11 * 24));
+    QCOMPARE(chartCount(model), std::size_t(1));
+    // The seam is still there: some edge has different coordinates on its two sides.
+    const auto opposite = oppositeEdges(model.mesh);
+    int seamEdges = 0;
+    for (std::uint32_t edge = 0; edge < opposite.size(); ++edge) {
+        const auto& here = model.textureCoordinates[edge / 3];
+        const auto& there = model.textureCoordinates[opposite[edge] / 3];
+        seamEdges += here[edge % 3] != there[(opposite[edge] + 1) % 3] ||
+                     here[(edge + 1) % 3] != there[opposite[edge] % 3];
+    }
+    QVERIFY(seamEdges >= 2 * 12);
+}
+
+void ImportModelTest::scaleByLongestEdgeAndByUnit() {
+    const QString path = write(QStringLiteral("size.obj"), cubeObj());
+    ImportOptions options;
+    options.longestEdge = Millimetres(90);
+    QVERIFY(std::abs(import(path, options).report.box.sizes().x() - 90) < 1e-4F);
+    QVERIFY(std::abs(import(path, options).report.volume - 729000) < 1);
+    options = {};
+    options.unitMillimetres = 25.4;
+    QVERIFY(std::abs(import(path, options).report.box.sizes().x() - 254) < 1e-3F);
+}
+
+void ImportModelTest::stlIsWeldedAndClosed() {
+    const auto [model, report] =
+        import(write(QStringLiteral("weld.stl"), stl(sphereMesh(35, 20, 40))));
+    QCOMPARE(model.mesh.positions.size(), std::size_t(2 + 19 * 40));
+    QVERIFY(report.closed);
+    QVERIFY(report.warnings.isEmpty());
+}
+
+void ImportModelTest::degenerateTrianglesAreRemoved() {
+    const QByteArray text = cubeObj() + "f 1/1 1/1 2/2\nf 1/1 2/2 1/1\nf 3/1 3/2 3/3\n";
+    const auto [model, report] = import(write(QStringLiteral("degenerate.obj"), text));
+    QCOMPARE(report.triangles, std::size_t(12));
+    QVERIFY(report.closed);
+    QCOMPARE(report.repairs, QStringList(QStringLiteral("Removed 3 triangle(s) without area")));
+    QCOMPARE(model.textureCoordinates.size(), std::size_t(12));
+    QCOMPARE(model.material.size(), std::size_t(12));
+}
+
+void ImportModelTest::insideOutIsTurned() {
+    TriangleMesh sphere = sphereMesh(35, 20, 40);
+    for (auto& triangle : sphere.triangles) {
+        std::swap(triangle[0], triangle[1]);
+    }
+    const auto report = import(write(QStringLiteral("inside.stl"), stl(sphere))).report;
+    QVERIFY(report.volume > 0);
+    QCOMPARE(report.repairs.size(), 1);
+}
+
+void ImportModelTest::insideOutPartIsTurnedButACavityIsNot() {
+    const auto importBoth = [&](const TriangleMesh& outer, TriangleMesh inner) {
+        for (auto& triangle : inner.triangles) {
+            std::swap(triangle[0], triangle[1]);
+        }
+        QByteArray text = stl(outer) + stl(inner);
+        text.replace("endsolid body\nsolid body\n", "");
+        return import(write(QStringLiteral("parts.stl"), text)).report;
+    };
+    const auto cavity = importBoth(boxMesh({20, 20, 20}), boxMesh({10, 10, 10}));
+    QVERIFY(std::abs(cavity.volume - 7000) < 0.1);
+    QVERIFY(cavity.repairs.isEmpty());
+    const auto crossing = importBoth(boxMesh({20, 20, 20}), boxMesh({10, 10, 40}));
+    QVERIFY(std::abs(crossing.volume - 12000) < 0.1);
+    QCOMPARE(crossing.repairs.size(), 1);
+}
+
+void ImportModelTest::turnedNeighboursAreTurnedBack() {
+    TriangleMesh sphere = sphereMesh(35, 20, 40);
+    for (std::size_t t = 0; t < sphere.triangles.size(); t += 5) {
+        std::swap(sphere.triangles[t][0], sphere.triangles[t][1]);
+    }
+    const auto report = import(write(QStringLiteral("turned.stl"), stl(sphere))).report;
+    QVERIFY(report.closed);
+    QVERIFY(std::abs(report.volume - volume(sphereMesh(35, 20, 40))) < 0.1);
+    QCOMPARE(report.repairs.size(), 1);
+}
+
+void ImportModelTest::openMeshIsAWarning() {
+    TriangleMesh box = boxMesh({10, 10, 10});
+    box.triangles.pop_back();
+    const auto report = import(write(QStringLiteral("open.stl"), stl(box))).report;
+    QVERIFY(!report.closed);
+    QCOMPARE(report.warnings.size(), 1);
+}
+
+void ImportModelTest::mirroredNodeKeepsItsOutside() {
+    QByteArray text = squareGltf(png(quarters()));
+    text.replace(R"("nodes":[{"mesh":0}])", R"("nodes":[{"mesh":0,"scale":[-1,1,1]}])");
+    const auto imported = import(write(QStringLiteral("mirror.gltf"), text));
+    QVERIFY(triangleNormal(imported.model.mesh, 0).z() > 0.99F);
+    QCOMPARE(boundingBox(imported.model.mesh).min().x(), -1.0F);
+}
+
+void ImportModelTest::aMillionTrianglesAreClosed() {
+    const TriangleMesh sphere = sphereMesh(35, 708, 708);
+    QByteArray bytes(84 + 50 * qsizetype(sphere.triangles.size()), '\0');
+    const auto count = quint32(sphere.triangles.size());
+    memcpy(bytes.data() + 80, &count, 4);
+    char* next = bytes.data() + 84;
+    for (const auto& triangle : sphere.triangles) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const auto& place = sphere.positions[triangle[std::size_t(corner)]];
+            memcpy(next + 12 + 12 * corner, place.data(), 12);
+        }
+        next += 50;
+    }
+    const auto [model, report] = import(write(QStringLiteral("million.stl"), bytes));
+    QVERIFY(report.triangles > 1'000'000);
+    QVERIFY(report.closed);
+    QCOMPARE(model.mesh.positions.size(), sphere.positions.size());
+}
+
+void ImportModelTest::pathsOfEveryLanguageWork() {
+    const QString folder = QStringLiteral("Schildkröte 亀 №1");
+    QDir(folder_.path()).mkpath(folder);
+    write(folder + QStringLiteral("/häute.png"), png(quarters()));
+    write(folder + QStringLiteral("/ö.mtl"), "newmtl skin\r\nmap_Kd häute.png\r\n");
+    const auto [model, report] = import(
+        write(folder + QStringLiteral("/亀.obj"), cubeObj("mtllib ö.mtl\r\nusemtl skin\r\n")));
+    QVERIFY2(report.warnings.isEmpty(), qPrintable(report.warnings.join(u'|')));
+    QCOMPARE(model.textures.size(), std::size_t(1));
+}
+
+void ImportModelTest::refusals_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("says");
+    const auto row = [](const char* name, const char* file, const QByteArray& bytes,
+                        const char* says) {
+        QTest::newRow(name) << QString::fromLatin1(file) << bytes << QString::fromLatin1(says);
+    };
+    row("empty", "empty.obj", "", "empty");
+    row("a picture named obj", "picture.obj", png(quarters()), "triangles");
+    row("unknown type", "notes.txt", "hello", "cannot be read");
+    row("no extension", "noextension", "hello", "cannot be read");
+    row("garbage stl", "garbage.stl", QByteArray(1000, '\x9c'), "cannot be read");
+    row("garbage glb", "garbage.glb", QByteArray(1000, '\x9c'), "cannot be read");
+    row("garbage 3mf", "garbage.3mf", QByteArray(1000, '\x9c'), "cannot be read");
+    row("garbage ply", "garbage.ply", QByteArray(1000, '\x9c'), "cannot be read");
+    row("no triangles", "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "triangles");
+    row("lines only", "lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", "triangles");
+    row("not a number", "nan.obj", QByteArray(cubeObj()).replace("v 5 5 5", "v nan 5 5"), "NaN");
+    row("infinite", "inf.obj", QByteArray(cubeObj()).replace("v 5 5 5", "v 5 inf 5"), "NaN");
+    row("one place", "dot.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", "area");
+    row("one line", "line.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "area");
+    row("huge", "huge.obj", QByteArray(cubeObj()).replace("v 5 5 5", "v 1e30 5 5"), "mm");
+    row("truncated glb", "cut.glb", squareGlb(png(quarters())).chopped(200), "cannot be read");
+    row("truncated ply header", "cut.ply", squarePly("x.png").left(100), "cannot be read");
+    row("truncated ply", "cut.ply", squarePly("x.png").chopped(6), "cannot be read");
+    row("unknown point", "point.ply", squarePly("x").replace("3 0 2 3", "3 0 2 4"),
+        "cannot be read");
+    row("a ply named obj", "ply.obj", squarePly("x.png").left(100), "cannot be read");
+    TriangleMesh sphere = sphereMesh(1, 4, 8);
+    row("truncated stl", "cut.stl", stl(sphere).left(25), "cannot be read");
+}
+
+void ImportModelTest::refusals() {
+    QFETCH(QString, file);
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, says);
+    const QString sentence = refusal(write(file, bytes));
+    QVERIFY2(sentence.contains(says), qPrintable(sentence));
+    QVERIFY(sentence.contains(file));
+    QVERIFY(!sentence.contains(u'\n'));
+}
+
+void ImportModelTest::textureRefusals_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("says");
+    const QByteArray good = png(quarters(64));
+    const auto withSize = [&](quint32 width, quint32 height) {
+        QByteArray header; // type and fields of the IHDR chunk
+        QDataStream stream(&header, QIODevice::WriteOnly);
+        stream.writeRawData("IHDR", 4);
+        stream << width << height << quint8(8) << quint8(6) << quint8(0) << quint8(0) << quint8(0);
+        quint32 sum = 0xffffffffu;
+        for (const char byte : header) {
+            sum ^= quint8(byte);
+            for (int bit = 0; bit < 8; ++bit) {
+                sum = sum & 1 ? sum >> 1 ^ 0xedb88320u : sum >> 1;
+            }
+        }
+        stream << ~sum;
+        return QByteArray(good).replace(12, header.size(), header);
+    };
+    QTest::newRow("empty") << QByteArray() << QStringLiteral("picture");
+    QTest::newRow("text") << QByteArray("hello") << QStringLiteral("picture");
+    QTest::newRow("truncated") << good.left(60) << QStringLiteral("texture");
+    QTest::newRow("no pixels") << withSize(0, 0) << QStringLiteral("texture");
+    QTest::newRow("100,000 pixels a side") << withSize(100000, 100000) << QStringLiteral("texture");
+    QTest::newRow("a long strip") << withSize(40000, 1) << QStringLiteral("40000");
+    QTest::newRow("100,000 pixels of text")
+        << QByteArray("P6\n100000 100000\n255\nabc") << QStringLiteral("texture");
+    QTest::newRow("no pixels of text") << QByteArray("P6\n0 0\n255\n") << QStringLiteral("texture");
+}
+
+void ImportModelTest::textureRefusals() {
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, says);
+    ImportOptions options;
+    options.texture = write(QStringLiteral("bad.png"), bytes);
+    const QString chosen = refusal(write(QStringLiteral("tex.obj"), cubeObj()), options);
+    QVERIFY2(chosen.contains(says), qPrintable(chosen));
+    QVERIFY(chosen.contains(QStringLiteral("bad.png")));
+    // The same as the model's own.
+    write(QStringLiteral("tex.mtl"), "newmtl skin\nmap_Kd bad.png\n");
+    const QString own =
+        refusal(write(QStringLiteral("tex.obj"), cubeObj("mtllib tex.mtl\nusemtl skin\n")));
+    QVERIFY2(own.contains(says), qPrintable(own));
+}
+
+void ImportModelTest::texturesColourProfilesAreHonoured() {
+    // One brown, once in sRGB and once with the numbers that it has in Adobe RGB.
+    QImage picture(8, 8, QImage::Format_RGB32);
+    picture.fill(QColor(146, 93, 43));
+    picture.setColorSpace(QColorSpace::SRgb);
+    QImage wide = picture.convertedToColorSpace(QColorSpace::AdobeRgb);
+    QVERIFY(std::abs(qRed(wide.pixel(3, 3)) - 146) > 5);
+    const auto imported = [&](const QImage& texture) {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        texture.save(&buffer, "PNG");
+        ImportOptions options;
+        options.texture = write(QStringLiteral("skin.png"), bytes);
+        const QString path = write(QStringLiteral("skin.obj"), cubeObj());
+        return importModel(path, options, {}).model.textures.front().pixelColor(3, 3);
+    };
+    const auto apart = [](const QColor& a, const QColor& b) {
+        return std::max({std::abs(a.red() - b.red()), std::abs(a.green() - b.green()),
+                         std::abs(a.blue() - b.blue())});
+    };
+    QVERIFY(apart(imported(picture), QColor(146, 93, 43)) <= 1);
+    QVERIFY(apart(imported(wide), QColor(146, 93, 43)) <= 1);
+    wide.setColorSpace(QColorSpace()); // without its profile the numbers count as they are
+    QVERIFY(apart(imported(wide), QColor(146, 93, 43)) > 5);
+}
+
+void ImportModelTest::optionsOutOfRangeAreRefused() {
+    const QString path = write(QStringLiteral("range.obj"), cubeObj());
+    QVERIFY(refusal(at(QStringLiteral("nowhere.obj"))).contains(QStringLiteral("exist")));
+    QVERIFY(refusal(folder_.path()).contains(QStringLiteral("folder")));
+    for (const double edge : {0.0, -1.0, std::nan(""), double(INFINITY), 1e9}) {
+        ImportOptions options;
+        options.longestEdge = Millimetres(edge);
+        QVERIFY(!refusal(path, options).isEmpty());
+        options = {};
+        options.unitMillimetres = edge;
+        QVERIFY(!refusal(path, options).isEmpty());
+    }
+    ImportOptions options;
+    options.texture = at(QStringLiteral("nowhere.png"));
+    QVERIFY(refusal(path, options).contains(QStringLiteral("nowhere.png")));
+}
+
+void ImportModelTest::hostile3mfIsRefused_data() {
+    QTest::addColumn<QByteArray>("model");
+    const QByteArray mesh =
+        R"(<mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/>
+<vertex x="0" y="1" z="0"/></vertices><triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh>)";
+    QByteArray doubling = R"(<object id="0">)" + mesh + "</object>";
+    for (int i = 1; i < 31; ++i) {
+        const QByteArray child = R"(<component objectid=")" + QByteArray::number(i - 1) + R"("/>)";
+        doubling += R"(<object id=")" + QByteArray::number(i) + R"("><components>)" + child +
+                    child + "</components></object>";
+    }
+    QTest::newRow("an object that holds itself") << QByteArray(
+        R"(<object id="30"><components><component objectid="30"/></components></object>)");
+    QTest::newRow("a thousand million triangles") << doubling;
+    QTest::newRow("an object that is not there") << QByteArray();
+    QTest::newRow("a point that is not there")
+        << QByteArray(R"(<object id="30">)" + mesh + "</object>").replace(R"(v3="2")", R"(v3="3")");
+    QTest::newRow("no number")
+        << QByteArray(R"(<object id="30">)" + mesh + "</object>").replace(R"(x="1")", R"(x="one")");
+    QTest::newRow("a triangle outside an object")
+        << QByteArray(R"(<triangle v1="0" v2="1" v3="2"/>)");
+    QTest::newRow("not well-formed") << QByteArray(R"(<object id="30"><mesh>)");
+}
+
+void ImportModelTest::hostile3mfIsRefused() {
+    QFETCH(QByteArray, model);
+    write3mf(at(QStringLiteral("hostile.3mf")),
+             {{QStringLiteral("3D/3dmodel.model"),
+               "<model><resources>" + model +
+                   R"(</resources><build><item objectid="30"/></build></model>)"}});
+    const QString sentence = refusal(at(QStringLiteral("hostile.3mf")));
+    QVERIFY2(sentence.contains(QStringLiteral("cannot be read")) ||
+                 sentence.contains(QStringLiteral("million")),
+             qPrintable(sentence));
+}
+
+void ImportModelTest::truncatedFilesNeverCrash_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QByteArray>("bytes");
+    const QByteArray picture = png(quarters());
+    writeSquare3mf(at(QStringLiteral("whole.3mf")), picture);
+    QFile threeMf(at(QStringLiteral("whole.3mf")));
+    QVERIFY(threeMf.open(QIODevice::ReadOnly));
+    QTest::newRow("obj") << QStringLiteral("cut.obj") << cubeObj();
+    QTest::newRow("ply") << QStringLiteral("cut.ply") << squarePly("lost.png");
+    QTest::newRow("stl") << QStringLiteral("cut.stl") << stl(tetrahedronMesh(9));
+    QTest::newRow("gltf") << QStringLiteral("cut.gltf") << squareGltf(picture);
+    QTest::newRow("glb") << QStringLiteral("cut.glb") << squareGlb(picture);
+    QTest::newRow("3mf") << QStringLiteral("cut.3mf") << threeMf.readAll();
+    addOtherFormats();
+}
+
+void ImportModelTest::truncatedFilesNeverCrash() {
+    QFETCH(QString, file);
+    QFETCH(QByteArray, bytes);
+    for (qsizetype length = 0; length < bytes.size(); length += 1 + bytes.size() / 97) {
+        const QString path = write(file, bytes.left(length));
+        const QString sentence = refusal(path); // what remains may be a model
+        QVERIFY(sentence.isEmpty() || sentence.contains(file));
+    }
+}
+
+void ImportModelTest::otherFormatsAreRead_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QByteArray>("bytes");
+    addOtherFormats();
+}
+
+void ImportModelTest::otherFormatsAreRead() {
+    QFETCH(QString, file);
+    QFETCH(QByteArray, bytes);
+    const QString path = write(file, bytes);
+    QCOMPARE(refusal(path), QString());
+    const ImportedModel model = import(path);
+    QCOMPARE(model.report.triangles, std::size_t(4));
+    QVERIFY(model.report.closed);
+    QVERIFY((model.report.box.sizes() - Eigen::Vector3f(10, 10, 10)).norm() < 1e-4f);
+}
+
+void ImportModelTest::damagedFilesNeverCrash_data() {
+    otherFormatsAreRead_data();
+}
+
+void ImportModelTest::damagedFilesNeverCrash() {
+    QFETCH(QString, file);
+    QFETCH(QByteArray, bytes);
+    constexpr int damagedFiles = 400;
+    std::mt19937 random(1);
+    const auto below = [&](qsizetype limit) { return qsizetype(random() % quint32(limit)); };
+    int refused = 0;
+    for (int turn = 0; turn < damagedFiles; ++turn) {
+        QByteArray damaged = bytes;
+        for (qsizetype faults = 1 + below(4); faults > 0; --faults) {
+            const qsizetype place = below(damaged.size() - 4);
+            switch (below(3)) {
+            case 0:
+                damaged[place] = char(damaged[place] ^ (1 << below(8)));
+                break;
+            case 1:
+                damaged[place] = char(random());
+                break;
+            default: // a count of thousands of millions, where it is one
+                damaged.replace(place, 4, "\xff\xff\xff\x7f");
+            }
+        }
+        const QString sentence = refusal(write(file, damaged)); // it may still be a model
+        QVERIFY(sentence.isEmpty() || sentence.contains(file));
+        refused += sentence.isEmpty() ? 0 : 1;
+    }
+    QVERIFY(refused > damagedFiles / 4);
+}
+
+void ImportModelTest::absurdColladaIsRefused_data() {
+    QTest::addColumn<QByteArray>("good");
+    QTest::addColumn<QByteArray>("bad");
+    QTest::addColumn<QString>("reason");
+    const QString fewer = QStringLiteral("fewer values than are read");
+    const QString more = QStringLiteral("more values than it can hold");
+    const QByteArray count = "count=\"36\"";
+    QTest::newRow("an empty array") << count << QByteArray("count=\"0\"") << fewer;
+    QTest::newRow("no count") << count << QByteArray() << fewer;
+    QTest::newRow("no number") << count << QByteArray("count=\"many\"") << fewer;
+    QTest::newRow("too wide a stride")
+        << QByteArray("stride=\"3\"") << QByteArray("stride=\"2000000000\"") << fewer;
+    QTest::newRow("too many values") << QByteArray("accessor count=\"12\"")
+                                     << QByteArray("accessor count=\"4294967295\"") << more;
+    QTest::newRow("too many triangles") << QByteArray("polylist count=\"4\"")
+                                        << QByteArray("polylist count=\"2000000000\"") << more;
+    QTest::newRow("an index that is none")
+        << QByteArray("<p>0 1") << QByteArray("<p>0 n") << QStringLiteral("no number");
+}
+
+void ImportModelTest::absurdColladaIsRefused() {
+    QFETCH(QByteArray, good);
+    QFETCH(QByteArray, bad);
+    QFETCH(QString, reason);
+    QByteArray bytes = tetrahedron("collada");
+    QVERIFY(bytes.contains(good));
+    const QString sentence = refusal(write(QStringLiteral("absurd.dae"), bytes.replace(good, bad)));
+    QVERIFY2(sentence.contains(reason), qPrintable(sentence));
+}
+
+void ImportModelTest::cancelEndsTheImport() {
+    Progress progress;
+    progress.report = [&](double, const QString&) { progress.cancelSwitch.cancel(); };
+    QVERIFY_EXCEPTION_THROWN(
+        importModel(write(QStringLiteral("cancel.obj"), cubeObj()), ImportOptions(), progress),
+        Cancelled);
+}
+
+QTEST_GUILESS_MAIN(ImportModelTest)
+#include "ImportModelTest.moc"

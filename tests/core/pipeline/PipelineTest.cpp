@@ -1,0 +1,372 @@
+// The main job as a value: what is computed anew, what is taken over, who takes over from whom.
+#include "pipeline/Pipeline.h"
+#include "PluginFolder.h"
+#include "TestFiles.h"
+#include "base/Error.h"
+#include "geometry/Shapes.h"
+#include "pipeline/ResultFolder.h"
+#include "pipeline/ValidateJob.h"
+
+#include <QGuiApplication>
+#include <QJsonArray>
+#include <QStandardPaths>
+#include <QtTest>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+std::shared_ptr<const TexturedMesh> ball() {
+    auto model = std::make_shared<TexturedMesh>();
+    model->mesh = sphereMesh(15, 30, 60);
+    for (const auto& corners : model->mesh.triangles) {
+        auto& coordinates = model->textureCoordinates.emplace_back();
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Eigen::Vector3f& place = model->mesh.positions[corners[corner]];
+            coordinates[corner] = {place.x() / 30 + 0.5f, place.z() / 30 + 0.5f};
+        }
+    }
+    model->material.resize(model->mesh.triangles.size(), 0);
+    QImage picture(64, 64, QImage::Format_RGBA8888);
+    picture.fill(QColor(200, 80, 20));
+    model->textures = {picture};
+    model->materials = {{QStringLiteral("ball"), Qt::white, 0}};
+    model->chart = findCharts(*model);
+    return model;
+}
+
+Project ballJob() {
+    Project project;
+    project.name = QStringLiteral("ball");
+    project.model = ball();
+    project.film.width = project.film.height = Millimetres(90);
+    project.film.columns = project.film.rows = 31;
+    project.fieldResolution = 64;
+    project.sheet.resolution = DotsPerInch(72);
+    project.immersions.resize(2);
+    project.immersions[1].name = QStringLiteral("Turned");
+    project.immersions[1].rotation = {Degrees(180), Degrees(0), Degrees(0)};
+    return project;
+}
+
+QString builtModule(const QString& name) {
+    return QStringLiteral(DIPWRIGHT_BAD_MODULES "/") + PluginFolder::moduleName(name);
+}
+
+} // namespace
+
+class PipelineTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        registry_ = std::make_unique<SolverRegistry>(QStringList{DIPWRIGHT_PLUGINS});
+        job_ = ballJob();
+        first_ = runJob(job_, *registry_, {}, nullptr, {});
+    }
+
+    void everyStageIsThere() {
+        QCOMPARE(first_.solver.id, QStringLiteral("pbd-cpu"));
+        QVERIFY(first_.solver.device != QLatin1String("cpu")); // but in words
+        QCOMPARE(first_.immersions.size(), 2U);
+        for (const ImmersionResult& immersion : first_.immersions) {
+            QVERIFY(immersion.body && immersion.query && immersion.film && immersion.contact &&
+                    immersion.coverage && immersion.texture);
+            QVERIFY(immersion.registration.samples > 0);
+            QCOMPARE(immersion.sheet.image.size(), QSize(255, 255));
+            QCOMPARE(immersion.sheet.job.project, QStringLiteral("ball"));
+        }
+        QVERIFY(first_.immersions[0].sheet.job.hash != first_.immersions[1].sheet.job.hash);
+        QVERIFY(!first_.proof.isNull());
+        QVERIFY(first_.notes.isEmpty());
+    }
+
+    void twoSidesCoverMoreThanOne() {
+        const double one = first_.immersions[0].coverage->share;
+        const double other = first_.immersions[1].coverage->share;
+        QVERIFY(one > 0.4 && other > 0.4);
+        QVERIFY(first_.coverageTotal > one + 0.1);
+        QVERIFY(first_.coverageTotal <= one + other + 0.01);
+    }
+
+    void twiceTheSameSideCoversNoMoreThanOnce() {
+        Project job = job_;
+        job.immersions[1].rotation = job.immersions[0].rotation;
+        const JobResult result = runJob(job, *registry_, {}, &first_, {});
+        QVERIFY(std::abs(result.coverageTotal - first_.immersions[0].coverage->share) < 0.01);
+    }
+
+    void nothingChangedIsAllTakenOver() {
+        const JobResult again = runJob(job_, *registry_, {}, &first_, {});
+        for (std::size_t index = 0; index < 2; ++index) {
+            QVERIFY(again.immersions[index].film == first_.immersions[index].film);
+            QVERIFY(again.immersions[index].texture == first_.immersions[index].texture);
+        }
+        QCOMPARE(again.proof.cacheKey(), first_.proof.cacheKey());
+    }
+
+    void anotherResolutionNeedsNoNewDip() {
+        Project job = job_;
+        job.sheet.resolution = DotsPerInch(100);
+        const JobResult result = runJob(job, *registry_, {}, &first_, {});
+        QVERIFY(result.immersions[0].film == first_.immersions[0].film);
+        QVERIFY(result.immersions[0].contact == first_.immersions[0].contact);
+        QVERIFY(result.immersions[0].texture != first_.immersions[0].texture);
+        QCOMPARE(result.immersions[0].sheet.image.size(), QSize(354, 354));
+    }
+
+    void oneImmersionTurnedLeavesTheOther() {
+        Project job = job_;
+        job.immersions[1].rotation[1] = Degrees(30);
+        const JobResult result = runJob(job, *registry_, {}, &first_, {});
+        QVERIFY(result.immersions[0].film == first_.immersions[0].film);
+        QVERIFY(result.immersions[1].film != first_.immersions[1].film);
+        QVERIFY(result.field == first_.field);
+    }
+
+    void anotherFilmIsDippedAnew() {
+        Project job = job_;
+        job.film.swellX = 1.05;
+        const JobResult result = runJob(job, *registry_, {}, &first_, {});
+        QVERIFY(result.immersions[0].body == first_.immersions[0].body);
+        QVERIFY(result.immersions[0].film != first_.immersions[0].film);
+        QVERIFY(result.immersions[1].film != first_.immersions[1].film);
+    }
+
+    void anotherNameIsOnTheSheetAlone() {
+        Project job = job_;
+        job.immersions[0].name = QStringLiteral("Renamed");
+        const JobResult result = runJob(job, *registry_, {}, &first_, {});
+        QVERIFY(result.immersions[0].texture == first_.immersions[0].texture);
+        QCOMPARE(result.immersions[0].sheet.job.immersion, QStringLiteral("Renamed"));
+    }
+
+    void whatIsTakenOverIsWhatWouldBeComputed() {
+        Project job = job_;
+        job.ink.compensate = false;
+        const JobResult reused = runJob(job, *registry_, {}, &first_, {});
+        const JobResult fresh = runJob(job, *registry_, {}, nullptr, {});
+        for (std::size_t index = 0; index < 2; ++index) {
+            QCOMPARE(reused.immersions[index].sheet.image, fresh.immersions[index].sheet.image);
+            QCOMPARE(reused.immersions[index].sheet.job.hash,
+                     fresh.immersions[index].sheet.job.hash);
+        }
+        QCOMPARE(reused.proof, fresh.proof);
+    }
+
+    void theChessboardTakesTheTexturesPlace() {
+        JobOptions options;
+        options.chessboard = true;
+        const JobResult result = runJob(job_, *registry_, options, &first_, {});
+        QVERIFY(result.immersions[0].film == first_.immersions[0].film);
+        // Two corners of 17 mm squares meet in the middle of the sheet.
+        const QImage& image = result.immersions[0].sheet.image;
+        const int middle = image.width() / 2;
+        const int off = int(0.5 * chessSquare / 25.4 * 72);
+        QVERIFY(qGray(image.pixel(middle + off, middle + off)) !=
+                qGray(image.pixel(middle + off, middle - off)));
+        QCOMPARE(qGray(image.pixel(middle + off, middle + off)),
+                 qGray(image.pixel(middle - off, middle - off)));
+    }
+
+    void theFilmIsSeenWhileItMoves() {
+        JobOptions options;
+        std::size_t frames[2] = {0, 0};
+        options.observer = [&](std::size_t immersion, const FilmFrame& frame) {
+            QCOMPARE(frame.positions.size(), std::size_t(3 * 31 * 31));
+            ++frames[immersion];
+        };
+        runJob(job_, *registry_, options, nullptr, {});
+        QVERIFY(frames[0] > 0 && frames[1] > 0);
+    }
+
+    void progressGrowsFromNothingToAll() {
+        Progress progress;
+        double last = 0;
+        progress.report = [&](double share, const QString& text) {
+            QVERIFY2(share >= last - 1e-9 && share <= 1 + 1e-9, qPrintable(text));
+            QVERIFY(!text.isEmpty());
+            last = share;
+        };
+        runJob(job_, *registry_, {}, nullptr, progress);
+        QVERIFY(last > 0.8);
+    }
+
+    void aCancelledJobThrows() {
+        Progress progress;
+        CancelSwitch cancelSwitch = progress.cancelSwitch;
+        progress.report = [&](double share, const QString&) {
+            if (share > 0.3) {
+                cancelSwitch.cancel();
+            }
+        };
+        QVERIFY_EXCEPTION_THROWN(runJob(job_, *registry_, {}, nullptr, progress), Cancelled);
+    }
+
+    void theCpuTakesOverFromAGpuThatFails() {
+        const PluginFolder folder;
+        QJsonObject description = PluginFolder::description(QStringLiteral("advance"));
+        folder.add(QStringLiteral("advance"), builtModule(QStringLiteral("advance")));
+        description[QLatin1String("device")] = QStringLiteral("gpu");
+        description[QLatin1String("priority")] = 1000;
+        folder.describe(description);
+        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        const JobResult result = runJob(job_, registry, {}, nullptr, {});
+        QCOMPARE(result.solver.id, QStringLiteral("pbd-cpu"));
+        QVERIFY2(result.notes.size() == 1 && result.notes[0].contains("The solver advance"),
+                 qPrintable(result.notes.join('\n')));
+        QCOMPARE(result.immersions[0].sheet.image, first_.immersions[0].sheet.image);
+    }
+
+    void theCpuTakesOverFromAGpuThatIsNotThere() {
+        const PluginFolder folder;
+        QJsonObject description = PluginFolder::description(QStringLiteral("device"));
+        folder.add(QStringLiteral("device"), builtModule(QStringLiteral("device")));
+        description[QLatin1String("device")] = QStringLiteral("gpu");
+        folder.describe(description);
+        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        Project job = job_;
+        job.process.solver = QStringLiteral("device");
+        QVERIFY(validateJob(job, registry).join('\n').contains("The CPU will take over"));
+        const JobResult result = runJob(job, registry, {}, nullptr, {});
+        QCOMPARE(result.solver.id, QStringLiteral("pbd-cpu"));
+        QCOMPARE(result.notes.size(), 1);
+        QCOMPARE(result.immersions[0].sheet.image, first_.immersions[0].sheet.image);
+    }
+
+    void aCpuThatFailsIsAnError() {
+        const PluginFolder folder;
+        folder.add(QStringLiteral("advance"), builtModule(QStringLiteral("advance")));
+        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        JobOptions options;
+        options.solver = QStringLiteral("advance");
+        QVERIFY_EXCEPTION_THROWN(runJob(job_, registry, options, nullptr, {}), Error);
+    }
+
+    void anExpiredFilmIsToldOf() {
+        Project job = job_;
+        FilmProfile film;
+        film.name = QStringLiteral("Blue box");
+        film.lot = QStringLiteral("B-17");
+        film.expiry = QStringLiteral("2001-03-31");
+        job.profiles.film = film;
+        const JobResult result = runJob(job, *registry_, {}, &first_, {});
+        QCOMPARE(result.notes.size(), 1);
+        QVERIFY2(result.notes.front().contains("Blue box, lot B-17, expired on 2001-03-31"),
+                 qPrintable(result.notes.front()));
+        QVERIFY(validateJob(job, *registry_).contains(result.notes.front()));
+        job.profiles.film->expiry = QStringLiteral("9999-12-31");
+        QVERIFY(runJob(job, *registry_, {}, &first_, {}).notes.isEmpty());
+        job.profiles.film->expiry.clear();
+        QVERIFY(runJob(job, *registry_, {}, &first_, {}).notes.isEmpty());
+    }
+
+    void aFilmTooSmallIsToldOf() {
+        Project job = job_;
+        job.film.width = job.film.height = Millimetres(36); // of a ball of 30
+        const QStringList notes = runJob(job, *registry_, {}, nullptr, {}).notes;
+        QCOMPARE(notes.size(), 2); // an immersion each
+        QVERIFY2(notes.back().startsWith("Turned: the film's edge ends up on the body"),
+                 qPrintable(notes.back()));
+    }
+
+    void withoutAModelThereIsNoJob() {
+        Project job = job_;
+        job.model = nullptr;
+        QVERIFY_EXCEPTION_THROWN(runJob(job, *registry_, {}, nullptr, {}), Error);
+        QVERIFY_EXCEPTION_THROWN(validateJob(job, *registry_), Error);
+    }
+
+    void theReportCountsWhatIsThere() {
+        const QJsonObject json = report(job_, first_);
+        const QJsonObject immersion = json["immersions"].toArray()[1].toObject();
+        QCOMPARE(immersion["name"].toString(), QStringLiteral("Turned"));
+        QCOMPARE(immersion["film"].toObject()["points"].toInt(), 31 * 31);
+        QCOMPARE(immersion["film"].toObject()["constraints"].toInt(), 2 * 31 * 30 + 2 * 30 * 30);
+        const ImmersionResult& result = first_.immersions[1];
+        qint64 adhered = 0;
+        for (std::size_t point = 0; point < result.film->states.size(); ++point) {
+            adhered += result.film->adhered(point) ? 1 : 0;
+        }
+        QCOMPARE(immersion["adhered"].toInteger(), adhered);
+        QCOMPARE(immersion["coverage"].toDouble(), result.coverage->share);
+        // Round a ball the film is drawn out along the meridians and pushed together round the
+        // axis.
+        const QJsonObject stretch = immersion["stretch"].toObject();
+        QVERIFY(stretch["mean"].toDouble() > 0.8 && stretch["mean"].toDouble() < 1.2);
+        QVERIFY(stretch["min"].toDouble() > 0 && stretch["max"].toDouble() < 2);
+    }
+
+    void aResultFolderAppearsWholeOrNotAtAll() {
+        QTemporaryDir home;
+        const QString target = home.filePath("deep/down/results");
+        {
+            const ResultFolder folder(target);
+            folder.write("proof.png", "half of it");
+        }
+        QVERIFY(filesBelow(home.path()).isEmpty());
+        ResultFolder folder(target);
+        folder.write("proof.png", "new");
+        folder.write("immersion-1/sheet.png", "sheet");
+        folder.commit({"proof.png", "immersion-1/sheet.png", "immersion-2/sheet.png"});
+        QCOMPARE(filesBelow(target), (QStringList{"immersion-1/sheet.png", "proof.png"}));
+        QVERIFY(!QFileInfo::exists(target + "/immersion-2"));
+    }
+
+    void whatElseLiesAmongTheResultsStays() {
+        QTemporaryDir home;
+        writeResults(job_, first_, home.path(), {});
+        for (const char* name : {"immersion-1/job.dipw", "immersion-2/notes.txt"}) {
+            QFile file(home.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+        }
+        JobResult single = first_;
+        single.immersions.pop_back();
+        writeResults(job_, single, home.path(), {});
+        QCOMPARE(filesBelow(home.path()).size(), 8 + 2);
+        QVERIFY(QFileInfo::exists(home.filePath("immersion-1/job.dipw")));
+        QCOMPARE(filesBelow(home.filePath("immersion-2")), QStringList("notes.txt"));
+    }
+
+    void whatStandsInTheWayOfResultsIsNotRemoved() {
+        QTemporaryDir home;
+        QVERIFY(QDir(home.path()).mkpath("proof.png"));
+        QFile file(home.filePath("immersion-1"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.close();
+        try {
+            writeResults(job_, first_, home.path(), {});
+            QFAIL("removed it");
+        } catch (const Error& error) {
+            QVERIFY2(error.sentence().contains("in the way"), qPrintable(error.sentence()));
+        }
+        QVERIFY(QFileInfo(home.filePath("immersion-1")).isFile());
+        QCOMPARE(filesBelow(home.path()), QStringList("immersion-1"));
+    }
+
+    void aJobThatFailsLeavesEarlierResultsAlone() {
+        QTemporaryDir home;
+        writeResults(job_, first_, home.path(), {});
+        const QStringList before = filesBelow(home.path());
+        QCOMPARE(before.size(), 14);
+        Progress progress;
+        CancelSwitch cancelSwitch = progress.cancelSwitch;
+        progress.report = [&](double share, const QString&) {
+            if (share > 0.4) {
+                cancelSwitch.cancel();
+            }
+        };
+        QVERIFY_EXCEPTION_THROWN(writeResults(job_, first_, home.path(), progress), Cancelled);
+        QCOMPARE(filesBelow(home.path()), before);
+    }
+
+private:
+    std::unique_ptr<SolverRegistry> registry_;
+    Project job_;
+    JobResult first_;
+};
+
+QTEST_MAIN(PipelineTest)
+#include "PipelineTest.moc"

@@ -1,0 +1,150 @@
+// Damaged project files by the thousand: each opens or is refused with a sentence, none brings the
+// program down or takes its memory. The damage is the same in every run.
+#include "SampleProject.h"
+
+#include "base/Error.h"
+#include "project/ProjectStore.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QtTest>
+#include <random>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+constexpr int damagedFiles = 3000;
+constexpr int damagedDocuments = 3000;
+
+using Random = std::mt19937;
+
+int below(Random& random, qsizetype limit) {
+    return int(random() % std::uint32_t(limit));
+}
+
+QByteArray damaged(QByteArray bytes, Random& random) {
+    const int faults = 1 + below(random, 6);
+    for (int fault = 0; fault < faults && !bytes.isEmpty(); ++fault) {
+        const int place = below(random, bytes.size());
+        switch (below(random, 5)) {
+        case 0:
+            bytes[place] = char(bytes[place] ^ (1 << below(random, 8)));
+            break;
+        case 1:
+            bytes[place] = char(below(random, 2) * 0xff);
+            break;
+        case 2:
+            bytes.truncate(place);
+            break;
+        case 3:
+            bytes.remove(place, 1 + below(random, 40));
+            break;
+        default:
+            bytes.insert(place, bytes.mid(below(random, bytes.size()), 1 + below(random, 40)));
+        }
+    }
+    return bytes;
+}
+
+QJsonValue surprise(Random& random) {
+    static const QJsonArray values{QJsonValue(),
+                                   true,
+                                   -1,
+                                   0,
+                                   1e300,
+                                   -1e300,
+                                   0.5,
+                                   4294967296.0,
+                                   "",
+                                   "text",
+                                   QString(100'000, 'x'),
+                                   QJsonArray(),
+                                   QJsonArray{1, 2},
+                                   QJsonArray{1, 2, 3},
+                                   QJsonArray{"1", QJsonValue()},
+                                   QJsonObject(),
+                                   QJsonObject{{"a", 1}}};
+    return values.at(below(random, values.size()));
+}
+
+// Replaces, removes or adds values anywhere.
+QJsonValue damagedJson(const QJsonValue& value, Random& random) {
+    if (below(random, 25) == 0) {
+        return surprise(random);
+    }
+    if (value.isObject()) {
+        QJsonObject object;
+        const QJsonObject old = value.toObject();
+        for (auto entry = old.begin(); entry != old.end(); ++entry) {
+            if (below(random, 40) != 0) {
+                object.insert(entry.key(), damagedJson(entry.value(), random));
+            }
+        }
+        return object;
+    }
+    if (value.isArray()) {
+        QJsonArray array;
+        for (const QJsonValue& element : value.toArray()) {
+            array.append(damagedJson(element, random));
+        }
+        return array;
+    }
+    return value;
+}
+
+} // namespace
+
+class ProjectFuzzTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void damagedFilesAreOpenedOrRefused() {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("job.dipw");
+        saveProject(sampleProject(), path);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray good = file.readAll();
+        file.close();
+        Random random(1);
+        int refused = 0;
+        for (int turn = 0; turn < damagedFiles; ++turn) {
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(damaged(good, random));
+            file.close();
+            try {
+                QVERIFY(loadProject(path).model);
+            } catch (const Error& error) {
+                QVERIFY(!error.message().isEmpty());
+                ++refused;
+            }
+        }
+        QVERIFY(refused > damagedFiles / 2);
+    }
+
+    void damagedDocumentsAreReadOrRefused() {
+        const QJsonObject good = toJson(sampleProject());
+        Random random(2);
+        int read = 0;
+        int refused = 0;
+        for (int turn = 0; turn < damagedDocuments; ++turn) {
+            const QJsonValue json = damagedJson(good, random);
+            try {
+                const Project project = fromJson(json.toObject(), QStringLiteral("job.dipw"));
+                // What is read can be written and read again: nothing out of range came in.
+                const QJsonObject written = toJson(project);
+                QCOMPARE(toJson(fromJson(written, QStringLiteral("job.dipw"))), written);
+                ++read;
+            } catch (const Error& error) {
+                QVERIFY(!error.message().isEmpty());
+                ++refused;
+            }
+        }
+        QVERIFY2(read > 50 && refused > 50, "the damage is neither always nor never fatal");
+    }
+};
+
+QTEST_GUILESS_MAIN(ProjectFuzzTest)
+#include "ProjectFuzzTest.moc"

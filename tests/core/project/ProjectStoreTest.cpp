@@ -1,0 +1,283 @@
+// Project files: whole after every save, and nothing hostile is opened.
+#include "HostileZip.h"
+#include "SampleProject.h"
+#include "TestFiles.h"
+
+#include "base/Error.h"
+#include "project/ProjectStore.h"
+
+#include <QBuffer>
+#include <QJsonObject>
+#include <QProcess>
+#include <QtTest>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+const QString savingArgument = QStringLiteral("--save-until-killed");
+
+QString refusal(const QString& path) {
+    try {
+        loadProject(path);
+    } catch (const Error& error) {
+        return error.sentence();
+    }
+    return {};
+}
+
+QJsonObject documentOf(const QList<ZipEntry>& entries) {
+    for (const ZipEntry& entry : entries) {
+        if (entry.name == QLatin1String("project.json")) {
+            return QJsonDocument::fromJson(entry.contents).object();
+        }
+    }
+    return {};
+}
+
+// Saves two projects in turn over the same file, telling of each, until it is killed.
+[[noreturn]] void saveUntilKilled(const QString& path) {
+    Project project = sampleProject();
+    QTextStream out(stdout);
+    for (int turn = 0;; ++turn) {
+        project.name = turn % 2 == 0 ? QStringLiteral("even") : QStringLiteral("odd");
+        saveProject(project, path);
+        out << turn << '\n' << Qt::flush;
+    }
+}
+
+} // namespace
+
+class ProjectStoreTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY(folder_.isValid());
+        saveProject(sampleProject(), path("good.dipw"));
+        good_ = bytesOf(path("good.dipw"));
+        entries_ = entriesOf(path("good.dipw"));
+    }
+
+    void aProjectComesBackAsItWas() {
+        const Project project = loadProject(path("good.dipw"));
+        Project expected = sampleProject();
+        expected.modelSource.sha256 = project.modelSource.sha256;
+        QVERIFY(isSame(project, expected));
+        QCOMPARE(project.modelSource.sha256.size(), 64);
+        QCOMPARE(project.model->textures.front(), expected.model->textures.front());
+    }
+
+    void theMimeTypeStandsFirstAndReadable() {
+        QCOMPARE(good_.mid(30, 8), QByteArray("mimetype"));
+        QCOMPARE(good_.mid(38, 33), QByteArray("application/vnd.dipwright.project"));
+    }
+
+    void theModelAndItsPictureAreInside() {
+        const QJsonObject model = documentOf(entries_)["model"].toObject();
+        QStringList names;
+        for (const ZipEntry& entry : entries_) {
+            names.append(entry.name);
+        }
+        QVERIFY(names.contains(model["mesh"].toString()));
+        QVERIFY(names.contains(model["texture"].toString()));
+        QVERIFY(model["mesh"].toString().startsWith("assets/"));
+        QVERIFY(model["texture"].toString().startsWith("assets/"));
+    }
+
+    // "textures" is there for models of several pictures; other programs write and change
+    // "texture".
+    void thePictureIsNamedByTexture() {
+        writeFile(path("one.dipw"), zip(withDocument(changed("textures", QJsonValue::Undefined))));
+        QCOMPARE(loadProject(path("one.dipw")).model->textures, sampleProject().model->textures);
+        QByteArray red;
+        QBuffer buffer(&red);
+        QImage picture(4, 4, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        QVERIFY(picture.save(&buffer, "PNG"));
+        auto entries = withDocument(changed("texture", "assets/red.png"));
+        entries.push_back({"assets/red.png", red});
+        writeFile(path("red.dipw"), zip(entries));
+        QCOMPARE(loadProject(path("red.dipw")).model->textures.front().size(), QSize(4, 4));
+    }
+
+    void whatOthersHaveAddedSurvivesASave() {
+        auto entries = plus("results/run.txt", "yesterday");
+        entries.push_back({"assets/notes.bin", QByteArray("\0\1\2", 3)});
+        writeFile(path("more.dipw"), zip(entries));
+        saveProject(loadProject(path("more.dipw")), path("more.dipw"));
+        const Project project = loadProject(path("more.dipw"));
+        QCOMPARE(project.unknownEntries.size(), 2U);
+        QCOMPARE(project.unknownEntries.at("results/run.txt"), QByteArray("yesterday"));
+        QCOMPARE(project.unknownEntries.at("assets/notes.bin"), QByteArray("\0\1\2", 3));
+        saveProject(sampleProject(), path("plain.dipw"));
+        QVERIFY(loadProject(path("plain.dipw")).unknownEntries.empty());
+    }
+
+    void theSameProjectGivesTheSameBytes() {
+        saveProject(sampleProject(), path("again.dipw"));
+        QCOMPARE(bytesOf(path("again.dipw")), good_);
+        saveProject(loadProject(path("again.dipw")), path("again.dipw"));
+        QCOMPARE(bytesOf(path("again.dipw")), good_);
+    }
+
+    void nothingStaysBesideASavedFile() {
+        QTemporaryDir folder;
+        saveProject(sampleProject(), folder.filePath("job.dipw"));
+        saveProject(sampleProject(), folder.filePath("job.dipw"));
+        const QDir::Filters all = QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot;
+        QCOMPARE(QDir(folder.path()).entryList(all), QStringList{"job.dipw"});
+    }
+
+    void aPlaceThatCannotBeWrittenIsSaid() {
+        QVERIFY_EXCEPTION_THROWN(saveProject(sampleProject(), path("nowhere/job.dipw")), Error);
+        QVERIFY_EXCEPTION_THROWN(saveProject(sampleProject(), folder_.path()), Error);
+    }
+
+    void killedWhileSavingTheFileIsWhole() {
+        const QString file = path("killed.dipw");
+        saveProject(sampleProject(), file);
+        for (int kill = 0; kill < 25; ++kill) {
+            QProcess saver;
+            saver.start(QCoreApplication::applicationFilePath(), {savingArgument, file});
+            QVERIFY(saver.waitForStarted());
+            // Killed wherever it happens to be when so many saves are over.
+            for (qint64 seen = 0; seen < 2 * (1 + kill % 7); seen += saver.readAll().size()) {
+                QVERIFY(saver.waitForReadyRead());
+            }
+            saver.kill();
+            QVERIFY(saver.waitForFinished());
+            const QString name = loadProject(file).name;
+            QVERIFY2(name == "even" || name == "odd", qPrintable(name));
+        }
+    }
+
+    void filesThatAreNoProjectAreRefused_data() {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("empty") << QByteArray() << "empty";
+        QTest::newRow("text") << QByteArray("Dear hydrographer,\n") << "not a Dipwright project";
+        QTest::newRow("zeros") << QByteArray(5000, 0) << "not a Dipwright project";
+        QTest::newRow("another zip") << zip({{"readme.txt", "hello"}}) << "project.json";
+        QTest::newRow("empty zip") << zip({}) << "";
+        QTest::newRow("no document") << zip(without("project.json")) << "project.json";
+        QTest::newRow("no model") << zip(without("assets/model.dwmodel")) << "model.dwmodel";
+        QTest::newRow("no texture") << zip(without("assets/texture-1.png")) << "texture-1.png";
+        QTest::newRow("encrypted") << zip(encrypted()) << "encrypted";
+        QTest::newRow("parent path") << zip(plus("../../outside.txt", "x")) << "unsafe path";
+        QTest::newRow("inner parent path") << zip(plus("assets/../../x", "x")) << "unsafe path";
+        QTest::newRow("absolute path") << zip(plus("/etc/outside", "x")) << "unsafe path";
+        QTest::newRow("drive") << zip(plus("C:outside", "x")) << "unsafe path";
+        QTest::newRow("backslash") << zip(plus("..\\outside", "x")) << "unsafe path";
+        QTest::newRow("twice") << zip(plus("project.json", "{}")) << "twice";
+        QTest::newRow("bomb") << zip(plus("assets/zeros", QByteArray(64 << 20, 0))) << "unpack";
+        QTest::newRow("many entries") << zip(crowd()) << "more entries";
+        QTest::newRow("not JSON") << zip(withDocument("{\"format\":")) << "damaged at character";
+        QTest::newRow("an array") << zip(withDocument("[]")) << "project.json";
+        QTest::newRow("wrong sha256")
+            << zip(withDocument(changed("sha256", QString(64, 'a')))) << "sha256";
+        QTest::newRow("mesh elsewhere")
+            << zip(withDocument(changed("mesh", "../../../etc/passwd"))) << "lacks";
+        QTest::newRow("texture is no picture")
+            << zip(withDocument(changed("texture", "mimetype"))) << "texture";
+        QTest::newRow("no mesh named") << zip(withDocument(changed("mesh", 5))) << "model.mesh";
+        QJsonObject newer = documentOf(entries_);
+        newer["version"] = 2;
+        QTest::newRow("newer") << zip(withDocument(QJsonDocument(newer).toJson())) << "version 2";
+    }
+    void filesThatAreNoProjectAreRefused() {
+        QFETCH(QByteArray, bytes);
+        QFETCH(QString, says);
+        writeFile(path("bad.dipw"), bytes);
+        const QString sentence = refusal(path("bad.dipw"));
+        QVERIFY2(sentence.contains(says) && sentence.contains("bad.dipw"), qPrintable(sentence));
+        QVERIFY(!sentence.contains('\n'));
+    }
+
+    void missingFilesAndFoldersAreRefused() {
+        QVERIFY(refusal(path("missing.dipw")).contains("missing.dipw"));
+        QVERIFY(refusal(folder_.path()).contains("not a file"));
+    }
+
+    void aFileCutOffAnywhereIsRefused() {
+        for (qsizetype length = 1; length < good_.size(); length += 1 + length / 40) {
+            writeFile(path("cut.dipw"), good_.left(length));
+            QVERIFY2(!refusal(path("cut.dipw")).isEmpty(), qPrintable(QString::number(length)));
+        }
+    }
+
+    void theGoldenProjectOfEveryVersionOpens() {
+        const QDir golden(QStringLiteral(DIPWRIGHT_GOLDEN_FOLDER));
+        const QStringList files = golden.entryList({"*.dipw"});
+        QVERIFY(files.contains("version-1.dipw"));
+        for (const QString& file : files) {
+            const Project project = loadProject(golden.filePath(file));
+            QCOMPARE(project.name, QStringLiteral("golden"));
+            QCOMPARE(project.film.columns, 61);
+            QCOMPARE(project.immersions.size(), 2U);
+            QCOMPARE(project.immersions[1].rotation[0].value(), 180.0);
+            QCOMPARE(project.model->mesh.triangles.size(), 12U);
+            QCOMPARE(project.model->textures.size(), 1U);
+            QCOMPARE(project.unknown["kept"].toObject()["by"].toString(),
+                     QStringLiteral("whoever reads this"));
+        }
+    }
+
+private:
+    QString path(const QString& name) const { return folder_.filePath(name); }
+
+    QList<ZipEntry> without(const QString& name) const {
+        QList<ZipEntry> entries = entries_;
+        entries.removeIf([&](const ZipEntry& entry) { return entry.name == name; });
+        return entries;
+    }
+    QList<ZipEntry> plus(const QString& name, const QByteArray& contents) const {
+        return QList<ZipEntry>(entries_) << ZipEntry{name, contents};
+    }
+    QList<ZipEntry> encrypted() const {
+        QList<ZipEntry> entries = entries_;
+        for (ZipEntry& entry : entries) {
+            entry.password = "secret";
+        }
+        return entries;
+    }
+    QList<ZipEntry> crowd() const {
+        QList<ZipEntry> entries = entries_;
+        for (int index = 0; index < 10'001; ++index) {
+            entries.append({QStringLiteral("assets/%1").arg(index), {}});
+        }
+        return entries;
+    }
+    QList<ZipEntry> withDocument(const QByteArray& json) const {
+        QList<ZipEntry> entries = entries_;
+        for (ZipEntry& entry : entries) {
+            if (entry.name == QLatin1String("project.json")) {
+                entry.contents = json;
+            }
+        }
+        return entries;
+    }
+    // The document with another value in its "model".
+    QByteArray changed(const QString& key, const QJsonValue& value) const {
+        QJsonObject json = documentOf(entries_);
+        QJsonObject model = json["model"].toObject();
+        model[key] = value;
+        json["model"] = model;
+        return QJsonDocument(json).toJson();
+    }
+
+    QTemporaryDir folder_;
+    QByteArray good_;
+    QList<ZipEntry> entries_;
+};
+
+int main(int argc, char* argv[]) {
+    QCoreApplication application(argc, argv);
+    if (argc == 3 && savingArgument == QLatin1String(argv[1])) {
+        saveUntilKilled(QString::fromLocal8Bit(argv[2]));
+    }
+    ProjectStoreTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "ProjectStoreTest.moc"

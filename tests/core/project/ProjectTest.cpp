@@ -1,0 +1,332 @@
+// The document and its schema: what it says in JSON, what it refuses, how one value is set.
+#include "SampleProject.h"
+
+#include "base/Error.h"
+#include "project/Schema.h"
+
+#include <QJsonArray>
+#include <QtTest>
+#include <cmath>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+const QString file = QStringLiteral("job.dipw");
+
+// The sentence with which reading `json` is refused; empty where it is not.
+QString refusal(const QJsonObject& json) {
+    try {
+        fromJson(json, file);
+    } catch (const Error& error) {
+        return error.sentence();
+    }
+    return {};
+}
+
+QString refusal(const QString& path, const QString& value) {
+    Project project = sampleProject();
+    const Project before = project;
+    try {
+        setByPath(project, path, value);
+    } catch (const Error& error) {
+        return project == before ? error.sentence() : QStringLiteral("changed all the same");
+    }
+    return {};
+}
+
+QJsonObject with(QJsonObject json, const QStringList& path, const QJsonValue& value) {
+    if (path.size() == 1) {
+        json.insert(path.first(), value);
+    } else {
+        json.insert(path.first(), with(json.value(path.first()).toObject(), path.mid(1), value));
+    }
+    return json;
+}
+
+double squareness(const FilmSettings& film) {
+    return (film.width.value() / (film.columns - 1)) / (film.height.value() / (film.rows - 1));
+}
+
+} // namespace
+
+class ProjectTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aDocumentComesBackAsItWas() {
+        const Project project = sampleProject();
+        Project read = fromJson(toJson(project), file);
+        QVERIFY(read.unknown.isEmpty());
+        read.model = project.model;
+        QVERIFY(read == project);
+    }
+
+    void infinityIsNull() {
+        Project project = sampleProject();
+        project.film.relaxationTime = Seconds(std::numeric_limits<double>::infinity());
+        const QJsonObject json = toJson(project);
+        QVERIFY(json["film"].toObject()["relaxation_time_s"].isNull());
+        QVERIFY(std::isinf(fromJson(json, file).film.relaxationTime.value()));
+    }
+
+    void theDocumentHasTheShapeThatIsPromised() {
+        const QJsonObject json = toJson(sampleProject());
+        QCOMPARE(json["format"].toString(), QStringLiteral("dipwright-project"));
+        QCOMPARE(json["version"].toInt(), 1);
+        const QJsonObject film = json["film"].toObject();
+        QCOMPARE(film["size_mm"].toArray(), (QJsonArray{150, 200.5}));
+        QCOMPARE(film["points"].toArray(), (QJsonArray{61, 82}));
+        QCOMPARE(film["lattice"].toString(), QStringLiteral("structural"));
+        QCOMPARE(film["support"].toString(), QStringLiteral("none"));
+        QCOMPARE(film["edges"].toObject()["left"].toString(), QStringLiteral("pinned"));
+        QCOMPARE(film["edges"].toObject()["right"].toString(), QStringLiteral("free"));
+        QCOMPARE(film["swell"].toArray(), (QJsonArray{1.05, 1.03}));
+        QCOMPARE(film["relaxation_time_s"].toDouble(-1), 0.0);
+        const QJsonObject process = json["process"].toObject();
+        QCOMPARE(process["dip_speed_mm_s"].toDouble(), 7.5);
+        QCOMPARE(process["iterations"].toInt(), 9);
+        QCOMPARE(process["solver"].toString(), QStringLiteral("pbd-cpu"));
+        QCOMPARE(json["body"].toObject()["sdf_resolution"].toInt(), 96);
+        const QJsonObject top = json["immersions"].toArray().first().toObject();
+        QCOMPARE(top["name"].toString(), QStringLiteral("Top"));
+        QCOMPARE(top["rotation_deg"].toArray(), (QJsonArray{0, 45, 0.5}));
+        QCOMPARE(top["offset_mm"].toArray(), (QJsonArray{1, -2}));
+        QCOMPARE(json["model"].toObject()["unit_mm"].toDouble(), 25.4);
+        QVERIFY(json["sheet"].isObject());
+        QVERIFY(json["ink"].isObject());
+    }
+
+    void missingValuesAreTheStandardOnes() {
+        const QJsonObject json{{"format", "dipwright-project"},
+                               {"version", 1},
+                               {"immersions", QJsonArray{QJsonObject()}}};
+        const Project project = fromJson(json, file);
+        QVERIFY(project.film == FilmSettings());
+        QVERIFY(project.process == ProcessSettings());
+    }
+
+    void unknownKeysSurviveAtEveryLevel() {
+        QJsonObject json = toJson(sampleProject());
+        json = with(json, {"future"}, QJsonObject{{"a", 1}});
+        json = with(json, {"film", "grain"}, "fine");
+        json = with(json, {"film", "edges", "depth_mm"}, 3);
+        QJsonArray immersions = json["immersions"].toArray();
+        immersions[1] = with(immersions[1].toObject(), {"hook"}, QJsonArray{1, 2});
+        json["immersions"] = immersions;
+        Project project = fromJson(json, file);
+        setByPath(project, "film.swell", "1.1x1.2");
+        const QJsonObject written = toJson(project);
+        QCOMPARE(written["future"].toObject()["a"].toInt(), 1);
+        QCOMPARE(written["film"].toObject()["grain"].toString(), QStringLiteral("fine"));
+        QCOMPARE(written["film"].toObject()["edges"].toObject()["depth_mm"].toInt(), 3);
+        QCOMPARE(written["immersions"].toArray()[1].toObject()["hook"].toArray(),
+                 (QJsonArray{1, 2}));
+        QCOMPARE(written["film"].toObject()["swell"].toArray(), (QJsonArray{1.1, 1.2}));
+    }
+
+    void aNewerVersionIsRefusedNamingBoth() {
+        const QString sentence = refusal(with(toJson(sampleProject()), {"version"}, 7));
+        QVERIFY2(sentence.contains("version 7") && sentence.contains("version 1"),
+                 qPrintable(sentence));
+    }
+
+    void wrongDocumentsAreRefusedByPath_data() {
+        QTest::addColumn<QStringList>("path");
+        QTest::addColumn<QJsonValue>("value");
+        QTest::addColumn<QString>("named");
+        const auto row = [](const char* path, const QJsonValue& value, const char* named) {
+            const QByteArray name = QByteArray(path) + ' ' +
+                                    QJsonDocument(QJsonArray{value}).toJson(QJsonDocument::Compact);
+            QTest::newRow(name.constData()) << QString(path).split('.') << value << QString(named);
+        };
+        row("format", "something", "not a Dipwright project");
+        row("version", 0, "version");
+        row("version", "1", "version");
+        row("name", 5, "name");
+        row("film", 5, "film");
+        row("film.edges", QJsonArray(), "edges");
+        row("film.edges.left", "nailed", "film.edges.left");
+        row("film.preset", "B9", "film.preset");
+        row("film.size_mm", QJsonArray{210}, "film.size_mm");
+        row("film.size_mm", QJsonArray{210, 1e9}, "film.size_mm[1]");
+        row("film.size_mm", QJsonArray{210, -1}, "film.size_mm[1]");
+        row("film.points", QJsonArray{1, 1}, "film.points[0]");
+        row("film.points", QJsonArray{100000, 100000}, "film.points[0]");
+        row("film.points", QJsonArray{2048, 2048}, "film.points");
+        row("film.points", QJsonArray{20.5, 30}, "film.points[0]");
+        row("film.lattice", "hexagonal", "film.lattice");
+        row("film.swell", QJsonArray{0, 1}, "film.swell[0]");
+        row("film.relaxation_time_s", -1, "film.relaxation_time_s");
+        row("film.relaxation_time_s", "soon", "film.relaxation_time_s");
+        row("process.iterations", 0, "process.iterations");
+        row("process.self_contact", 1, "process.self_contact");
+        row("process.dip_speed_mm_s", QJsonValue(), "process.dip_speed_mm_s");
+        row("body.sdf_resolution", 4096, "body.sdf_resolution");
+        row("immersions", QJsonArray(), "immersions");
+        row("immersions", QJsonArray{QJsonObject(), QJsonObject(), QJsonObject()}, "immersions");
+        row("immersions", QJsonArray{3}, "immersions[0]");
+        row("immersions", QJsonArray{QJsonObject{{"rotation_deg", QJsonArray{0, 1e5, 0}}}},
+            "immersions[0].rotation_deg[1]");
+        row("sheet.dpi", 1e6, "sheet.dpi");
+        row("sheet.paper", "wallpaper", "sheet.paper");
+    }
+    void wrongDocumentsAreRefusedByPath() {
+        QFETCH(QStringList, path);
+        QFETCH(QJsonValue, value);
+        QFETCH(QString, named);
+        const QString sentence = refusal(with(toJson(sampleProject()), path, value));
+        QVERIFY2(sentence.contains(named), qPrintable(sentence));
+    }
+
+    void oneValueIsSetByItsPath() {
+        Project project = sampleProject();
+        setByPath(project, "film.points", "240x360");
+        QCOMPARE(project.film.columns, 240);
+        QCOMPARE(project.film.rows, 360);
+        setByPath(project, "immersions[0].rotation_deg", "0;45;-10.5");
+        QCOMPARE(project.immersions[0].rotation[2].value(), -10.5);
+        setByPath(project, "film.relaxation_time_s", "null");
+        QVERIFY(std::isinf(project.film.relaxationTime.value()));
+        setByPath(project, "film.relaxation_time_s", "0");
+        QCOMPARE(project.film.relaxationTime.value(), 0.0);
+        setByPath(project, "ink.compensate", "true");
+        QVERIFY(project.ink.compensate);
+        setByPath(project, "film.edges.top", "pinned");
+        QVERIFY(project.film.edges.topPinned);
+        setByPath(project, "immersions[1].name", "Belly; second");
+        QCOMPARE(project.immersions[1].name, QStringLiteral("Belly; second"));
+    }
+
+    void everyPathOfTheSchemaCanBeReadAndSet() {
+        for (const auto& field : projectFields()) {
+            if (field.path.startsWith("model.")) {
+                continue;
+            }
+            QJsonValue value = field.get(sampleProject());
+            QStringList parts;
+            for (const QJsonValue& part : value.isArray() ? value.toArray() : QJsonArray{value}) {
+                parts.append(part.toVariant().toString());
+            }
+            Project project = sampleProject();
+            setByPath(project, field.path, parts.join(QLatin1Char('x')));
+            QVERIFY2(project == sampleProject() || toJson(project) == toJson(sampleProject()),
+                     qPrintable(field.path));
+            QVERIFY(ruleOf(field.path));
+        }
+        QVERIFY(ruleOf("immersions[1].offset_mm"));
+        QVERIFY(!ruleOf("immersions[1].nothing"));
+    }
+
+    void aWrongSettingIsRefusedByName_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("value");
+        QTest::newRow("unknown section") << "foam.points"
+                                         << "1";
+        QTest::newRow("unknown key") << "film.pionts"
+                                     << "240x360";
+        QTest::newRow("a section") << "film"
+                                   << "1";
+        QTest::newRow("nothing") << ""
+                                 << "1";
+        QTest::newRow("1 × 1 points") << "film.points"
+                                      << "1x1";
+        QTest::newRow("100,000 × 100,000 points") << "film.points"
+                                                  << "100000x100000";
+        QTest::newRow("too many altogether") << "film.points"
+                                             << "2048x2048";
+        QTest::newRow("one part") << "film.points"
+                                  << "240";
+        QTest::newRow("three parts") << "film.points"
+                                     << "240x360x2";
+        QTest::newRow("not a number") << "film.size_mm"
+                                      << "ax300";
+        QTest::newRow("nan") << "film.size_mm"
+                             << "nanx300";
+        QTest::newRow("inf") << "film.contact_distance_mm"
+                             << "inf";
+        QTest::newRow("a comma") << "film.contact_distance_mm"
+                                 << "0,5";
+        QTest::newRow("not nullable") << "film.contact_distance_mm"
+                                      << "null";
+        QTest::newRow("no such immersion") << "immersions[2].name"
+                                           << "Third";
+        QTest::newRow("no such value of an immersion") << "immersions[0].speed"
+                                                       << "3";
+        QTest::newRow("the model") << "model.unit_mm"
+                                   << "10";
+        QTest::newRow("the version") << "version"
+                                     << "2";
+        QTest::newRow("not a flag") << "sheet.marks"
+                                    << "yes";
+        QTest::newRow("no such choice") << "film.support"
+                                        << "oil";
+    }
+    void aWrongSettingIsRefusedByName() {
+        QFETCH(QString, path);
+        QFETCH(QString, value);
+        const QString sentence = refusal(path, value);
+        QVERIFY2(!sentence.isEmpty() && sentence.contains(path), qPrintable(sentence));
+    }
+
+    void aNewFilmSizeKeepsTheCellsSquare_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("value");
+        QTest::newRow("square") << "film.size_mm"
+                                << "300x300";
+        QTest::newRow("landscape") << "film.size_mm"
+                                   << "297x210";
+        QTest::newRow("small") << "film.size_mm"
+                               << "20x31";
+        QTest::newRow("large") << "film.size_mm"
+                               << "2999x3000";
+        for (const char* preset : {"A5", "A3", "A2", "Letter", "Legal", "Tabloid"}) {
+            QTest::newRow(preset) << "film.preset" << preset;
+        }
+    }
+    void aNewFilmSizeKeepsTheCellsSquare() {
+        QFETCH(QString, path);
+        QFETCH(QString, value);
+        Project project;
+        setByPath(project, path, value);
+        const double shorter = std::min(project.film.columns, project.film.rows);
+        QVERIFY2(std::abs(squareness(project.film) - 1) < 0.5 / (shorter - 1),
+                 qPrintable(QString::number(squareness(project.film))));
+        QVERIFY(project.film.columns * project.film.rows <= 4'000'000);
+        // Written and read again, it is the same film.
+        QVERIFY(fromJson(toJson(project), file).film == project.film);
+    }
+
+    void theSizeThatAFilmHasAlreadyChangesNothing() {
+        Project project;
+        setByPath(project, "film.preset", "A4");
+        QVERIFY(project.film == FilmSettings());
+        setByPath(project, "film.size_mm", "210x297");
+        QVERIFY(project.film == FilmSettings());
+    }
+
+    void aFilmIsNamedByItsSize() {
+        Project project;
+        setByPath(project, "film.size_mm", "420x297");
+        QCOMPARE(project.film.preset, QStringLiteral("A3"));
+        setByPath(project, "film.size_mm", "300x300");
+        QCOMPARE(project.film.preset, QStringLiteral("custom"));
+    }
+
+    void presetsAreTheFilmModels() {
+        Project project;
+        applyPreset(project, "paper-2020");
+        QVERIFY(project.film.lattice == solver::Lattice::Structural);
+        QVERIFY(project.film.support == solver::Support::None);
+        QCOMPARE(project.process.iterations, 5);
+        QCOMPARE(project.process.timeStep.value(), 1.0 / 60);
+        QCOMPARE(project.process.dipSpeed.value(), 5.0);
+        applyPreset(project, "production");
+        QVERIFY(project == Project());
+        QVERIFY_EXCEPTION_THROWN(applyPreset(project, "paper-2021"), Error);
+    }
+};
+
+QTEST_GUILESS_MAIN(ProjectTest)
+#include "ProjectTest.moc"

@@ -1,0 +1,85 @@
+#include "SampleProject.h"
+
+#include "geometry/Shapes.h"
+#include "model/ImportModel.h"
+
+namespace dipwright::test {
+namespace {
+
+std::shared_ptr<const TexturedMesh> sampleModel() {
+    auto model = std::make_shared<TexturedMesh>();
+    model->mesh = boxMesh({20, 30, 40});
+    for (std::size_t triangle = 0; triangle < model->mesh.triangles.size(); ++triangle) {
+        model->textureCoordinates.push_back(
+            {Eigen::Vector2f(0, 0), Eigen::Vector2f(1, 0), Eigen::Vector2f(0, 1)});
+        model->material.push_back(std::uint16_t(triangle % 2));
+    }
+    model->materials.resize(2);
+    model->materials[0] = {QStringLiteral("shell"), QColor(10, 20, 30), 0};
+    model->materials[1] = {QStringLiteral("belly"), QColor(200, 100, 0), -1};
+    QImage picture(16, 8, QImage::Format_RGBA8888);
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            picture.setPixelColor(x, y, QColor(16 * x, 32 * y, 99, 255 - x));
+        }
+    }
+    model->textures = {picture};
+    model->chart = findCharts(*model);
+    return model;
+}
+
+} // namespace
+
+Project sampleProject() {
+    Project project;
+    project.name = QStringLiteral("Schildkröte");
+    project.date = QStringLiteral("2026-01-31");
+    project.model = sampleModel();
+    project.modelSource = {QStringLiteral("box.obj"), QStringLiteral("box.png"), 25.4, "abc"};
+    project.film.preset = QStringLiteral("custom");
+    project.film.width = Millimetres(150);
+    project.film.height = Millimetres(200.5);
+    project.film.columns = 61;
+    project.film.rows = 82;
+    project.film.lattice = solver::Lattice::Structural;
+    project.film.support = solver::Support::None;
+    project.film.edges = {true, false, false, true};
+    project.film.swellX = 1.05;
+    project.film.swellY = 1.03;
+    project.film.relaxationTime = Seconds(0);
+    project.film.contactDistance = Millimetres(0.25);
+    project.process.dipSpeed = MillimetresPerSecond(7.5);
+    project.process.timeStep = Seconds(0.01);
+    project.process.iterations = 9;
+    project.process.relaxation = solver::Relaxation::GaussSeidel;
+    project.process.selfContact = true;
+    project.process.contactTravel = 0.125;
+    project.process.depth = Millimetres(12);
+    project.process.margin = Millimetres(3);
+    project.process.tearStretch = 5;
+    project.process.overhang = Degrees(30);
+    project.process.solver = QStringLiteral("pbd-cpu");
+    project.fieldResolution = 96;
+    project.immersions.resize(2);
+    project.immersions[0] = {QStringLiteral("Top"),
+                             {Degrees(0), Degrees(45), Degrees(0.5)},
+                             {Millimetres(1), Millimetres(-2)}};
+    project.immersions[1].name = QStringLiteral("Bottom");
+    project.sheet = {QStringLiteral("A3"),
+                     true,
+                     Millimetres(220),
+                     Millimetres(330),
+                     DotsPerInch(150),
+                     Millimetres(4),
+                     false,
+                     false,
+                     false};
+    project.ink = {false, 1.5};
+    return project;
+}
+
+bool isSame(const Project& a, const Project& b) {
+    return toJson(a) == toJson(b) && writeModel(*a.model) == writeModel(*b.model);
+}
+
+} // namespace dipwright::test
