@@ -1,15 +1,15 @@
 #include "project/Samples.h"
 
-#include <QCoreApplication>
+#include "base/ShippedFolders.h"
+
 #include <QDir>
 
 namespace dipwright {
 
 QStringList sampleProjects() {
     QStringList paths;
-    for (const char* place : {"/../share/samples", "/../share/dipwright/samples"}) {
-        const QDir folder(QCoreApplication::applicationDirPath() + QLatin1String(place));
-        for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("*.dipw")})) {
+    for (const QString& folder : shippedSampleFolders()) {
+        for (const QFileInfo& file : QDir(folder).entryInfoList({QStringLiteral("*.dipw")})) {
             paths.append(file.canonicalFilePath());
         }
     }

@@ -1,6 +1,7 @@
 #include "solver/SolverRegistry.h"
 
 #include "base/Error.h"
+#include "base/ShippedFolders.h"
 #include "solver/LoadMarker.h"
 
 #include <QCoreApplication>
@@ -261,7 +262,7 @@ Plugin& SolverRegistry::Data::named(const QString& id) {
 QStringList SolverRegistry::standardFolders() {
     QStringList folders = qEnvironmentVariable("DIPWRIGHT_PLUGIN_PATH")
                               .split(QDir::listSeparator(), Qt::SkipEmptyParts);
-    folders << QCoreApplication::applicationDirPath() + QStringLiteral("/plugins");
+    folders << shippedPluginFolders();
     folders << QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
                    QStringLiteral("/plugins");
     return folders;

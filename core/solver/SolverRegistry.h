@@ -30,7 +30,7 @@ struct SolverInfo {
 class SolverRegistry {
 public:
     // The folders searched, in this order; of two plugins with one id the first found wins:
-    // DIPWRIGHT_PLUGIN_PATH, "plugins" beside the executable, the user's plugin folder.
+    // DIPWRIGHT_PLUGIN_PATH, those that come with the program, the user's plugin folder.
     static QStringList standardFolders();
 
     explicit SolverRegistry(const QStringList& folders = standardFolders());

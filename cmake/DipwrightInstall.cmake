@@ -1,0 +1,35 @@
+# Where an installed tree has its parts, below whatever prefix it is given:
+#   cmake --install build/release --prefix …
+# Programs find the rest from their own place (core/base/ShippedFolders), so the tree can be moved.
+# Profiles, translations, guide and pictures travel inside the programs.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(DIPWRIGHT_PLUGIN_DESTINATION ${CMAKE_INSTALL_LIBDIR}/dipwright/plugins)
+set(DIPWRIGHT_SAMPLE_DESTINATION ${CMAKE_INSTALL_DATADIR}/dipwright/samples)
+set(DIPWRIGHT_PACKAGE_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Dipwright)
+file(RELATIVE_PATH DIPWRIGHT_PLUGINS_FROM_PROGRAM
+    ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR}/dipwright/plugins)
+file(RELATIVE_PATH DIPWRIGHT_SAMPLES_FROM_PROGRAM
+    ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/dipwright/samples)
+
+# There are no shared libraries of our own. Those of others that lie outside the system's folders
+# are looked for where they were when building.
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+
+# dipwright_install_package(TARGET HEADER)
+#   What a solver of one's own is built with: find_package(Dipwright) gives Dipwright::SolverInterface,
+#   from an installed tree and, without installing, from the build's folder.
+function(dipwright_install_package target header)
+    set(package ${PROJECT_BINARY_DIR}/${DIPWRIGHT_PACKAGE_DESTINATION})
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/DipwrightConfig.cmake ${package}/DipwrightConfig.cmake
+        COPYONLY)
+    write_basic_package_version_file(${package}/DipwrightConfigVersion.cmake
+        COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+    install(TARGETS ${target} EXPORT DipwrightTargets)
+    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dipwright)
+    install(EXPORT DipwrightTargets NAMESPACE Dipwright:: DESTINATION ${DIPWRIGHT_PACKAGE_DESTINATION})
+    install(FILES ${package}/DipwrightConfig.cmake ${package}/DipwrightConfigVersion.cmake
+        DESTINATION ${DIPWRIGHT_PACKAGE_DESTINATION})
+    export(EXPORT DipwrightTargets NAMESPACE Dipwright:: FILE ${package}/DipwrightTargets.cmake)
+endfunction()

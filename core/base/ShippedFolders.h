@@ -1,0 +1,16 @@
+// Where the files lie that come with the program. They are found from the program's own place, so
+// that an installed tree runs from wherever it is put. None of the folders has to exist; the one of
+// a build comes before the one of an installed tree.
+#pragma once
+
+#include <QStringList>
+
+namespace dipwright {
+
+// Solver plugins: modules, and the descriptions beside them.
+QStringList shippedPluginFolders();
+
+// Sample projects, *.dipw.
+QStringList shippedSampleFolders();
+
+} // namespace dipwright

@@ -1,0 +1,221 @@
+// An installed tree runs from anywhere, and a solver is built against it by
+// find_package(Dipwright).
+#include <QDirIterator>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+class InstallTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void holdsAllItsParts();
+    void saysNothingOfWhereItWasBuilt();
+    void findsItsSolvers();
+    void findsItsProfiles();
+    void findsItsSamples();
+    void dipsASample();
+#ifdef DIPWRIGHT_HAS_WORKBENCH
+    void startsTheWorkbench();
+#endif
+    void buildsAPlugin_data();
+    void buildsAPlugin();
+
+private:
+    QString installed(const QString& path) const {
+        return tree_ + QLatin1Char('/') + path;
+    }
+    QByteArray runInstalled(const QString& program, const QStringList& arguments,
+                            const QString& pluginFolder = {}) const;
+    QJsonObject listedSolver(const QString& id, const QString& pluginFolder = {}) const;
+
+    QTemporaryDir folder_;
+    QString tree_;
+};
+
+namespace {
+
+// What a program says; where it fails, its errors instead.
+QByteArray outputOf(const QString& program, const QStringList& arguments,
+                    const QProcessEnvironment& environment) {
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(program, arguments);
+    process.waitForFinished(-1);
+    if (process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0) {
+        return process.readAllStandardOutput();
+    }
+    return "failed: " + process.errorString().toUtf8() + '\n' + process.readAllStandardOutput() +
+           process.readAllStandardError();
+}
+
+QByteArray runCMake(const QStringList& arguments) {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("DESTDIR"));
+    return outputOf(QStringLiteral(DIPWRIGHT_CMAKE), arguments, environment);
+}
+
+QByteArray contents(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+// Without the session's environment: nothing leads the program back to the build. A home of its own
+// keeps the user's plugins and profiles out.
+QByteArray InstallTest::runInstalled(const QString& program, const QStringList& arguments,
+                                     const QString& pluginFolder) const {
+    QProcessEnvironment environment;
+    environment.insert(QStringLiteral("HOME"), folder_.filePath("home"));
+    if (!pluginFolder.isEmpty()) {
+        environment.insert(QStringLiteral("DIPWRIGHT_PLUGIN_PATH"), pluginFolder);
+    }
+    return outputOf(installed(QStringLiteral(INSTALLED_BIN "/") + program), arguments, environment);
+}
+
+QJsonObject InstallTest::listedSolver(const QString& id, const QString& pluginFolder) const {
+    const QByteArray output = runInstalled("dipwright-cli", {"solvers", "--json"}, pluginFolder);
+    for (const auto& entry : QJsonDocument::fromJson(output).array()) {
+        if (entry.toObject().value("id") == id) {
+            return entry.toObject();
+        }
+    }
+    qWarning("%s", output.constData());
+    return {};
+}
+
+// Installed into one place and moved to another.
+void InstallTest::initTestCase() {
+    QVERIFY(folder_.isValid());
+    const QString first = folder_.filePath("first");
+    const QByteArray output = runCMake({"--install", DIPWRIGHT_BUILD_FOLDER, "--prefix", first,
+                                        "--config", DIPWRIGHT_CONFIGURATION});
+    QVERIFY2(QFileInfo::exists(first + "/" INSTALLED_BIN), output.constData());
+    QVERIFY(QDir(folder_.path()).mkpath("home"));
+    tree_ = QDir(folder_.path()).canonicalPath() + QStringLiteral("/moved elsewhere");
+    QVERIFY(QDir().rename(first, tree_));
+}
+
+void InstallTest::holdsAllItsParts() {
+    QStringList parts{INSTALLED_PLUGINS "/pbd-cpu.json",
+                      INSTALLED_SAMPLES "/turtle.dipw",
+                      INSTALLED_SAMPLES "/models/turtle.obj",
+                      INSTALLED_SAMPLES "/models/turtle.mtl",
+                      INSTALLED_SAMPLES "/models/turtle.png",
+                      INSTALLED_INCLUDE "/dipwright/FilmSolver.h",
+                      INSTALLED_PACKAGE "/DipwrightConfig.cmake",
+                      INSTALLED_PACKAGE "/DipwrightConfigVersion.cmake",
+                      INSTALLED_PACKAGE "/DipwrightTargets.cmake",
+                      INSTALLED_DOC "/LICENSE",
+                      INSTALLED_DOC "/README.md",
+                      INSTALLED_DOC "/docs/examples/plumb-film/PlumbFilm.cpp"};
+#if defined DIPWRIGHT_HAS_WORKBENCH && defined Q_OS_LINUX
+    parts += QStringList{INSTALLED_DATA "/applications/dipwright.desktop",
+                         INSTALLED_DATA "/mime/packages/dipwright.xml",
+                         INSTALLED_DATA "/icons/hicolor/scalable/apps/dipwright.svg"};
+#endif
+    for (const QString& part : parts) {
+        QVERIFY2(QFileInfo(installed(part)).isFile(), qPrintable(part));
+    }
+}
+
+void InstallTest::saysNothingOfWhereItWasBuilt() {
+    QDirIterator walk(tree_, QDir::Files, QDirIterator::Subdirectories);
+    while (walk.hasNext()) {
+        const QString file = walk.next();
+        if (file.contains(QLatin1String(INSTALLED_BIN "/")) || QFileInfo(file).suffix() == "so") {
+            continue; // debuggers want to know where the sources are
+        }
+        const QByteArray text = contents(file);
+        for (const QByteArray& place :
+             {QByteArray(DIPWRIGHT_SOURCE_FOLDER), QByteArray(DIPWRIGHT_BUILD_FOLDER),
+              folder_.filePath("first").toUtf8()}) {
+            QVERIFY2(!text.contains(place), qPrintable(file));
+        }
+    }
+}
+
+void InstallTest::findsItsSolvers() {
+    const QJsonObject solver = listedSolver(QStringLiteral("pbd-cpu"));
+    QVERIFY(solver.value("available").toBool());
+}
+
+void InstallTest::findsItsProfiles() {
+    const QByteArray output = runInstalled("dipwright-cli", {"profile", "list"});
+    for (const char* kind : {"printer", "film", "tank"}) {
+        QVERIFY2(output.contains(kind), output.constData());
+    }
+}
+
+void InstallTest::findsItsSamples() {
+    QVERIFY(QFile::copy(DIPWRIGHT_LIST_SAMPLES, installed(INSTALLED_BIN "/list_samples")));
+    const QString found = QString::fromUtf8(runInstalled("list_samples", {}));
+    QStringList expected;
+    for (const char* name : {"sphere", "tetrahedron", "turtle"}) {
+        expected << installed(QStringLiteral(INSTALLED_SAMPLES "/%1.dipw").arg(name));
+    }
+    QCOMPARE(found.split(QLatin1Char('\n'), Qt::SkipEmptyParts), expected);
+}
+
+void InstallTest::dipsASample() {
+    const QString out = folder_.filePath("sphere");
+    const QByteArray output =
+        runInstalled("dipwright-cli", {"run", installed(INSTALLED_SAMPLES "/sphere.dipw"), "--out",
+                                       out, "--solver", "pbd-cpu", "--dpi", "72", "--quiet"});
+    QVERIFY2(QFileInfo(out + "/immersion-1/sheet.pdf").size() > 0, output.constData());
+    const QJsonObject report =
+        QJsonDocument::fromJson(contents(out + QStringLiteral("/report.json"))).object();
+    QVERIFY(report.value("coverage_total").toDouble() > 0.3);
+}
+
+#ifdef DIPWRIGHT_HAS_WORKBENCH
+void InstallTest::startsTheWorkbench() {
+    const QByteArray output = runInstalled("dipwright", {"-platform", "offscreen", "--version"});
+    QVERIFY2(output.startsWith("dipwright "), output.constData());
+}
+#endif
+
+void InstallTest::buildsAPlugin_data() {
+    QTest::addColumn<QString>("example");
+    QTest::addColumn<QString>("dipwright");
+    QTest::newRow("against the installed tree")
+        << installed(INSTALLED_DOC "/docs/examples/plumb-film") << tree_;
+    QTest::newRow("against the build")
+        << QStringLiteral(DIPWRIGHT_SOURCE_FOLDER "/docs/examples/plumb-film")
+        << QStringLiteral(DIPWRIGHT_BUILD_FOLDER);
+}
+
+// The example of the README, as a stranger would build it: it is found, and it dips.
+void InstallTest::buildsAPlugin() {
+    QFETCH(QString, example);
+    QFETCH(QString, dipwright);
+    const QTemporaryDir plugin;
+    QByteArray output =
+        runCMake({"-S", example, "-B", plugin.path(), "-G", DIPWRIGHT_GENERATOR,
+                  "-DCMAKE_CXX_COMPILER=" DIPWRIGHT_COMPILER, "-DCMAKE_PREFIX_PATH=" + dipwright});
+    output += runCMake({"--build", plugin.path()});
+    QVERIFY2(QFileInfo::exists(plugin.filePath("plumb-film.json")), output.constData());
+    QVERIFY2(listedSolver("plumb-film", plugin.path()).value("available").toBool(),
+             output.constData());
+
+    const QString out = plugin.filePath("out");
+    output = runInstalled("dipwright-cli",
+                          {"run", installed(INSTALLED_SAMPLES "/sphere.dipw"), "--out", out,
+                           "--solver", "plumb-film", "--dpi", "72", "--quiet"},
+                          plugin.path());
+    const QJsonObject report =
+        QJsonDocument::fromJson(contents(out + QStringLiteral("/report.json"))).object();
+    QVERIFY2(!report.isEmpty(), output.constData());
+    QCOMPARE(report.value("solver").toObject().value("id").toString(),
+             QStringLiteral("plumb-film"));
+    // Straight down, film reaches the lower half, and is continued a little beyond.
+    const double coverage = report.value("coverage_total").toDouble();
+    QVERIFY2(coverage > 0.3 && coverage < 0.6, output.constData());
+}
+
+QTEST_GUILESS_MAIN(InstallTest)
+#include "InstallTest.moc"
