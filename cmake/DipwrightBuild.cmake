@@ -65,8 +65,7 @@ target_compile_definitions(dipwright_test_options INTERFACE
     DIPWRIGHT_PLUGINS="${DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY}"
     DIPWRIGHT_BAD_MODULES="${DIPWRIGHT_BAD_MODULE_FOLDER}"
     DIPWRIGHT_RESOURCE_FOLDER="${PROJECT_SOURCE_DIR}/resources"
-    DIPWRIGHT_SAMPLE_FOLDER="${DIPWRIGHT_SAMPLE_FOLDER}"
-    DIPWRIGHT_SHARED_MODELS="${PROJECT_SOURCE_DIR}/../shared/data/models")
+    DIPWRIGHT_SAMPLE_FOLDER="${DIPWRIGHT_SAMPLE_FOLDER}")
 
 # dipwright_test_helper(NAME SOURCES … LINK …)
 #   What several tests share, as a library of its file's name: NAME.cpp, and other SOURCES.

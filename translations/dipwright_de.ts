@@ -1441,17 +1441,6 @@
     </message>
 </context>
 <context>
-    <name>Text</name>
-    <message>
-        <source>an object holds itself</source>
-        <translation>ein Objekt enthält sich selbst</translation>
-    </message>
-    <message>
-        <source>it has more than 65,536 materials</source>
-        <translation>es hat mehr als 65.536 Materialien</translation>
-    </message>
-</context>
-<context>
     <name>Units</name>
     <message>
         <source> in</source>
@@ -1488,21 +1477,6 @@
     <message>
         <source> D</source>
         <translation> D</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright</name>
-    <message>
-        <source>Reversing the texture</source>
-        <translation>Textur wird umgekehrt</translation>
-    </message>
-    <message>
-        <source>The film&apos;s image is too large for this computer&apos;s memory; choose a lower resolution</source>
-        <translation>Das Bild des Films ist zu groß für den Speicher dieses Rechners; wählen Sie eine kleinere Auflösung</translation>
-    </message>
-    <message>
-        <source>Continuing the colour past the edge</source>
-        <translation>Farbe wird über den Rand hinaus fortgesetzt</translation>
     </message>
 </context>
 <context>
@@ -2052,6 +2026,10 @@
     <message>
         <source>The model has no texture coordinates, so no picture can be placed on it; unwrap it in a modelling program first</source>
         <translation>Das Modell hat keine Texturkoordinaten, daher lässt sich kein Bild darauf legen; wickeln Sie es erst in einem Modellierprogramm ab</translation>
+    </message>
+    <message>
+        <source>an object holds itself</source>
+        <translation>ein Objekt enthält sich selbst</translation>
     </message>
 </context>
 <context>
@@ -4091,6 +4069,21 @@ mm</translation>
     <message>
         <source>The figures of the last run</source>
         <translation>Die Zahlen des letzten Laufs</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ReverseTexture</name>
+    <message>
+        <source>Reversing the texture</source>
+        <translation>Textur wird umgekehrt</translation>
+    </message>
+    <message>
+        <source>The film&apos;s image is too large for this computer&apos;s memory; choose a lower resolution</source>
+        <translation>Das Bild des Films ist zu groß für den Speicher dieses Rechners; wählen Sie eine kleinere Auflösung</translation>
+    </message>
+    <message>
+        <source>Continuing the colour past the edge</source>
+        <translation>Farbe wird über den Rand hinaus fortgesetzt</translation>
     </message>
 </context>
 <context>

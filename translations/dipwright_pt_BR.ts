@@ -1441,17 +1441,6 @@
     </message>
 </context>
 <context>
-    <name>Text</name>
-    <message>
-        <source>an object holds itself</source>
-        <translation>um objeto contém a si mesmo</translation>
-    </message>
-    <message>
-        <source>it has more than 65,536 materials</source>
-        <translation>tem mais de 65.536 materiais</translation>
-    </message>
-</context>
-<context>
     <name>Units</name>
     <message>
         <source> in</source>
@@ -1488,21 +1477,6 @@
     <message>
         <source> D</source>
         <translation> D</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright</name>
-    <message>
-        <source>Reversing the texture</source>
-        <translation>Revertendo a textura</translation>
-    </message>
-    <message>
-        <source>The film&apos;s image is too large for this computer&apos;s memory; choose a lower resolution</source>
-        <translation>A imagem do filme é grande demais para a memória deste computador; escolha uma resolução menor</translation>
-    </message>
-    <message>
-        <source>Continuing the colour past the edge</source>
-        <translation>Continuando a cor além da borda</translation>
     </message>
 </context>
 <context>
@@ -2052,6 +2026,10 @@
     <message>
         <source>The model has no texture coordinates, so no picture can be placed on it; unwrap it in a modelling program first</source>
         <translation>O modelo não tem coordenadas de textura, portanto nenhuma imagem pode ser posta nele; planifique-o antes em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>an object holds itself</source>
+        <translation>um objeto contém a si mesmo</translation>
     </message>
 </context>
 <context>
@@ -4091,6 +4069,21 @@ mm</translation>
     <message>
         <source>The figures of the last run</source>
         <translation>Os números da última execução</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ReverseTexture</name>
+    <message>
+        <source>Reversing the texture</source>
+        <translation>Revertendo a textura</translation>
+    </message>
+    <message>
+        <source>The film&apos;s image is too large for this computer&apos;s memory; choose a lower resolution</source>
+        <translation>A imagem do filme é grande demais para a memória deste computador; escolha uma resolução menor</translation>
+    </message>
+    <message>
+        <source>Continuing the colour past the edge</source>
+        <translation>Continuando a cor além da borda</translation>
     </message>
 </context>
 <context>

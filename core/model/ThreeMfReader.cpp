@@ -300,6 +300,14 @@ private:
             .first->second;
     }
 
+    // In functions of their own: lupdate loses a text's context where a std:: type is returned.
+    [[noreturn]] void throwHoldsItself() const {
+        source_.throwDamaged(Text::tr("an object holds itself"));
+    }
+    [[noreturn]] void throwTooManyMaterials() const {
+        source_.throwDamaged(Text::tr("it has more than 65,536 materials"));
+    }
+
     const Object& object(const Placement& placement) {
         const auto& objects = part(placement.part).objects;
         const auto found = objects.find(placement.object);
@@ -318,7 +326,7 @@ private:
             return known->second;
         }
         if (depth > maximumDepth) {
-            source_.throwDamaged(Text::tr("an object holds itself"));
+            throwHoldsItself();
         }
         const Object& placed = object(placement);
         std::size_t count = placed.isSupport ? 0 : placed.triangles.size();
@@ -392,7 +400,7 @@ private:
             return known->second;
         }
         if (model_.materials.size() > 0xffff) {
-            source_.throwDamaged(Text::tr("it has more than 65,536 materials"));
+            throwTooManyMaterials();
         }
         Material material =
             isPlain ? group->materials[std::size_t(triangle.properties[0])] : Material();

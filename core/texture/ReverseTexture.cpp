@@ -19,9 +19,9 @@ namespace dipwright {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("ReverseTexture", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ReverseTexture)
+};
 
 // A film pixel that is to be painted, and its place in the film piece in hand.
 struct Pixel {
@@ -268,19 +268,19 @@ private:
 ReverseTexture reverseTexture(const DippedFilm& film, const FilmContact& contact,
                               const PosedBody& body, const SurfaceQuery& query,
                               const ReverseTextureOptions& options, const Progress& progress) {
-    progress(0, tr("Reversing the texture"));
+    progress(0, Text::tr("Reversing the texture"));
     ReverseTexture result;
     result.image = QImage(options.pixels, QImage::Format_RGBA8888);
     if (result.image.isNull()) {
         throw Error(
-            tr("The film's image is too large for this computer's memory; choose a lower "
-               "resolution"),
+            Text::tr("The film's image is too large for this computer's memory; choose a lower "
+                     "resolution"),
             QStringLiteral("%1 × %2").arg(options.pixels.width()).arg(options.pixels.height()));
     }
     result.image.fill(0);
     const ReverseMap map(film, contact, body, query);
     result.seamTriangles = map.seamCount();
-    progress(0.1, tr("Reversing the texture"));
+    progress(0.1, Text::tr("Reversing the texture"));
 
     const FilmPainter painter(film, contact, body, map, options, result.image);
     std::vector<double> shortfall(std::size_t(film.grid.rows - 1), 0);
@@ -290,10 +290,10 @@ ReverseTexture reverseTexture(const DippedFilm& film, const FilmContact& contact
     });
     result.shortfallArea = std::accumulate(shortfall.begin(), shortfall.end(), 0.0);
 
-    progress(0.9, tr("Continuing the colour past the edge"));
+    progress(0.9, Text::tr("Continuing the colour past the edge"));
     const double pixelSize = film.grid.width / options.pixels.width();
     continueColour(result.image, options.bleed / pixelSize);
-    progress(1, tr("Reversing the texture"));
+    progress(1, Text::tr("Reversing the texture"));
     return result;
 }
 

@@ -114,7 +114,7 @@ QString physicsTable(const std::vector<PhysicsResult>& results) {
         lines << line;
     };
     row({Text::tr("body"), Text::tr("film"), Text::tr("cells"), Text::tr("rms"), Text::tr("mean"),
-         Text::tr("max"), Text::tr("axis−diag"), Text::tr("steps"), Text::tr("")});
+         Text::tr("max"), Text::tr("axis−diag"), Text::tr("steps"), QString()});
     for (const PhysicsResult& result : results) {
         row({result.body, result.film, result.cells ? QString::number(result.cells) : QString(),
              error(result, result.rms), error(result, result.mean), error(result, result.maximum),

@@ -115,8 +115,8 @@ private slots:
 
     void aProjectAndItsResults() {
         WindowDriver driver(*window_);
-        QVERIFY(driver.create(QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/spot_triangulated.obj"),
-                              QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/spot_texture.png"), 90,
+        QVERIFY(driver.create(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj"),
+                              QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png"), 90,
                               [](Project& project) {
                                   project.film.columns = 28;
                                   project.film.rows = 40;

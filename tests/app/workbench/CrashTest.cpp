@@ -54,7 +54,7 @@ class CrashTest : public QObject {
 private slots:
     void workIsRestoredAfterAKill() {
         const QTemporaryDir folder;
-        const QString model = QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/spot_triangulated.obj");
+        const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
         QProcess editor;
         editor.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         editor.start(QApplication::applicationFilePath(),

@@ -24,7 +24,8 @@ using namespace dipwright;
 
 namespace {
 
-const QString models = QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/");
+const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
+const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png");
 
 // A coarse film, to be quick; two immersions.
 void makeCoarse(Project& project) {
@@ -81,8 +82,6 @@ class DayTest : public QObject {
 
 private slots:
     void initTestCase() {
-        QVERIFY2(QFile::exists(models + QStringLiteral("spot_triangulated.obj")),
-                 "The model spot is missing beside the repository");
         workbench_ = std::make_unique<Workbench>(folder_.filePath(QStringLiteral("recovery")));
         Preferences preferences = workbench_->preferences();
         preferences.liveUpdate = false;
@@ -97,8 +96,7 @@ private slots:
         QVERIFY(!driver.action("run")->isEnabled()); // there is nothing to run
 
         // New, from a model.
-        QVERIFY(driver.create(models + QStringLiteral("spot_triangulated.obj"),
-                              models + QStringLiteral("spot_texture.png"), 90, makeCoarse));
+        QVERIFY(driver.create(model, texture, 90, makeCoarse));
         Document& document = *window->document();
         QCOMPARE(document.project().immersions.size(), std::size_t(2));
         QVERIFY(window->isWindowModified());
@@ -116,7 +114,7 @@ private slots:
         switchImmersion(*window, driver);
 
         // Save, close, reopen: the same sheets, bit for bit.
-        const QString path = folder_.filePath(QStringLiteral("spot.dipw"));
+        const QString path = folder_.filePath(QStringLiteral("turtle.dipw"));
         window->saveAsFile(path);
         QVERIFY(!window->isWindowModified());
         QVERIFY(window->close());
@@ -136,8 +134,7 @@ private slots:
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
-        QVERIFY(driver.create(models + QStringLiteral("spot_triangulated.obj"), {}, 90,
-                              [](Project& project) { makeCoarse(project); }));
+        QVERIFY(driver.create(model, {}, 90, makeCoarse));
         QSignalSpy stopped(&window.session(), &DipSession::stopped);
         driver.trigger("run");
         QVERIFY(window.session().isRunning());
@@ -156,7 +153,7 @@ private slots:
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
-        QVERIFY(driver.open(folder_.filePath(QStringLiteral("spot.dipw"))));
+        QVERIFY(driver.open(folder_.filePath(QStringLiteral("turtle.dipw"))));
         QVERIFY(window.close()); // nothing to ask
         window.show();
         window.document()->edit({}, {}, [](Project& project) { project.name.append(u'!'); });
@@ -164,14 +161,14 @@ private slots:
         QVERIFY(!window.close());
         answerWhenAsked("closeQuestion", QMessageBox::Save);
         QVERIFY(window.close());
-        QCOMPARE(loadProject(window.document()->path()).name, QStringLiteral("spot_triangulated!"));
+        QCOMPARE(loadProject(window.document()->path()).name, QStringLiteral("turtle!"));
     }
 
     void filesThatCannotBeOpenedSayWhy_data() {
         QTest::addColumn<QByteArray>("content");
         QTest::newRow("empty") << QByteArray();
         QTest::newRow("not a project") << QByteArray("This is a letter.");
-        QFile whole(folder_.filePath(QStringLiteral("spot.dipw")));
+        QFile whole(folder_.filePath(QStringLiteral("turtle.dipw")));
         QVERIFY(whole.open(QIODevice::ReadOnly));
         const QByteArray bytes = whole.readAll();
         QTest::newRow("truncated") << bytes.left(bytes.size() / 2);
@@ -194,7 +191,7 @@ private slots:
 
     void aNewerFileNamesBothVersions() {
         const QString path = folder_.filePath(QStringLiteral("newer.dipw"));
-        writeNewerProject(folder_.filePath(QStringLiteral("spot.dipw")), path);
+        writeNewerProject(folder_.filePath(QStringLiteral("turtle.dipw")), path);
         MainWindow window(*workbench_);
         window.show();
         window.openProject(path);
@@ -215,7 +212,7 @@ private slots:
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
-        QVERIFY(driver.open(folder_.filePath(QStringLiteral("spot.dipw"))));
+        QVERIFY(driver.open(folder_.filePath(QStringLiteral("turtle.dipw"))));
         QImage picture(64, 64, QImage::Format_RGB32);
         picture.fill(Qt::darkGreen);
         const QString path = folder_.filePath(QStringLiteral("green.png"));

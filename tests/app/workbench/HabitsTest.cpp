@@ -29,8 +29,8 @@ using test::PluginFolder;
 
 namespace {
 
-const QString model = QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/spot_triangulated.obj");
-const QString texture = QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/spot_texture.png");
+const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
+const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png");
 
 void makeCoarse(Project& project) {
     project.film.columns = 28;

@@ -155,7 +155,6 @@ private Q_SLOTS:
     void gltfMovesItsPicture();
     void threeMfShowsItsPictureUpright();
     void threeMfPlacesComponentsInMillimetres();
-    void spot();
     void everyFormatIsInTheFilters();
 
     void picturesAreFoundDespiteCaseAndForeignPaths_data();
@@ -354,24 +353,6 @@ void ImportModelTest::threeMfPlacesComponentsInMillimetres() {
     QCOMPARE(model.materials[0].colour, QColor(Qt::blue));
     QCOMPARE(model.materials[1].colour, QColor(Qt::red));
     QCOMPARE(std::count(model.material.begin(), model.material.end(), 1), 2);
-}
-
-void ImportModelTest::spot() {
-    const QDir models(QStringLiteral(DIPWRIGHT_SHARED_MODELS));
-    const QString path = models.filePath(QStringLiteral("spot/spot_triangulated.obj"));
-    if (!QFileInfo::exists(path)) {
-        return; // the model is not part of the source tree
-    }
-    ImportOptions options;
-    options.longestEdge = Millimetres(90);
-    options.texture = models.filePath(QStringLiteral("spot/spot_texture.png"));
-    const auto [model, report] = import(path, options);
-    QCOMPARE(report.triangles, std::size_t(5856));
-    QVERIFY(report.closed);
-    QVERIFY(std::abs(report.box.sizes().maxCoeff() - 90) < 1e-3F);
-    QCOMPARE(model.textures.size(), std::size_t(1));
-    QVERIFY(chartCount(model) > 1);
-    QVERIFY(model.hasTextureCoordinates(0));
 }
 
 void ImportModelTest::everyFormatIsInTheFilters() {

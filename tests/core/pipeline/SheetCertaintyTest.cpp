@@ -3,7 +3,6 @@
 
 #include "PluginFolder.h"
 #include "base/Error.h"
-#include "model/ImportModel.h"
 #include "project/ProjectStore.h"
 
 #include <QDir>
@@ -59,25 +58,6 @@ private slots:
             QVERIFY(one.halfSpacing.paintedOnce < 0.02);
             QVERIFY(isCertain(one));
         }
-    }
-
-    // Legs of six film cells, and a head dipped after the shoulders have let film go: what the
-    // documentation says of it. It is certain from 315 × 446 points on, too slow for a test.
-    void aCowIsAsCertainAsDocumented() {
-        ImportOptions options;
-        options.longestEdge = Millimetres(90);
-        Project project;
-        applyPreset(project, QStringLiteral("production"));
-        project.immersions = {Immersion{}};
-        project.model = std::make_shared<const TexturedMesh>(
-            importModel(QStringLiteral(DIPWRIGHT_SHARED_MODELS "/spot/spot_triangulated.obj"),
-                        options, {})
-                .model);
-        const auto certainty = sheetCertainty(project, registry_, {});
-        const double step = certainty[0].halfStep.distance.percentile95;
-        const double spacing = certainty[0].halfSpacing.distance.percentile95;
-        QVERIFY2(step < 0.06, qPrintable(QString::number(step)));
-        QVERIFY2(spacing < 0.42, qPrintable(QString::number(spacing)));
     }
 
     void moreFilmPointsAreMoreCertain() {
