@@ -269,7 +269,7 @@ void PlaneFilm::setInverseShape(std::size_t cell, bool second, const Matrix2<flo
 
 Matrix2<float> PlaneFilm::wholeGradient(const Crossing& triangle,
                                         const PlaneVector& displacement) const {
-    return gradientOf(unfoldedEdges(triangle, displacement),
+    return gradientOf(unfoldedEdges(edges(numberOf(triangle), displacement), triangle),
                       inverseShape(triangle.cell, triangle.second));
 }
 
@@ -286,34 +286,12 @@ void PlaneFilm::setFree(const std::vector<float>& free) {
     }
 }
 
-numerics::EdgePair<float> PlaneFilm::unfoldedEdges(const Crossing& triangle,
-                                                   const PlaneVector& displacement) const {
-    const std::size_t cells = std::size_t(columns_ - 1);
-    const RowOfPoints points =
-        rowOfPoints(displacement, std::size_t(columns_), int(triangle.cell / cells));
-    return numerics::unfoldedEdges(cellEdges(points, triangle.cell % cells, triangle.second,
-                                             triangle.thirdOnRight, 1 / inverseX_, 1 / inverseZ_),
-                                   triangle);
-}
-
-std::vector<numerics::TriangleCorners> PlaneFilm::tornTriangles(const PlaneVector& displacement,
-                                                                float limit) const {
-    std::vector<numerics::TriangleCorners> torn;
-    for (int row = 0; row + 1 < rows_; ++row) {
-        const auto [first, last] = crossingInRow(row);
-        for (std::size_t k = first; k < last; ++k) {
-            if (isTorn(unfoldedEdges(crossing_[k], displacement), 1 / inverseX_, 1 / inverseZ_,
-                       limit)) {
-                torn.push_back(numerics::triangleCorners(
-                    columns_, int(crossing_[k].cell) - row * (columns_ - 1), row,
-                    crossing_[k].second));
-            }
-        }
-        if (mayTear(row, displacement, limit)) {
-            findTorn(row, displacement, limit, torn);
-        }
-    }
-    return torn;
+numerics::EdgePair<float> PlaneFilm::edges(int triangle, const PlaneVector& displacement) const {
+    const int cell = triangle / 2, row = cell / (columns_ - 1),
+              column = cell - row * (columns_ - 1);
+    const bool second = triangle % 2 != 0, even = (column + row) % 2 == 0;
+    return cellEdges(rowOfPoints(displacement, std::size_t(columns_), row), std::size_t(column),
+                     second, even != second, 1 / inverseX_, 1 / inverseZ_);
 }
 
 // Whether some free triangle of a row of cells may be torn: neither its larger stretch nor, with
@@ -326,47 +304,15 @@ bool PlaneFilm::mayTear(int row, const PlaneVector& displacement, float limit) c
     return most > std::min(limit * limit, 2 * limit);
 }
 
-void PlaneFilm::findTorn(int row, const PlaneVector& displacement, float limit,
-                         std::vector<numerics::TriangleCorners>& torn) const {
-    const std::size_t cells = std::size_t(columns_ - 1);
-    const RowOfPoints points = rowOfPoints(displacement, std::size_t(columns_), row);
-    auto [next, last] = crossingInRow(row);
-    for (std::size_t i = 0; i < cells; ++i) {
-        const std::size_t cell = std::size_t(row) * cells + i;
-        for (const bool second : {false, true}) {
-            if (next < last && crossing_[next].cell == cell && crossing_[next].second == second) {
-                ++next;
-                continue;
-            }
-            const numerics::TriangleCorners triangle =
-                numerics::triangleCorners(columns_, int(i), row, second);
-            const CellEdges edges =
-                cellEdges(points, i, second, triangle.thirdOnRight, 1 / inverseX_, 1 / inverseZ_);
-            if (moving_[second][cell] > 0 && isTorn(edges, 1 / inverseX_, 1 / inverseZ_, limit)) {
-                torn.push_back(triangle);
-            }
-        }
-    }
-}
-
-void PlaneFilm::setCrossing(std::vector<Crossing> triangles, const PlaneVector& displacement) {
+void PlaneFilm::setCrossing(std::vector<Crossing> triangles) {
     crossing_ = std::move(triangles);
+    anchors_.resize(crossing_.size());
     firstCrossing_.assign(std::size_t(rows_), 0);
-    anchors_.clear();
     for (const Crossing& triangle : crossing_) {
         ++firstCrossing_[triangle.cell / std::size_t(columns_ - 1) + 1];
-        anchors_.push_back(
-            numerics::crossingAnchor(triangle, wholeGradient(triangle, displacement)));
     }
     for (std::size_t row = 1; row < firstCrossing_.size(); ++row) {
         firstCrossing_[row] += firstCrossing_[row - 1];
-    }
-}
-
-void PlaneFilm::moveCrossing(std::vector<Crossing> triangles) {
-    crossing_ = std::move(triangles);
-    for (std::size_t k = 0; k < crossing_.size(); ++k) {
-        anchors_[k] = numerics::anchorOverStep(anchors_[k], crossing_[k]);
     }
 }
 
@@ -466,50 +412,6 @@ void PlaneFilm::hessian(const PlaneVector& direction, PlaneVector& result) const
                     triangle,
                     stressDerivative(floatingChange(anchors_[k], gradientOf(edges, shape)), state),
                     shape, area_));
-        }
-    });
-}
-
-void PlaneFilm::reshape(std::size_t cell, bool second, const Matrix2<float>& change) {
-    setInverseShape(cell, second, change * inverseShape(cell, second));
-    crept_[cell / std::size_t(columns_ - 1)] = 1;
-}
-
-void PlaneFilm::relax(const PlaneVector& displacement, double keep) {
-    std::vector<Matrix2<float>> shapes;
-    shapes.reserve(crossing_.size());
-    for (std::size_t k = 0; k < crossing_.size(); ++k) {
-        shapes.push_back(numerics::relaxedCrossingShape(
-            anchors_[k], wholeGradient(crossing_[k], displacement),
-            inverseShape(crossing_[k].cell, crossing_[k].second), float(keep)));
-    }
-    if (keep < 1) {
-        relaxAll(displacement, float(keep));
-    }
-    for (std::size_t k = 0; k < crossing_.size(); ++k) {
-        setInverseShape(crossing_[k].cell, crossing_[k].second, shapes[k]);
-        crept_[crossing_[k].cell / std::size_t(columns_ - 1)] = 1;
-    }
-}
-
-void PlaneFilm::relaxAll(const PlaneVector& displacement, float keep) {
-    const std::size_t width = std::size_t(columns_), cells = width - 1;
-    std::fill(crept_.begin(), crept_.end(), std::uint8_t(1));
-    forRowBands(rows_ - 1, columns_, [&](int begin, int end) {
-        for (int j = begin; j < end; ++j) {
-            const RowOfPoints points = rowOfPoints(displacement, width, j);
-            for (std::size_t i = 0; i < cells; ++i) {
-                const bool even = ((unsigned(i) + unsigned(j)) & 1u) == 0;
-                for (const bool second : {false, true}) {
-                    const std::size_t cell = std::size_t(j) * cells + i;
-                    const Matrix2<float> shape = inverseShape(cell, second);
-                    const CellEdges edges =
-                        cellEdges(points, i, second, even != second, 1 / inverseX_, 1 / inverseZ_);
-                    setInverseShape(
-                        cell, second,
-                        numerics::relaxedInverseShape(shape, gradientOf(edges, shape), keep));
-                }
-            }
         }
     });
 }

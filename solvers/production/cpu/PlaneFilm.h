@@ -5,6 +5,7 @@
 // its two triangles take (FilmSolver.h, FilmGrid).
 #pragma once
 
+#include "common/cpu/RowParallel.h"
 #include "production/cpu/PlaneVector.h"
 #include "production/formulas/CrossingTriangle.h"
 
@@ -24,11 +25,9 @@ public:
     // One entry a film point: 1 where it moves, 0 where it is held.
     void setFree(const std::vector<float>& free);
 
-    // The triangles that cross the contact line from now on, sorted by cell; their floating parts
-    // have the gradient that they have now.
-    void setCrossing(std::vector<Crossing> triangles, const PlaneVector& displacement);
-    // The same triangles as the contact line goes on.
-    void moveCrossing(std::vector<Crossing> triangles);
+    // The triangles that cross the contact line from now on, sorted by cell. Where they are the
+    // same as before they keep their anchors; of others the anchors are to be set.
+    void setCrossing(std::vector<Crossing> triangles);
 
     // The gradient of the energy at `displacement` (from rest, mm), kept as the point at which
     // hessian() is taken. Returns the root of the sum of squares of the forces on
@@ -39,17 +38,27 @@ public:
     // The Hessian, made positive semi-definite, times `direction`.
     void hessian(const PlaneVector& direction, PlaneVector& result) const;
 
-    // The triangles, with a corner that moves, that are stretched to more than `limit` times their
-    // length or area before the dip (FilmTriangle.h).
-    std::vector<numerics::TriangleCorners> tornTriangles(const PlaneVector& displacement,
-                                                         float limit) const;
+    // Triangles by number: two a cell, cell after cell.
+    numerics::Matrix2<float> shape(int triangle) const { // the inverse of its rest shape
+        return inverseShape(std::size_t(triangle / 2), triangle % 2 != 0);
+    }
+    void setShape(int triangle, const numerics::Matrix2<float>& shape) {
+        setInverseShape(std::size_t(triangle / 2), triangle % 2 != 0, shape);
+        crept_[std::size_t(triangle / 2 / (columns_ - 1))] = 1;
+    }
+    numerics::EdgePair<float> edges(int triangle, const PlaneVector& displacement) const;
+    bool moves(int triangle) const { // a corner of it
+        return moving_[triangle % 2][std::size_t(triangle / 2)] > 0;
+    }
 
-    // Ends a step: lets the stretch of all triangles decay by `keep`, rest shapes creeping to
-    // current ones (PlaneStress.h), and makes the floating part of a crossing triangle stand for
-    // all of it.
-    void relax(const PlaneVector& displacement, double keep);
-    // The inverse rest shape of a triangle times `change`.
-    void reshape(std::size_t cell, bool second, const numerics::Matrix2<float>& change);
+    // As numerics::FilmBackend has them.
+    template <typename Work>
+    void forCrossing(const Work& work);
+    template <typename OnLine, typename Floating>
+    void forTriangles(const OnLine& onLine, const Floating& floating);
+    template <typename OnLine, typename Floating>
+    void forStretched(const PlaneVector& displacement, float limit, const OnLine& onLine,
+                      const Floating& floating);
 
     int columns() const { return columns_; }
     int rows() const { return rows_; }
@@ -63,16 +72,16 @@ private:
         std::vector<float> cosine, sine, turn;
     };
 
-    void relaxAll(const PlaneVector& displacement, float keep);
+    template <typename Floating>
+    void forFloating(int row, const Floating& floating) const;
     // Begin and end in crossing_ of the triangles in a row of cells.
     std::pair<std::size_t, std::size_t> crossingInRow(int row) const;
     numerics::Matrix2<float> inverseShape(std::size_t cell, bool second) const;
     void setInverseShape(std::size_t cell, bool second, const numerics::Matrix2<float>& shape);
     bool mayTear(int row, const PlaneVector& displacement, float limit) const;
-    void findTorn(int row, const PlaneVector& displacement, float limit,
-                  std::vector<numerics::TriangleCorners>& torn) const;
-    numerics::EdgePair<float> unfoldedEdges(const Crossing& triangle,
-                                            const PlaneVector& displacement) const;
+    static int numberOf(const Crossing& triangle) {
+        return 2 * int(triangle.cell) + triangle.second;
+    }
     numerics::Matrix2<float> wholeGradient(const Crossing& triangle,
                                            const PlaneVector& displacement) const;
 
@@ -86,5 +95,47 @@ private:
     std::vector<numerics::CrossingAnchor<float>> anchors_; // of crossing_
     std::vector<std::size_t> firstCrossing_;               // of each row of cells, and the end
 };
+
+template <typename Work>
+void PlaneFilm::forCrossing(const Work& work) {
+    for (std::size_t k = 0; k < crossing_.size(); ++k) {
+        work(numberOf(crossing_[k]), crossing_[k], anchors_[k]);
+    }
+}
+
+// The triangles of a row of cells that do not cross the contact line.
+template <typename Floating>
+void PlaneFilm::forFloating(int row, const Floating& floating) const {
+    auto [next, last] = crossingInRow(row);
+    const int triangles = 2 * (columns_ - 1);
+    for (int triangle = row * triangles; triangle < (row + 1) * triangles; ++triangle) {
+        if (next < last && numberOf(crossing_[next]) == triangle) {
+            ++next;
+        } else {
+            floating(triangle);
+        }
+    }
+}
+
+template <typename OnLine, typename Floating>
+void PlaneFilm::forTriangles(const OnLine& onLine, const Floating& floating) {
+    forCrossing(onLine);
+    forRowBands(rows_ - 1, columns_, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row) {
+            forFloating(row, floating);
+        }
+    });
+}
+
+template <typename OnLine, typename Floating>
+void PlaneFilm::forStretched(const PlaneVector& displacement, float limit, const OnLine& onLine,
+                             const Floating& floating) {
+    forCrossing(onLine);
+    for (int row = 0; row + 1 < rows_; ++row) {
+        if (mayTear(row, displacement, limit)) {
+            forFloating(row, floating);
+        }
+    }
+}
 
 } // namespace dipwright::cpu

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "production/cuda/PlaneMultigrid.cuh"
+#include "production/formulas/FilmBackend.h"
 
 namespace dipwright::cuda {
 
@@ -90,12 +91,8 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
 // become the displacement, or at the displacement where `length` is 0; left in the multigrid's
 // finest right side, and where they were taken in `stress`. Returns the roots of the sums of
 // squares of the forces on free points, and of those within the film.
-struct FilmForce {
-    double left, elastic;
-};
-
-__device__ inline FilmForce force(const ProductionModel& model, const ProductionDip& dip,
-                                  float drag, float length, Team& team, float2* memory) {
+__device__ inline numerics::FilmForce force(const ProductionModel& model, const ProductionDip& dip,
+                                            float drag, float length, Team& team, float2* memory) {
     double sums[2] = {0, 0};
 #pragma unroll 1
     for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {

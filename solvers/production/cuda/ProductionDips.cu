@@ -4,7 +4,7 @@
 
 #include "common/SetupLimits.h"
 #include "common/cuda/FieldUploads.h"
-#include "production/cuda/ProductionStep.cuh"
+#include "production/cuda/CudaBackend.cuh"
 
 #include <algorithm>
 #include <cmath>
@@ -141,23 +141,8 @@ private:
 };
 
 ProductionModel modelOf(const solver::DipSetup& setup, int blocks) {
-    const solver::FilmGrid& film = setup.film;
-    ProductionModel model;
-    model.columns = film.columns;
-    model.rows = film.rows;
-    model.width = film.width;
-    model.depth = film.depth;
-    model.spacingX = film.spacingX();
-    model.spacingZ = film.spacingZ();
-    model.cell = float(std::min(film.spacingX(), film.spacingZ()));
-    model.edgeX = 1 / float(1 / film.spacingX());
-    model.edgeZ = 1 / float(1 / film.spacingZ());
-    model.area = float(film.spacingX() * film.spacingZ() / 2);
-    model.contactTravel = setup.settings.contactTravel;
-    model.residual = setup.settings.residual;
-    model.tearStretch = setup.settings.tearStretch;
-    model.relaxationTime = setup.settings.relaxationTime;
-    model.tiles = filmTiles(film.columns, film.rows, blocks);
+    ProductionModel model{numerics::filmModel<float>(setup)};
+    model.tiles = filmTiles(model.columns, model.rows, blocks);
     std::ranges::copy(numerics::multigrid::chebyshev(numerics::multigrid::smoothingDegree),
                       model.smoothing);
     std::ranges::copy(numerics::multigrid::chebyshev(numerics::multigrid::coarsestDegree),
@@ -239,7 +224,7 @@ private:
     DeviceArray<std::byte> memory_;
     std::vector<ProductionDip> dips_;
     DeviceArray<ProductionDip> dipsOnDevice_;
-    std::vector<ProductionState> states_;
+    std::vector<numerics::StepState<float>> states_;
 };
 
 ProductionDips::ProductionDips(const Device& device, Setups setups)
@@ -279,7 +264,7 @@ void ProductionDips::layFlat(const solver::DipSetup& setup, const ProductionDip&
     upload(dip.inverseShape,
            std::vector<float4>(2 * std::size_t(film().columns - 1) * std::size_t(film().rows - 1),
                                shape));
-    upload(dip.state, std::vector<ProductionState>(1));
+    upload(dip.state, std::vector<numerics::StepState<float>>(1));
 }
 
 void ProductionDips::advance(int maximumSteps) {
@@ -300,7 +285,7 @@ void ProductionDips::advance(int maximumSteps) {
 }
 
 solver::DipState ProductionDips::progress(std::size_t dip) const {
-    const ProductionState& state = states_[dip];
+    const numerics::StepState<float>& state = states_[dip];
     return {state.steps, state.descent, state.descent >= dips_[dip].body.motion.travel};
 }
 
@@ -327,15 +312,11 @@ void ProductionDips::unpackPoints(std::size_t dip, const std::byte* stored,
     const std::size_t count = film().pointCount();
     for (std::size_t point = 0; point < count; ++point) {
         const auto state = solver::PointState(held[point]);
-        numerics::Vector3<float> place{
-            float(-film().width / 2 + double(point % film().columns) * film().spacingX()) +
-                displacement[point].x,
-            0,
-            float(-film().depth / 2 + double(point / film().columns) * film().spacingZ()) +
-                displacement[point].y};
-        if (state != solver::PointState::Free) {
-            place = frame.toWorld({attached[point].x, attached[point].y, attached[point].z});
-        }
+        const numerics::Vector3<float> place =
+            state == solver::PointState::Free
+                ? numerics::planePosition(model_, std::uint32_t(point),
+                                          {displacement[point].x, displacement[point].y})
+                : frame.toWorld({attached[point].x, attached[point].y, attached[point].z});
         positions[3 * point] = place.x;
         positions[3 * point + 1] = place.y;
         positions[3 * point + 2] = place.z;

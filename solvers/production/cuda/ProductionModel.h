@@ -4,6 +4,7 @@
 
 #include "common/HostDevice.h"
 #include "production/formulas/Adhesion.h"
+#include "production/formulas/FilmModel.h"
 #include "production/formulas/MultigridCycle.h"
 
 #include <cuda_runtime_api.h>
@@ -67,14 +68,9 @@ struct PlaneLevel {
     PlaneTiles tiles; // of the coarser level
 };
 
-struct ProductionModel {
+struct ProductionModel : numerics::FilmModel<float> {
     static constexpr int mostLevels = 12;
 
-    int columns = 0, rows = 0;
-    double width = 0, depth = 0, spacingX = 0, spacingZ = 0; // mm
-    float cell = 0;                                          // the smaller spacing
-    float edgeX = 0, edgeZ = 0, area = 0;                    // of an undeformed triangle
-    double contactTravel = 0, residual = 0, tearStretch = 0, relaxationTime = 0;
     PlaneTiles tiles; // of the film's points
     int levelCount = 0;
     int wholeLevel = 0; // this level and those after it fit into one block
@@ -83,18 +79,9 @@ struct ProductionModel {
     numerics::multigrid::ChebyshevStep coarsest[numerics::multigrid::coarsestDegree];
 };
 
-// Where a dip stands between two launches.
-struct ProductionState {
-    double descent = 0, increment = 0;
-    float steepness = 1; // the least of all places on the contact line
-    int steps = 0;
-    bool anyAdhered = false;
-    bool driven = false; // the contact line still pulls at the film
-};
-
 struct ProductionDip {
     numerics::ContactBody<float> body;
-    ProductionState* state = nullptr;
+    numerics::StepState<float>* state = nullptr; // between two launches
     TeamMemory* team = nullptr;
 
     // One entry a film point.

@@ -58,7 +58,7 @@ DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>
         return bodyFrame<Real>(body.motion, descent + increment * double(share))
             .toBody(start + way * share);
     };
-    for (int iteration = 0; iteration < 24; ++iteration) {
+    for (int iteration = 0; iteration < contactTimeHalvings; ++iteration) {
         const Real middle = (early + late) / Real(2);
         const Real distance = sampleField(body.field, placeAt(middle)).distance;
         (distance > body.contactDistance ? early : late) = middle;

@@ -7,6 +7,7 @@
 
 #include "common/BodyFrame.h"
 #include "common/FieldSampling.h"
+#include "production/formulas/Tolerances.h"
 
 namespace dipwright::numerics {
 
@@ -25,10 +26,10 @@ template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Vector3<Real>
 projectedOnSurface(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
                    Vector3<Real> p) {
-    for (int iteration = 0; iteration < 3; ++iteration) {
+    for (int iteration = 0; iteration < surfaceNewtonSteps; ++iteration) {
         const FieldSample<Real> sample = sampleWorld(field, frame, p);
         const Real square = dot(sample.gradient, sample.gradient);
-        if (square < Real(0.04)) {
+        if (square < Real(leastGradientSquared)) {
             break;
         }
         p = p - sample.gradient * ((sample.distance - contactDistance) / square);
@@ -42,15 +43,15 @@ DIPWRIGHT_HOST_DEVICE inline bool
 contactLineBySlope(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
                    Real cell, Vector3<Real> start, Vector3<Real>& line) {
     line = start;
-    for (int iteration = 0; iteration < 12; ++iteration) {
+    for (int iteration = 0; iteration < contactLineNewtonSteps; ++iteration) {
         const FieldSample<Real> sample = sampleWorld(field, frame, line);
         const Real excess = sample.distance - contactDistance;
-        if (std::abs(excess) < Real(1e-4) * cell) {
+        if (std::abs(excess) < Real(contactLineReached) * cell) {
             return true;
         }
         const Vector3<Real> slope{sample.gradient.x, Real(0), sample.gradient.z};
         const Real square = dot(slope, slope);
-        if (square < Real(0.0025)) {
+        if (square < Real(leastSlopeSquared)) {
             return false;
         }
         Vector3<Real> step = slope * (-excess / square);
@@ -73,7 +74,7 @@ contactLineBetween(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
     if (!(atInside <= Real(0) && atOutside > Real(0))) {
         return false;
     }
-    for (int iteration = 0; iteration < 20; ++iteration) {
+    for (int iteration = 0; iteration < contactLineHalvings; ++iteration) {
         line = (inside + outside) * Real(0.5);
         if (sampleWorld(field, frame, line).distance > contactDistance) {
             outside = line;
@@ -113,7 +114,7 @@ contactLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real con
         frame.directionToWorld(smoothGradient(field, frame.toBody(line.place)));
     const Real horizontal = std::sqrt(gradient.x * gradient.x + gradient.z * gradient.z);
     const Real size = length(gradient);
-    line.found = horizontal > Real(0.02) * size;
+    line.found = horizontal > Real(leastSlope) * size;
     if (line.found) {
         line.outwards = {gradient.x / horizontal, Real(0), gradient.z / horizontal};
         line.steepness = horizontal / size;
@@ -136,10 +137,10 @@ template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Real
 acrossToLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
              Real cell, Vector3<Real> above, Vector3<Real> outwards, Real across) {
-    for (int iteration = 0; iteration < 6; ++iteration) {
+    for (int iteration = 0; iteration < acrossLineNewtonSteps; ++iteration) {
         const FieldSample<Real> sample = sampleWorld(field, frame, above + outwards * across);
         const Real slope = dot(sample.gradient, outwards);
-        if (slope < Real(0.02)) {
+        if (slope < Real(leastSlope)) {
             break;
         }
         const Real step = (contactDistance - sample.distance) / slope;
@@ -172,7 +173,8 @@ unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contac
         frame.directionToWorld(smoothGradient(field, frame.toBody(above + outwards * across)));
     const Real horizontal = std::sqrt(gradient.x * gradient.x + gradient.z * gradient.z);
     const Vector3<Real> normal{gradient.x / horizontal, Real(0), gradient.z / horizontal};
-    if (horizontal > Real(0.02) && dot(normal, line.outwards) > Real(detail::leastAgreement)) {
+    if (horizontal > Real(leastSlope) &&
+        dot(normal, line.outwards) > Real(detail::leastAgreement)) {
         outwards = normal;
         across = detail::acrossToLine(field, frame, contactDistance, cell, above, outwards, across);
     }

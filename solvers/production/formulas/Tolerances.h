@@ -1,11 +1,44 @@
-// How far the film's equilibrium is pursued (Newton's method with conjugate gradients), the same on
-// every device.
+// The limits and tolerances of the production film's searches, and what each is relative to; the
+// same on every device.
 #pragma once
 
 namespace dipwright::numerics {
 
-inline constexpr int maximumNewtonSteps = 12;
-inline constexpr int maximumConjugateSteps = 40;
-inline constexpr int maximumShortenings = 6; // of one Newton step, by half each
+// The search for the film's equilibrium (Equilibrium.h). Forces are roots of sums of squares: those
+// left on the free points, and the elastic ones within the film. Which share of the latter may be
+// left is a setting (solver::Settings, residual).
+struct NewtonLimits {
+    int newtonSteps = 12;            // at most
+    int shortenings = 6;             // of one Newton step, by half each, at most
+    double sufficientDecrease = 0.1; // of the forces left, times the share of the step taken
+    // The residual of a Newton step's linear system: this share of the forces that may be left at
+    // the end, or that share of those left now, whichever is larger.
+    double linearShareOfAllowed = 0.5, linearShareOfLeft = 0.02;
+    // On a point, over the film's shear stiffness times 1 mm. Below it, on the average, the film is
+    // flat and whole to the precision of its numbers.
+    double flatForce = 1e-6;
+};
+
+// A point moves at most so far in one Newton step: in cells, by their longer edge.
+inline constexpr double longestNewtonStep = 2;
+inline constexpr double shortestNewtonStep = 1e-30; // mm: only keeps a division from zero
+
+// Conjugate gradients.
+inline constexpr int mostConjugateSteps = 40;
+inline constexpr double leastCurvature = 1e-6; // dᵀHd over rᵀM⁻¹r: from here on H counts as flat
+inline constexpr double mostResidualGrowth = 10; // over the residual at the start: given up
+
+// When in a step a point meets the body (Adhesion.h): halvings of the step.
+inline constexpr int contactTimeHalvings = 24;
+
+// Where the contact line is (ContactPath.h).
+inline constexpr int contactLineHalvings = 20; // of the way from a place in the body to one outside
+inline constexpr int contactLineNewtonSteps = 12;  // in the water plane, at most
+inline constexpr int acrossLineNewtonSteps = 6;    // along a line's normal, at most
+inline constexpr int surfaceNewtonSteps = 3;       // along ∇φ to the surface, at most
+inline constexpr double contactLineReached = 1e-4; // distance left, in cells
+// Of ∇φ in the water plane, of which |∇φ| is 1 nearly everywhere. On flatter places a search stops.
+inline constexpr double leastSlope = 0.02, leastSlopeSquared = 0.0025;
+inline constexpr double leastGradientSquared = 0.04; // |∇φ|²: less is a ridge
 
 } // namespace dipwright::numerics

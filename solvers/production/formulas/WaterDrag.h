@@ -20,11 +20,4 @@ DIPWRIGHT_HOST_DEVICE inline double pointDrag(double spacingX, double spacingZ, 
     return waterDrag * spacingX * spacingZ / increment;
 }
 
-// On the way from where the film was before a step; Vector as in FilmDip.
-template <typename Vector>
-struct Drag {
-    const Vector& before;
-    double perPoint = 0;
-};
-
 } // namespace dipwright::numerics

@@ -1,7 +1,6 @@
 #include "production/reference/ReferenceFilm.h"
 
-#include "production/formulas/FilmStep.h"
-#include "production/reference/PlaneEquilibrium.h"
+#include "production/reference/ReferenceBackend.h"
 
 #include <optional>
 #include <stdexcept>
@@ -19,17 +18,17 @@ public:
         }
         solver::DipSetup exact = setup;
         exact.settings.residual = 1e-9;
-        points_ = setup.film.pointCount();
-        dip_.emplace(exact);
+        film_.emplace(exact);
     }
-    solver::DipState advance(int maximumSteps) override { return dip_->advance(maximumSteps); }
+    solver::DipState advance(int maximumSteps) override {
+        return numerics::advance(*film_, maximumSteps);
+    }
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
-        numerics::readFilm(*dip_, points_, positions, states);
+        film_->read(positions, states);
     }
 
 private:
-    std::optional<numerics::FilmDip<PlaneEquilibrium>> dip_;
-    std::size_t points_ = 0;
+    std::optional<ReferenceBackend> film_;
 };
 
 } // namespace

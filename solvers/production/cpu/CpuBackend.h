@@ -1,0 +1,117 @@
+// The production film on the CPU's cores, row by row (FilmBackend.h): the linear systems by
+// conjugate gradients with a multigrid cycle as preconditioner. The same bits for any number of
+// threads.
+#pragma once
+
+#include "production/cpu/PlaneFilm.h"
+#include "production/cpu/PlaneMultigrid.h"
+#include "production/formulas/HostFilm.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace dipwright::cpu {
+
+class CpuBackend : public numerics::HostFilm<PlaneVector> {
+public:
+    explicit CpuBackend(const solver::DipSetup& setup);
+
+    numerics::Matrix2<float> shape(int triangle) const { return film_.shape(triangle); }
+    void setShape(int triangle, const numerics::Matrix2<float>& shape) {
+        film_.setShape(triangle, shape);
+    }
+    numerics::EdgePair<float> edges(int triangle) const {
+        return film_.edges(triangle, displacement_);
+    }
+    bool triangleMoves(int triangle) const { return film_.moves(triangle); }
+
+    template <typename Crosses, typename Unfold>
+    numerics::LineState<float> findCrossing(const Crosses& crosses, const Unfold& unfold);
+    template <typename Work>
+    void forCrossing(const Work& work) {
+        film_.forCrossing(work);
+    }
+    template <typename OnLine, typename Floating>
+    void forTriangles(const OnLine& onLine, const Floating& floating) {
+        film_.forTriangles(onLine, floating);
+    }
+    template <typename OnLine, typename Floating>
+    void forStretched(float limit, const OnLine& onLine, const Floating& floating) {
+        film_.forStretched(displacement_, limit, onLine, floating);
+    }
+
+    static constexpr numerics::NewtonLimits newtonLimits() { return {}; }
+    void setFree();
+    numerics::FilmForce force(float drag);
+    numerics::FilmForce forceAlong(float length, float drag);
+    void solveLinear(float drag, double start, double tolerance);
+    double startOfStep();
+    void keepBest() { best_ = displacement_; }
+    void takeBest() { displacement_ = best_; }
+
+    void startLinear();
+    double precondition();
+    double curvature(float drag, float keep, int iteration);
+    double advance(float length, int iteration);
+
+private:
+    static constexpr std::size_t trianglesAtOnce = 32; // unfolded by one thread
+
+    // The triangles of cells with held and with free corners of which `crosses` holds.
+    template <typename Crosses>
+    std::vector<int> crossingTriangles(const Crosses& crosses) const;
+    double dot(const PlaneVector& a, const PlaneVector& b) const;
+    void maskHeld(PlaneVector& v) const;
+
+    PlaneFilm film_;
+    PlaneMultigrid multigrid_;
+    std::vector<float> masked_; // 0: held, as of the last setFree()
+    PlaneVector gradient_, step_, residual_, smoothed_, direction_, product_, start_, best_;
+};
+
+template <typename Crosses>
+std::vector<int> CpuBackend::crossingTriangles(const Crosses& crosses) const {
+    std::vector<int> triangles;
+    const int columns = model().columns, cellsPerRow = columns - 1;
+    const auto isHeld = [&](int point) { return pointState(point) != solver::PointState::Free; };
+    for (int row = 0; row + 1 < model().rows; ++row) {
+        for (int column = 0; column < cellsPerRow; ++column) {
+            const int lower = row * columns + column, upper = lower + columns;
+            const int held = isHeld(lower) + isHeld(lower + 1) + isHeld(upper) + isHeld(upper + 1);
+            for (int second = 0; held > 0 && held < 4 && second < 2; ++second) {
+                if (crosses(numerics::triangleCorners(columns, column, row, second != 0))) {
+                    triangles.push_back(2 * (row * cellsPerRow + column) + second);
+                }
+            }
+        }
+    }
+    return triangles;
+}
+
+template <typename Crosses, typename Unfold>
+numerics::LineState<float> CpuBackend::findCrossing(const Crosses& crosses, const Unfold& unfold) {
+    const std::vector<int> triangles = crossingTriangles(crosses);
+    std::vector<PlaneFilm::Crossing> crossing(triangles.size());
+    std::vector<float> steepness(triangles.size());
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, triangles.size(), trianglesAtOnce),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                const auto unfolded =
+                    unfold(triangles[i],
+                           numerics::triangleCorners(model().columns, std::size_t(triangles[i])));
+                crossing[i] = unfolded.crossing;
+                steepness[i] = unfolded.steepness;
+            }
+        });
+    film_.setCrossing(std::move(crossing));
+    numerics::LineState<float> line{1, !triangles.empty()};
+    for (const float least : steepness) {
+        line.steepness = std::min(line.steepness, least);
+    }
+    return line;
+}
+
+} // namespace dipwright::cpu

@@ -1,0 +1,110 @@
+// The points of a production film in the host's memory, for those backends that have it there
+// (FilmBackend.h, FilmStorage), and its dip as the solver interface wants it. One thread is the
+// team.
+#pragma once
+
+#include "production/formulas/FilmStep.h"
+
+#include <dipwright/FilmSolver.h>
+
+#include <span>
+#include <vector>
+
+namespace dipwright::numerics {
+
+// `Vector`: two arrays x and z of its Real, one entry a film point.
+template <typename Vector>
+class HostFilm {
+public:
+    using Real = typename Vector::Real;
+
+    explicit HostFilm(const solver::DipSetup& setup)
+        : displacement_(setup.film.pointCount()), before_(setup.film.pointCount()),
+          free_(setup.film.pointCount(), 1.f), model_(filmModel<Real>(setup)),
+          body_(contactBody<Real>(setup)),
+          states_(setup.film.pointCount(), solver::PointState::Free),
+          attached_(setup.film.pointCount()), clearance_(setup.film.pointCount(), Real(0)),
+          laid_(std::size_t(triangleCount(model_))) {
+        for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
+            free_[point] = setup.pinned[point] ? 0.f : 1.f;
+        }
+    }
+
+    const FilmModel<Real>& model() const { return model_; }
+    const ContactBody<Real>& body() const { return body_; }
+    StepState<Real>& state() { return state_; }
+
+    Vector2<Real> displacement(int point) const { return at(displacement_, point); }
+    Vector2<Real> before(int point) const { return at(before_, point); }
+    void setDisplacement(int point, Vector2<Real> way) { put(displacement_, point, way); }
+    void setBefore(int point, Vector2<Real> way) { put(before_, point, way); }
+    solver::PointState pointState(int point) const { return states_[std::size_t(point)]; }
+    Vector3<Real> attached(int point) const { return attached_[std::size_t(point)]; }
+    void attach(int point, Vector3<Real> place, solver::PointState state) {
+        attached_[std::size_t(point)] = place;
+        states_[std::size_t(point)] = state;
+    }
+    bool moves(int point) const { return free_[std::size_t(point)] > 0; }
+    void hold(int point) { free_[std::size_t(point)] = 0; }
+    Real clearance(int point) const { return clearance_[std::size_t(point)]; }
+    void setClearance(int point, Real clearance) { clearance_[std::size_t(point)] = clearance; }
+    LaidCorners<Real>& laid(int triangle) { return laid_[std::size_t(triangle)]; }
+
+    static void meet() {}
+    static Real least(Real value) { return value; }
+    static bool anyOf(bool flag) { return flag; }
+    template <typename Work>
+    void forPoints(const Work& work) const {
+        for (int point = 0; point < pointCount(model_); ++point) {
+            work(point);
+        }
+    }
+
+    // As solver::FilmSolver::read.
+    void read(std::span<float> positions, std::span<solver::PointState> states) const {
+        const BodyFrame<Real> frame = bodyFrame<Real>(body_.motion, state_.descent);
+        forPoints([&](int point) {
+            const Vector3<Real> place =
+                pointState(point) == solver::PointState::Free
+                    ? planePosition(model_, std::uint32_t(point), displacement(point))
+                    : frame.toWorld(attached(point));
+            float* position = positions.data() + 3 * std::size_t(point);
+            position[0] = float(place.x);
+            position[1] = float(place.y);
+            position[2] = float(place.z);
+        });
+        std::copy_n(states_.begin(), states.size(), states.begin());
+    }
+
+protected:
+    Vector displacement_, before_; // from rest, now and a step ago
+    std::vector<float> free_;      // 1: the equilibrium moves it
+
+private:
+    static Vector2<Real> at(const Vector& v, int point) {
+        return {v.x[std::size_t(point)], v.z[std::size_t(point)]};
+    }
+    static void put(Vector& v, int point, Vector2<Real> way) {
+        v.x[std::size_t(point)] = way.x;
+        v.z[std::size_t(point)] = way.z;
+    }
+
+    FilmModel<Real> model_;
+    ContactBody<Real> body_;
+    StepState<Real> state_;
+    std::vector<solver::PointState> states_;
+    std::vector<Vector3<Real>> attached_; // where an adhered point sits, body coordinates
+    std::vector<Real> clearance_;
+    std::vector<LaidCorners<Real>> laid_;
+};
+
+// At most `maximumSteps` steps; as solver::FilmSolver::advance.
+template <FilmBackend Film>
+solver::DipState advance(Film& film, int maximumSteps) {
+    for (int i = 0; i < maximumSteps && !isFinished(film); ++i) {
+        step(film);
+    }
+    return {film.state().steps, film.state().descent, isFinished(film)};
+}
+
+} // namespace dipwright::numerics
