@@ -106,6 +106,48 @@
     </message>
 </context>
 <context>
+    <name>ImmersionEdits</name>
+    <message>
+        <source>Add Immersion</source>
+        <translation>Tauchgang hinzufügen</translation>
+    </message>
+    <message>
+        <source>Immersion %1</source>
+        <translation>Tauchgang %1</translation>
+    </message>
+    <message>
+        <source>Remove Immersion</source>
+        <translation>Tauchgang entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>ModelImport</name>
+    <message>
+        <source>Reading the model</source>
+        <translation>Modell wird gelesen</translation>
+    </message>
+    <message>
+        <source>Immersion %1</source>
+        <translation>Tauchgang %1</translation>
+    </message>
+    <message>
+        <source>Reload Model</source>
+        <translation>Modell neu laden</translation>
+    </message>
+    <message>
+        <source>Replace Model</source>
+        <translation>Modell ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace Texture</source>
+        <translation>Textur ersetzen</translation>
+    </message>
+    <message>
+        <source>Reading the texture</source>
+        <translation>Textur wird gelesen</translation>
+    </message>
+</context>
+<context>
     <name>PhysicsValidation</name>
     <message>
         <source>%1 film, %2 cells in the contact radius</source>
@@ -1480,6 +1522,13 @@
     </message>
 </context>
 <context>
+    <name>dipwright::BodyTurn</name>
+    <message>
+        <source>Turn Body</source>
+        <translation>Körper drehen</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::CalibrationDialog</name>
     <message>
         <source> mm</source>
@@ -1678,6 +1727,17 @@
     </message>
 </context>
 <context>
+    <name>dipwright::CertaintyCheck</name>
+    <message>
+        <source>Checking the certainty</source>
+        <translation>Verlässlichkeit wird geprüft</translation>
+    </message>
+    <message>
+        <source>Check Certainty</source>
+        <translation>Verlässlichkeit prüfen</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::CertaintyDialog</name>
     <message>
         <source>How far the sheet moves</source>
@@ -1757,6 +1817,25 @@
     </message>
 </context>
 <context>
+    <name>dipwright::DipController</name>
+    <message>
+        <source>The Dip</source>
+        <translation>Der Tauchgang</translation>
+    </message>
+    <message>
+        <source>Simulated with %1 on %2</source>
+        <translation>Simuliert mit %1 auf %2</translation>
+    </message>
+    <message>
+        <source>The sheet is out of date: it was made before the last changes.</source>
+        <translation>Der Bogen ist veraltet: Er entstand vor den letzten Änderungen.</translation>
+    </message>
+    <message>
+        <source>The results are out of date: they were made before the last changes.</source>
+        <translation>Die Ergebnisse sind veraltet: Sie entstanden vor den letzten Änderungen.</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::DipView</name>
     <message>
         <source>The 3D view needs OpenGL 3.2, and no such context could be made. Everything else works.</source>
@@ -1779,6 +1858,170 @@
     </message>
 </context>
 <context>
+    <name>dipwright::DocumentController</name>
+    <message>
+        <source>Open Project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Project in Use</source>
+        <translation>Projekt in Benutzung</translation>
+    </message>
+    <message>
+        <source>“%1” is open already, on %2 (process %3).</source>
+        <translation>„%1“ ist schon geöffnet, auf %2 (Prozess %3).</translation>
+    </message>
+    <message>
+        <source>an unknown machine</source>
+        <translation>einem unbekannten Rechner</translation>
+    </message>
+    <message>
+        <source>Whoever saves last overwrites what the other has done.</source>
+        <translation>Wer zuletzt speichert, überschreibt die Arbeit des anderen.</translation>
+    </message>
+    <message>
+        <source>Open Anyway</source>
+        <translation>Trotzdem öffnen</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1” before it is closed?</source>
+        <translation>Die Änderungen an „%1“ vor dem Schließen speichern?</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>Replace Model</source>
+        <translation>Modell ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace Texture</source>
+        <translation>Textur ersetzen</translation>
+    </message>
+    <message>
+        <source>%1 is a picture: open the project first that is to wear it</source>
+        <translation>%1 ist ein Bild: Öffnen Sie zuerst das Projekt, das es tragen soll</translation>
+    </message>
+    <message>
+        <source>%1 is neither a project, a model nor a picture</source>
+        <translation>%1 ist weder ein Projekt noch ein Modell noch ein Bild</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::DocumentSession</name>
+    <message>
+        <source>Opening the project</source>
+        <translation>Projekt wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>%1 geöffnet</translation>
+    </message>
+    <message>
+        <source>Reading the model</source>
+        <translation>Modell wird gelesen</translation>
+    </message>
+    <message>
+        <source>New Project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>Restoring the project</source>
+        <translation>Projekt wird wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Restore Project</source>
+        <translation>Projekt wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Restored unsaved changes of %1</source>
+        <translation>Nicht gespeicherte Änderungen von %1 wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ExportController</name>
+    <message>
+        <source>Export Results to a Folder</source>
+        <translation>Ergebnisse in einen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Export Results</source>
+        <translation>Ergebnisse exportieren</translation>
+    </message>
+    <message>
+        <source>Wrote the results to %1</source>
+        <translation>Ergebnisse nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Save Sheet</source>
+        <translation>Bogen speichern</translation>
+    </message>
+    <message>
+        <source>Export Stretch</source>
+        <translation>Dehnung exportieren</translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation>dehnung</translation>
+    </message>
+    <message>
+        <source>These sheets were made before the last changes. Run the dip first to print what the project now says.</source>
+        <translation>Diese Bögen entstanden vor den letzten Änderungen. Starten Sie zuerst den Tauchgang, um zu drucken, was im Projekt jetzt steht.</translation>
+    </message>
+    <message>
+        <source>Save Maps</source>
+        <translation>Karten speichern</translation>
+    </message>
+    <message>
+        <source>Wrote the maps to %1</source>
+        <translation>Karten nach %1 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::FilmReader</name>
+    <message>
+        <source>Body at %1, %2, %3</source>
+        <translation>Körper bei %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Sheet %1, %2 · %3 · stretch %4 · area %5 · %6 to %7</source>
+        <translation>Bogen %1, %2 · %3 · Dehnung %4 · Fläche %5 · %6 bis %7</translation>
+    </message>
+    <message>
+        <source>on the body</source>
+        <translation>auf dem Körper</translation>
+    </message>
+    <message>
+        <source>on the water</source>
+        <translation>auf dem Wasser</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::GuideWindow</name>
     <message>
         <source>User Guide</source>
@@ -1787,6 +2030,65 @@
     <message>
         <source>Contents</source>
         <translation>Inhalt</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::HelpController</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>Dipwright computes the picture to print on a film so that, when the body is dipped through it, every colour lands where it belongs.</source>
+        <translation>Dipwright berechnet das Bild, das auf einen Film zu drucken ist, damit beim Tauchen des Körpers jede Farbe dort landet, wohin sie gehört.</translation>
+    </message>
+    <message>
+        <source>The project</source>
+        <translation>Das Projekt</translation>
+    </message>
+    <message>
+        <source>Model, film, one or two immersions, sheet and ink. Choose a part in the tree and change its values below. Begin by dropping a model on the window.</source>
+        <translation>Modell, Film, ein oder zwei Tauchgänge, Bogen und Farbe. Wählen Sie einen Teil im Baum und ändern Sie darunter seine Werte. Beginnen Sie, indem Sie ein Modell auf das Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>The view</source>
+        <translation>Die Ansicht</translation>
+    </message>
+    <message>
+        <source>The body above the film. Drag to look round it, turn it by its rings, then press Run.</source>
+        <translation>Der Körper über dem Film. Ziehen Sie, um ihn von allen Seiten zu sehen, drehen Sie ihn an seinen Ringen und starten Sie dann.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Simulates the dip while you watch and can be cancelled at any time. With Run Live, each change runs what depends on it again.</source>
+        <translation>Simuliert den Tauchgang vor Ihren Augen und kann jederzeit abgebrochen werden. Mit „Mitlaufen“ rechnet jede Änderung neu, was von ihr abhängt.</translation>
+    </message>
+    <message>
+        <source>The timeline</source>
+        <translation>Die Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Plays the dip again, or shows any moment of it.</source>
+        <translation>Spielt den Tauchgang noch einmal ab oder zeigt einen beliebigen Augenblick.</translation>
+    </message>
+    <message>
+        <source>The results</source>
+        <translation>Die Ergebnisse</translation>
+    </message>
+    <message>
+        <source>How the film stretches, the picture that goes on it, the body as it will come out, and the sheet to print. Move the cursor over one and see the same place in all the others.</source>
+        <translation>Wie sich der Film dehnt, das Bild, das auf ihn kommt, der Körper, wie er herauskommt, und der Bogen zum Drucken. Fahren Sie mit dem Zeiger über eines und sehen Sie dieselbe Stelle in allen anderen.</translation>
+    </message>
+    <message>
+        <source>About Dipwright</source>
+        <translation>Über Dipwright</translation>
+    </message>
+    <message>
+        <source>Computational hydrographic printing.</source>
+        <translation>Berechneter Wassertransferdruck.</translation>
     </message>
 </context>
 <context>
@@ -2062,149 +2364,24 @@
 <context>
     <name>dipwright::MainWindow</name>
     <message>
-        <source>Simulated with %1 on %2</source>
-        <translation>Simuliert mit %1 auf %2</translation>
-    </message>
-    <message>
-        <source>The Dip</source>
-        <translation>Der Tauchgang</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo “%1”</source>
-        <translation>„%1“ &amp;rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo “%1”</source>
-        <translation>„%1“ &amp;wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>Welcome</source>
-        <translation>Willkommen</translation>
-    </message>
-    <message>
-        <source>Dipwright computes the picture to print on a film so that, when the body is dipped through it, every colour lands where it belongs.</source>
-        <translation>Dipwright berechnet das Bild, das auf einen Film zu drucken ist, damit beim Tauchen des Körpers jede Farbe dort landet, wohin sie gehört.</translation>
-    </message>
-    <message>
-        <source>The project</source>
-        <translation>Das Projekt</translation>
-    </message>
-    <message>
-        <source>Model, film, one or two immersions, sheet and ink. Choose a part in the tree and change its values below. Begin by dropping a model on the window.</source>
-        <translation>Modell, Film, ein oder zwei Tauchgänge, Bogen und Farbe. Wählen Sie einen Teil im Baum und ändern Sie darunter seine Werte. Beginnen Sie, indem Sie ein Modell auf das Fenster ziehen.</translation>
-    </message>
-    <message>
-        <source>The view</source>
-        <translation>Die Ansicht</translation>
-    </message>
-    <message>
-        <source>The body above the film. Drag to look round it, turn it by its rings, then press Run.</source>
-        <translation>Der Körper über dem Film. Ziehen Sie, um ihn von allen Seiten zu sehen, drehen Sie ihn an seinen Ringen und starten Sie dann.</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Starten</translation>
-    </message>
-    <message>
-        <source>Simulates the dip while you watch and can be cancelled at any time. With Run Live, each change runs what depends on it again.</source>
-        <translation>Simuliert den Tauchgang vor Ihren Augen und kann jederzeit abgebrochen werden. Mit „Mitlaufen“ rechnet jede Änderung neu, was von ihr abhängt.</translation>
-    </message>
-    <message>
-        <source>The timeline</source>
-        <translation>Die Zeitleiste</translation>
-    </message>
-    <message>
-        <source>Plays the dip again, or shows any moment of it.</source>
-        <translation>Spielt den Tauchgang noch einmal ab oder zeigt einen beliebigen Augenblick.</translation>
-    </message>
-    <message>
-        <source>The results</source>
-        <translation>Die Ergebnisse</translation>
-    </message>
-    <message>
-        <source>How the film stretches, the picture that goes on it, the body as it will come out, and the sheet to print. Move the cursor over one and see the same place in all the others.</source>
-        <translation>Wie sich der Film dehnt, das Bild, das auf ihn kommt, der Körper, wie er herauskommt, und der Bogen zum Drucken. Fahren Sie mit dem Zeiger über eines und sehen Sie dieselbe Stelle in allen anderen.</translation>
-    </message>
-    <message>
-        <source>About Dipwright</source>
-        <translation>Über Dipwright</translation>
-    </message>
-    <message>
-        <source>Computational hydrographic printing.</source>
-        <translation>Berechneter Wassertransferdruck.</translation>
-    </message>
-    <message>
         <source>Cancelling …</source>
         <translation>Wird abgebrochen …</translation>
     </message>
     <message>
-        <source>The sheet is out of date: it was made before the last changes.</source>
-        <translation>Der Bogen ist veraltet: Er entstand vor den letzten Änderungen.</translation>
+        <source>The report is on the clipboard</source>
+        <translation>Der Bericht liegt in der Zwischenablage</translation>
     </message>
     <message>
-        <source>The results are out of date: they were made before the last changes.</source>
-        <translation>Die Ergebnisse sind veraltet: Sie entstanden vor den letzten Änderungen.</translation>
+        <source>Layout “%1”</source>
+        <translation>Anordnung „%1“</translation>
     </message>
     <message>
-        <source>Picture on the Film</source>
-        <translation>Bild auf dem Film</translation>
+        <source>The body is %1 long. If its file is in another unit, make the project again and say there how long the longest edge is.</source>
+        <translation>Der Körper ist %1 lang. Wenn seine Datei in einer anderen Einheit ist, legen Sie das Projekt neu an und geben dort an, wie lang die längste Kante ist.</translation>
     </message>
-    <message>
-        <source>Export Results to a Folder</source>
-        <translation>Ergebnisse in einen Ordner exportieren</translation>
-    </message>
-    <message>
-        <source>Wrote the results to %1</source>
-        <translation>Ergebnisse nach %1 geschrieben</translation>
-    </message>
-    <message>
-        <source>Export Results</source>
-        <translation>Ergebnisse exportieren</translation>
-    </message>
-    <message>
-        <source>Save Sheet</source>
-        <translation>Bogen speichern</translation>
-    </message>
-    <message>
-        <source>Wrote %1</source>
-        <translation>%1 geschrieben</translation>
-    </message>
-    <message>
-        <source>Export Stretch</source>
-        <translation>Dehnung exportieren</translation>
-    </message>
-    <message>
-        <source>stretch</source>
-        <translation>dehnung</translation>
-    </message>
-    <message>
-        <source>Body at %1, %2, %3</source>
-        <translation>Körper bei %1, %2, %3</translation>
-    </message>
-    <message>
-        <source>Sheet %1, %2 · %3 · stretch %4 · area %5 · %6 to %7</source>
-        <translation>Bogen %1, %2 · %3 · Dehnung %4 · Fläche %5 · %6 bis %7</translation>
-    </message>
-    <message>
-        <source>on the body</source>
-        <translation>auf dem Körper</translation>
-    </message>
-    <message>
-        <source>on the water</source>
-        <translation>auf dem Wasser</translation>
-    </message>
+</context>
+<context>
+    <name>dipwright::MeasureTool</name>
     <message>
         <source>Click the second place on the body</source>
         <translation>Klicken Sie die zweite Stelle auf dem Körper an</translation>
@@ -2212,650 +2389,6 @@
     <message>
         <source>Distance %1</source>
         <translation>Abstand %1</translation>
-    </message>
-    <message>
-        <source>Turn Body</source>
-        <translation>Körper drehen</translation>
-    </message>
-    <message>
-        <source>Reading the model</source>
-        <translation>Modell wird gelesen</translation>
-    </message>
-    <message>
-        <source>Immersion %1</source>
-        <translation>Tauchgang %1</translation>
-    </message>
-    <message>
-        <source>New Project</source>
-        <translation>Neues Projekt</translation>
-    </message>
-    <message>
-        <source>Open Project</source>
-        <translation>Projekt öffnen</translation>
-    </message>
-    <message>
-        <source>Opening the project</source>
-        <translation>Projekt wird geöffnet</translation>
-    </message>
-    <message>
-        <source>Opened %1</source>
-        <translation>%1 geöffnet</translation>
-    </message>
-    <message>
-        <source>Project in Use</source>
-        <translation>Projekt in Benutzung</translation>
-    </message>
-    <message>
-        <source>“%1” is open already, on %2 (process %3).</source>
-        <translation>„%1“ ist schon geöffnet, auf %2 (Prozess %3).</translation>
-    </message>
-    <message>
-        <source>an unknown machine</source>
-        <translation>einem unbekannten Rechner</translation>
-    </message>
-    <message>
-        <source>Whoever saves last overwrites what the other has done.</source>
-        <translation>Wer zuletzt speichert, überschreibt die Arbeit des anderen.</translation>
-    </message>
-    <message>
-        <source>Open Anyway</source>
-        <translation>Trotzdem öffnen</translation>
-    </message>
-    <message>
-        <source>Restoring the project</source>
-        <translation>Projekt wird wiederhergestellt</translation>
-    </message>
-    <message>
-        <source>Restored unsaved changes of %1</source>
-        <translation>Nicht gespeicherte Änderungen von %1 wiederhergestellt</translation>
-    </message>
-    <message>
-        <source>Restore Project</source>
-        <translation>Projekt wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
-    </message>
-    <message>
-        <source>Save Project</source>
-        <translation>Projekt speichern</translation>
-    </message>
-    <message>
-        <source>Unsaved Changes</source>
-        <translation>Nicht gespeicherte Änderungen</translation>
-    </message>
-    <message>
-        <source>Save the changes to “%1” before it is closed?</source>
-        <translation>Die Änderungen an „%1“ vor dem Schließen speichern?</translation>
-    </message>
-    <message>
-        <source>%1 is neither a project, a model nor a picture</source>
-        <translation>%1 ist weder ein Projekt noch ein Modell noch ein Bild</translation>
-    </message>
-    <message>
-        <source>None yet</source>
-        <translation>Noch keine</translation>
-    </message>
-    <message>
-        <source>Reload Model</source>
-        <translation>Modell neu laden</translation>
-    </message>
-    <message>
-        <source>Replace Model</source>
-        <translation>Modell ersetzen</translation>
-    </message>
-    <message>
-        <source>Replace Texture</source>
-        <translation>Textur ersetzen</translation>
-    </message>
-    <message>
-        <source>Add Immersion</source>
-        <translation>Tauchgang hinzufügen</translation>
-    </message>
-    <message>
-        <source>Remove Immersion</source>
-        <translation>Tauchgang entfernen</translation>
-    </message>
-    <message>
-        <source>3D view of the dip</source>
-        <translation>3D-Ansicht des Tauchgangs</translation>
-    </message>
-    <message>
-        <source>The body above the film. Drag to turn the view, drag with the right button to shift it, turn the wheel to zoom. Drag a ring to turn the body.</source>
-        <translation>Der Körper über dem Film. Ziehen dreht die Ansicht, Ziehen mit der rechten Taste verschiebt sie, das Rad zoomt. Ein Zug am Ring dreht den Körper.</translation>
-    </message>
-    <message>
-        <source>Project</source>
-        <translation>Projekt</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>Ergebnisse</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>Value under the cursor</source>
-        <translation>Wert unter dem Zeiger</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>New &amp;Window</source>
-        <translation>Neues &amp;Fenster</translation>
-    </message>
-    <message>
-        <source>Open another window</source>
-        <translation>Ein weiteres Fenster öffnen</translation>
-    </message>
-    <message>
-        <source>&amp;New Project…</source>
-        <translation>&amp;Neues Projekt …</translation>
-    </message>
-    <message>
-        <source>Make a project of a textured model</source>
-        <translation>Ein Projekt aus einem texturierten Modell anlegen</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>Ö&amp;ffnen …</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>Ein Projekt öffnen</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>Das Projekt speichern</translation>
-    </message>
-    <message>
-        <source>Save &amp;As…</source>
-        <translation>Speichern &amp;unter …</translation>
-    </message>
-    <message>
-        <source>Save the project as another file</source>
-        <translation>Das Projekt als andere Datei speichern</translation>
-    </message>
-    <message>
-        <source>&amp;Export Results…</source>
-        <translation>&amp;Ergebnisse exportieren …</translation>
-    </message>
-    <message>
-        <source>Write sheets, stretch maps, proof, films and report to a folder</source>
-        <translation>Bögen, Dehnungskarten, Vorschau, Filme und Bericht in einen Ordner schreiben</translation>
-    </message>
-    <message>
-        <source>Sheet as P&amp;DF…</source>
-        <translation>Bogen als P&amp;DF …</translation>
-    </message>
-    <message>
-        <source>Save this immersion&apos;s sheet as PDF at true size</source>
-        <translation>Den Bogen dieses Tauchgangs als PDF in wahrer Größe speichern</translation>
-    </message>
-    <message>
-        <source>Sheet as P&amp;NG…</source>
-        <translation>Bogen als P&amp;NG …</translation>
-    </message>
-    <message>
-        <source>Save this immersion&apos;s film image as PNG</source>
-        <translation>Das Filmbild dieses Tauchgangs als PNG speichern</translation>
-    </message>
-    <message>
-        <source>&amp;Print…</source>
-        <translation>&amp;Drucken …</translation>
-    </message>
-    <message>
-        <source>Print sheets at true size</source>
-        <translation>Bögen in wahrer Größe drucken</translation>
-    </message>
-    <message>
-        <source>&amp;Close Window</source>
-        <translation>Fenster s&amp;chließen</translation>
-    </message>
-    <message>
-        <source>Close this window</source>
-        <translation>Dieses Fenster schließen</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>Close all windows</source>
-        <translation>Alle Fenster schließen</translation>
-    </message>
-    <message>
-        <source>Take back the last change</source>
-        <translation>Die letzte Änderung zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Make the change again</source>
-        <translation>Die Änderung noch einmal machen</translation>
-    </message>
-    <message>
-        <source>Add &amp;Second Immersion</source>
-        <translation>&amp;Zweiten Tauchgang hinzufügen</translation>
-    </message>
-    <message>
-        <source>Dip the body a second time, from another side</source>
-        <translation>Den Körper ein zweites Mal tauchen, von einer anderen Seite</translation>
-    </message>
-    <message>
-        <source>Remove &amp;Immersion</source>
-        <translation>&amp;Tauchgang entfernen</translation>
-    </message>
-    <message>
-        <source>Remove the immersion shown</source>
-        <translation>Den gezeigten Tauchgang entfernen</translation>
-    </message>
-    <message>
-        <source>Re&amp;load Model</source>
-        <translation>Modell neu &amp;laden</translation>
-    </message>
-    <message>
-        <source>Read the model&apos;s file again and keep all settings</source>
-        <translation>Die Datei des Modells neu lesen und alle Einstellungen behalten</translation>
-    </message>
-    <message>
-        <source>Replace &amp;Model…</source>
-        <translation>&amp;Modell ersetzen …</translation>
-    </message>
-    <message>
-        <source>Take another model</source>
-        <translation>Ein anderes Modell nehmen</translation>
-    </message>
-    <message>
-        <source>Replace &amp;Texture…</source>
-        <translation>Te&amp;xtur ersetzen …</translation>
-    </message>
-    <message>
-        <source>Put another picture on the model</source>
-        <translation>Ein anderes Bild auf das Modell legen</translation>
-    </message>
-    <message>
-        <source>&amp;Preferences…</source>
-        <translation>&amp;Einstellungen …</translation>
-    </message>
-    <message>
-        <source>Units, language, look, shortcuts and solvers</source>
-        <translation>Einheiten, Sprache, Aussehen, Tastenkürzel und Löser</translation>
-    </message>
-    <message>
-        <source>&amp;Run</source>
-        <translation>&amp;Starten</translation>
-    </message>
-    <message>
-        <source>Simulate the dip and make the sheets</source>
-        <translation>Den Tauchgang simulieren und die Bögen machen</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop what is running</source>
-        <translation>Anhalten, was läuft</translation>
-    </message>
-    <message>
-        <source>Run &amp;Live</source>
-        <translation>&amp;Mitlaufen</translation>
-    </message>
-    <message>
-        <source>Once there is a result, run again after each change</source>
-        <translation>Sobald es ein Ergebnis gibt, nach jeder Änderung neu rechnen</translation>
-    </message>
-    <message>
-        <source>&amp;Play or Pause</source>
-        <translation>Abs&amp;pielen oder anhalten</translation>
-    </message>
-    <message>
-        <source>Play the dip</source>
-        <translation>Den Tauchgang abspielen</translation>
-    </message>
-    <message>
-        <source>&amp;Fit</source>
-        <translation>&amp;Einpassen</translation>
-    </message>
-    <message>
-        <source>Show body and film whole</source>
-        <translation>Körper und Film ganz zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Oblique</source>
-        <translation>&amp;Schräg</translation>
-    </message>
-    <message>
-        <source>Look from above at an angle</source>
-        <translation>Schräg von oben sehen</translation>
-    </message>
-    <message>
-        <source>F&amp;ront</source>
-        <translation>&amp;Vorn</translation>
-    </message>
-    <message>
-        <source>Look from the front</source>
-        <translation>Von vorn sehen</translation>
-    </message>
-    <message>
-        <source>Ri&amp;ght</source>
-        <translation>&amp;Rechts</translation>
-    </message>
-    <message>
-        <source>Look from the right</source>
-        <translation>Von rechts sehen</translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation>&amp;Oben</translation>
-    </message>
-    <message>
-        <source>Look from above</source>
-        <translation>Von oben sehen</translation>
-    </message>
-    <message>
-        <source>Bac&amp;k</source>
-        <translation>&amp;Hinten</translation>
-    </message>
-    <message>
-        <source>Look from behind</source>
-        <translation>Von hinten sehen</translation>
-    </message>
-    <message>
-        <source>&amp;Left</source>
-        <translation>&amp;Links</translation>
-    </message>
-    <message>
-        <source>Look from the left</source>
-        <translation>Von links sehen</translation>
-    </message>
-    <message>
-        <source>&amp;Bottom</source>
-        <translation>&amp;Unten</translation>
-    </message>
-    <message>
-        <source>Look from below</source>
-        <translation>Von unten sehen</translation>
-    </message>
-    <message>
-        <source>&amp;Standard Layout</source>
-        <translation>&amp;Standardanordnung</translation>
-    </message>
-    <message>
-        <source>Put all panels back where they were at first</source>
-        <translation>Alle Felder an ihren ersten Platz zurückstellen</translation>
-    </message>
-    <message>
-        <source>&amp;Parallel Projection</source>
-        <translation>&amp;Parallelprojektion</translation>
-    </message>
-    <message>
-        <source>Show equal lengths equally long, near or far</source>
-        <translation>Gleiche Längen gleich lang zeigen, nah oder fern</translation>
-    </message>
-    <message>
-        <source>R&amp;otation Rings</source>
-        <translation>&amp;Drehringe</translation>
-    </message>
-    <message>
-        <source>Show the rings that turn the body</source>
-        <translation>Die Ringe zeigen, die den Körper drehen</translation>
-    </message>
-    <message>
-        <source>&amp;Water and Tank</source>
-        <translation>&amp;Wasser und Becken</translation>
-    </message>
-    <message>
-        <source>Show the water and the edges of the tank</source>
-        <translation>Das Wasser und die Kanten des Beckens zeigen</translation>
-    </message>
-    <message>
-        <source>Bo&amp;dy</source>
-        <translation>&amp;Körper</translation>
-    </message>
-    <message>
-        <source>Show the body</source>
-        <translation>Den Körper zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Coverage on the Body</source>
-        <translation>&amp;Abdeckung auf dem Körper</translation>
-    </message>
-    <message>
-        <source>Show how much of the body this immersion paints</source>
-        <translation>Zeigen, wie viel vom Körper dieser Tauchgang bemalt</translation>
-    </message>
-    <message>
-        <source>Film on the Body &amp;Only</source>
-        <translation>&amp;Nur Film auf dem Körper</translation>
-    </message>
-    <message>
-        <source>At the end of the dip, hide the film that paints nothing</source>
-        <translation>Am Ende des Tauchgangs den Film verbergen, der nichts bemalt</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Messen</translation>
-    </message>
-    <message>
-        <source>Click two places on the body to measure the distance between them</source>
-        <translation>Klicken Sie zwei Stellen auf dem Körper an, um ihren Abstand zu messen</translation>
-    </message>
-    <message>
-        <source>What the film wears in the view</source>
-        <translation>Was der Film in der Ansicht trägt</translation>
-    </message>
-    <message>
-        <source>&amp;Lines every 10 mm</source>
-        <translation>&amp;Linien alle 10 mm</translation>
-    </message>
-    <message>
-        <source>The &amp;Sheet&apos;s Image</source>
-        <translation>Das Bild des &amp;Bogens</translation>
-    </message>
-    <message>
-        <source>S&amp;tretch</source>
-        <translation>&amp;Dehnung</translation>
-    </message>
-    <message>
-        <source>&amp;Chessboard of 17 mm</source>
-        <translation>&amp;Schachbrett von 17 mm</translation>
-    </message>
-    <message>
-        <source>A &amp;Picture…</source>
-        <translation>Ein B&amp;ild …</translation>
-    </message>
-    <message>
-        <source>Quick &amp;Tour</source>
-        <translation>&amp;Rundgang</translation>
-    </message>
-    <message>
-        <source>What is where, in six steps</source>
-        <translation>Was wo ist, in sechs Schritten</translation>
-    </message>
-    <message>
-        <source>User &amp;Guide</source>
-        <translation>&amp;Handbuch</translation>
-    </message>
-    <message>
-        <source>How everything works</source>
-        <translation>Wie alles funktioniert</translation>
-    </message>
-    <message>
-        <source>&amp;About Dipwright</source>
-        <translation>Ü&amp;ber Dipwright</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
-        <source>Open &amp;Recent</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>Film &amp;Wears</source>
-        <translation>Film &amp;trägt</translation>
-    </message>
-    <message>
-        <source>&amp;Dip</source>
-        <translation>&amp;Tauchen</translation>
-    </message>
-    <message>
-        <source>&amp;Window</source>
-        <translation>&amp;Fenster</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>Main</source>
-        <translation>Haupt</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
-        <source>Film Wears</source>
-        <translation>Film trägt</translation>
-    </message>
-    <message>
-        <source>The report is on the clipboard</source>
-        <translation>Der Bericht liegt in der Zwischenablage</translation>
-    </message>
-    <message>
-        <source>Save Layout</source>
-        <translation>Anordnung speichern</translation>
-    </message>
-    <message>
-        <source>Name of the layout</source>
-        <translation>Name der Anordnung</translation>
-    </message>
-    <message>
-        <source>Reading the picture</source>
-        <translation>Bild wird gelesen</translation>
-    </message>
-    <message>
-        <source>The picture cannot be read: %1</source>
-        <translation>Das Bild kann nicht gelesen werden: %1</translation>
-    </message>
-    <message>
-        <source>Reading the texture</source>
-        <translation>Textur wird gelesen</translation>
-    </message>
-    <message>
-        <source>&amp;Save Layout…</source>
-        <translation>Anordnung &amp;speichern …</translation>
-    </message>
-    <message>
-        <source>Keep where the panels are under a name</source>
-        <translation>Die Anordnung der Bereiche unter einem Namen behalten</translation>
-    </message>
-    <message>
-        <source>&amp;What Is This?</source>
-        <translation>&amp;Was ist das?</translation>
-    </message>
-    <message>
-        <source>Click something afterwards to be told what it is for</source>
-        <translation>Klicken Sie danach auf etwas, um zu erfahren, wozu es dient</translation>
-    </message>
-    <message>
-        <source>&amp;Layouts</source>
-        <translation>Anord&amp;nungen</translation>
-    </message>
-    <message>
-        <source>None saved yet</source>
-        <translation>Noch keine gespeichert</translation>
-    </message>
-    <message>
-        <source>Layout “%1”</source>
-        <translation>Anordnung „%1“</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>&amp;Entfernen</translation>
-    </message>
-    <message>
-        <source>Calibrated %1</source>
-        <translation>%1 kalibriert</translation>
-    </message>
-    <message>
-        <source>Use Profile %1</source>
-        <translation>Profil %1 verwenden</translation>
-    </message>
-    <message>
-        <source>Calibrate P&amp;rinter…</source>
-        <translation>D&amp;rucker kalibrieren …</translation>
-    </message>
-    <message>
-        <source>Print a page of rulers and put the printer&apos;s scale into its profile</source>
-        <translation>Eine Seite mit Linealen drucken und den Maßstab des Druckers in sein Profil übernehmen</translation>
-    </message>
-    <message>
-        <source>Pro&amp;files…</source>
-        <translation>Pro&amp;file …</translation>
-    </message>
-    <message>
-        <source>What is known of printers, films and tanks</source>
-        <translation>Was über Drucker, Filme und Becken bekannt ist</translation>
-    </message>
-    <message>
-        <source>%1 is a picture: open the project first that is to wear it</source>
-        <translation>%1 ist ein Bild: Öffnen Sie zuerst das Projekt, das es tragen soll</translation>
-    </message>
-    <message>
-        <source>The body is %1 long. If its file is in another unit, make the project again and say there how long the longest edge is.</source>
-        <translation>Der Körper ist %1 lang. Wenn seine Datei in einer anderen Einheit ist, legen Sie das Projekt neu an und geben dort an, wie lang die längste Kante ist.</translation>
-    </message>
-    <message>
-        <source>These sheets were made before the last changes. Run the dip first to print what the project now says.</source>
-        <translation>Diese Bögen entstanden vor den letzten Änderungen. Starten Sie zuerst den Tauchgang, um zu drucken, was im Projekt jetzt steht.</translation>
-    </message>
-    <message>
-        <source>Checking the certainty</source>
-        <translation>Verlässlichkeit wird geprüft</translation>
-    </message>
-    <message>
-        <source>Check Certainty</source>
-        <translation>Verlässlichkeit prüfen</translation>
-    </message>
-    <message>
-        <source>Save Maps</source>
-        <translation>Karten speichern</translation>
-    </message>
-    <message>
-        <source>Wrote the maps to %1</source>
-        <translation>Karten nach %1 geschrieben</translation>
-    </message>
-    <message>
-        <source>C&amp;heck Certainty…</source>
-        <translation>&amp;Verlässlichkeit prüfen …</translation>
-    </message>
-    <message>
-        <source>Compute the sheets more finely and see how far they move, and where</source>
-        <translation>Die Bögen feiner rechnen und sehen, wie weit sie sich verschieben und wo</translation>
     </message>
 </context>
 <context>
@@ -3563,6 +3096,17 @@
     </message>
 </context>
 <context>
+    <name>dipwright::ProfileController</name>
+    <message>
+        <source>Use Profile %1</source>
+        <translation>Profil %1 verwenden</translation>
+    </message>
+    <message>
+        <source>Calibrated %1</source>
+        <translation>%1 kalibriert</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::ProfilesDialog</name>
     <message>
         <source>Profiles (%1)</source>
@@ -4226,6 +3770,17 @@ mm</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::StatusLine</name>
+    <message>
+        <source>Value under the cursor</source>
+        <translation>Wert unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::StretchPanel</name>
     <message>
         <source>Automatic range</source>
@@ -4418,6 +3973,526 @@ mm</translation>
     <message>
         <source>Next</source>
         <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ViewController</name>
+    <message>
+        <source>Picture on the Film</source>
+        <translation>Bild auf dem Film</translation>
+    </message>
+    <message>
+        <source>Reading the picture</source>
+        <translation>Bild wird gelesen</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read: %1</source>
+        <translation>Das Bild kann nicht gelesen werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::WindowActions</name>
+    <message>
+        <source>New &amp;Window</source>
+        <translation>Neues &amp;Fenster</translation>
+    </message>
+    <message>
+        <source>Open another window</source>
+        <translation>Ein weiteres Fenster öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;New Project…</source>
+        <translation>&amp;Neues Projekt …</translation>
+    </message>
+    <message>
+        <source>Make a project of a textured model</source>
+        <translation>Ein Projekt aus einem texturierten Modell anlegen</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Ein Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Das Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save the project as another file</source>
+        <translation>Das Projekt als andere Datei speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Export Results…</source>
+        <translation>&amp;Ergebnisse exportieren …</translation>
+    </message>
+    <message>
+        <source>Write sheets, stretch maps, proof, films and report to a folder</source>
+        <translation>Bögen, Dehnungskarten, Vorschau, Filme und Bericht in einen Ordner schreiben</translation>
+    </message>
+    <message>
+        <source>Sheet as P&amp;DF…</source>
+        <translation>Bogen als P&amp;DF …</translation>
+    </message>
+    <message>
+        <source>Save this immersion&apos;s sheet as PDF at true size</source>
+        <translation>Den Bogen dieses Tauchgangs als PDF in wahrer Größe speichern</translation>
+    </message>
+    <message>
+        <source>Sheet as P&amp;NG…</source>
+        <translation>Bogen als P&amp;NG …</translation>
+    </message>
+    <message>
+        <source>Save this immersion&apos;s film image as PNG</source>
+        <translation>Das Filmbild dieses Tauchgangs als PNG speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken …</translation>
+    </message>
+    <message>
+        <source>Print sheets at true size</source>
+        <translation>Bögen in wahrer Größe drucken</translation>
+    </message>
+    <message>
+        <source>Calibrate P&amp;rinter…</source>
+        <translation>D&amp;rucker kalibrieren …</translation>
+    </message>
+    <message>
+        <source>Print a page of rulers and put the printer&apos;s scale into its profile</source>
+        <translation>Eine Seite mit Linealen drucken und den Maßstab des Druckers in sein Profil übernehmen</translation>
+    </message>
+    <message>
+        <source>Pro&amp;files…</source>
+        <translation>Pro&amp;file …</translation>
+    </message>
+    <message>
+        <source>What is known of printers, films and tanks</source>
+        <translation>Was über Drucker, Filme und Becken bekannt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Close Window</source>
+        <translation>Fenster s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Dieses Fenster schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close all windows</source>
+        <translation>Alle Fenster schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Die letzte Änderung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Make the change again</source>
+        <translation>Die Änderung noch einmal machen</translation>
+    </message>
+    <message>
+        <source>Add &amp;Second Immersion</source>
+        <translation>&amp;Zweiten Tauchgang hinzufügen</translation>
+    </message>
+    <message>
+        <source>Dip the body a second time, from another side</source>
+        <translation>Den Körper ein zweites Mal tauchen, von einer anderen Seite</translation>
+    </message>
+    <message>
+        <source>Remove &amp;Immersion</source>
+        <translation>&amp;Tauchgang entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the immersion shown</source>
+        <translation>Den gezeigten Tauchgang entfernen</translation>
+    </message>
+    <message>
+        <source>Re&amp;load Model</source>
+        <translation>Modell neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>Read the model&apos;s file again and keep all settings</source>
+        <translation>Die Datei des Modells neu lesen und alle Einstellungen behalten</translation>
+    </message>
+    <message>
+        <source>Replace &amp;Model…</source>
+        <translation>&amp;Modell ersetzen …</translation>
+    </message>
+    <message>
+        <source>Take another model</source>
+        <translation>Ein anderes Modell nehmen</translation>
+    </message>
+    <message>
+        <source>Replace &amp;Texture…</source>
+        <translation>Te&amp;xtur ersetzen …</translation>
+    </message>
+    <message>
+        <source>Put another picture on the model</source>
+        <translation>Ein anderes Bild auf das Modell legen</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen …</translation>
+    </message>
+    <message>
+        <source>Units, language, look, shortcuts and solvers</source>
+        <translation>Einheiten, Sprache, Aussehen, Tastenkürzel und Löser</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Starten</translation>
+    </message>
+    <message>
+        <source>Simulate the dip and make the sheets</source>
+        <translation>Den Tauchgang simulieren und die Bögen machen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop what is running</source>
+        <translation>Anhalten, was läuft</translation>
+    </message>
+    <message>
+        <source>Run &amp;Live</source>
+        <translation>&amp;Mitlaufen</translation>
+    </message>
+    <message>
+        <source>Once there is a result, run again after each change</source>
+        <translation>Sobald es ein Ergebnis gibt, nach jeder Änderung neu rechnen</translation>
+    </message>
+    <message>
+        <source>C&amp;heck Certainty…</source>
+        <translation>&amp;Verlässlichkeit prüfen …</translation>
+    </message>
+    <message>
+        <source>Compute the sheets more finely and see how far they move, and where</source>
+        <translation>Die Bögen feiner rechnen und sehen, wie weit sie sich verschieben und wo</translation>
+    </message>
+    <message>
+        <source>&amp;Play or Pause</source>
+        <translation>Abs&amp;pielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Play the dip</source>
+        <translation>Den Tauchgang abspielen</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Show body and film whole</source>
+        <translation>Körper und Film ganz zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Oblique</source>
+        <translation>&amp;Schräg</translation>
+    </message>
+    <message>
+        <source>Look from above at an angle</source>
+        <translation>Schräg von oben sehen</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Von vorn sehen</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ght</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>Look from the right</source>
+        <translation>Von rechts sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Von oben sehen</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>Look from behind</source>
+        <translation>Von hinten sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Look from the left</source>
+        <translation>Von links sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>Look from below</source>
+        <translation>Von unten sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Standard Layout</source>
+        <translation>&amp;Standardanordnung</translation>
+    </message>
+    <message>
+        <source>Put all panels back where they were at first</source>
+        <translation>Alle Felder an ihren ersten Platz zurückstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Save Layout…</source>
+        <translation>Anordnung &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Keep where the panels are under a name</source>
+        <translation>Die Anordnung der Bereiche unter einem Namen behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel Projection</source>
+        <translation>&amp;Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Show equal lengths equally long, near or far</source>
+        <translation>Gleiche Längen gleich lang zeigen, nah oder fern</translation>
+    </message>
+    <message>
+        <source>R&amp;otation Rings</source>
+        <translation>&amp;Drehringe</translation>
+    </message>
+    <message>
+        <source>Show the rings that turn the body</source>
+        <translation>Die Ringe zeigen, die den Körper drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Water and Tank</source>
+        <translation>&amp;Wasser und Becken</translation>
+    </message>
+    <message>
+        <source>Show the water and the edges of the tank</source>
+        <translation>Das Wasser und die Kanten des Beckens zeigen</translation>
+    </message>
+    <message>
+        <source>Bo&amp;dy</source>
+        <translation>&amp;Körper</translation>
+    </message>
+    <message>
+        <source>Show the body</source>
+        <translation>Den Körper zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Coverage on the Body</source>
+        <translation>&amp;Abdeckung auf dem Körper</translation>
+    </message>
+    <message>
+        <source>Show how much of the body this immersion paints</source>
+        <translation>Zeigen, wie viel vom Körper dieser Tauchgang bemalt</translation>
+    </message>
+    <message>
+        <source>Film on the Body &amp;Only</source>
+        <translation>&amp;Nur Film auf dem Körper</translation>
+    </message>
+    <message>
+        <source>At the end of the dip, hide the film that paints nothing</source>
+        <translation>Am Ende des Tauchgangs den Film verbergen, der nichts bemalt</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Click two places on the body to measure the distance between them</source>
+        <translation>Klicken Sie zwei Stellen auf dem Körper an, um ihren Abstand zu messen</translation>
+    </message>
+    <message>
+        <source>What the film wears in the view</source>
+        <translation>Was der Film in der Ansicht trägt</translation>
+    </message>
+    <message>
+        <source>&amp;Lines every 10 mm</source>
+        <translation>&amp;Linien alle 10 mm</translation>
+    </message>
+    <message>
+        <source>The &amp;Sheet&apos;s Image</source>
+        <translation>Das Bild des &amp;Bogens</translation>
+    </message>
+    <message>
+        <source>S&amp;tretch</source>
+        <translation>&amp;Dehnung</translation>
+    </message>
+    <message>
+        <source>&amp;Chessboard of 17 mm</source>
+        <translation>&amp;Schachbrett von 17 mm</translation>
+    </message>
+    <message>
+        <source>A &amp;Picture…</source>
+        <translation>Ein B&amp;ild …</translation>
+    </message>
+    <message>
+        <source>Quick &amp;Tour</source>
+        <translation>&amp;Rundgang</translation>
+    </message>
+    <message>
+        <source>What is where, in six steps</source>
+        <translation>Was wo ist, in sechs Schritten</translation>
+    </message>
+    <message>
+        <source>User &amp;Guide</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>How everything works</source>
+        <translation>Wie alles funktioniert</translation>
+    </message>
+    <message>
+        <source>&amp;What Is This?</source>
+        <translation>&amp;Was ist das?</translation>
+    </message>
+    <message>
+        <source>Click something afterwards to be told what it is for</source>
+        <translation>Klicken Sie danach auf etwas, um zu erfahren, wozu es dient</translation>
+    </message>
+    <message>
+        <source>&amp;About Dipwright</source>
+        <translation>Ü&amp;ber Dipwright</translation>
+    </message>
+    <message>
+        <source>&amp;Undo “%1”</source>
+        <translation>„%1“ &amp;rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo “%1”</source>
+        <translation>„%1“ &amp;wiederholen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::WindowLayout</name>
+    <message>
+        <source>3D view of the dip</source>
+        <translation>3D-Ansicht des Tauchgangs</translation>
+    </message>
+    <message>
+        <source>The body above the film. Drag to turn the view, drag with the right button to shift it, turn the wheel to zoom. Drag a ring to turn the body.</source>
+        <translation>Der Körper über dem Film. Ziehen dreht die Ansicht, Ziehen mit der rechten Taste verschiebt sie, das Rad zoomt. Ein Zug am Ring dreht den Körper.</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Save Layout</source>
+        <translation>Anordnung speichern</translation>
+    </message>
+    <message>
+        <source>Name of the layout</source>
+        <translation>Name der Anordnung</translation>
+    </message>
+    <message>
+        <source>None saved yet</source>
+        <translation>Noch keine gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::WindowMenus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Dip</source>
+        <translation>&amp;Tauchen</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Film &amp;Wears</source>
+        <translation>Film &amp;trägt</translation>
+    </message>
+    <message>
+        <source>&amp;Layouts</source>
+        <translation>Anord&amp;nungen</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>Haupt</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>What the film wears in the view</source>
+        <translation>Was der Film in der Ansicht trägt</translation>
+    </message>
+    <message>
+        <source>Film Wears</source>
+        <translation>Film trägt</translation>
     </message>
 </context>
 <context>

@@ -106,6 +106,48 @@
     </message>
 </context>
 <context>
+    <name>ImmersionEdits</name>
+    <message>
+        <source>Add Immersion</source>
+        <translation>Adicionar imersão</translation>
+    </message>
+    <message>
+        <source>Immersion %1</source>
+        <translation>Imersão %1</translation>
+    </message>
+    <message>
+        <source>Remove Immersion</source>
+        <translation>Remover imersão</translation>
+    </message>
+</context>
+<context>
+    <name>ModelImport</name>
+    <message>
+        <source>Reading the model</source>
+        <translation>Lendo o modelo</translation>
+    </message>
+    <message>
+        <source>Immersion %1</source>
+        <translation>Imersão %1</translation>
+    </message>
+    <message>
+        <source>Reload Model</source>
+        <translation>Recarregar modelo</translation>
+    </message>
+    <message>
+        <source>Replace Model</source>
+        <translation>Trocar modelo</translation>
+    </message>
+    <message>
+        <source>Replace Texture</source>
+        <translation>Trocar textura</translation>
+    </message>
+    <message>
+        <source>Reading the texture</source>
+        <translation>Lendo a textura</translation>
+    </message>
+</context>
+<context>
     <name>PhysicsValidation</name>
     <message>
         <source>%1 film, %2 cells in the contact radius</source>
@@ -1480,6 +1522,13 @@
     </message>
 </context>
 <context>
+    <name>dipwright::BodyTurn</name>
+    <message>
+        <source>Turn Body</source>
+        <translation>Girar corpo</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::CalibrationDialog</name>
     <message>
         <source> mm</source>
@@ -1678,6 +1727,17 @@
     </message>
 </context>
 <context>
+    <name>dipwright::CertaintyCheck</name>
+    <message>
+        <source>Checking the certainty</source>
+        <translation>Verificando a confiabilidade</translation>
+    </message>
+    <message>
+        <source>Check Certainty</source>
+        <translation>Verificar confiabilidade</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::CertaintyDialog</name>
     <message>
         <source>How far the sheet moves</source>
@@ -1757,6 +1817,25 @@
     </message>
 </context>
 <context>
+    <name>dipwright::DipController</name>
+    <message>
+        <source>The Dip</source>
+        <translation>A imersão</translation>
+    </message>
+    <message>
+        <source>Simulated with %1 on %2</source>
+        <translation>Simulado com %1 em %2</translation>
+    </message>
+    <message>
+        <source>The sheet is out of date: it was made before the last changes.</source>
+        <translation>A folha está desatualizada: foi feita antes das últimas mudanças.</translation>
+    </message>
+    <message>
+        <source>The results are out of date: they were made before the last changes.</source>
+        <translation>Os resultados estão desatualizados: foram feitos antes das últimas mudanças.</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::DipView</name>
     <message>
         <source>The 3D view needs OpenGL 3.2, and no such context could be made. Everything else works.</source>
@@ -1779,6 +1858,170 @@
     </message>
 </context>
 <context>
+    <name>dipwright::DocumentController</name>
+    <message>
+        <source>Open Project</source>
+        <translation>Abrir projeto</translation>
+    </message>
+    <message>
+        <source>Project in Use</source>
+        <translation>Projeto em uso</translation>
+    </message>
+    <message>
+        <source>“%1” is open already, on %2 (process %3).</source>
+        <translation>“%1” já está aberto em %2 (processo %3).</translation>
+    </message>
+    <message>
+        <source>an unknown machine</source>
+        <translation>uma máquina desconhecida</translation>
+    </message>
+    <message>
+        <source>Whoever saves last overwrites what the other has done.</source>
+        <translation>Quem salvar por último sobrescreve o trabalho do outro.</translation>
+    </message>
+    <message>
+        <source>Open Anyway</source>
+        <translation>Abrir mesmo assim</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>Salvar projeto</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Salvar</translation>
+    </message>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>Mudanças não salvas</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1” before it is closed?</source>
+        <translation>Salvar as mudanças em “%1” antes de fechar?</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Nenhum ainda</translation>
+    </message>
+    <message>
+        <source>Replace Model</source>
+        <translation>Trocar modelo</translation>
+    </message>
+    <message>
+        <source>Replace Texture</source>
+        <translation>Trocar textura</translation>
+    </message>
+    <message>
+        <source>%1 is a picture: open the project first that is to wear it</source>
+        <translation>%1 é uma imagem: abra antes o projeto que vai vesti-la</translation>
+    </message>
+    <message>
+        <source>%1 is neither a project, a model nor a picture</source>
+        <translation>%1 não é um projeto, nem um modelo, nem uma imagem</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::DocumentSession</name>
+    <message>
+        <source>Opening the project</source>
+        <translation>Abrindo o projeto</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>Abrir projeto</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>%1 aberto</translation>
+    </message>
+    <message>
+        <source>Reading the model</source>
+        <translation>Lendo o modelo</translation>
+    </message>
+    <message>
+        <source>New Project</source>
+        <translation>Novo projeto</translation>
+    </message>
+    <message>
+        <source>Restoring the project</source>
+        <translation>Restaurando o projeto</translation>
+    </message>
+    <message>
+        <source>Restore Project</source>
+        <translation>Restaurar projeto</translation>
+    </message>
+    <message>
+        <source>Restored unsaved changes of %1</source>
+        <translation>Mudanças não salvas de %1 restauradas</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 salvo</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ExportController</name>
+    <message>
+        <source>Export Results to a Folder</source>
+        <translation>Exportar resultados para uma pasta</translation>
+    </message>
+    <message>
+        <source>Export Results</source>
+        <translation>Exportar resultados</translation>
+    </message>
+    <message>
+        <source>Wrote the results to %1</source>
+        <translation>Resultados gravados em %1</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 gravado</translation>
+    </message>
+    <message>
+        <source>Save Sheet</source>
+        <translation>Salvar folha</translation>
+    </message>
+    <message>
+        <source>Export Stretch</source>
+        <translation>Exportar estiramento</translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation>estiramento</translation>
+    </message>
+    <message>
+        <source>These sheets were made before the last changes. Run the dip first to print what the project now says.</source>
+        <translation>Estas folhas foram feitas antes das últimas mudanças. Execute a imersão antes, para imprimir o que o projeto diz agora.</translation>
+    </message>
+    <message>
+        <source>Save Maps</source>
+        <translation>Salvar mapas</translation>
+    </message>
+    <message>
+        <source>Wrote the maps to %1</source>
+        <translation>Mapas gravados em %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::FilmReader</name>
+    <message>
+        <source>Body at %1, %2, %3</source>
+        <translation>Corpo em %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Sheet %1, %2 · %3 · stretch %4 · area %5 · %6 to %7</source>
+        <translation>Folha %1, %2 · %3 · estiramento %4 · área %5 · %6 a %7</translation>
+    </message>
+    <message>
+        <source>on the body</source>
+        <translation>no corpo</translation>
+    </message>
+    <message>
+        <source>on the water</source>
+        <translation>na água</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::GuideWindow</name>
     <message>
         <source>User Guide</source>
@@ -1787,6 +2030,65 @@
     <message>
         <source>Contents</source>
         <translation>Conteúdo</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::HelpController</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Bem-vindo</translation>
+    </message>
+    <message>
+        <source>Dipwright computes the picture to print on a film so that, when the body is dipped through it, every colour lands where it belongs.</source>
+        <translation>O Dipwright calcula a imagem a imprimir em um filme para que, ao mergulhar o corpo, cada cor caia onde deve.</translation>
+    </message>
+    <message>
+        <source>The project</source>
+        <translation>O projeto</translation>
+    </message>
+    <message>
+        <source>Model, film, one or two immersions, sheet and ink. Choose a part in the tree and change its values below. Begin by dropping a model on the window.</source>
+        <translation>Modelo, filme, uma ou duas imersões, folha e tinta. Escolha uma parte na árvore e mude seus valores abaixo. Comece soltando um modelo na janela.</translation>
+    </message>
+    <message>
+        <source>The view</source>
+        <translation>A vista</translation>
+    </message>
+    <message>
+        <source>The body above the film. Drag to look round it, turn it by its rings, then press Run.</source>
+        <translation>O corpo acima do filme. Arraste para olhar em volta, gire-o pelos anéis e aperte Executar.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Executar</translation>
+    </message>
+    <message>
+        <source>Simulates the dip while you watch and can be cancelled at any time. With Run Live, each change runs what depends on it again.</source>
+        <translation>Simula a imersão diante de você e pode ser cancelado a qualquer momento. Com Executar ao vivo, cada mudança recalcula o que depende dela.</translation>
+    </message>
+    <message>
+        <source>The timeline</source>
+        <translation>A linha do tempo</translation>
+    </message>
+    <message>
+        <source>Plays the dip again, or shows any moment of it.</source>
+        <translation>Reproduz a imersão de novo ou mostra qualquer momento dela.</translation>
+    </message>
+    <message>
+        <source>The results</source>
+        <translation>Os resultados</translation>
+    </message>
+    <message>
+        <source>How the film stretches, the picture that goes on it, the body as it will come out, and the sheet to print. Move the cursor over one and see the same place in all the others.</source>
+        <translation>Como o filme estica, a imagem que vai nele, o corpo como sairá e a folha a imprimir. Passe o cursor sobre um e veja o mesmo lugar em todos os outros.</translation>
+    </message>
+    <message>
+        <source>About Dipwright</source>
+        <translation>Sobre o Dipwright</translation>
+    </message>
+    <message>
+        <source>Computational hydrographic printing.</source>
+        <translation>Impressão hidrográfica computacional.</translation>
     </message>
 </context>
 <context>
@@ -2062,149 +2364,24 @@
 <context>
     <name>dipwright::MainWindow</name>
     <message>
-        <source>Simulated with %1 on %2</source>
-        <translation>Simulado com %1 em %2</translation>
-    </message>
-    <message>
-        <source>The Dip</source>
-        <translation>A imersão</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo “%1”</source>
-        <translation>&amp;Desfazer “%1”</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Desfazer</translation>
-    </message>
-    <message>
-        <source>&amp;Redo “%1”</source>
-        <translation>&amp;Refazer “%1”</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Refazer</translation>
-    </message>
-    <message>
-        <source>Welcome</source>
-        <translation>Bem-vindo</translation>
-    </message>
-    <message>
-        <source>Dipwright computes the picture to print on a film so that, when the body is dipped through it, every colour lands where it belongs.</source>
-        <translation>O Dipwright calcula a imagem a imprimir em um filme para que, ao mergulhar o corpo, cada cor caia onde deve.</translation>
-    </message>
-    <message>
-        <source>The project</source>
-        <translation>O projeto</translation>
-    </message>
-    <message>
-        <source>Model, film, one or two immersions, sheet and ink. Choose a part in the tree and change its values below. Begin by dropping a model on the window.</source>
-        <translation>Modelo, filme, uma ou duas imersões, folha e tinta. Escolha uma parte na árvore e mude seus valores abaixo. Comece soltando um modelo na janela.</translation>
-    </message>
-    <message>
-        <source>The view</source>
-        <translation>A vista</translation>
-    </message>
-    <message>
-        <source>The body above the film. Drag to look round it, turn it by its rings, then press Run.</source>
-        <translation>O corpo acima do filme. Arraste para olhar em volta, gire-o pelos anéis e aperte Executar.</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Executar</translation>
-    </message>
-    <message>
-        <source>Simulates the dip while you watch and can be cancelled at any time. With Run Live, each change runs what depends on it again.</source>
-        <translation>Simula a imersão diante de você e pode ser cancelado a qualquer momento. Com Executar ao vivo, cada mudança recalcula o que depende dela.</translation>
-    </message>
-    <message>
-        <source>The timeline</source>
-        <translation>A linha do tempo</translation>
-    </message>
-    <message>
-        <source>Plays the dip again, or shows any moment of it.</source>
-        <translation>Reproduz a imersão de novo ou mostra qualquer momento dela.</translation>
-    </message>
-    <message>
-        <source>The results</source>
-        <translation>Os resultados</translation>
-    </message>
-    <message>
-        <source>How the film stretches, the picture that goes on it, the body as it will come out, and the sheet to print. Move the cursor over one and see the same place in all the others.</source>
-        <translation>Como o filme estica, a imagem que vai nele, o corpo como sairá e a folha a imprimir. Passe o cursor sobre um e veja o mesmo lugar em todos os outros.</translation>
-    </message>
-    <message>
-        <source>About Dipwright</source>
-        <translation>Sobre o Dipwright</translation>
-    </message>
-    <message>
-        <source>Computational hydrographic printing.</source>
-        <translation>Impressão hidrográfica computacional.</translation>
-    </message>
-    <message>
         <source>Cancelling …</source>
         <translation>Cancelando…</translation>
     </message>
     <message>
-        <source>The sheet is out of date: it was made before the last changes.</source>
-        <translation>A folha está desatualizada: foi feita antes das últimas mudanças.</translation>
+        <source>The report is on the clipboard</source>
+        <translation>O relatório está na área de transferência</translation>
     </message>
     <message>
-        <source>The results are out of date: they were made before the last changes.</source>
-        <translation>Os resultados estão desatualizados: foram feitos antes das últimas mudanças.</translation>
+        <source>Layout “%1”</source>
+        <translation>Disposição “%1”</translation>
     </message>
     <message>
-        <source>Picture on the Film</source>
-        <translation>Imagem no filme</translation>
+        <source>The body is %1 long. If its file is in another unit, make the project again and say there how long the longest edge is.</source>
+        <translation>O corpo tem %1 de comprimento. Se o arquivo estiver em outra unidade, crie o projeto de novo e informe ali o comprimento da aresta mais longa.</translation>
     </message>
-    <message>
-        <source>Export Results to a Folder</source>
-        <translation>Exportar resultados para uma pasta</translation>
-    </message>
-    <message>
-        <source>Wrote the results to %1</source>
-        <translation>Resultados gravados em %1</translation>
-    </message>
-    <message>
-        <source>Export Results</source>
-        <translation>Exportar resultados</translation>
-    </message>
-    <message>
-        <source>Save Sheet</source>
-        <translation>Salvar folha</translation>
-    </message>
-    <message>
-        <source>Wrote %1</source>
-        <translation>%1 gravado</translation>
-    </message>
-    <message>
-        <source>Export Stretch</source>
-        <translation>Exportar estiramento</translation>
-    </message>
-    <message>
-        <source>stretch</source>
-        <translation>estiramento</translation>
-    </message>
-    <message>
-        <source>Body at %1, %2, %3</source>
-        <translation>Corpo em %1, %2, %3</translation>
-    </message>
-    <message>
-        <source>Sheet %1, %2 · %3 · stretch %4 · area %5 · %6 to %7</source>
-        <translation>Folha %1, %2 · %3 · estiramento %4 · área %5 · %6 a %7</translation>
-    </message>
-    <message>
-        <source>on the body</source>
-        <translation>no corpo</translation>
-    </message>
-    <message>
-        <source>on the water</source>
-        <translation>na água</translation>
-    </message>
+</context>
+<context>
+    <name>dipwright::MeasureTool</name>
     <message>
         <source>Click the second place on the body</source>
         <translation>Clique no segundo lugar do corpo</translation>
@@ -2212,650 +2389,6 @@
     <message>
         <source>Distance %1</source>
         <translation>Distância %1</translation>
-    </message>
-    <message>
-        <source>Turn Body</source>
-        <translation>Girar corpo</translation>
-    </message>
-    <message>
-        <source>Reading the model</source>
-        <translation>Lendo o modelo</translation>
-    </message>
-    <message>
-        <source>Immersion %1</source>
-        <translation>Imersão %1</translation>
-    </message>
-    <message>
-        <source>New Project</source>
-        <translation>Novo projeto</translation>
-    </message>
-    <message>
-        <source>Open Project</source>
-        <translation>Abrir projeto</translation>
-    </message>
-    <message>
-        <source>Opening the project</source>
-        <translation>Abrindo o projeto</translation>
-    </message>
-    <message>
-        <source>Opened %1</source>
-        <translation>%1 aberto</translation>
-    </message>
-    <message>
-        <source>Project in Use</source>
-        <translation>Projeto em uso</translation>
-    </message>
-    <message>
-        <source>“%1” is open already, on %2 (process %3).</source>
-        <translation>“%1” já está aberto em %2 (processo %3).</translation>
-    </message>
-    <message>
-        <source>an unknown machine</source>
-        <translation>uma máquina desconhecida</translation>
-    </message>
-    <message>
-        <source>Whoever saves last overwrites what the other has done.</source>
-        <translation>Quem salvar por último sobrescreve o trabalho do outro.</translation>
-    </message>
-    <message>
-        <source>Open Anyway</source>
-        <translation>Abrir mesmo assim</translation>
-    </message>
-    <message>
-        <source>Restoring the project</source>
-        <translation>Restaurando o projeto</translation>
-    </message>
-    <message>
-        <source>Restored unsaved changes of %1</source>
-        <translation>Mudanças não salvas de %1 restauradas</translation>
-    </message>
-    <message>
-        <source>Restore Project</source>
-        <translation>Restaurar projeto</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Salvar</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 salvo</translation>
-    </message>
-    <message>
-        <source>Save Project</source>
-        <translation>Salvar projeto</translation>
-    </message>
-    <message>
-        <source>Unsaved Changes</source>
-        <translation>Mudanças não salvas</translation>
-    </message>
-    <message>
-        <source>Save the changes to “%1” before it is closed?</source>
-        <translation>Salvar as mudanças em “%1” antes de fechar?</translation>
-    </message>
-    <message>
-        <source>%1 is neither a project, a model nor a picture</source>
-        <translation>%1 não é um projeto, nem um modelo, nem uma imagem</translation>
-    </message>
-    <message>
-        <source>None yet</source>
-        <translation>Nenhum ainda</translation>
-    </message>
-    <message>
-        <source>Reload Model</source>
-        <translation>Recarregar modelo</translation>
-    </message>
-    <message>
-        <source>Replace Model</source>
-        <translation>Trocar modelo</translation>
-    </message>
-    <message>
-        <source>Replace Texture</source>
-        <translation>Trocar textura</translation>
-    </message>
-    <message>
-        <source>Add Immersion</source>
-        <translation>Adicionar imersão</translation>
-    </message>
-    <message>
-        <source>Remove Immersion</source>
-        <translation>Remover imersão</translation>
-    </message>
-    <message>
-        <source>3D view of the dip</source>
-        <translation>Vista 3D da imersão</translation>
-    </message>
-    <message>
-        <source>The body above the film. Drag to turn the view, drag with the right button to shift it, turn the wheel to zoom. Drag a ring to turn the body.</source>
-        <translation>O corpo acima do filme. Arraste para girar a vista, com o botão direito para deslocá-la, use a roda para o zoom. Arraste um anel para girar o corpo.</translation>
-    </message>
-    <message>
-        <source>Project</source>
-        <translation>Projeto</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>Resultados</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Registro</translation>
-    </message>
-    <message>
-        <source>Value under the cursor</source>
-        <translation>Valor sob o cursor</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Progresso</translation>
-    </message>
-    <message>
-        <source>New &amp;Window</source>
-        <translation>Nova &amp;janela</translation>
-    </message>
-    <message>
-        <source>Open another window</source>
-        <translation>Abre outra janela</translation>
-    </message>
-    <message>
-        <source>&amp;New Project…</source>
-        <translation>&amp;Novo projeto…</translation>
-    </message>
-    <message>
-        <source>Make a project of a textured model</source>
-        <translation>Cria um projeto de um modelo texturizado</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>&amp;Abrir…</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>Abre um projeto</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Salvar</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>Salva o projeto</translation>
-    </message>
-    <message>
-        <source>Save &amp;As…</source>
-        <translation>Salvar &amp;como…</translation>
-    </message>
-    <message>
-        <source>Save the project as another file</source>
-        <translation>Salva o projeto em outro arquivo</translation>
-    </message>
-    <message>
-        <source>&amp;Export Results…</source>
-        <translation>&amp;Exportar resultados…</translation>
-    </message>
-    <message>
-        <source>Write sheets, stretch maps, proof, films and report to a folder</source>
-        <translation>Grava folhas, mapas de estiramento, prova, filmes e relatório em uma pasta</translation>
-    </message>
-    <message>
-        <source>Sheet as P&amp;DF…</source>
-        <translation>Folha em P&amp;DF…</translation>
-    </message>
-    <message>
-        <source>Save this immersion&apos;s sheet as PDF at true size</source>
-        <translation>Salva a folha desta imersão em PDF em tamanho real</translation>
-    </message>
-    <message>
-        <source>Sheet as P&amp;NG…</source>
-        <translation>Folha em P&amp;NG…</translation>
-    </message>
-    <message>
-        <source>Save this immersion&apos;s film image as PNG</source>
-        <translation>Salva a imagem do filme desta imersão em PNG</translation>
-    </message>
-    <message>
-        <source>&amp;Print…</source>
-        <translation>&amp;Imprimir…</translation>
-    </message>
-    <message>
-        <source>Print sheets at true size</source>
-        <translation>Imprime as folhas em tamanho real</translation>
-    </message>
-    <message>
-        <source>&amp;Close Window</source>
-        <translation>&amp;Fechar janela</translation>
-    </message>
-    <message>
-        <source>Close this window</source>
-        <translation>Fecha esta janela</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Sair</translation>
-    </message>
-    <message>
-        <source>Close all windows</source>
-        <translation>Fecha todas as janelas</translation>
-    </message>
-    <message>
-        <source>Take back the last change</source>
-        <translation>Desfaz a última mudança</translation>
-    </message>
-    <message>
-        <source>Make the change again</source>
-        <translation>Faz a mudança de novo</translation>
-    </message>
-    <message>
-        <source>Add &amp;Second Immersion</source>
-        <translation>Adicionar &amp;segunda imersão</translation>
-    </message>
-    <message>
-        <source>Dip the body a second time, from another side</source>
-        <translation>Mergulha o corpo uma segunda vez, de outro lado</translation>
-    </message>
-    <message>
-        <source>Remove &amp;Immersion</source>
-        <translation>Remover &amp;imersão</translation>
-    </message>
-    <message>
-        <source>Remove the immersion shown</source>
-        <translation>Remove a imersão mostrada</translation>
-    </message>
-    <message>
-        <source>Re&amp;load Model</source>
-        <translation>&amp;Recarregar modelo</translation>
-    </message>
-    <message>
-        <source>Read the model&apos;s file again and keep all settings</source>
-        <translation>Lê de novo o arquivo do modelo e mantém as configurações</translation>
-    </message>
-    <message>
-        <source>Replace &amp;Model…</source>
-        <translation>Trocar &amp;modelo…</translation>
-    </message>
-    <message>
-        <source>Take another model</source>
-        <translation>Usa outro modelo</translation>
-    </message>
-    <message>
-        <source>Replace &amp;Texture…</source>
-        <translation>Trocar &amp;textura…</translation>
-    </message>
-    <message>
-        <source>Put another picture on the model</source>
-        <translation>Põe outra imagem no modelo</translation>
-    </message>
-    <message>
-        <source>&amp;Preferences…</source>
-        <translation>&amp;Preferências…</translation>
-    </message>
-    <message>
-        <source>Units, language, look, shortcuts and solvers</source>
-        <translation>Unidades, idioma, aparência, atalhos e solucionadores</translation>
-    </message>
-    <message>
-        <source>&amp;Run</source>
-        <translation>E&amp;xecutar</translation>
-    </message>
-    <message>
-        <source>Simulate the dip and make the sheets</source>
-        <translation>Simula a imersão e faz as folhas</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Cancelar</translation>
-    </message>
-    <message>
-        <source>Stop what is running</source>
-        <translation>Para o que está em execução</translation>
-    </message>
-    <message>
-        <source>Run &amp;Live</source>
-        <translation>Executar ao &amp;vivo</translation>
-    </message>
-    <message>
-        <source>Once there is a result, run again after each change</source>
-        <translation>Havendo um resultado, executa de novo após cada mudança</translation>
-    </message>
-    <message>
-        <source>&amp;Play or Pause</source>
-        <translation>&amp;Reproduzir ou pausar</translation>
-    </message>
-    <message>
-        <source>Play the dip</source>
-        <translation>Reproduz a imersão</translation>
-    </message>
-    <message>
-        <source>&amp;Fit</source>
-        <translation>&amp;Enquadrar</translation>
-    </message>
-    <message>
-        <source>Show body and film whole</source>
-        <translation>Mostra corpo e filme inteiros</translation>
-    </message>
-    <message>
-        <source>&amp;Oblique</source>
-        <translation>&amp;Oblíqua</translation>
-    </message>
-    <message>
-        <source>Look from above at an angle</source>
-        <translation>Olha de cima em ângulo</translation>
-    </message>
-    <message>
-        <source>F&amp;ront</source>
-        <translation>&amp;Frente</translation>
-    </message>
-    <message>
-        <source>Look from the front</source>
-        <translation>Olha de frente</translation>
-    </message>
-    <message>
-        <source>Ri&amp;ght</source>
-        <translation>&amp;Direita</translation>
-    </message>
-    <message>
-        <source>Look from the right</source>
-        <translation>Olha da direita</translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation>Em &amp;cima</translation>
-    </message>
-    <message>
-        <source>Look from above</source>
-        <translation>Olha de cima</translation>
-    </message>
-    <message>
-        <source>Bac&amp;k</source>
-        <translation>&amp;Trás</translation>
-    </message>
-    <message>
-        <source>Look from behind</source>
-        <translation>Olha de trás</translation>
-    </message>
-    <message>
-        <source>&amp;Left</source>
-        <translation>&amp;Esquerda</translation>
-    </message>
-    <message>
-        <source>Look from the left</source>
-        <translation>Olha da esquerda</translation>
-    </message>
-    <message>
-        <source>&amp;Bottom</source>
-        <translation>Em&amp;baixo</translation>
-    </message>
-    <message>
-        <source>Look from below</source>
-        <translation>Olha de baixo</translation>
-    </message>
-    <message>
-        <source>&amp;Standard Layout</source>
-        <translation>Disposição &amp;padrão</translation>
-    </message>
-    <message>
-        <source>Put all panels back where they were at first</source>
-        <translation>Põe todos os painéis de volta no lugar</translation>
-    </message>
-    <message>
-        <source>&amp;Parallel Projection</source>
-        <translation>Projeção &amp;paralela</translation>
-    </message>
-    <message>
-        <source>Show equal lengths equally long, near or far</source>
-        <translation>Mostra comprimentos iguais com igual tamanho, perto ou longe</translation>
-    </message>
-    <message>
-        <source>R&amp;otation Rings</source>
-        <translation>Anéis de r&amp;otação</translation>
-    </message>
-    <message>
-        <source>Show the rings that turn the body</source>
-        <translation>Mostra os anéis que giram o corpo</translation>
-    </message>
-    <message>
-        <source>&amp;Water and Tank</source>
-        <translation>Á&amp;gua e tanque</translation>
-    </message>
-    <message>
-        <source>Show the water and the edges of the tank</source>
-        <translation>Mostra a água e as bordas do tanque</translation>
-    </message>
-    <message>
-        <source>Bo&amp;dy</source>
-        <translation>&amp;Corpo</translation>
-    </message>
-    <message>
-        <source>Show the body</source>
-        <translation>Mostra o corpo</translation>
-    </message>
-    <message>
-        <source>&amp;Coverage on the Body</source>
-        <translation>Co&amp;bertura no corpo</translation>
-    </message>
-    <message>
-        <source>Show how much of the body this immersion paints</source>
-        <translation>Mostra quanto do corpo esta imersão pinta</translation>
-    </message>
-    <message>
-        <source>Film on the Body &amp;Only</source>
-        <translation>&amp;Só o filme no corpo</translation>
-    </message>
-    <message>
-        <source>At the end of the dip, hide the film that paints nothing</source>
-        <translation>No fim da imersão, esconde o filme que não pinta nada</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Medir</translation>
-    </message>
-    <message>
-        <source>Click two places on the body to measure the distance between them</source>
-        <translation>Clique em dois lugares do corpo para medir a distância</translation>
-    </message>
-    <message>
-        <source>What the film wears in the view</source>
-        <translation>O que o filme veste na vista</translation>
-    </message>
-    <message>
-        <source>&amp;Lines every 10 mm</source>
-        <translation>&amp;Linhas a cada 10 mm</translation>
-    </message>
-    <message>
-        <source>The &amp;Sheet&apos;s Image</source>
-        <translation>A imagem da &amp;folha</translation>
-    </message>
-    <message>
-        <source>S&amp;tretch</source>
-        <translation>&amp;Estiramento</translation>
-    </message>
-    <message>
-        <source>&amp;Chessboard of 17 mm</source>
-        <translation>&amp;Xadrez de 17 mm</translation>
-    </message>
-    <message>
-        <source>A &amp;Picture…</source>
-        <translation>Uma &amp;imagem…</translation>
-    </message>
-    <message>
-        <source>Quick &amp;Tour</source>
-        <translation>&amp;Visita rápida</translation>
-    </message>
-    <message>
-        <source>What is where, in six steps</source>
-        <translation>O que está onde, em seis passos</translation>
-    </message>
-    <message>
-        <source>User &amp;Guide</source>
-        <translation>&amp;Guia do usuário</translation>
-    </message>
-    <message>
-        <source>How everything works</source>
-        <translation>Como tudo funciona</translation>
-    </message>
-    <message>
-        <source>&amp;About Dipwright</source>
-        <translation>&amp;Sobre o Dipwright</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Arquivo</translation>
-    </message>
-    <message>
-        <source>Open &amp;Recent</source>
-        <translation>Abrir &amp;recente</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Editar</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ver</translation>
-    </message>
-    <message>
-        <source>Film &amp;Wears</source>
-        <translation>Filme &amp;veste</translation>
-    </message>
-    <message>
-        <source>&amp;Dip</source>
-        <translation>&amp;Imersão</translation>
-    </message>
-    <message>
-        <source>&amp;Window</source>
-        <translation>&amp;Janela</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>Aj&amp;uda</translation>
-    </message>
-    <message>
-        <source>Main</source>
-        <translation>Principal</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Vista</translation>
-    </message>
-    <message>
-        <source>Film Wears</source>
-        <translation>Filme veste</translation>
-    </message>
-    <message>
-        <source>The report is on the clipboard</source>
-        <translation>O relatório está na área de transferência</translation>
-    </message>
-    <message>
-        <source>Save Layout</source>
-        <translation>Salvar disposição</translation>
-    </message>
-    <message>
-        <source>Name of the layout</source>
-        <translation>Nome da disposição</translation>
-    </message>
-    <message>
-        <source>Reading the picture</source>
-        <translation>Lendo a imagem</translation>
-    </message>
-    <message>
-        <source>The picture cannot be read: %1</source>
-        <translation>A imagem não pode ser lida: %1</translation>
-    </message>
-    <message>
-        <source>Reading the texture</source>
-        <translation>Lendo a textura</translation>
-    </message>
-    <message>
-        <source>&amp;Save Layout…</source>
-        <translation>&amp;Salvar disposição…</translation>
-    </message>
-    <message>
-        <source>Keep where the panels are under a name</source>
-        <translation>Guardar a disposição dos painéis com um nome</translation>
-    </message>
-    <message>
-        <source>&amp;What Is This?</source>
-        <translation>O &amp;que é isto?</translation>
-    </message>
-    <message>
-        <source>Click something afterwards to be told what it is for</source>
-        <translation>Clique depois em algo para saber para que serve</translation>
-    </message>
-    <message>
-        <source>&amp;Layouts</source>
-        <translation>&amp;Disposições</translation>
-    </message>
-    <message>
-        <source>None saved yet</source>
-        <translation>Nenhuma salva ainda</translation>
-    </message>
-    <message>
-        <source>Layout “%1”</source>
-        <translation>Disposição “%1”</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>&amp;Remover</translation>
-    </message>
-    <message>
-        <source>Calibrated %1</source>
-        <translation>%1 calibrado</translation>
-    </message>
-    <message>
-        <source>Use Profile %1</source>
-        <translation>Usar o perfil %1</translation>
-    </message>
-    <message>
-        <source>Calibrate P&amp;rinter…</source>
-        <translation>Calibrar imp&amp;ressora…</translation>
-    </message>
-    <message>
-        <source>Print a page of rulers and put the printer&apos;s scale into its profile</source>
-        <translation>Imprimir uma página de réguas e guardar a escala da impressora no perfil dela</translation>
-    </message>
-    <message>
-        <source>Pro&amp;files…</source>
-        <translation>Per&amp;fis…</translation>
-    </message>
-    <message>
-        <source>What is known of printers, films and tanks</source>
-        <translation>O que se sabe de impressoras, filmes e tanques</translation>
-    </message>
-    <message>
-        <source>%1 is a picture: open the project first that is to wear it</source>
-        <translation>%1 é uma imagem: abra antes o projeto que vai vesti-la</translation>
-    </message>
-    <message>
-        <source>The body is %1 long. If its file is in another unit, make the project again and say there how long the longest edge is.</source>
-        <translation>O corpo tem %1 de comprimento. Se o arquivo estiver em outra unidade, crie o projeto de novo e informe ali o comprimento da aresta mais longa.</translation>
-    </message>
-    <message>
-        <source>These sheets were made before the last changes. Run the dip first to print what the project now says.</source>
-        <translation>Estas folhas foram feitas antes das últimas mudanças. Execute a imersão antes, para imprimir o que o projeto diz agora.</translation>
-    </message>
-    <message>
-        <source>Checking the certainty</source>
-        <translation>Verificando a confiabilidade</translation>
-    </message>
-    <message>
-        <source>Check Certainty</source>
-        <translation>Verificar confiabilidade</translation>
-    </message>
-    <message>
-        <source>Save Maps</source>
-        <translation>Salvar mapas</translation>
-    </message>
-    <message>
-        <source>Wrote the maps to %1</source>
-        <translation>Mapas gravados em %1</translation>
-    </message>
-    <message>
-        <source>C&amp;heck Certainty…</source>
-        <translation>Verificar c&amp;onfiabilidade…</translation>
-    </message>
-    <message>
-        <source>Compute the sheets more finely and see how far they move, and where</source>
-        <translation>Calcular as folhas com mais finura e ver quanto se deslocam, e onde</translation>
     </message>
 </context>
 <context>
@@ -3563,6 +3096,17 @@
     </message>
 </context>
 <context>
+    <name>dipwright::ProfileController</name>
+    <message>
+        <source>Use Profile %1</source>
+        <translation>Usar o perfil %1</translation>
+    </message>
+    <message>
+        <source>Calibrated %1</source>
+        <translation>%1 calibrado</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::ProfilesDialog</name>
     <message>
         <source>Profiles (%1)</source>
@@ -4226,6 +3770,17 @@ mm</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::StatusLine</name>
+    <message>
+        <source>Value under the cursor</source>
+        <translation>Valor sob o cursor</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progresso</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::StretchPanel</name>
     <message>
         <source>Automatic range</source>
@@ -4418,6 +3973,526 @@ mm</translation>
     <message>
         <source>Next</source>
         <translation>Avançar</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ViewController</name>
+    <message>
+        <source>Picture on the Film</source>
+        <translation>Imagem no filme</translation>
+    </message>
+    <message>
+        <source>Reading the picture</source>
+        <translation>Lendo a imagem</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read: %1</source>
+        <translation>A imagem não pode ser lida: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::WindowActions</name>
+    <message>
+        <source>New &amp;Window</source>
+        <translation>Nova &amp;janela</translation>
+    </message>
+    <message>
+        <source>Open another window</source>
+        <translation>Abre outra janela</translation>
+    </message>
+    <message>
+        <source>&amp;New Project…</source>
+        <translation>&amp;Novo projeto…</translation>
+    </message>
+    <message>
+        <source>Make a project of a textured model</source>
+        <translation>Cria um projeto de um modelo texturizado</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Abrir…</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Abre um projeto</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Salvar</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Salva o projeto</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Salvar &amp;como…</translation>
+    </message>
+    <message>
+        <source>Save the project as another file</source>
+        <translation>Salva o projeto em outro arquivo</translation>
+    </message>
+    <message>
+        <source>&amp;Export Results…</source>
+        <translation>&amp;Exportar resultados…</translation>
+    </message>
+    <message>
+        <source>Write sheets, stretch maps, proof, films and report to a folder</source>
+        <translation>Grava folhas, mapas de estiramento, prova, filmes e relatório em uma pasta</translation>
+    </message>
+    <message>
+        <source>Sheet as P&amp;DF…</source>
+        <translation>Folha em P&amp;DF…</translation>
+    </message>
+    <message>
+        <source>Save this immersion&apos;s sheet as PDF at true size</source>
+        <translation>Salva a folha desta imersão em PDF em tamanho real</translation>
+    </message>
+    <message>
+        <source>Sheet as P&amp;NG…</source>
+        <translation>Folha em P&amp;NG…</translation>
+    </message>
+    <message>
+        <source>Save this immersion&apos;s film image as PNG</source>
+        <translation>Salva a imagem do filme desta imersão em PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Imprimir…</translation>
+    </message>
+    <message>
+        <source>Print sheets at true size</source>
+        <translation>Imprime as folhas em tamanho real</translation>
+    </message>
+    <message>
+        <source>Calibrate P&amp;rinter…</source>
+        <translation>Calibrar imp&amp;ressora…</translation>
+    </message>
+    <message>
+        <source>Print a page of rulers and put the printer&apos;s scale into its profile</source>
+        <translation>Imprimir uma página de réguas e guardar a escala da impressora no perfil dela</translation>
+    </message>
+    <message>
+        <source>Pro&amp;files…</source>
+        <translation>Per&amp;fis…</translation>
+    </message>
+    <message>
+        <source>What is known of printers, films and tanks</source>
+        <translation>O que se sabe de impressoras, filmes e tanques</translation>
+    </message>
+    <message>
+        <source>&amp;Close Window</source>
+        <translation>&amp;Fechar janela</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Fecha esta janela</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Sair</translation>
+    </message>
+    <message>
+        <source>Close all windows</source>
+        <translation>Fecha todas as janelas</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Desfazer</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Desfaz a última mudança</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Refazer</translation>
+    </message>
+    <message>
+        <source>Make the change again</source>
+        <translation>Faz a mudança de novo</translation>
+    </message>
+    <message>
+        <source>Add &amp;Second Immersion</source>
+        <translation>Adicionar &amp;segunda imersão</translation>
+    </message>
+    <message>
+        <source>Dip the body a second time, from another side</source>
+        <translation>Mergulha o corpo uma segunda vez, de outro lado</translation>
+    </message>
+    <message>
+        <source>Remove &amp;Immersion</source>
+        <translation>Remover &amp;imersão</translation>
+    </message>
+    <message>
+        <source>Remove the immersion shown</source>
+        <translation>Remove a imersão mostrada</translation>
+    </message>
+    <message>
+        <source>Re&amp;load Model</source>
+        <translation>&amp;Recarregar modelo</translation>
+    </message>
+    <message>
+        <source>Read the model&apos;s file again and keep all settings</source>
+        <translation>Lê de novo o arquivo do modelo e mantém as configurações</translation>
+    </message>
+    <message>
+        <source>Replace &amp;Model…</source>
+        <translation>Trocar &amp;modelo…</translation>
+    </message>
+    <message>
+        <source>Take another model</source>
+        <translation>Usa outro modelo</translation>
+    </message>
+    <message>
+        <source>Replace &amp;Texture…</source>
+        <translation>Trocar &amp;textura…</translation>
+    </message>
+    <message>
+        <source>Put another picture on the model</source>
+        <translation>Põe outra imagem no modelo</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Preferências…</translation>
+    </message>
+    <message>
+        <source>Units, language, look, shortcuts and solvers</source>
+        <translation>Unidades, idioma, aparência, atalhos e solucionadores</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>E&amp;xecutar</translation>
+    </message>
+    <message>
+        <source>Simulate the dip and make the sheets</source>
+        <translation>Simula a imersão e faz as folhas</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop what is running</source>
+        <translation>Para o que está em execução</translation>
+    </message>
+    <message>
+        <source>Run &amp;Live</source>
+        <translation>Executar ao &amp;vivo</translation>
+    </message>
+    <message>
+        <source>Once there is a result, run again after each change</source>
+        <translation>Havendo um resultado, executa de novo após cada mudança</translation>
+    </message>
+    <message>
+        <source>C&amp;heck Certainty…</source>
+        <translation>Verificar c&amp;onfiabilidade…</translation>
+    </message>
+    <message>
+        <source>Compute the sheets more finely and see how far they move, and where</source>
+        <translation>Calcular as folhas com mais finura e ver quanto se deslocam, e onde</translation>
+    </message>
+    <message>
+        <source>&amp;Play or Pause</source>
+        <translation>&amp;Reproduzir ou pausar</translation>
+    </message>
+    <message>
+        <source>Play the dip</source>
+        <translation>Reproduz a imersão</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Enquadrar</translation>
+    </message>
+    <message>
+        <source>Show body and film whole</source>
+        <translation>Mostra corpo e filme inteiros</translation>
+    </message>
+    <message>
+        <source>&amp;Oblique</source>
+        <translation>&amp;Oblíqua</translation>
+    </message>
+    <message>
+        <source>Look from above at an angle</source>
+        <translation>Olha de cima em ângulo</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>&amp;Frente</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Olha de frente</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ght</source>
+        <translation>&amp;Direita</translation>
+    </message>
+    <message>
+        <source>Look from the right</source>
+        <translation>Olha da direita</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>Em &amp;cima</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Olha de cima</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k</source>
+        <translation>&amp;Trás</translation>
+    </message>
+    <message>
+        <source>Look from behind</source>
+        <translation>Olha de trás</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Esquerda</translation>
+    </message>
+    <message>
+        <source>Look from the left</source>
+        <translation>Olha da esquerda</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom</source>
+        <translation>Em&amp;baixo</translation>
+    </message>
+    <message>
+        <source>Look from below</source>
+        <translation>Olha de baixo</translation>
+    </message>
+    <message>
+        <source>&amp;Standard Layout</source>
+        <translation>Disposição &amp;padrão</translation>
+    </message>
+    <message>
+        <source>Put all panels back where they were at first</source>
+        <translation>Põe todos os painéis de volta no lugar</translation>
+    </message>
+    <message>
+        <source>&amp;Save Layout…</source>
+        <translation>&amp;Salvar disposição…</translation>
+    </message>
+    <message>
+        <source>Keep where the panels are under a name</source>
+        <translation>Guardar a disposição dos painéis com um nome</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel Projection</source>
+        <translation>Projeção &amp;paralela</translation>
+    </message>
+    <message>
+        <source>Show equal lengths equally long, near or far</source>
+        <translation>Mostra comprimentos iguais com igual tamanho, perto ou longe</translation>
+    </message>
+    <message>
+        <source>R&amp;otation Rings</source>
+        <translation>Anéis de r&amp;otação</translation>
+    </message>
+    <message>
+        <source>Show the rings that turn the body</source>
+        <translation>Mostra os anéis que giram o corpo</translation>
+    </message>
+    <message>
+        <source>&amp;Water and Tank</source>
+        <translation>Á&amp;gua e tanque</translation>
+    </message>
+    <message>
+        <source>Show the water and the edges of the tank</source>
+        <translation>Mostra a água e as bordas do tanque</translation>
+    </message>
+    <message>
+        <source>Bo&amp;dy</source>
+        <translation>&amp;Corpo</translation>
+    </message>
+    <message>
+        <source>Show the body</source>
+        <translation>Mostra o corpo</translation>
+    </message>
+    <message>
+        <source>&amp;Coverage on the Body</source>
+        <translation>Co&amp;bertura no corpo</translation>
+    </message>
+    <message>
+        <source>Show how much of the body this immersion paints</source>
+        <translation>Mostra quanto do corpo esta imersão pinta</translation>
+    </message>
+    <message>
+        <source>Film on the Body &amp;Only</source>
+        <translation>&amp;Só o filme no corpo</translation>
+    </message>
+    <message>
+        <source>At the end of the dip, hide the film that paints nothing</source>
+        <translation>No fim da imersão, esconde o filme que não pinta nada</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Medir</translation>
+    </message>
+    <message>
+        <source>Click two places on the body to measure the distance between them</source>
+        <translation>Clique em dois lugares do corpo para medir a distância</translation>
+    </message>
+    <message>
+        <source>What the film wears in the view</source>
+        <translation>O que o filme veste na vista</translation>
+    </message>
+    <message>
+        <source>&amp;Lines every 10 mm</source>
+        <translation>&amp;Linhas a cada 10 mm</translation>
+    </message>
+    <message>
+        <source>The &amp;Sheet&apos;s Image</source>
+        <translation>A imagem da &amp;folha</translation>
+    </message>
+    <message>
+        <source>S&amp;tretch</source>
+        <translation>&amp;Estiramento</translation>
+    </message>
+    <message>
+        <source>&amp;Chessboard of 17 mm</source>
+        <translation>&amp;Xadrez de 17 mm</translation>
+    </message>
+    <message>
+        <source>A &amp;Picture…</source>
+        <translation>Uma &amp;imagem…</translation>
+    </message>
+    <message>
+        <source>Quick &amp;Tour</source>
+        <translation>&amp;Visita rápida</translation>
+    </message>
+    <message>
+        <source>What is where, in six steps</source>
+        <translation>O que está onde, em seis passos</translation>
+    </message>
+    <message>
+        <source>User &amp;Guide</source>
+        <translation>&amp;Guia do usuário</translation>
+    </message>
+    <message>
+        <source>How everything works</source>
+        <translation>Como tudo funciona</translation>
+    </message>
+    <message>
+        <source>&amp;What Is This?</source>
+        <translation>O &amp;que é isto?</translation>
+    </message>
+    <message>
+        <source>Click something afterwards to be told what it is for</source>
+        <translation>Clique depois em algo para saber para que serve</translation>
+    </message>
+    <message>
+        <source>&amp;About Dipwright</source>
+        <translation>&amp;Sobre o Dipwright</translation>
+    </message>
+    <message>
+        <source>&amp;Undo “%1”</source>
+        <translation>&amp;Desfazer “%1”</translation>
+    </message>
+    <message>
+        <source>&amp;Redo “%1”</source>
+        <translation>&amp;Refazer “%1”</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::WindowLayout</name>
+    <message>
+        <source>3D view of the dip</source>
+        <translation>Vista 3D da imersão</translation>
+    </message>
+    <message>
+        <source>The body above the film. Drag to turn the view, drag with the right button to shift it, turn the wheel to zoom. Drag a ring to turn the body.</source>
+        <translation>O corpo acima do filme. Arraste para girar a vista, com o botão direito para deslocá-la, use a roda para o zoom. Arraste um anel para girar o corpo.</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projeto</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Resultados</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>Save Layout</source>
+        <translation>Salvar disposição</translation>
+    </message>
+    <message>
+        <source>Name of the layout</source>
+        <translation>Nome da disposição</translation>
+    </message>
+    <message>
+        <source>None saved yet</source>
+        <translation>Nenhuma salva ainda</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Remover</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::WindowMenus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Arquivo</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>&amp;Dip</source>
+        <translation>&amp;Imersão</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Janela</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Aj&amp;uda</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Abrir &amp;recente</translation>
+    </message>
+    <message>
+        <source>Film &amp;Wears</source>
+        <translation>Filme &amp;veste</translation>
+    </message>
+    <message>
+        <source>&amp;Layouts</source>
+        <translation>&amp;Disposições</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>Principal</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>What the film wears in the view</source>
+        <translation>O que o filme veste na vista</translation>
+    </message>
+    <message>
+        <source>Film Wears</source>
+        <translation>Filme veste</translation>
     </message>
 </context>
 <context>

@@ -32,7 +32,6 @@ struct DipView::State {
     bool again = false;   // and another one is wanted after it
     ViewPicture shown;
     QColor background = Qt::gray;
-    bool parallel = false;
 
     RotationRings rings;
     QPointF pressed;
@@ -148,10 +147,6 @@ void DipView::setFilmColours(std::vector<QRgb> colours) {
     });
 }
 
-void DipView::setFilmVisible(bool visible) {
-    change([visible](ViewScene& scene) { scene.film().setVisible(visible); });
-}
-
 void DipView::setTank(QSizeF film, double depth) {
     change([film, depth](ViewScene& scene) { scene.setFilmSize(film, depth); });
 }
@@ -178,12 +173,7 @@ void DipView::setNavigation(Navigation navigation) {
 }
 
 void DipView::setParallelProjection(bool parallel) {
-    state_->parallel = parallel;
     change([parallel](ViewScene& scene) { scene.camera().SetParallelProjection(parallel); });
-}
-
-bool DipView::isParallelProjection() const {
-    return state_->parallel;
 }
 
 void DipView::look(ViewDirection direction) {

@@ -75,7 +75,6 @@ public:
     void setFilmTransform(const Eigen::Isometry3d& filmToWorld);
     void setFilmPicture(const QImage& picture);     // clears colours
     void setFilmColours(std::vector<QRgb> colours); // a point each; empty: the picture
-    void setFilmVisible(bool visible);
 
     // Tank and water: a frame of water round the film, `film` its floating size, `depth` of the
     // tank.
@@ -92,7 +91,6 @@ public:
     // Camera.
     void setNavigation(Navigation navigation);
     void setParallelProjection(bool parallel);
-    bool isParallelProjection() const;
     void look(ViewDirection direction); // and fit
     void fit();
     void setColours(const ViewColours& colours);

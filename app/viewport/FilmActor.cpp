@@ -142,8 +142,4 @@ void FilmActor::setPointColours(const std::vector<QRgb>& colours) {
     actor_->SetTexture(nullptr);
 }
 
-void FilmActor::setVisible(bool visible) {
-    actor_->SetVisibility(visible);
-}
-
 } // namespace dipwright

@@ -22,7 +22,6 @@ public:
     void setTransform(const Eigen::Isometry3d& filmToWorld);
     void setPicture(const QImage& picture);
     void setPointColours(const std::vector<QRgb>& colours);
-    void setVisible(bool visible);
 
 private:
     void updateTriangles();

@@ -120,6 +120,11 @@ bool Document::isFresh(Stage stage, std::size_t number) const {
            !dependsOnChange(stage, number, result_->project, project_);
 }
 
+Freshness Document::freshness(std::size_t number) const {
+    return {isFresh(Stage::Dip, number), isFresh(Stage::Texture, number),
+            isFresh(Stage::Sheet, number)};
+}
+
 bool Document::isFresh() const {
     for (std::size_t number = 0; number < project_.immersions.size(); ++number) {
         if (!isFresh(Stage::Sheet, number)) {

@@ -18,6 +18,12 @@ enum class Stage { Dip, Texture, Sheet };
 // `before`.
 bool dependsOnChange(Stage stage, std::size_t number, const Project& before, const Project& now);
 
+// What of an immersion's results fits the project as it is.
+struct Freshness {
+    bool dip = true, texture = true, sheet = true;
+    bool operator==(const Freshness&) const = default;
+};
+
 class Document : public QObject {
     Q_OBJECT
 
@@ -58,7 +64,8 @@ public:
     void setResult(std::shared_ptr<const JobResult> result);
     // Whether there is a result of `stage` for immersion `number` that fits the project as it is.
     bool isFresh(Stage stage, std::size_t number) const;
-    bool isFresh() const; // everything of every immersion
+    Freshness freshness(std::size_t number) const; // of each stage
+    bool isFresh() const;                          // everything of every immersion
 
 signals:
     void projectChanged();

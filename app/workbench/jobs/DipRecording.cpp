@@ -41,7 +41,6 @@ DipRecording::DipRecording(const Immersion& immersion, const solver::FilmGrid& g
 void DipRecording::add(const FilmFrame& frame) {
     auto recorded = std::make_shared<RecordedFrame>();
     recorded->descent = frame.descent;
-    recorded->steps = frame.steps;
     recorded->positions.reserve(film_.points.size() * 3);
     for (const std::uint32_t point : film_.points) {
         const auto place = frame.positions.subspan(std::size_t(point) * 3, 3);

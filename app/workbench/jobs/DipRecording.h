@@ -18,7 +18,6 @@ ThinnedFilm thinFilm(const solver::FilmGrid& grid, std::size_t mostPoints);
 struct RecordedFrame {
     std::vector<float> positions; // x, y, z a point of the thinned film; world frame
     double descent = 0;           // mm
-    std::int64_t steps = 0;
 };
 
 // Written by the thread that simulates, read by the UI thread at the same time.

@@ -22,6 +22,9 @@ CancelSwitch JobRunner::start(std::unique_ptr<Job> job) {
         waiting_.push_back({std::move(job), cancelSwitch});
     }
     wake_.notify_all();
+    if (unfinished_ == 1) {
+        emit busy();
+    }
     return cancelSwitch;
 }
 

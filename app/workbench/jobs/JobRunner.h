@@ -25,6 +25,7 @@ public:
     bool isBusy() const { return unfinished_ > 0; }
 
 signals:
+    void busy(); // something has been given to do, after nothing
     void started(const QString& title);
     void progressed(double share, const QString& text); // 0 … 1
     void idle();                                        // everything has been finalized

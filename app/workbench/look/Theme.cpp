@@ -108,13 +108,9 @@ QPalette themePalette(bool dark) {
     return palette;
 }
 
-bool systemIsDark() {
-    return QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
-}
-
 void applyTheme(QApplication& application, Theme theme) {
-    static const bool desktopIsDark = systemIsDark();
-    application.setStyle(new WorkbenchStyle); // NOLINT: it is the application's own now
+    static const bool desktopIsDark = isDark(); // before a palette of ours is set
+    application.setStyle(new WorkbenchStyle);   // NOLINT: it is the application's own now
     application.setPalette(
         themePalette(theme == Theme::Dark || (theme == Theme::System && desktopIsDark)));
 }

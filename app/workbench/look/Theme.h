@@ -11,8 +11,6 @@ namespace dipwright {
 enum class Theme { System, Light, Dark };
 
 QPalette themePalette(bool dark);
-// Whether the desktop itself is dark; meaningful before applyTheme().
-bool systemIsDark();
 void applyTheme(QApplication& application, Theme theme);
 bool isDark(); // of the palette in use
 

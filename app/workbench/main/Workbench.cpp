@@ -81,7 +81,7 @@ void Workbench::offerRecovery() {
         question.setDefaultButton(restore);
         question.exec();
         if (question.clickedButton() == restore) {
-            emptyWindow()->restore(recovered);
+            emptyWindow()->documents().restore(recovered);
         } else if (question.clickedButton() == discard) {
             discardRecovered(recovered);
         }

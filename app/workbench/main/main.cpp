@@ -34,7 +34,7 @@ int main(int argc, char* argv[]) {
     dipwright::Workbench workbench(dipwright::recoveryFolder());
     dipwright::MainWindow* window = workbench.openWindow();
     for (const QString& path : parser.positionalArguments()) {
-        window->openProject(path);
+        window->documents().openProject(path);
     }
     QTimer::singleShot(0, &workbench, &dipwright::Workbench::offerRecovery);
     return QApplication::exec();

@@ -2,6 +2,7 @@
 // cursor that is shown in all of them.
 #pragma once
 
+#include "document/Document.h"
 #include "jobs/DipJob.h"
 #include "panels/Units.h"
 
@@ -14,11 +15,6 @@ namespace dipwright {
 class PicturePanel;
 class ReportPanel;
 class StretchPanel;
-
-// What of the shown immersion's results fits the project as it is.
-struct Freshness {
-    bool dip = true, texture = true, sheet = true;
-};
 
 class ResultsPanel : public QTabWidget {
     Q_OBJECT

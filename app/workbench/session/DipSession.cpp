@@ -15,6 +15,7 @@ void DipSession::setDocument(Document* document) {
     wanted_ = false;
     jobs_.cancelAll();
     document_ = document;
+    immersion_ = 0;
     outcome_ = {};
     recordings_.clear();
     if (document) {
@@ -22,12 +23,16 @@ void DipSession::setDocument(Document* document) {
     }
 }
 
-// A result of another model has nothing to do with this one.
 void DipSession::projectChanged() {
+    if (immersion_ >= document_->project().immersions.size()) {
+        immersion_ = 0;
+    }
+    // A result of another model has nothing to do with this one.
     if (outcome_.result && outcome_.result->project.model != document_->project().model) {
         outcome_ = {};
         recordings_.clear();
         document_->setResult(nullptr);
+        emit dropped();
     }
 }
 
@@ -92,12 +97,20 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
     emit finished();
 }
 
-std::shared_ptr<const FilmReading> DipSession::reading(std::size_t immersion) const {
-    return immersion < outcome_.readings.size() ? outcome_.readings[immersion] : nullptr;
+void DipSession::lookAt(std::size_t immersion) {
+    if (document_ && immersion != immersion_ &&
+        immersion < document_->project().immersions.size()) {
+        immersion_ = immersion;
+        emit immersionChanged(immersion);
+    }
 }
 
-std::shared_ptr<const DipRecording> DipSession::recording(std::size_t immersion) const {
-    return immersion < recordings_.size() ? recordings_[immersion] : nullptr;
+std::shared_ptr<const FilmReading> DipSession::reading() const {
+    return immersion_ < outcome_.readings.size() ? outcome_.readings[immersion_] : nullptr;
+}
+
+std::shared_ptr<const DipRecording> DipSession::recording() const {
+    return immersion_ < recordings_.size() ? recordings_[immersion_] : nullptr;
 }
 
 std::shared_ptr<const DipRecording> DipSession::liveRecording() const {

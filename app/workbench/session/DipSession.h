@@ -1,5 +1,6 @@
 // The dips of one document: starts them, starts them again when the project changes on the way,
-// and keeps the recordings and the outcome of the last one. No widgets. UI thread only.
+// keeps the recordings and the outcome of the last one, and which immersion of it is looked at. UI
+// thread only.
 #pragma once
 
 #include "document/Document.h"
@@ -16,6 +17,7 @@ public:
 
     // Lets go of what belonged to another document; null: none.
     void setDocument(Document* document);
+    Document* document() const { return document_; }
     // Runs what is out of date; nothing where nothing is. While jobs run, it is done after them,
     // and a dip that runs on older values is cancelled. `mostPoints`: of the recorded film.
     void run(std::size_t mostPoints);
@@ -25,15 +27,22 @@ public:
 
     // Of the last dip that was done; empty before.
     const DipOutcome& outcome() const { return outcome_; }
-    std::shared_ptr<const FilmReading> reading(std::size_t immersion) const;    // may be null
-    std::shared_ptr<const DipRecording> recording(std::size_t immersion) const; // may be null
+    // Of the immersion that is looked at; null where it has none.
+    std::shared_ptr<const FilmReading> reading() const;
+    std::shared_ptr<const DipRecording> recording() const;
     // Of the dip that runs: the immersion that is being dipped; null before its first frame.
     std::shared_ptr<const DipRecording> liveRecording() const;
+
+    // The immersion that is looked at; the first one of a new document.
+    std::size_t immersion() const { return immersion_; }
+    void lookAt(std::size_t immersion); // nothing where the project has none of that number
 
 signals:
     void started();
     void finished();                      // the outcome is new
     void stopped(std::exception_ptr why); // null: cancelled
+    void dropped();                       // there is no outcome any more: the model is another
+    void immersionChanged(std::size_t immersion); // another one is looked at
 
 private:
     void takeOutcome(const DipOutcome& outcome);
@@ -43,6 +52,7 @@ private:
     JobRunner& jobs_;
     const SolverRegistry& registry_;
     Document* document_ = nullptr;
+    std::size_t immersion_ = 0;
     DipRecordings recordings_, live_;
     DipOutcome outcome_;
     CancelSwitch dip_; // the one that runs

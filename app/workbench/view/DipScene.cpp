@@ -102,7 +102,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
         const solver::FilmGrid grid = filmGrid(project.film);
         const double height = double(boundingBox(project.model->mesh).diagonal().norm());
         view_.setTank({grid.width, grid.depth}, std::max(40.0, 0.8 * height));
-        shapeOf_ = nullptr;
+        filmSource_ = {};
     }
     if (moment_ == Moment::Setup) {
         showSetup();
@@ -116,14 +116,8 @@ void DipScene::setResult(std::shared_ptr<const JobResult> result,
                          std::shared_ptr<const FilmReading> reading) {
     result_ = std::move(result);
     reading_ = std::move(reading);
-    shapeOf_ = nullptr;
+    filmSource_ = {};
     dressBody();
-}
-
-void DipScene::previewPose(const Immersion& immersion) {
-    if (moment_ == Moment::Setup) {
-        placeBody(immersion, 0);
-    }
 }
 
 void DipScene::placeBody(const Immersion& immersion, double descent) {
@@ -155,7 +149,7 @@ void DipScene::showSetup() {
         return;
     }
     placeBody(project_.immersions[immersion_], 0);
-    if (shapeOf_ == this) {
+    if (filmSource_ == FilmSource(FlatFilm::OfProject)) {
         return;
     }
     const solver::FilmGrid grid = filmGrid(project_.film);
@@ -163,17 +157,18 @@ void DipScene::showSetup() {
     positions_ = flatPositions(grid, film);
     setShape(grid, film, positions_);
     view_.setFilmTransform(Eigen::Isometry3d::Identity());
-    shapeOf_ = this;
+    filmSource_ = FlatFilm::OfProject;
     dressFilm();
 }
 
-void DipScene::showFrame(const DipRecording& recording, const RecordedFrame& frame) {
+void DipScene::showFrame(const std::shared_ptr<const DipRecording>& recording,
+                         const RecordedFrame& frame) {
     moment_ = Moment::Frame;
     positions_ = frame.positions;
-    if (shapeOf_ != &recording) {
-        setShape(recording.grid(), recording.film(), frame.positions);
+    if (filmSource_ != FilmSource(recording)) {
+        setShape(recording->grid(), recording->film(), frame.positions);
         view_.setFilmTransform(Eigen::Isometry3d::Identity());
-        shapeOf_ = &recording;
+        filmSource_ = recording;
         dressFilm();
     } else {
         view_.setFilmPositions(frame.positions);
@@ -181,7 +176,7 @@ void DipScene::showFrame(const DipRecording& recording, const RecordedFrame& fra
             view_.setFilmColours(frameColours());
         }
     }
-    placeBody(recording.immersion(), frame.descent);
+    placeBody(recording->immersion(), frame.descent);
 }
 
 void DipScene::showEnd() {
@@ -194,7 +189,7 @@ void DipScene::showEnd() {
                              ? result_->project.process.depth->value()
                              : result.body->height + result_->project.process.margin.value();
     placeBody(result.immersion, startHeight + depth);
-    if (shapeOf_ != reading_.get()) {
+    if (filmSource_ != FilmSource(reading_)) {
         const DippedFilm& film = reading_->film();
         FilmShape shape;
         std::vector<float> positions;
@@ -219,7 +214,7 @@ void DipScene::showEnd() {
         }
         shapeGrid_ = film.grid;
         view_.setFilm(shape, positions);
-        shapeOf_ = reading_.get();
+        filmSource_ = reading_;
     }
     const Eigen::Isometry3d poseToModel = result.body->modelToPose.inverse();
     view_.setFilmTransform(modelToWorld_ * poseToModel);
@@ -234,9 +229,8 @@ void DipScene::setFilmLook(FilmLook look, const QImage& picture) {
 
 void DipScene::setFilmExtent(FilmExtent extent) {
     extent_ = extent;
-    view_.setFilmVisible(extent != FilmExtent::Hidden);
     if (moment_ == Moment::End) {
-        shapeOf_ = nullptr;
+        filmSource_ = {};
         showEnd();
     }
 }

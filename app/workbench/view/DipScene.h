@@ -6,11 +6,12 @@
 #include "viewport/DipView.h"
 
 #include <QObject>
+#include <variant>
 
 namespace dipwright {
 
 enum class FilmLook { Lines, Sheet, Chessboard, Picture, Stretch };
-enum class FilmExtent { Whole, OnBody, Hidden };
+enum class FilmExtent { Whole, OnBody };
 
 class DipScene : public QObject {
     Q_OBJECT
@@ -23,12 +24,11 @@ public:
     // How the dip went; null: not yet.
     void setResult(std::shared_ptr<const JobResult> result,
                    std::shared_ptr<const FilmReading> reading);
-    // Turns the body as it would stand in `immersion`, without a change to the project.
-    void previewPose(const Immersion& immersion);
 
     // The moments: before the dip as set up now, in the middle, at the end with the whole film.
     void showSetup();
-    void showFrame(const DipRecording& recording, const RecordedFrame& frame);
+    void showFrame(const std::shared_ptr<const DipRecording>& recording,
+                   const RecordedFrame& frame);
     void showEnd();
     double depth() const { return descent_ - startHeight; } // mm under water, of what is shown
 
@@ -40,12 +40,18 @@ public:
 
     // From the world to the pose frame at the end of the dip; only while the end is shown.
     std::optional<Eigen::Isometry3d> worldToEnd() const;
+    std::shared_ptr<const TexturedMesh> model() const { return project_.model; } // null: none
     // The shown model's place that `ray` meets first, in model coordinates.
     std::optional<Eigen::Vector3f> modelPoint(const ViewRay& ray) const;
     Eigen::Vector3f toWorld(const Eigen::Vector3f& modelPoint) const;
 
 private:
     enum class Moment { Setup, Frame, End };
+    // What the view's film has been made for: the project's film, lying flat; one on its way; one
+    // that was dipped. None: it is to be made anew.
+    enum class FlatFilm { OfProject };
+    using FilmSource = std::variant<std::monostate, FlatFilm, std::shared_ptr<const DipRecording>,
+                                    std::shared_ptr<const FilmReading>>;
 
     void placeBody(const Immersion& immersion, double descent);
     void setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
@@ -63,7 +69,7 @@ private:
     Moment moment_ = Moment::Setup;
     Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
     double descent_ = 0;
-    const void* shapeOf_ = nullptr; // what the view's film was made for
+    FilmSource filmSource_;
     ThinnedFilm shape_;
     solver::FilmGrid shapeGrid_;
     std::vector<float> positions_;

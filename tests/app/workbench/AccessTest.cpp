@@ -164,7 +164,7 @@ private slots:
                 check(*dialog);
             }
         }
-        window_->showTour();
+        WindowDriver(*window_).trigger("tour");
         check(*window_);
         window_->findChild<QWidget*>(QStringLiteral("tour"))->close();
     }
@@ -177,7 +177,9 @@ private slots:
         QVERIFY(QDir().mkpath(workbench_->recovery()));
         saveProject(window_->document()->project(), copy);
         checkMessage("recoveryQuestion", [this] { workbench_->offerRecovery(); });
-        checkMessage("failure", [&] { window_->replaceTexture(copy); }); // no picture
+        const QString noPicture = folder_.filePath(QStringLiteral("letter.png"));
+        QVERIFY(QFile::copy(copy, noPicture));
+        checkMessage("failure", [&] { WindowDriver(*window_).drop(noPicture); });
     }
 
 private:

@@ -15,7 +15,6 @@
 #include <QJsonDocument>
 #include <QLabel>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QPushButton>
 #include <QSlider>
 #include <QTabWidget>
@@ -115,7 +114,7 @@ private slots:
 
         // Save, close, reopen: the same sheets, bit for bit.
         const QString path = folder_.filePath(QStringLiteral("turtle.dipw"));
-        window->saveAsFile(path);
+        window->documents().saveAs(path);
         QVERIFY(!window->isWindowModified());
         QVERIFY(window->close());
         window.reset();
@@ -182,7 +181,7 @@ private slots:
         file.close();
         MainWindow window(*workbench_);
         window.show();
-        window.openProject(path);
+        window.documents().openProject(path);
         QTRY_VERIFY(shownMessage("failure") != nullptr);
         QVERIFY(shownMessage("failure")->text().contains(QStringLiteral("damaged.dipw")));
         QVERIFY(window.document() == nullptr);
@@ -194,7 +193,7 @@ private slots:
         writeNewerProject(folder_.filePath(QStringLiteral("turtle.dipw")), path);
         MainWindow window(*workbench_);
         window.show();
-        window.openProject(path);
+        window.documents().openProject(path);
         QTRY_VERIFY(shownMessage("failure") != nullptr);
         QVERIFY(shownMessage("failure")->text().contains(QStringLiteral("99")));
         shownMessage("failure")->accept();
@@ -203,7 +202,7 @@ private slots:
     void aMissingFileSaysSo() {
         MainWindow window(*workbench_);
         window.show();
-        window.openProject(folder_.filePath(QStringLiteral("nowhere.dipw")));
+        window.documents().openProject(folder_.filePath(QStringLiteral("nowhere.dipw")));
         QTRY_VERIFY(shownMessage("failure") != nullptr);
         shownMessage("failure")->accept();
     }
@@ -217,14 +216,7 @@ private slots:
         picture.fill(Qt::darkGreen);
         const QString path = folder_.filePath(QStringLiteral("green.png"));
         QVERIFY(picture.save(path));
-        QMimeData data;
-        data.setUrls({QUrl::fromLocalFile(path)});
-        QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton,
-                              Qt::NoModifier);
-        QApplication::sendEvent(&window, &enter);
-        QVERIFY(enter.isAccepted());
-        QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(&window, &drop);
+        driver.drop(path);
         QTRY_COMPARE(window.document()->project().model->textures.at(0).size(), QSize(64, 64));
         QCOMPARE(window.document()->project().immersions.size(), std::size_t(2));
         driver.trigger("undo");
@@ -283,9 +275,9 @@ private:
 
     void switchImmersion(MainWindow& window, const WindowDriver& driver) {
         const QImage first = driver.find<PictureView>("stretchMap")->picture();
-        window.selectImmersion(1);
+        window.session().lookAt(1);
         QVERIFY(driver.find<PictureView>("stretchMap")->picture() != first);
-        window.selectImmersion(0);
+        window.session().lookAt(0);
         QCOMPARE(driver.find<PictureView>("stretchMap")->picture(), first);
     }
 

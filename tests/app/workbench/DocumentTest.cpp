@@ -1,10 +1,11 @@
 // The document without a window: undo, freshness, file, lock and recovery.
 #include "document/Document.h"
+#include "BoxProject.h"
 #include "document/FileLock.h"
+#include "document/ImmersionEdits.h"
 #include "document/ProjectValue.h"
 #include "document/RecentProjects.h"
 #include "document/Recovery.h"
-#include "geometry/Shapes.h"
 #include "project/ProjectStore.h"
 #include "project/Schema.h"
 
@@ -17,24 +18,6 @@
 using namespace dipwright;
 
 namespace {
-
-Project boxProject() {
-    auto model = std::make_shared<TexturedMesh>();
-    model->mesh = boxMesh({30, 20, 40});
-    const std::size_t count = model->mesh.triangles.size();
-    model->textureCoordinates.resize(count);
-    for (auto& corners : model->textureCoordinates) {
-        corners.fill(Eigen::Vector2f::Constant(std::numeric_limits<float>::quiet_NaN()));
-    }
-    model->material.resize(count, 0);
-    model->materials.resize(1);
-    model->chart = findCharts(*model);
-    Project project;
-    project.name = QStringLiteral("Box");
-    project.date = QStringLiteral("2026-01-02");
-    project.model = model;
-    return project;
-}
 
 void setWidth(Document& document, const char* key, double width) {
     document.edit(QStringLiteral("Width"), QLatin1String(key),
@@ -149,6 +132,39 @@ private slots:
         QTEST(dependsOnChange(Stage::Dip, 0, before, now), "dip");
         QTEST(dependsOnChange(Stage::Texture, 0, before, now), "texture");
         QTEST(dependsOnChange(Stage::Sheet, 0, before, now), "sheet");
+    }
+
+    void aSecondImmersionComesFromTheOtherSide() {
+        Document document(boxProject());
+        document.edit({}, {}, [](Project& project) {
+            project.immersions[0].rotation = {Degrees(30), Degrees(10), Degrees(0)};
+        });
+        addImmersion(document);
+        QCOMPARE(document.project().immersions.size(), std::size_t(2));
+        QCOMPARE(document.project().immersions[1].rotation[0].value(), -150);
+        QCOMPARE(document.project().immersions[1].rotation[1].value(), 10);
+        removeImmersion(document, 0);
+        QCOMPARE(document.project().immersions.size(), std::size_t(1));
+        QCOMPARE(document.project().immersions[0].rotation[0].value(), -150);
+        document.undoStack().undo();
+        document.undoStack().undo();
+        QCOMPARE(document.project().immersions.size(), std::size_t(1));
+        QCOMPARE(document.project().immersions[0].rotation[0].value(), 30);
+    }
+
+    void freshnessTellsEachStage() {
+        Document document(boxProject());
+        QVERIFY(document.freshness(0) == Freshness({false, false, false}));
+        auto result = std::make_shared<JobResult>();
+        result->project = document.project();
+        result->immersions.resize(1);
+        document.setResult(result);
+        QVERIFY(document.freshness(0) == Freshness({true, true, true}));
+        document.edit({}, {}, [](Project& project) { project.ink.limit = 1.5; });
+        QVERIFY(document.freshness(0) == Freshness({true, false, false}));
+        document.undoStack().undo();
+        QVERIFY(document.freshness(0) == Freshness({true, true, true}));
+        QVERIFY(document.freshness(1) == Freshness({false, false, false})); // there is none
     }
 
     void savingMakesTheDocumentUnmodified() {

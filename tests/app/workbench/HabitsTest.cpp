@@ -189,8 +189,28 @@ private slots:
         picture.fill(Qt::red);
         const QString path = folder_.filePath(QStringLiteral("red.png"));
         QVERIFY(picture.save(path));
-        window_->replaceTexture(path);
+        driver.drop(path);
         QTRY_COMPARE(window_->document()->project().model->textures.at(0).size(), QSize(32, 32));
+    }
+
+    void resultsOfAnotherModelAreGone() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        QVERIFY(driver.run());
+        auto* map = driver.find<PictureView>("stretchMap");
+        QVERIFY(!map->isEmpty());
+        QVERIFY(driver.action("print")->isEnabled());
+        QImage picture(32, 32, QImage::Format_RGB32);
+        picture.fill(Qt::blue);
+        const QString path = folder_.filePath(QStringLiteral("blue.png"));
+        QVERIFY(picture.save(path));
+        driver.drop(path);
+        QTRY_VERIFY(map->isEmpty());
+        QVERIFY(!driver.action("print")->isEnabled());
+        QVERIFY(!driver.action("play")->isEnabled());
+        QTest::mouseMove(map, map->rect().center()); // there is nothing to be read off
+        QTest::qWait(50);
+        QVERIFY(driver.find<QLabel>("reading")->text().isEmpty());
     }
 
     void newProjectsBeginWithTheChosenPrinter() {

@@ -119,7 +119,9 @@ void photographQuestions(MainWindow& window, Workbench& workbench, const Photogr
                        [&] { workbench.offerRecovery(); });
     photographQuestion("closeQuestion", QStringLiteral("close"), camera, [&] { window.close(); });
     photographQuestion("failure", QStringLiteral("failure"), camera, [&] {
-        window.replaceTexture(copy);
+        const QString noPicture = workbench.recovery() + QStringLiteral("/kept.png");
+        QFile::copy(copy, noPicture);
+        WindowDriver(window).drop(noPicture);
         QTest::qWait(2000);
     });
 }
@@ -166,7 +168,7 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
     GuideWindow guide;
     guide.show();
     camera.take(guide, QStringLiteral("guide"));
-    window.showTour();
+    WindowDriver(window).trigger("tour");
     camera.take(window, QStringLiteral("tour"));
     window.findChild<QWidget*>(QStringLiteral("tour"))->close();
 }
@@ -244,10 +246,10 @@ int main(int argc, char* argv[]) {
         photographResults(driver, window, camera);
         photographCertainty(driver, camera);
         photographDialogs(window, workbench, camera);
+        driver.action("live")->setChecked(false);
         window.document()->edit(
-            QCoreApplication::translate("dipwright::MainWindow", "Turn Body"), {},
+            QCoreApplication::translate("dipwright::BodyTurn", "Turn Body"), {},
             [](Project& project) { project.immersions.front().rotation[1] = Degrees(20); });
-        window.cancelJobs();
         driver.find<QWidget>("logDock")->show();
         camera.take(window, QStringLiteral("stale"));
         photographMenus(window, camera);

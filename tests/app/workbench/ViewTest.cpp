@@ -1,6 +1,7 @@
 // The 3D view with a real OpenGL context: what is drawn, the camera, rays and rings.
 #include "WindowDriver.h"
 #include "geometry/Shapes.h"
+#include "view/BodyTurn.h"
 #include "view/ViewTheme.h"
 
 #include <QApplication>
@@ -181,6 +182,24 @@ private slots:
             QTest::keyClick(view_.get(), key);
         }
         QCOMPARE(view_->picture(), before);
+    }
+
+    void turningIsAboutTheAxesOfTheWorld() {
+        Immersion immersion;
+        immersion = turned(immersion, 0, 40);
+        QCOMPARE(immersion.rotation[0].value(), 40);
+        immersion = turned(immersion, 1, -25);
+        immersion = turned(immersion, 2, 70);
+        const TriangleMesh body = redSphere()->mesh;
+        using Eigen::AngleAxisd, Eigen::Vector3d;
+        const auto about = [](double degrees, const Vector3d& axis) {
+            return AngleAxisd(radians(Degrees(degrees)), axis);
+        };
+        const Eigen::Matrix3d wanted =
+            (about(70, Vector3d::UnitZ()) * about(-25, Vector3d::UnitY()) *
+             about(40, Vector3d::UnitX()))
+                .toRotationMatrix();
+        QVERIFY((poseTransform(body, immersion).linear() - wanted).norm() < 0.01); // tenths
     }
 
     void aRingTurnsTheBody() {

@@ -1,5 +1,8 @@
 #include "WindowDriver.h"
 
+#include <QDragEnterEvent>
+#include <QMimeData>
+
 namespace dipwright {
 
 namespace {
@@ -21,8 +24,8 @@ WindowApplication::WindowApplication(int& argc, char** argv) {
 }
 
 bool WindowDriver::open(const QString& path) {
-    QSignalSpy opened(&window_, &MainWindow::documentOpened);
-    window_.openProject(path);
+    QSignalSpy opened(&window_.documents(), &DocumentSession::documentChanged);
+    window_.documents().openProject(path);
     return opened.wait(patience);
 }
 
@@ -31,8 +34,8 @@ bool WindowDriver::create(const QString& model, const QString& texture, double l
     ImportOptions options;
     options.longestEdge = Millimetres(longestEdge);
     options.texture = texture;
-    QSignalSpy opened(&window_, &MainWindow::documentOpened);
-    window_.importModelAsProject(model, options, complete);
+    QSignalSpy opened(&window_.documents(), &DocumentSession::documentChanged);
+    window_.documents().importModel(model, options, complete);
     return opened.wait(patience);
 }
 
@@ -42,6 +45,16 @@ bool WindowDriver::run() {
     trigger("run");
     const auto ended = [&] { return !finished.isEmpty() || !stopped.isEmpty(); };
     return QTest::qWaitFor(ended, patience) && !finished.isEmpty();
+}
+
+void WindowDriver::drop(const QString& path) const {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window_, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window_, &drop);
 }
 
 QAction* WindowDriver::action(const char* name) const {

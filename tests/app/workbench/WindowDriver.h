@@ -35,6 +35,8 @@ public:
                 const std::function<void(Project&)>& complete);
     bool run();
 
+    void drop(const QString& path) const; // a file on the window
+
     QAction* action(const char* name) const;
     void trigger(const char* name) const { action(name)->trigger(); }
     template <typename Widget>

@@ -1,0 +1,25 @@
+#include "document/ImmersionEdits.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+namespace dipwright {
+
+void addImmersion(Document& document) {
+    document.edit(
+        QCoreApplication::translate("ImmersionEdits", "Add Immersion"), {}, [](Project& project) {
+            Immersion second = project.immersions.front();
+            second.name = QCoreApplication::translate("ImmersionEdits", "Immersion %1").arg(2);
+            second.rotation[0] = Degrees(std::remainder(second.rotation[0].value() + 180, 360));
+            project.immersions.push_back(second);
+        });
+}
+
+void removeImmersion(Document& document, std::size_t number) {
+    document.edit(QCoreApplication::translate("ImmersionEdits", "Remove Immersion"), {},
+                  [number](Project& project) {
+                      project.immersions.erase(project.immersions.begin() + std::ptrdiff_t(number));
+                  });
+}
+
+} // namespace dipwright

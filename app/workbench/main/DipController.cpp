@@ -1,0 +1,94 @@
+#include "main/DipController.h"
+
+#include "main/WindowActions.h"
+#include "panels/ResultsPanel.h"
+#include "panels/ShippedNames.h"
+#include "view/DipPlayback.h"
+
+#include <QAction>
+#include <QLabel>
+
+namespace dipwright {
+
+DipController::DipController(const WindowActions& actions, DipSession& session,
+                             CertaintyCheck& check, const DipPlayback& playback, Messages& messages,
+                             ResultsPanel& results, QLabel& staleBanner)
+    : session_(session), check_(check), playback_(playback), messages_(messages), results_(results),
+      staleBanner_(staleBanner) {
+    connect(&session, &DipSession::started, this, [this] {
+        messages_.notice({});
+        showFreshness();
+    });
+    connect(&session, &DipSession::finished, this, &DipController::takeResult);
+    connect(&session, &DipSession::stopped, this, [this](const std::exception_ptr& failure) {
+        showResults();
+        if (failure) {
+            messages_.fail(tr("The Dip"), failure);
+        }
+    });
+    connect(&session, &DipSession::immersionChanged, this, &DipController::showResults);
+    connect(&session, &DipSession::dropped, this, &DipController::showResults);
+    connect(&live_, &LiveRun::runAsked, this, &DipController::run);
+    connect(actions.run, &QAction::triggered, this, &DipController::run);
+    connect(actions.cancel, &QAction::triggered, this, &DipController::cancel);
+    connect(actions.live, &QAction::toggled, &live_, &LiveRun::setWanted);
+    connect(actions.certainty, &QAction::triggered, this, &DipController::checkCertainty);
+}
+
+void DipController::showDocument() {
+    const Document* document = session_.document();
+    live_.setDocument(document);
+    if (document) {
+        connect(document, &Document::projectChanged, this, &DipController::showFreshness);
+        showResults();
+    }
+}
+
+void DipController::run() {
+    live_.stop();
+    check_.cancel();
+    session_.run(playback_.mostPoints());
+}
+
+void DipController::cancel() {
+    live_.stop();
+    session_.cancel();
+    emit cancelled();
+}
+
+void DipController::checkCertainty() {
+    check_.start(*session_.document());
+}
+
+void DipController::takeResult() {
+    const JobResult& result = *session_.outcome().result;
+    for (const QString& note : result.notes) {
+        messages_.log(note);
+    }
+    messages_.notice(result.notes.join(QLatin1Char('\n')));
+    messages_.log(
+        tr("Simulated with %1 on %2").arg(shownName(result.solver.name), result.solver.device));
+    showResults();
+}
+
+void DipController::showResults() {
+    results_.setOutcome(session_.outcome(), session_.immersion());
+    showFreshness();
+}
+
+void DipController::showFreshness() {
+    const Document& document = *session_.document();
+    if (!document.result() || session_.isRunning()) {
+        staleBanner_.hide();
+        return;
+    }
+    const Freshness fresh = document.freshness(session_.immersion());
+    results_.setFreshness(fresh);
+    staleBanner_.setText(fresh.dip
+                             ? tr("The sheet is out of date: it was made before the last changes.")
+                             : tr("The results are out of date: they were made before the last "
+                                  "changes."));
+    staleBanner_.setVisible(!fresh.sheet);
+}
+
+} // namespace dipwright

@@ -1,0 +1,51 @@
+// The dip of a window's document: run, cancelled, run again live, how certain it is, and what of
+// its results is still true.
+#pragma once
+
+#include "session/CertaintyCheck.h"
+#include "session/DipSession.h"
+#include "session/LiveRun.h"
+#include "session/Messages.h"
+
+class QLabel;
+
+namespace dipwright {
+
+class DipPlayback;
+class ResultsPanel;
+class WindowActions;
+
+class DipController : public QObject {
+    Q_OBJECT
+
+public:
+    DipController(const WindowActions& actions, DipSession& session, CertaintyCheck& check,
+                  const DipPlayback& playback, Messages& messages, ResultsPanel& results,
+                  QLabel& staleBanner);
+
+    // To be called when the session has another document.
+    void showDocument();
+    // While the body is dragged, nothing is run live.
+    void setHeld(bool held) { live_.setHeld(held); }
+
+signals:
+    void cancelled();
+
+private:
+    void run();
+    void cancel();
+    void checkCertainty();
+    void takeResult();
+    void showResults();
+    void showFreshness();
+
+    DipSession& session_;
+    CertaintyCheck& check_;
+    const DipPlayback& playback_;
+    Messages& messages_;
+    ResultsPanel& results_;
+    QLabel& staleBanner_;
+    LiveRun live_;
+};
+
+} // namespace dipwright

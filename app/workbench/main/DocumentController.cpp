@@ -1,0 +1,179 @@
+#include "main/DocumentController.h"
+
+#include "base/Error.h"
+#include "dialogs/NewProjectDialog.h"
+#include "document/RecentProjects.h"
+#include "main/WindowActions.h"
+#include "main/Workbench.h"
+#include "project/ProjectStore.h"
+#include "session/ModelImport.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace dipwright {
+
+namespace {
+
+bool matches(const QString& path, const QStringList& patterns) {
+    return patterns.contains(QStringLiteral("*.") + QFileInfo(path).suffix().toLower());
+}
+
+} // namespace
+
+DocumentController::DocumentController(const WindowActions& actions, DocumentSession& session,
+                                       JobRunner& jobs, Messages& messages,
+                                       const Workbench& workbench, QWidget& window)
+    : session_(session), jobs_(jobs), messages_(messages), workbench_(workbench), window_(window) {
+    const auto on = [this](const QAction* action, auto what) {
+        connect(action, &QAction::triggered, this, what);
+    };
+    on(actions.newProject, [this] { askNew(); });
+    on(actions.open, &DocumentController::askOpen);
+    on(actions.save, &DocumentController::save);
+    on(actions.saveAs, &DocumentController::saveAs);
+    on(actions.reloadModel, &DocumentController::reloadModel);
+    on(actions.replaceModel, &DocumentController::askModel);
+    on(actions.replaceTexture, &DocumentController::askTexture);
+}
+
+void DocumentController::askNew(const QString& model) {
+    auto* dialog = new NewProjectDialog(model, workbench_.preferences(), &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        session_.importModel(dialog->model(), dialog->importOptions(), dialog->completion());
+    });
+    dialog->open();
+}
+
+void DocumentController::askOpen() {
+    const QString path =
+        QFileDialog::getOpenFileName(&window_, tr("Open Project"), {}, projectFileFilter());
+    if (!path.isEmpty()) {
+        session_.openProject(path);
+    }
+}
+
+bool DocumentController::askToOpenLocked(const Document& document, const LockState& holder) {
+    QMessageBox question(
+        QMessageBox::Warning, tr("Project in Use"),
+        tr("“%1” is open already, on %2 (process %3).")
+            .arg(document.title(), holder.host.isEmpty() ? tr("an unknown machine") : holder.host)
+            .arg(holder.process),
+        QMessageBox::Cancel, &window_);
+    question.setInformativeText(tr("Whoever saves last overwrites what the other has done."));
+    question.setObjectName(QStringLiteral("lockQuestion"));
+    QPushButton* anyway = question.addButton(tr("Open Anyway"), QMessageBox::AcceptRole);
+    question.exec();
+    return question.clickedButton() == anyway;
+}
+
+bool DocumentController::save() {
+    const QString path = session_.document()->path();
+    return path.isEmpty() ? saveAs() : saveTo(path);
+}
+
+bool DocumentController::saveAs() {
+    const Document& document = *session_.document();
+    QFileDialog dialog(&window_, tr("Save Project"), {}, projectFileFilter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("dipw"));
+    dialog.selectFile(document.path().isEmpty() ? document.project().name + QStringLiteral(".dipw")
+                                                : document.path());
+    return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().first());
+}
+
+bool DocumentController::saveTo(const QString& path) {
+    try {
+        session_.saveAs(path);
+    } catch (const Error&) {
+        messages_.fail(tr("Save"), std::current_exception());
+        return false;
+    }
+    return true;
+}
+
+bool DocumentController::mayClose() {
+    const Document* document = session_.document();
+    if (!document || !document->isModified()) {
+        return true;
+    }
+    QMessageBox question(QMessageBox::Question, tr("Unsaved Changes"),
+                         tr("Save the changes to “%1” before it is closed?").arg(document->title()),
+                         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
+    question.setObjectName(QStringLiteral("closeQuestion"));
+    question.setDefaultButton(QMessageBox::Save);
+    switch (question.exec()) {
+    case QMessageBox::Save:
+        return save();
+    case QMessageBox::Discard:
+        session_.discardChanges();
+        return true;
+    default:
+        return false;
+    }
+}
+
+void DocumentController::fillRecentMenu(QMenu& menu) {
+    menu.clear();
+    for (const QString& path : recentProjects()) {
+        QAction* action = menu.addAction(QFileInfo(path).completeBaseName());
+        action->setToolTip(QDir::toNativeSeparators(path));
+        action->setEnabled(QFileInfo::exists(path));
+        connect(action, &QAction::triggered, this, [this, path] { session_.openProject(path); });
+    }
+    if (menu.isEmpty()) {
+        menu.addAction(tr("None yet"))->setEnabled(false);
+    }
+}
+
+void DocumentController::reloadModel() {
+    dipwright::reloadModel(*session_.document(), jobs_, messages_);
+}
+
+void DocumentController::askModel() {
+    const QString path =
+        QFileDialog::getOpenFileName(&window_, tr("Replace Model"), {}, modelFileFilter());
+    if (!path.isEmpty()) {
+        replaceModel(*session_.document(), path, jobs_, messages_);
+    }
+}
+
+void DocumentController::askTexture() {
+    const QString path =
+        QFileDialog::getOpenFileName(&window_, tr("Replace Texture"), {}, pictureFileFilter());
+    if (!path.isEmpty()) {
+        replaceTexture(path);
+    }
+}
+
+void DocumentController::replaceTexture(const QString& path) {
+    dipwright::replaceTexture(*session_.document(), path, jobs_, messages_);
+}
+
+void DocumentController::takeFiles(const QList<QUrl>& files) {
+    for (const QUrl& file : files) {
+        takeFile(file);
+    }
+}
+
+void DocumentController::takeFile(const QUrl& file) {
+    const QString path = file.toLocalFile();
+    if (matches(path, {QStringLiteral("*.dipw")})) {
+        session_.openProject(path);
+    } else if (matches(path, pictureFilePatterns()) && session_.document()) {
+        replaceTexture(path);
+    } else if (matches(path, pictureFilePatterns())) {
+        messages_.say(
+            tr("%1 is a picture: open the project first that is to wear it").arg(file.fileName()));
+    } else if (matches(path, modelFilePatterns())) {
+        askNew(path);
+    } else {
+        messages_.say(tr("%1 is neither a project, a model nor a picture").arg(file.fileName()));
+    }
+}
+
+} // namespace dipwright

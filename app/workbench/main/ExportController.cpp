@@ -1,0 +1,126 @@
+#include "main/ExportController.h"
+
+#include "base/Bytes.h"
+#include "base/Png.h"
+#include "dialogs/CertaintyDialog.h"
+#include "dialogs/PrintDialog.h"
+#include "jobs/FilmTable.h"
+#include "main/WindowActions.h"
+#include "panels/StretchPanel.h"
+#include "session/WriteFiles.h"
+
+#include <QAction>
+#include <QFileDialog>
+
+namespace dipwright {
+
+ExportController::ExportController(const WindowActions& actions, const DipSession& session,
+                                   JobRunner& jobs, Messages& messages, QWidget& window)
+    : session_(session), jobs_(jobs), messages_(messages), window_(window) {
+    const auto on = [this](const QAction* action, auto what) {
+        connect(action, &QAction::triggered, this, what);
+    };
+    on(actions.exportResults, &ExportController::exportResults);
+    on(actions.exportPdf, &ExportController::exportSheetPdf);
+    on(actions.exportPng, &ExportController::exportSheetPng);
+    on(actions.print, &ExportController::print);
+}
+
+void ExportController::exportResults() {
+    const QString folder =
+        QFileDialog::getExistingDirectory(&window_, tr("Export Results to a Folder"));
+    if (folder.isEmpty()) {
+        return;
+    }
+    writeFiles(
+        jobs_, messages_, tr("Export Results"), tr("Wrote the results to %1"), folder,
+        [result = session_.outcome().result](const QString& target, const Progress& progress) {
+            writeResults(result->project, *result, target, progress);
+        });
+}
+
+void ExportController::exportFile(const QString& title, const QString& name, const QString& suffix,
+                                  const Write& write) {
+    QFileDialog dialog(&window_, title, {}, QStringLiteral("*.") + suffix);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(suffix);
+    dialog.selectFile(name + QLatin1Char('.') + suffix);
+    if (dialog.exec() == QDialog::Accepted) {
+        writeFiles(jobs_, messages_, title, tr("Wrote %1"), dialog.selectedFiles().first(),
+                   [write](const QString& path, const Progress&) { write(path); });
+    }
+}
+
+QString ExportController::sheetName() const {
+    const ImmersionResult& result = session_.outcome().result->immersions[session_.immersion()];
+    return QStringLiteral("%1 %2").arg(session_.document()->title(), result.immersion.name);
+}
+
+void ExportController::exportSheetPdf() {
+    exportFile(tr("Save Sheet"), sheetName(), QStringLiteral("pdf"),
+               [sheet = session_.outcome().result->immersions[session_.immersion()].sheet](
+                   const QString& path) {
+                   writeWhole(path, [&](QIODevice& device) { writeSheetPdf(sheet, device); });
+               });
+}
+
+void ExportController::exportSheetPng() {
+    exportFile(tr("Save Sheet"), sheetName(), QStringLiteral("png"),
+               [sheet = session_.outcome().result->immersions[session_.immersion()].sheet](
+                   const QString& path) {
+                   writeWhole(path, [&](QIODevice& device) { writeSheetPng(sheet, device); });
+               });
+}
+
+void ExportController::exportStretch(const StretchPanel& stretch, const QString& suffix) {
+    exportFile(tr("Export Stretch"), tr("stretch"), suffix, stretchWriter(stretch, suffix));
+}
+
+ExportController::Write ExportController::stretchWriter(const StretchPanel& stretch,
+                                                        const QString& suffix) const {
+    if (suffix == QLatin1String("vtp")) {
+        return [result = session_.outcome().result,
+                number = session_.immersion()](const QString& path) {
+            const ImmersionResult& immersion = result->immersions[number];
+            writeWhole(path, [&](QIODevice& device) {
+                device.write(filmVtp(*immersion.film, *immersion.contact, *immersion.body));
+            });
+        };
+    }
+    if (suffix == QLatin1String("csv")) {
+        return
+            [reading = session_.reading()](const QString& path) { writeFilmTable(*reading, path); };
+    }
+    return [picture = stretch.picture()](const QString& path) {
+        writeWhole(path, [&](QIODevice& device) { writePng(picture, device, path); });
+    };
+}
+
+void ExportController::print() {
+    auto* dialog = new PrintDialog(session_.outcome(), session_.immersion(), &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (!session_.document()->isFresh()) {
+        dialog->warn(tr("These sheets were made before the last changes. Run the dip first to "
+                        "print what the project now says."));
+    }
+    connect(dialog, &PrintDialog::printed, &messages_, &Messages::logAndSay);
+    dialog->open();
+}
+
+void ExportController::showCertainty(const std::vector<ImmersionCertainty>& certainty,
+                                     bool outdated, LengthUnit unit) {
+    for (const ImmersionCertainty& one : certainty) {
+        messages_.log(certaintyVerdict(one, unit));
+    }
+    auto* dialog = new CertaintyDialog(certainty, outdated, unit, &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &CertaintyDialog::saveAsked, this, [this, certainty](const QString& folder) {
+        writeFiles(jobs_, messages_, tr("Save Maps"), tr("Wrote the maps to %1"), folder,
+                   [certainty](const QString& target, const Progress&) {
+                       writeCertaintyMaps(certainty, target);
+                   });
+    });
+    dialog->show(); // beside what the user does by now
+}
+
+} // namespace dipwright

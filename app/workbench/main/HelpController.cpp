@@ -1,0 +1,94 @@
+#include "main/HelpController.h"
+
+#include "dialogs/GuideWindow.h"
+#include "dialogs/Tour.h"
+#include "main/WindowActions.h"
+#include "panels/LogPanel.h"
+#include "panels/ResultsPanel.h"
+#include "panels/StartPage.h"
+#include "panels/Timeline.h"
+#include "solver/SolverRegistry.h"
+#include "viewport/DipView.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QGuiApplication>
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QSysInfo>
+#include <QToolBar>
+#include <QWhatsThis>
+
+namespace dipwright {
+
+HelpController::HelpController(const WindowActions& actions, QMainWindow& window,
+                               const WindowParts& parts, const SolverRegistry& registry)
+    : window_(window), parts_(parts), registry_(registry) {
+    const auto on = [this](const QAction* action, auto what) {
+        connect(action, &QAction::triggered, this, what);
+    };
+    on(actions.tour, &HelpController::showTour);
+    on(actions.guide, &HelpController::showGuide);
+    on(actions.whatsThis, [] { QWhatsThis::enterWhatsThisMode(); });
+    on(actions.about, &HelpController::showAbout);
+}
+
+// What is not to be seen now is told without being pointed at.
+void HelpController::showTour() {
+    const bool atStart = parts_.startPage->isVisible();
+    QWidget* tools = window_.findChild<QToolBar*>(QStringLiteral("mainToolBar"));
+    new Tour(
+        {{nullptr, tr("Welcome"),
+          tr("Dipwright computes the picture to print on a film so that, when the body is "
+             "dipped through it, every colour lands where it belongs.")},
+         {atStart ? static_cast<QWidget*>(parts_.startPage) : parts_.projectDock, tr("The project"),
+          tr("Model, film, one or two immersions, sheet and ink. Choose a part in the tree "
+             "and change its values below. Begin by dropping a model on the window.")},
+         {parts_.view, tr("The view"),
+          tr("The body above the film. Drag to look round it, turn it by its rings, then "
+             "press Run.")},
+         {tools, tr("Run"),
+          tr("Simulates the dip while you watch and can be cancelled at any time. With Run "
+             "Live, each change runs what depends on it again.")},
+         {parts_.timeline, tr("The timeline"),
+          tr("Plays the dip again, or shows any moment of it.")},
+         {parts_.resultsDock, tr("The results"),
+          tr("How the film stretches, the picture that goes on it, the body as it will come "
+             "out, and the sheet to print. Move the cursor over one and see the same place "
+             "in all the others.")}},
+        &window_);
+}
+
+void HelpController::showGuide() {
+    auto* guide = new GuideWindow(&window_);
+    guide->setAttribute(Qt::WA_DeleteOnClose);
+    guide->show();
+}
+
+void HelpController::showAbout() {
+    QMessageBox::about(
+        &window_, tr("About Dipwright"),
+        QStringLiteral("<h3>Dipwright %1</h3><p>%2</p><p>Qt %3 · %4</p>")
+            .arg(QStringLiteral(DIPWRIGHT_VERSION), tr("Computational hydrographic printing."),
+                 QLatin1String(qVersion()), parts_.view->graphicsDevice().toHtmlEscaped()));
+}
+
+void HelpController::copyReport() const {
+    QStringList lines{
+        QStringLiteral("Dipwright %1").arg(QStringLiteral(DIPWRIGHT_VERSION)),
+        QStringLiteral("Qt %1").arg(QLatin1String(qVersion())),
+        QStringLiteral("%1, %2").arg(QSysInfo::prettyProductName(),
+                                     QSysInfo::currentCpuArchitecture()),
+        QStringLiteral("OpenGL: %1").arg(parts_.view->graphicsDevice()),
+    };
+    for (const SolverInfo& solver : registry_.solvers()) {
+        lines.append(
+            QStringLiteral("%1 %2: %3")
+                .arg(solver.id, solver.version, solver.available ? solver.device : solver.reason));
+    }
+    lines += {QString(), parts_.log->text()};
+    QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+} // namespace dipwright

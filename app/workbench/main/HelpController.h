@@ -1,0 +1,33 @@
+// What helps the user: tour, guide, what the program is, and the facts for a report of what went
+// wrong.
+#pragma once
+
+#include "main/WindowLayout.h"
+
+class QMainWindow;
+
+namespace dipwright {
+
+class WindowActions;
+
+class HelpController : public QObject {
+    Q_OBJECT
+
+public:
+    HelpController(const WindowActions& actions, QMainWindow& window, const WindowParts& parts,
+                   const SolverRegistry& registry);
+
+    void showTour();
+    // On the clipboard: about program and machine, then the log.
+    void copyReport() const;
+
+private:
+    void showGuide();
+    void showAbout();
+
+    QMainWindow& window_;
+    const WindowParts& parts_;
+    const SolverRegistry& registry_;
+};
+
+} // namespace dipwright

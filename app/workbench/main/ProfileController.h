@@ -1,0 +1,34 @@
+// What is known of printers, films and tanks: shown, measured and used.
+#pragma once
+
+#include "session/DocumentSession.h"
+
+class QWidget;
+
+namespace dipwright {
+
+class PropertyPanel;
+class WindowActions;
+class Workbench;
+
+class ProfileController : public QObject {
+    Q_OBJECT
+
+public:
+    // `properties` shows what comes from profiles.
+    ProfileController(const WindowActions& actions, const DocumentSession& session,
+                      Messages& messages, const Workbench& workbench, PropertyPanel& properties,
+                      QWidget& window);
+
+private:
+    void showProfiles();
+    void calibratePrinter();
+
+    const DocumentSession& session_;
+    Messages& messages_;
+    const Workbench& workbench_;
+    PropertyPanel& properties_;
+    QWidget& window_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,64 @@
+#include "main/StatusLine.h"
+
+#include "jobs/JobRunner.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QProgressBar>
+#include <QStatusBar>
+#include <QToolButton>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int progressSteps = 1000;
+
+} // namespace
+
+StatusLine::StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel)
+    : QObject(&bar), reading_(new QLabel), job_(new QLabel), progress_(new QProgressBar),
+      cancel_(new QToolButton) {
+    reading_->setObjectName(QStringLiteral("reading"));
+    reading_->setAccessibleName(tr("Value under the cursor"));
+    reading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    progress_->setObjectName(QStringLiteral("progress"));
+    progress_->setAccessibleName(tr("Progress"));
+    progress_->setRange(0, progressSteps);
+    progress_->setFixedWidth(200);
+    progress_->setTextVisible(false);
+    cancel_->setDefaultAction(&cancel);
+    cancel_->setAutoRaise(true);
+    bar.addWidget(reading_, 1);
+    bar.addPermanentWidget(job_);
+    bar.addPermanentWidget(progress_);
+    bar.addPermanentWidget(cancel_);
+    showJob(false);
+    connect(&jobs, &JobRunner::busy, this, [this] { showJob(true); });
+    connect(&jobs, &JobRunner::idle, this, [this] { showJob(false); });
+    connect(&jobs, &JobRunner::started, this, [this](const QString& title) {
+        job_->setText(title);
+        progress_->setValue(0);
+    });
+    connect(&jobs, &JobRunner::progressed, this, [this](double share, const QString& text) {
+        progress_->setValue(int(share * progressSteps));
+        job_->setText(text);
+    });
+}
+
+void StatusLine::setReading(const QString& text) {
+    reading_->setText(text);
+}
+
+void StatusLine::setJob(const QString& text) {
+    job_->setText(text);
+}
+
+void StatusLine::showJob(bool shown) {
+    for (QWidget* widget : {static_cast<QWidget*>(job_), static_cast<QWidget*>(progress_),
+                            static_cast<QWidget*>(cancel_)}) {
+        widget->setVisible(shown);
+    }
+}
+
+} // namespace dipwright

@@ -1,0 +1,34 @@
+// The line at the bottom of a window: what is under the cursor, and how far the job is that runs.
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QLabel;
+class QProgressBar;
+class QStatusBar;
+class QToolButton;
+
+namespace dipwright {
+
+class JobRunner;
+
+class StatusLine : public QObject {
+    Q_OBJECT
+
+public:
+    StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel); // the bar's child
+
+    void setReading(const QString& text);
+    void setJob(const QString& text);
+
+private:
+    void showJob(bool shown);
+
+    QLabel* reading_;
+    QLabel* job_;
+    QProgressBar* progress_;
+    QToolButton* cancel_;
+};
+
+} // namespace dipwright

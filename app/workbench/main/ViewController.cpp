@@ -1,0 +1,81 @@
+#include "main/ViewController.h"
+
+#include "base/Error.h"
+#include "dialogs/NewProjectDialog.h"
+#include "main/WindowActions.h"
+#include "panels/StretchPanel.h"
+#include "session/StartJob.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QFileDialog>
+#include <QImageReader>
+
+namespace dipwright {
+
+ViewController::ViewController(const WindowActions& actions, DipView& view, DipScene& scene,
+                               const StretchPanel& stretch, JobRunner& jobs, Messages& messages,
+                               QWidget& window)
+    : view_(view), scene_(scene), stretch_(stretch), jobs_(jobs), messages_(messages),
+      window_(window) {
+    connectCamera(actions);
+    connectDisplay(actions);
+    connect(&stretch, &StretchPanel::scaleChanged, this,
+            [this] { scene_.setHeat(stretch_.quantity(), stretch_.scale()); });
+}
+
+void ViewController::connectCamera(const WindowActions& actions) {
+    connect(actions.fit, &QAction::triggered, &view_, &DipView::fit);
+    for (const auto& [action, direction] :
+         {std::pair(actions.oblique, ViewDirection::Oblique),
+          std::pair(actions.front, ViewDirection::Front),
+          std::pair(actions.right, ViewDirection::Right),
+          std::pair(actions.top, ViewDirection::Top), std::pair(actions.back, ViewDirection::Back),
+          std::pair(actions.left, ViewDirection::Left),
+          std::pair(actions.bottom, ViewDirection::Bottom)}) {
+        connect(action, &QAction::triggered, &view_,
+                [&view = view_, direction = direction] { view.look(direction); });
+    }
+    connect(actions.parallel, &QAction::toggled, &view_, &DipView::setParallelProjection);
+}
+
+void ViewController::connectDisplay(const WindowActions& actions) {
+    connect(actions.rings, &QAction::toggled, &scene_, &DipScene::setShowRings);
+    connect(actions.water, &QAction::toggled, &view_, &DipView::setWaterVisible);
+    connect(actions.body, &QAction::toggled, &view_, &DipView::setBodyVisible);
+    connect(actions.coverage, &QAction::toggled, &scene_, &DipScene::setShowCoverage);
+    connect(actions.filmOnBody, &QAction::toggled, this, [this](bool only) {
+        scene_.setFilmExtent(only ? FilmExtent::OnBody : FilmExtent::Whole);
+    });
+    connect(actions.filmLook, &QActionGroup::triggered, this,
+            [this](const QAction* action) { setFilmLook(FilmLook(action->data().toInt())); });
+}
+
+void ViewController::setFilmLook(FilmLook look) {
+    scene_.setHeat(stretch_.quantity(), stretch_.scale());
+    if (look != FilmLook::Picture) {
+        scene_.setFilmLook(look);
+        return;
+    }
+    const QString path =
+        QFileDialog::getOpenFileName(&window_, tr("Picture on the Film"), {}, pictureFileFilter());
+    if (!path.isEmpty()) {
+        wearPicture(path);
+    }
+}
+
+void ViewController::wearPicture(const QString& path) {
+    startJob(
+        jobs_, messages_, tr("Reading the picture"), tr("Picture on the Film"),
+        [path](const Progress&) {
+            QImageReader reader(path);
+            QImage picture = reader.read();
+            if (picture.isNull()) {
+                throw Error(tr("The picture cannot be read: %1").arg(reader.errorString()), path);
+            }
+            return picture;
+        },
+        [this](const QImage& picture) { scene_.setFilmLook(FilmLook::Picture, picture); });
+}
+
+} // namespace dipwright

@@ -1,0 +1,266 @@
+#include "main/WindowActions.h"
+
+#include "document/Document.h"
+#include "look/Icons.h"
+#include "view/DipScene.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QWidget>
+
+namespace dipwright {
+
+namespace {
+
+enum class Kind { Command, ToggledOff, ToggledOn };
+
+QKeySequence key(const char* text) {
+    return QKeySequence(QLatin1String(text));
+}
+
+} // namespace
+
+struct WindowActions::Entry {
+    QAction* WindowActions::*action; // null: kept elsewhere
+    const char* name;                // in the preferences, too
+    const char* icon;                // empty: none
+    QString text, help;
+    QKeySequence keys = {};
+    Kind kind = Kind::Command;
+    QAction::MenuRole role = QAction::TextHeuristicRole;
+};
+
+WindowActions::WindowActions(QWidget& window) : window_(window) {
+    for (const auto& entries :
+         {fileEntries(), editEntries(), dipEntries(), cameraEntries(), displayEntries()}) {
+        for (const Entry& entry : entries) {
+            this->*entry.action = add(entry);
+        }
+    }
+    addFilmLooks();
+    for (const Entry& entry : helpEntries()) {
+        this->*entry.action = add(entry);
+    }
+}
+
+QAction* WindowActions::add(const Entry& entry) {
+    auto* action = new QAction(entry.text, &window_);
+    action->setObjectName(QLatin1String(entry.name));
+    if (*entry.icon) {
+        action->setIcon(icon(QLatin1String(entry.icon)));
+    }
+    action->setShortcut(entry.keys);
+    action->setProperty("defaultShortcut", QVariant::fromValue(entry.keys));
+    action->setWhatsThis(entry.help);
+    action->setCheckable(entry.kind != Kind::Command);
+    action->setChecked(entry.kind == Kind::ToggledOn);
+    action->setMenuRole(entry.role);
+    window_.addAction(action);
+    return action;
+}
+
+std::vector<WindowActions::Entry> WindowActions::fileEntries() {
+    using A = WindowActions;
+    return {
+        {&A::newWindow, "newWindow", "", tr("New &Window"), tr("Open another window"),
+         key("Ctrl+Shift+N")},
+        {&A::newProject, "new", "document-new", tr("&New Project…"),
+         tr("Make a project of a textured model"), QKeySequence::New},
+        {&A::open, "open", "document-open", tr("&Open…"), tr("Open a project"), QKeySequence::Open},
+        {&A::save, "save", "document-save", tr("&Save"), tr("Save the project"),
+         QKeySequence::Save},
+        {&A::saveAs, "saveAs", "", tr("Save &As…"), tr("Save the project as another file"),
+         key("Ctrl+Shift+S")},
+        {&A::exportResults, "exportResults", "export", tr("&Export Results…"),
+         tr("Write sheets, stretch maps, proof, films and report to a folder"), key("Ctrl+E")},
+        {&A::exportPdf, "exportPdf", "sheet", tr("Sheet as P&DF…"),
+         tr("Save this immersion's sheet as PDF at true size")},
+        {&A::exportPng, "exportPng", "texture", tr("Sheet as P&NG…"),
+         tr("Save this immersion's film image as PNG")},
+        {&A::print, "print", "print", tr("&Print…"), tr("Print sheets at true size"),
+         QKeySequence::Print},
+        {&A::calibrate, "calibratePrinter", "measure", tr("Calibrate P&rinter…"),
+         tr("Print a page of rulers and put the printer's scale into its profile")},
+        {&A::profiles, "profiles", "", tr("Pro&files…"),
+         tr("What is known of printers, films and tanks")},
+        {&A::close, "close", "", tr("&Close Window"), tr("Close this window"), QKeySequence::Close},
+        {&A::quit, "quit", "", tr("&Quit"), tr("Close all windows"), key("Ctrl+Q"), Kind::Command,
+         QAction::QuitRole},
+    };
+}
+
+std::vector<WindowActions::Entry> WindowActions::editEntries() {
+    using A = WindowActions;
+    return {
+        {&A::undo, "undo", "undo", tr("&Undo"), tr("Take back the last change"),
+         QKeySequence::Undo},
+        {&A::redo, "redo", "redo", tr("&Redo"), tr("Make the change again"), key("Ctrl+Shift+Z")},
+        {&A::addImmersion, "addImmersion", "add", tr("Add &Second Immersion"),
+         tr("Dip the body a second time, from another side")},
+        {&A::removeImmersion, "removeImmersion", "remove", tr("Remove &Immersion"),
+         tr("Remove the immersion shown")},
+        {&A::reloadModel, "reloadModel", "reload", tr("Re&load Model"),
+         tr("Read the model's file again and keep all settings"), QKeySequence::Refresh},
+        {&A::replaceModel, "replaceModel", "replace", tr("Replace &Model…"),
+         tr("Take another model")},
+        {&A::replaceTexture, "replaceTexture", "texture", tr("Replace &Texture…"),
+         tr("Put another picture on the model")},
+        {&A::preferences, "preferences", "preferences", tr("&Preferences…"),
+         tr("Units, language, look, shortcuts and solvers"), key("Ctrl+,"), Kind::Command,
+         QAction::PreferencesRole},
+    };
+}
+
+std::vector<WindowActions::Entry> WindowActions::dipEntries() {
+    using A = WindowActions;
+    return {
+        {&A::run, "run", "run", tr("&Run"), tr("Simulate the dip and make the sheets"),
+         key("Ctrl+R")},
+        {&A::cancel, "cancel", "cancel", tr("&Cancel"), tr("Stop what is running"), key("Ctrl+.")},
+        {&A::live,
+         "live",
+         "live",
+         tr("Run &Live"),
+         tr("Once there is a result, run again after each change"),
+         {},
+         Kind::ToggledOff},
+        {&A::certainty, "certainty", "", tr("C&heck Certainty…"),
+         tr("Compute the sheets more finely and see how far they move, and where")},
+        {&A::play, "play", "play", tr("&Play or Pause"), tr("Play the dip"), key("Ctrl+Space")},
+    };
+}
+
+std::vector<WindowActions::Entry> WindowActions::cameraEntries() {
+    using A = WindowActions;
+    return {
+        {&A::fit, "fit", "fit", tr("&Fit"), tr("Show body and film whole"), key("Ctrl+0")},
+        {&A::oblique, "oblique", "view-oblique", tr("&Oblique"), tr("Look from above at an angle"),
+         key("Ctrl+1")},
+        {&A::front, "front", "view-front", tr("F&ront"), tr("Look from the front"), key("Ctrl+2")},
+        {&A::right, "right", "view-right", tr("Ri&ght"), tr("Look from the right"), key("Ctrl+3")},
+        {&A::top, "top", "view-top", tr("&Top"), tr("Look from above"), key("Ctrl+4")},
+        {&A::back, "back", "", tr("Bac&k"), tr("Look from behind"), key("Ctrl+5")},
+        {&A::left, "left", "", tr("&Left"), tr("Look from the left"), key("Ctrl+6")},
+        {&A::bottom, "bottom", "", tr("&Bottom"), tr("Look from below"), key("Ctrl+7")},
+        {&A::resetLayout, "resetLayout", "", tr("&Standard Layout"),
+         tr("Put all panels back where they were at first")},
+        {&A::saveLayout, "saveLayout", "", tr("&Save Layout…"),
+         tr("Keep where the panels are under a name")},
+        {&A::parallel,
+         "parallel",
+         "parallel",
+         tr("&Parallel Projection"),
+         tr("Show equal lengths equally long, near or far"),
+         {},
+         Kind::ToggledOff},
+    };
+}
+
+std::vector<WindowActions::Entry> WindowActions::displayEntries() {
+    using A = WindowActions;
+    return {
+        {&A::rings,
+         "rings",
+         "rotate",
+         tr("R&otation Rings"),
+         tr("Show the rings that turn the body"),
+         {},
+         Kind::ToggledOn},
+        {&A::water,
+         "water",
+         "water",
+         tr("&Water and Tank"),
+         tr("Show the water and the edges of the tank"),
+         {},
+         Kind::ToggledOn},
+        {&A::body, "body", "body", tr("Bo&dy"), tr("Show the body"), {}, Kind::ToggledOn},
+        {&A::coverage,
+         "coverage",
+         "proof",
+         tr("&Coverage on the Body"),
+         tr("Show how much of the body this immersion paints"),
+         {},
+         Kind::ToggledOff},
+        {&A::filmOnBody,
+         "filmOnBody",
+         "film-on-body",
+         tr("Film on the Body &Only"),
+         tr("At the end of the dip, hide the film that paints nothing"),
+         {},
+         Kind::ToggledOff},
+        {&A::measure, "measure", "measure", tr("&Measure"),
+         tr("Click two places on the body to measure the distance between them"), key("Ctrl+M"),
+         Kind::ToggledOff},
+    };
+}
+
+void WindowActions::addFilmLooks() {
+    filmLook = new QActionGroup(this);
+    const auto addLook = [this](const char* name, const QString& text, FilmLook look, Kind kind) {
+        QAction* action =
+            add({nullptr, name, "", text, tr("What the film wears in the view"), {}, kind});
+        action->setData(int(look));
+        filmLook->addAction(action);
+    };
+    addLook("filmLines", tr("&Lines every 10 mm"), FilmLook::Lines, Kind::ToggledOn);
+    addLook("filmSheet", tr("The &Sheet's Image"), FilmLook::Sheet, Kind::ToggledOff);
+    addLook("filmStretch", tr("S&tretch"), FilmLook::Stretch, Kind::ToggledOff);
+    addLook("filmChessboard", tr("&Chessboard of 17 mm"), FilmLook::Chessboard, Kind::ToggledOff);
+    addLook("filmPicture", tr("A &Picture…"), FilmLook::Picture, Kind::ToggledOff);
+}
+
+std::vector<WindowActions::Entry> WindowActions::helpEntries() {
+    using A = WindowActions;
+    return {
+        {&A::tour, "tour", "help", tr("Quick &Tour"), tr("What is where, in six steps")},
+        {&A::guide, "guide", "report", tr("User &Guide"), tr("How everything works"),
+         QKeySequence::HelpContents},
+        {&A::whatsThis, "whatsThis", "", tr("&What Is This?"),
+         tr("Click something afterwards to be told what it is for"), QKeySequence::WhatsThis},
+        {&A::about, "about", "", tr("&About Dipwright"), {}, {}, Kind::Command, QAction::AboutRole},
+    };
+}
+
+void WindowActions::enable(const WindowState& state) {
+    const bool any = state.document != nullptr;
+    const std::size_t immersions = any ? state.document->project().immersions.size() : 0;
+    for (QAction* action : {saveAs, replaceModel, replaceTexture, fit, oblique, front, right, top,
+                            back, left, bottom, parallel, rings, water, body, measure, live}) {
+        action->setEnabled(any);
+    }
+    filmLook->setEnabled(any);
+    save->setEnabled(any && state.document->isModified());
+    reloadModel->setEnabled(any && !state.document->project().modelSource.source.isEmpty());
+    addImmersion->setEnabled(any && immersions < 2);
+    removeImmersion->setEnabled(immersions > 1);
+    run->setEnabled(any && !state.isDipping);
+    certainty->setEnabled(any && !state.isBusy);
+    cancel->setEnabled(state.isBusy);
+    for (QAction* action : {print, exportResults, exportPdf, exportPng, coverage, filmOnBody}) {
+        action->setEnabled(any && state.document->result());
+    }
+    play->setEnabled(state.isRecorded);
+    nameUndo(state.document);
+}
+
+void WindowActions::nameUndo(Document* document) {
+    const QUndoStack* steps = document ? &document->undoStack() : nullptr;
+    undo->setEnabled(steps && steps->canUndo());
+    redo->setEnabled(steps && steps->canRedo());
+    undo->setText(undo->isEnabled() ? tr("&Undo “%1”").arg(steps->undoText()) : tr("&Undo"));
+    redo->setText(redo->isEnabled() ? tr("&Redo “%1”").arg(steps->redoText()) : tr("&Redo"));
+}
+
+void WindowActions::setShortcuts(const QMap<QString, QKeySequence>& chosen) {
+    for (QAction* action : window_.actions()) {
+        const auto standard = action->property("defaultShortcut").value<QKeySequence>();
+        action->setShortcut(chosen.value(action->objectName(), standard));
+        const QString help = action->whatsThis();
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        if (!help.isEmpty()) {
+            action->setToolTip(keys.isEmpty() ? help : tr("%1 (%2)").arg(help, keys));
+        }
+    }
+}
+
+} // namespace dipwright

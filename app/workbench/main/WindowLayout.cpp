@@ -1,0 +1,192 @@
+#include "main/WindowLayout.h"
+
+#include "document/SavedLayouts.h"
+#include "look/Theme.h"
+#include "panels/LogPanel.h"
+#include "panels/NoticeBar.h"
+#include "panels/ProjectTree.h"
+#include "panels/PropertyPanel.h"
+#include "panels/ResultsPanel.h"
+#include "panels/StartPage.h"
+#include "panels/Timeline.h"
+#include "viewport/DipView.h"
+
+#include <QDockWidget>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSettings>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace dipwright {
+
+namespace {
+
+const QString geometryKey = QStringLiteral("window/geometry");
+const QString stateKey = QStringLiteral("window/state");
+
+} // namespace
+
+WindowLayout::WindowLayout(QMainWindow& window, const SolverRegistry& registry) : window_(window) {
+    makeCentre();
+    makeDocks(registry);
+}
+
+void WindowLayout::makeCentre() {
+    parts_.startPage = new StartPage;
+    auto* view = new DipView;
+    view->setObjectName(QStringLiteral("view"));
+    view->setAccessibleName(tr("3D view of the dip"));
+    view->setWhatsThis(tr("The body above the film. Drag to turn the view, drag with the right "
+                          "button to shift it, turn the wheel to zoom. Drag a ring to turn the "
+                          "body."));
+    parts_.view = view;
+    parts_.timeline = new Timeline;
+    auto* banner = new QLabel;
+    banner->setObjectName(QStringLiteral("staleBanner"));
+    banner->setAlignment(Qt::AlignCenter);
+    banner->setAutoFillBackground(true);
+    banner->setContentsMargins(8, 4, 8, 4);
+    banner->setWordWrap(true);
+    banner->hide();
+    parts_.staleBanner = banner;
+    parts_.notice = new NoticeBar;
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(parts_.notice);
+    layout->addWidget(banner);
+    layout->addWidget(view, 1);
+    layout->addWidget(parts_.timeline);
+    pages_ = new QStackedWidget;
+    pages_->addWidget(parts_.startPage);
+    pages_->addWidget(page);
+    window_.setCentralWidget(pages_);
+}
+
+void WindowLayout::makeDocks(const SolverRegistry& registry) {
+    window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
+                           QMainWindow::AllowTabbedDocks);
+    window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+
+    parts_.tree = new ProjectTree;
+    parts_.properties = new PropertyPanel(registry);
+    auto* splitter = new QSplitter(Qt::Vertical);
+    splitter->setChildrenCollapsible(false);
+    splitter->addWidget(parts_.tree);
+    splitter->addWidget(parts_.properties);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({190, 500});
+    parts_.projectDock = addDock(Qt::LeftDockWidgetArea, "projectDock", tr("Project"), splitter);
+    parts_.results = new ResultsPanel;
+    parts_.resultsDock =
+        addDock(Qt::RightDockWidgetArea, "resultsDock", tr("Results"), parts_.results);
+    parts_.log = new LogPanel;
+    parts_.logDock = addDock(Qt::BottomDockWidgetArea, "logDock", tr("Log"), parts_.log);
+    parts_.logDock->hide();
+    window_.resizeDocks({parts_.logDock}, {160}, Qt::Vertical);
+}
+
+QDockWidget* WindowLayout::addDock(Qt::DockWidgetArea area, const char* name, const QString& title,
+                                   QWidget* widget) {
+    auto* dock = new QDockWidget(title);
+    dock->setObjectName(QLatin1String(name)); // by which saved layouts know it
+    dock->setWidget(widget);
+    window_.addDockWidget(area, dock);
+    return dock;
+}
+
+QList<QAction*> WindowLayout::dockToggles() const {
+    return {parts_.projectDock->toggleViewAction(), parts_.resultsDock->toggleViewAction(),
+            parts_.logDock->toggleViewAction()};
+}
+
+void WindowLayout::sizeDocks() {
+    window_.resizeDocks({parts_.projectDock, parts_.resultsDock},
+                        {window_.width() / 5, window_.width() * 3 / 10}, Qt::Horizontal);
+}
+
+void WindowLayout::restore() {
+    window_.resize(1280, 800);
+    standard_ = window_.saveState();
+    const QSettings settings;
+    window_.restoreGeometry(settings.value(geometryKey).toByteArray());
+    window_.restoreState(settings.value(stateKey).toByteArray());
+}
+
+void WindowLayout::keep() const {
+    QSettings settings;
+    settings.setValue(geometryKey, window_.saveGeometry());
+    settings.setValue(stateKey, window_.saveState());
+}
+
+void WindowLayout::showProject(bool shown) {
+    pages_->setCurrentIndex(shown ? 1 : 0);
+    for (QDockWidget* dock : {parts_.projectDock, parts_.resultsDock}) {
+        dock->setVisible(shown);
+        dock->toggleViewAction()->setEnabled(shown);
+    }
+    if (shown && !QSettings().contains(stateKey)) {
+        sizeDocks();
+    }
+}
+
+void WindowLayout::reset() {
+    window_.restoreState(standard_);
+    for (QDockWidget* dock : {parts_.projectDock, parts_.resultsDock}) {
+        dock->setVisible(pages_->currentIndex() == 1);
+    }
+    sizeDocks();
+}
+
+void WindowLayout::askName() {
+    auto* dialog = new QInputDialog(&window_);
+    dialog->setObjectName(QStringLiteral("layoutName"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Save Layout"));
+    dialog->setLabelText(tr("Name of the layout"));
+    connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
+        if (!name.trimmed().isEmpty()) {
+            saveLayout(name.trimmed(), window_.saveState());
+        }
+    });
+    dialog->open();
+}
+
+void WindowLayout::fillMenu(QMenu& menu) {
+    menu.clear();
+    const QStringList names = savedLayouts();
+    if (names.isEmpty()) {
+        menu.addAction(tr("None saved yet"))->setEnabled(false);
+        return;
+    }
+    for (const QString& name : names) {
+        connect(menu.addAction(name), &QAction::triggered, this, [this, name] {
+            window_.restoreState(savedLayout(name));
+            emit layoutChosen(name);
+        });
+    }
+    menu.addSeparator();
+    QMenu* removal = menu.addMenu(tr("&Remove"));
+    for (const QString& name : names) {
+        connect(removal->addAction(name), &QAction::triggered, this,
+                [name] { removeLayout(name); });
+    }
+}
+
+void WindowLayout::colourBanners() {
+    QPalette warning = window_.palette();
+    warning.setColor(QPalette::Window,
+                     isDark() ? QColor(0x5a, 0x43, 0x10) : QColor(0xff, 0xf0, 0xc8));
+    warning.setColor(QPalette::WindowText,
+                     isDark() ? QColor(0xff, 0xe3, 0xa6) : QColor(0x5a, 0x3c, 0x00));
+    parts_.staleBanner->setPalette(warning);
+    parts_.notice->setPalette(warning);
+}
+
+} // namespace dipwright

@@ -1,0 +1,105 @@
+#include "main/WindowMenus.h"
+
+#include "look/Icons.h"
+#include "main/WindowActions.h"
+
+#include <QActionGroup>
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace dipwright {
+
+namespace {
+
+// Groups of actions with a line between them.
+void addGroups(QMenu& menu, const QList<QList<QAction*>>& groups) {
+    for (const QList<QAction*>& group : groups) {
+        if (&group != &groups.front()) {
+            menu.addSeparator();
+        }
+        menu.addActions(group);
+    }
+}
+
+} // namespace
+
+WindowMenus::WindowMenus(QMainWindow& window, const WindowActions& actions,
+                         const QList<QAction*>& docks)
+    : QObject(&window) {
+    const WindowActions& a = actions;
+    QMenuBar& bar = *window.menuBar();
+    makeFileMenu(*bar.addMenu(tr("&File")), actions);
+    addGroups(*bar.addMenu(tr("&Edit")), {{a.undo, a.redo},
+                                          {a.addImmersion, a.removeImmersion},
+                                          {a.reloadModel, a.replaceModel, a.replaceTexture},
+                                          {a.profiles, a.preferences}});
+    makeViewMenu(*bar.addMenu(tr("&View")), actions);
+    addGroups(*bar.addMenu(tr("&Dip")), {{a.run, a.cancel, a.live}, {a.play, a.certainty}});
+    makeWindowMenu(*bar.addMenu(tr("&Window")), actions, docks);
+    addGroups(*bar.addMenu(tr("&Help")), {{a.tour, a.guide, a.whatsThis}, {a.about}});
+    makeMainToolBar(window, actions);
+    makeViewToolBar(window, actions);
+}
+
+void WindowMenus::makeFileMenu(QMenu& menu, const WindowActions& a) {
+    menu.addActions({a.newProject, a.newWindow, a.open});
+    recent_ = menu.addMenu(tr("Open &Recent"));
+    menu.addSeparator();
+    addGroups(menu, {{a.save, a.saveAs},
+                     {a.print, a.calibrate, a.exportResults, a.exportPdf, a.exportPng},
+                     {a.close, a.quit}});
+}
+
+void WindowMenus::makeViewMenu(QMenu& menu, const WindowActions& a) {
+    addGroups(menu, {{a.fit, a.oblique, a.front, a.right, a.top, a.back, a.left, a.bottom},
+                     {a.parallel}});
+    menu.addSeparator();
+    film_ = menu.addMenu(icon(QStringLiteral("film")), tr("Film &Wears"));
+    film_->addActions(a.filmLook->actions());
+    menu.addActions({a.filmOnBody, a.body, a.coverage, a.water, a.rings, a.measure});
+}
+
+void WindowMenus::makeWindowMenu(QMenu& menu, const WindowActions& a,
+                                 const QList<QAction*>& docks) {
+    menu.addActions(docks);
+    menu.addSeparator();
+    layouts_ = menu.addMenu(tr("&Layouts"));
+    layouts_->setObjectName(QStringLiteral("layouts"));
+    menu.addActions({a.saveLayout, a.resetLayout});
+}
+
+void WindowMenus::makeMainToolBar(QMainWindow& window, const WindowActions& a) {
+    QToolBar* bar = window.addToolBar(tr("Main"));
+    bar->setObjectName(QStringLiteral("mainToolBar"));
+    bar->setIconSize({22, 22});
+    bar->addActions({a.newProject, a.open, a.save});
+    bar->addSeparator();
+    bar->addActions({a.undo, a.redo});
+    bar->addSeparator();
+    bar->addAction(a.run);
+    auto* run = qobject_cast<QToolButton*>(bar->widgetForAction(a.run));
+    run->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar->addActions({a.cancel, a.live});
+    bar->addSeparator();
+    bar->addAction(a.print);
+}
+
+void WindowMenus::makeViewToolBar(QMainWindow& window, const WindowActions& a) {
+    QToolBar* bar = window.addToolBar(tr("View"));
+    bar->setObjectName(QStringLiteral("viewToolBar"));
+    bar->setIconSize({22, 22});
+    bar->addActions({a.fit, a.oblique, a.front, a.right, a.top, a.parallel});
+    bar->addSeparator();
+    auto* film = new QToolButton;
+    film->setIcon(icon(QStringLiteral("film")));
+    film->setToolTip(tr("What the film wears in the view"));
+    film->setAccessibleName(tr("Film Wears"));
+    film->setPopupMode(QToolButton::InstantPopup);
+    film->setMenu(film_);
+    bar->addWidget(film);
+    bar->addActions({a.filmOnBody, a.coverage, a.water, a.rings, a.measure});
+}
+
+} // namespace dipwright

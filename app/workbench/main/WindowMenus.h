@@ -1,0 +1,37 @@
+// The menus and tool bars of a window, made of its actions.
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QMainWindow;
+class QMenu;
+
+namespace dipwright {
+
+class WindowActions;
+
+class WindowMenus : public QObject {
+    Q_OBJECT
+
+public:
+    // `docks`: the actions that show and hide the panels.
+    WindowMenus(QMainWindow& window, const WindowActions& actions, const QList<QAction*>& docks);
+
+    // Whose entries change: to be filled when they are about to show.
+    QMenu& recent() { return *recent_; }
+    QMenu& layouts() { return *layouts_; }
+
+private:
+    void makeFileMenu(QMenu& menu, const WindowActions& actions);
+    void makeViewMenu(QMenu& menu, const WindowActions& actions);
+    void makeWindowMenu(QMenu& menu, const WindowActions& actions, const QList<QAction*>& docks);
+    void makeMainToolBar(QMainWindow& window, const WindowActions& actions);
+    void makeViewToolBar(QMainWindow& window, const WindowActions& actions);
+
+    QMenu* recent_ = nullptr;
+    QMenu* layouts_ = nullptr;
+    QMenu* film_ = nullptr;
+};
+
+} // namespace dipwright

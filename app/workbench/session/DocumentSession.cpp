@@ -1,0 +1,139 @@
+#include "session/DocumentSession.h"
+
+#include "document/RecentProjects.h"
+#include "project/ProjectStore.h"
+#include "session/ModelImport.h"
+#include "session/StartJob.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace dipwright {
+
+namespace {
+
+// Nothing is shown of one that was cancelled while it was read.
+Project projectFrom(const QString& path, const Progress& progress) {
+    Project project = loadProject(path);
+    progress.cancelSwitch.throwIfCancelled();
+    return project;
+}
+
+} // namespace
+
+DocumentSession::DocumentSession(JobRunner& jobs, Messages& messages, const QString& recovery,
+                                 Window window, QObject* parent)
+    : QObject(parent), jobs_(jobs), messages_(messages), recovery_(recovery),
+      window_(std::move(window)) {}
+
+DocumentSession::~DocumentSession() = default;
+
+void DocumentSession::setAutosaveInterval(int seconds) {
+    autosaveSeconds_ = seconds;
+    if (autoSaver_) {
+        autoSaver_->setInterval(seconds);
+    }
+}
+
+void DocumentSession::take(std::unique_ptr<Document> document) {
+    autoSaver_.reset();
+    const std::unique_ptr<Document> earlier = std::move(document_);
+    document_ = std::move(document);
+    autoSaver_ = std::make_unique<AutoSaver>(*document_, recovery_);
+    autoSaver_->setInterval(autosaveSeconds_);
+    emit documentChanged();
+}
+
+DocumentSession& DocumentSession::vacant() {
+    return document_ ? window_.another() : *this;
+}
+
+void DocumentSession::openProject(const QString& path) {
+    if (document_) {
+        window_.another().openProject(path);
+        return;
+    }
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    startJob(
+        jobs_, messages_, tr("Opening the project"), tr("Open Project"),
+        [absolute](const Progress& progress) { return projectFrom(absolute, progress); },
+        [this, absolute](const Project& project) {
+            auto document = std::make_unique<Document>(project, absolute);
+            if (!lockOrAsk(*document)) {
+                return;
+            }
+            addRecentProject(absolute);
+            messages_.log(tr("Opened %1").arg(QDir::toNativeSeparators(absolute)));
+            take(std::move(document));
+        });
+}
+
+void DocumentSession::openCopy(const QString& path) {
+    startJob(
+        jobs_, messages_, tr("Opening the project"), tr("Open Project"),
+        [path](const Progress& progress) { return projectFrom(path, progress); },
+        [this](const Project& project) { vacant().take(std::make_unique<Document>(project)); });
+}
+
+void DocumentSession::importModel(const QString& path, const ImportOptions& options,
+                                  const std::function<void(Project&)>& complete) {
+    startJob(
+        jobs_, messages_, tr("Reading the model"), tr("New Project"),
+        [path, options](const Progress& progress) {
+            return dipwright::importModel(path, options, progress);
+        },
+        [this, path, options, complete](const ImportedModel& imported) {
+            logImport(imported, messages_);
+            Project project = newProject(imported, path, options);
+            if (complete) {
+                complete(project);
+            }
+            DocumentSession& shown = vacant();
+            shown.take(std::make_unique<Document>(project));
+            if (const auto length = doubtfulLength(project.model->mesh)) {
+                emit shown.lengthDoubted(*length);
+            }
+        });
+}
+
+bool DocumentSession::lockOrAsk(Document& document) {
+    const LockState state = document.lock();
+    if (state.acquired) {
+        return true;
+    }
+    if (!window_.opensLocked(document, state)) {
+        return false;
+    }
+    document.lockAnyway();
+    return true;
+}
+
+void DocumentSession::restore(const RecoveredDocument& recovered) {
+    startJob(
+        jobs_, messages_, tr("Restoring the project"), tr("Restore Project"),
+        [copy = recovered.copy](const Progress& progress) { return projectFrom(copy, progress); },
+        [this, recovered](const Project& project) {
+            auto document = std::make_unique<Document>(project, recovered.original);
+            if (!lockOrAsk(*document)) {
+                return;
+            }
+            document->setRecovered();
+            take(std::move(document));
+            autoSaver_->keepNow();
+            discardRecovered(recovered);
+            messages_.log(tr("Restored unsaved changes of %1").arg(recovered.name));
+        });
+}
+
+void DocumentSession::saveAs(const QString& path) {
+    document_->saveAs(path);
+    addRecentProject(path);
+    emit saved(path);
+    messages_.log(tr("Saved %1").arg(QDir::toNativeSeparators(path)));
+}
+
+void DocumentSession::discardChanges() {
+    autoSaver_->discard();
+}
+
+} // namespace dipwright

@@ -1,0 +1,65 @@
+// The document of one window: opened, made of a model, restored after a crash, saved, and its
+// unsaved changes kept. Reads on the worker thread and tells when a document is there, or why not.
+// UI thread only.
+#pragma once
+
+#include "document/Document.h"
+#include "document/Recovery.h"
+#include "jobs/JobRunner.h"
+#include "model/ImportModel.h"
+#include "session/Messages.h"
+
+namespace dipwright {
+
+class DocumentSession : public QObject {
+    Q_OBJECT
+
+public:
+    // What it cannot decide by itself.
+    struct Window {
+        // Another has the file open: whether the user wants it all the same.
+        std::function<bool(const Document& document, const LockState& holder)> opensLocked;
+        // That of a new window: this one shows one document only.
+        std::function<DocumentSession&()> another;
+    };
+
+    // `recovery`: the folder in which copies of unsaved work are kept.
+    DocumentSession(JobRunner& jobs, Messages& messages, const QString& recovery, Window window,
+                    QObject* parent = nullptr);
+    ~DocumentSession() override;
+
+    Document* document() const { return document_.get(); } // null: none
+    void setAutosaveInterval(int seconds);
+
+    // Each becomes the document here if there is none, else that of another window.
+    void openProject(const QString& path);
+    // As an untitled copy: a sample, which stays as it is.
+    void openCopy(const QString& path);
+    // `complete` may set what the user has chosen beside the model.
+    void importModel(const QString& path, const ImportOptions& options,
+                     const std::function<void(Project&)>& complete = {});
+    void restore(const RecoveredDocument& recovered); // only where there is no document
+
+    void saveAs(const QString& path); // throws Error
+    void discardChanges();            // the copy of what is not saved goes
+
+signals:
+    void documentChanged(); // it is another one now; the earlier one goes when all have been told
+    void saved(const QString& path);
+    void lengthDoubted(double millimetres); // of the body that was read
+
+private:
+    bool lockOrAsk(Document& document);
+    void take(std::unique_ptr<Document> document);
+    DocumentSession& vacant();
+
+    JobRunner& jobs_;
+    Messages& messages_;
+    QString recovery_;
+    Window window_;
+    int autosaveSeconds_ = 20;
+    std::unique_ptr<Document> document_;
+    std::unique_ptr<AutoSaver> autoSaver_;
+};
+
+} // namespace dipwright

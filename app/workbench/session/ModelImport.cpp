@@ -1,0 +1,104 @@
+#include "session/ModelImport.h"
+
+#include "session/StartJob.h"
+
+#include <QCoreApplication>
+#include <QDate>
+#include <QFileInfo>
+
+namespace dipwright {
+
+namespace {
+
+enum class Pose { Kept, Reset };
+
+QString readingTheModel() {
+    return QCoreApplication::translate("ModelImport", "Reading the model");
+}
+
+void exchangeModel(Project& project, const TexturedMesh& model, const QString& source,
+                   const QString& texture) {
+    project.model = std::make_shared<const TexturedMesh>(model);
+    project.modelSource.source = source;
+    project.modelSource.texture = texture;
+    project.modelSource.sha256.clear();
+}
+
+// The size of the model that is there is kept with its pose: its settings were made for it.
+void importInto(Document& document, const QString& path, const QString& texture, Pose pose,
+                const QString& undoText, JobRunner& jobs, Messages& messages) {
+    ImportOptions options;
+    options.texture = texture;
+    options.unitMillimetres = document.project().modelSource.unitMillimetres;
+    if (pose == Pose::Kept) {
+        options.longestEdge =
+            Millimetres(double(boundingBox(document.project().model->mesh).sizes().maxCoeff()));
+    }
+    startJob(
+        jobs, messages, readingTheModel(), undoText,
+        [path, options](const Progress& progress) { return importModel(path, options, progress); },
+        [&document, &messages, path, texture, pose, undoText](const ImportedModel& imported) {
+            logImport(imported, messages);
+            document.edit(undoText, {}, [&](Project& project) {
+                exchangeModel(project, imported.model, path, texture);
+                for (Immersion& immersion : project.immersions) {
+                    immersion = pose == Pose::Kept ? immersion : Immersion{.name = immersion.name};
+                }
+            });
+        });
+}
+
+} // namespace
+
+Project newProject(const ImportedModel& imported, const QString& path,
+                   const ImportOptions& options) {
+    Project project;
+    project.name = QFileInfo(path).completeBaseName();
+    project.date = QDate::currentDate().toString(Qt::ISODate);
+    project.immersions.front().name =
+        QCoreApplication::translate("ModelImport", "Immersion %1").arg(1);
+    project.model = std::make_shared<const TexturedMesh>(imported.model);
+    project.modelSource.source = path;
+    project.modelSource.texture = options.texture;
+    project.modelSource.unitMillimetres = options.unitMillimetres;
+    return project;
+}
+
+void logImport(const ImportedModel& imported, Messages& messages) {
+    for (const QString& line : imported.report.repairs + imported.report.warnings) {
+        messages.log(line);
+    }
+}
+
+std::optional<double> doubtfulLength(const TriangleMesh& mesh) {
+    constexpr double smallest = 5, largest = 3000; // mm, of what is dipped
+    const double longest = double(boundingBox(mesh).sizes().maxCoeff());
+    return longest < smallest || longest > largest ? std::optional(longest) : std::nullopt;
+}
+
+void reloadModel(Document& document, JobRunner& jobs, Messages& messages) {
+    const ModelSource& source = document.project().modelSource;
+    importInto(document, source.source, source.texture, Pose::Kept,
+               QCoreApplication::translate("ModelImport", "Reload Model"), jobs, messages);
+}
+
+void replaceModel(Document& document, const QString& path, JobRunner& jobs, Messages& messages) {
+    importInto(document, path, {}, Pose::Reset,
+               QCoreApplication::translate("ModelImport", "Replace Model"), jobs, messages);
+}
+
+void replaceTexture(Document& document, const QString& path, JobRunner& jobs, Messages& messages) {
+    const QString undoText = QCoreApplication::translate("ModelImport", "Replace Texture");
+    startJob(
+        jobs, messages, QCoreApplication::translate("ModelImport", "Reading the texture"), undoText,
+        [model = document.project().model, path](const Progress&) {
+            return withTexture(*model, path);
+        },
+        [&document, path, undoText](const TexturedMesh& model) {
+            document.edit(undoText, {}, [&](Project& project) {
+                exchangeModel(project, model, project.modelSource.source, path);
+            });
+        });
+}
+
+} // namespace dipwright

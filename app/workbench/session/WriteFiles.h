@@ -1,0 +1,16 @@
+// Files written beside what the user does.
+#pragma once
+
+#include "jobs/JobRunner.h"
+#include "session/Messages.h"
+
+namespace dipwright {
+
+using WriteFile = std::function<void(const QString& path, const Progress& progress)>;
+
+// Has `path`, a file or folder, written on the worker thread. `done` is what the user is told then,
+// its %1 the path; `title` is what runs, and what failed if it does.
+void writeFiles(JobRunner& jobs, Messages& messages, const QString& title, const QString& done,
+                const QString& path, const WriteFile& write);
+
+} // namespace dipwright

@@ -1,0 +1,34 @@
+// The body turned by its rings: a drag is one step to undo.
+#pragma once
+
+#include "session/DipSession.h"
+#include "viewport/DipView.h"
+
+#include <optional>
+
+namespace dipwright {
+
+// `immersion` with its body turned further by so many degrees about the world's X, Y or Z, its
+// angles rounded to tenths.
+Immersion turned(const Immersion& immersion, int axis, double degrees);
+
+class BodyTurn : public QObject {
+    Q_OBJECT
+
+public:
+    // Turns the body of the immersion that the session looks at.
+    BodyTurn(const DipSession& session, const DipView& view, QObject* parent = nullptr);
+
+signals:
+    void begun();
+    void ended();
+
+private:
+    void drag(int axis, double degrees);
+    void finish();
+
+    const DipSession& session_;
+    std::optional<Immersion> before_; // as it was when the drag began
+};
+
+} // namespace dipwright

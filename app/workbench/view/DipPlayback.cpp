@@ -1,0 +1,103 @@
+#include "view/DipPlayback.h"
+
+#include "panels/Timeline.h"
+
+#include <QSignalBlocker>
+#include <algorithm>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int liveInterval = 33;           // ms between pictures of a running dip
+constexpr std::size_t coarsePoints = 6000; // of the moving film, without a GPU
+constexpr std::size_t finePoints = 60000;
+
+} // namespace
+
+DipPlayback::DipPlayback(DipSession& session, DipView& view, DipScene& scene, Timeline& timeline,
+                         QObject* parent)
+    : QObject(parent), session_(session), view_(view), scene_(scene), timeline_(timeline) {
+    connect(&session, &DipSession::started, this, &DipPlayback::begin);
+    connect(&session, &DipSession::finished, this, &DipPlayback::showResults);
+    connect(&session, &DipSession::stopped, this, &DipPlayback::showResults);
+    connect(&session, &DipSession::dropped, this, &DipPlayback::showResults);
+    connect(&session, &DipSession::immersionChanged, this, [this] {
+        scene_.setProject(session_.document()->project(), session_.immersion());
+        showResults();
+    });
+    connect(&timeline, &Timeline::positionChanged, this, &DipPlayback::showMoment);
+    connect(&liveTimer_, &QTimer::timeout, this, &DipPlayback::showLiveFrame);
+}
+
+void DipPlayback::showDocument() {
+    if (const Document* document = session_.document()) {
+        connect(document, &Document::projectChanged, this, &DipPlayback::showProject);
+        scene_.setProject(document->project(), session_.immersion());
+        showResults();
+    }
+}
+
+std::size_t DipPlayback::mostPoints() const {
+    return view_.isUsable() && !view_.isSoftwareRendered() ? finePoints : coarsePoints;
+}
+
+void DipPlayback::showProject() {
+    const Document& document = *session_.document();
+    scene_.setProject(document.project(), session_.immersion());
+    if (!document.isFresh(Stage::Dip, session_.immersion()) && !session_.isRunning()) {
+        timeline_.setPosition(0); // the body as it is set up now
+    }
+    emit momentShown();
+}
+
+void DipPlayback::begin() {
+    shownFrame_.reset();
+    timeline_.pause();
+    timeline_.setEnabled(false);
+    liveTimer_.start(liveInterval);
+}
+
+void DipPlayback::showLiveFrame() {
+    const auto recording = session_.liveRecording();
+    const auto frame = recording ? recording->latest() : nullptr;
+    if (frame && frame != shownFrame_) {
+        shownFrame_ = frame;
+        // Where drawing is slow, most of the time stays free for what the user does.
+        liveTimer_.setInterval(std::max(liveInterval, 2 * view_.pictureTime()));
+        scene_.showFrame(recording, *frame);
+        showDepth();
+    }
+}
+
+void DipPlayback::showResults() {
+    liveTimer_.stop();
+    const auto reading = session_.reading();
+    const auto recording = session_.recording();
+    scene_.setResult(reading ? session_.outcome().result : nullptr, reading);
+    const QSignalBlocker quiet(&timeline_);
+    timeline_.setFrames(recording ? int(recording->size()) : 0);
+    const bool fresh = session_.document()->isFresh(Stage::Dip, session_.immersion());
+    timeline_.setPosition(fresh ? timeline_.frames() : 0);
+    showMoment(timeline_.position());
+}
+
+// Position 0 is before the dip, the last one its end with the whole film.
+void DipPlayback::showMoment(int position) {
+    const auto recording = session_.recording();
+    if (position > 0 && position < timeline_.frames()) {
+        scene_.showFrame(recording, *recording->frame(std::size_t(position) - 1));
+    } else if (position > 0) {
+        scene_.showEnd();
+    } else {
+        scene_.showSetup();
+    }
+    showDepth();
+}
+
+void DipPlayback::showDepth() {
+    timeline_.setDepth(std::max(0.0, scene_.depth()), unit_);
+    emit momentShown();
+}
+
+} // namespace dipwright

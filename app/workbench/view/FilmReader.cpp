@@ -1,0 +1,59 @@
+#include "view/FilmReader.h"
+
+#include "panels/ResultsPanel.h"
+
+#include <QLocale>
+
+namespace dipwright {
+
+FilmReader::FilmReader(const DipSession& session, DipView& view, const DipScene& scene,
+                       ResultsPanel& results, QObject* parent)
+    : QObject(parent), session_(session), view_(view), scene_(scene), results_(results) {
+    connect(&results, &ResultsPanel::hovered, this,
+            [this](const Eigen::Vector2f& rest) { show(session_.reading()->at(rest)); });
+    connect(&results, &ResultsPanel::hoverLeft, this, [this] { show({}); });
+    connect(&view, &DipView::hovered, this, &FilmReader::readAlong);
+    connect(&view, &DipView::hoverLeft, this, [this] { show({}); });
+}
+
+void FilmReader::readAlong(const ViewRay& ray) {
+    if (const auto worldToEnd = scene_.worldToEnd()) {
+        const Eigen::Isometry3f toPose = worldToEnd->cast<float>();
+        show(session_.reading()->at(toPose * ray.origin, toPose.linear() * ray.direction));
+        return;
+    }
+    const auto place = scene_.modelPoint(ray);
+    emit read(place ? describeBody(*place) : QString());
+}
+
+void FilmReader::show(const std::optional<FilmReadingPoint>& point) {
+    results_.showReading(point);
+    if (!point) {
+        view_.setMarker({});
+    } else if (const auto worldToEnd = scene_.worldToEnd()) {
+        view_.setMarker(Eigen::Vector3f(worldToEnd->inverse().cast<float>() * point->place));
+    }
+    emit read(point ? describe(*point) : QString());
+}
+
+QString FilmReader::describeBody(const Eigen::Vector3f& place) const {
+    return tr("Body at %1, %2, %3")
+        .arg(shownLength(double(place.x()), unit_), shownLength(double(place.y()), unit_),
+             shownLength(double(place.z()), unit_));
+}
+
+QString FilmReader::describe(const FilmReadingPoint& point) const {
+    const solver::FilmGrid& grid = session_.reading()->film().grid;
+    const FilmSettings& film = session_.outcome().result->project.film;
+    const auto number = [&point](FilmQuantity quantity) {
+        return QLocale().toString(double(point.values[std::size_t(quantity)]), 'f', 3);
+    };
+    return tr("Sheet %1, %2 · %3 · stretch %4 · area %5 · %6 to %7")
+        .arg(shownLength((double(point.rest.x()) / grid.width + 0.5) * film.width.value(), unit_),
+             shownLength((double(point.rest.y()) / grid.depth + 0.5) * film.height.value(), unit_),
+             point.adhered ? tr("on the body") : tr("on the water"), number(FilmQuantity::Length),
+             number(FilmQuantity::Area), number(FilmQuantity::Smaller),
+             number(FilmQuantity::Larger));
+}
+
+} // namespace dipwright

@@ -1,0 +1,37 @@
+// Reads off the film under the cursor, in the view and over the results, and says what is there.
+#pragma once
+
+#include "panels/Units.h"
+#include "session/DipSession.h"
+#include "view/DipScene.h"
+
+namespace dipwright {
+
+class ResultsPanel;
+
+class FilmReader : public QObject {
+    Q_OBJECT
+
+public:
+    FilmReader(const DipSession& session, DipView& view, const DipScene& scene,
+               ResultsPanel& results, QObject* parent = nullptr);
+
+    void setLengthUnit(LengthUnit unit) { unit_ = unit; }
+
+signals:
+    void read(const QString& description); // empty: there is nothing under the cursor
+
+private:
+    void readAlong(const ViewRay& ray);
+    void show(const std::optional<FilmReadingPoint>& point);
+    QString describe(const FilmReadingPoint& point) const;
+    QString describeBody(const Eigen::Vector3f& place) const;
+
+    const DipSession& session_;
+    DipView& view_;
+    const DipScene& scene_;
+    ResultsPanel& results_;
+    LengthUnit unit_ = LengthUnit::Millimetre;
+};
+
+} // namespace dipwright

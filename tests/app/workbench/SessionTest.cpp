@@ -1,0 +1,317 @@
+// What ties a document to its jobs, without a window: opening and restoring, models that are
+// exchanged, what runs again by itself, and what the user is told.
+#include "BoxProject.h"
+#include "base/Error.h"
+#include "document/RecentProjects.h"
+#include "project/ProjectStore.h"
+#include "session/DipSession.h"
+#include "session/DocumentSession.h"
+#include "session/LiveRun.h"
+#include "session/ModelImport.h"
+#include "session/WriteFiles.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr int patience = 60'000; // ms, for a slow machine; nothing is asserted about time
+
+// The session of one window, with a user whose answers are set before.
+struct SessionHost {
+    explicit SessionHost(const QString& recovery)
+        : session(jobs, messages, recovery,
+                  {[this](const Document&, const LockState&) {
+                       ++timesAsked;
+                       return opensLocked;
+                   },
+                   [this, recovery]() -> DocumentSession& {
+                       other = std::make_unique<SessionHost>(recovery);
+                       return other->session;
+                   }}) {}
+
+    bool waitUntilIdle() {
+        return QTest::qWaitFor([this] { return !jobs.isBusy(); }, patience);
+    }
+
+    Messages messages;
+    JobRunner jobs;
+    bool opensLocked = false;
+    int timesAsked = 0;
+    std::unique_ptr<SessionHost> other; // the new window, once there is one
+    DocumentSession session;
+};
+
+// A tetrahedron of the given size in a file of its own.
+QString writeModel(const QTemporaryDir& folder, double size) {
+    const QString path = folder.filePath(QStringLiteral("model.obj"));
+    QByteArray text = "v 0 0 0\nv S 0 0\nv 0 S 0\nv 0 0 S\n"
+                      "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    text.replace("S", QByteArray::number(size));
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly)) {
+        file.write(text);
+    }
+    return path;
+}
+
+std::shared_ptr<JobResult> resultOf(const Project& project) {
+    auto result = std::make_shared<JobResult>();
+    result->project = project;
+    result->immersions.resize(project.immersions.size());
+    return result;
+}
+
+void setWidth(Document& document, double width) {
+    document.edit({}, {}, [width](Project& project) { project.film.width = Millimetres(width); });
+}
+
+} // namespace
+
+class SessionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+
+    void init() {
+        folder_ = std::make_unique<QTemporaryDir>();
+        project_ = folder_->filePath(QStringLiteral("box.dipw"));
+        saveProject(boxProject(), project_);
+    }
+
+    void anOpenedProjectBecomesTheDocument() {
+        SessionHost host(recovery());
+        QSignalSpy changed(&host.session, &DocumentSession::documentChanged);
+        host.session.openProject(project_);
+        QVERIFY(host.waitUntilIdle());
+        QCOMPARE(changed.count(), 1);
+        QCOMPARE(host.session.document()->path(), project_);
+        QVERIFY(!host.session.document()->isModified());
+        QCOMPARE(recentProjects().front(), project_);
+    }
+
+    void anotherProjectGoesToAnotherWindow() {
+        SessionHost host(recovery());
+        host.session.openProject(project_);
+        QVERIFY(host.waitUntilIdle());
+        const Document* first = host.session.document();
+        const QString second = folder_->filePath(QStringLiteral("second.dipw"));
+        saveProject(boxProject(), second);
+        host.session.openProject(second);
+        QVERIFY(host.other && host.other->waitUntilIdle());
+        QCOMPARE(host.session.document(), first);
+        QCOMPARE(host.other->session.document()->path(), second);
+    }
+
+    void aCopyHasNoFile() {
+        SessionHost host(recovery());
+        host.session.openCopy(project_);
+        QVERIFY(host.waitUntilIdle());
+        QVERIFY(host.session.document()->path().isEmpty());
+        QVERIFY(host.session.document()->isModified());
+    }
+
+    void aLockedProjectIsOpenedWhenTheUserSaysSo_data() {
+        QTest::addColumn<bool>("anyway");
+        QTest::newRow("no") << false;
+        QTest::newRow("anyway") << true;
+    }
+    void aLockedProjectIsOpenedWhenTheUserSaysSo() {
+        QFETCH(bool, anyway);
+        FileLock another;
+        QVERIFY(another.acquire(project_).acquired);
+        SessionHost host(recovery());
+        host.opensLocked = anyway;
+        host.session.openProject(project_);
+        QVERIFY(host.waitUntilIdle());
+        QCOMPARE(host.timesAsked, 1);
+        QCOMPARE(host.session.document() != nullptr, anyway);
+    }
+
+    void aProjectThatIsNotThereIsToldOf() {
+        SessionHost host(recovery());
+        QSignalSpy failed(&host.messages, &Messages::failed);
+        QSignalSpy logged(&host.messages, &Messages::logged);
+        host.session.openProject(folder_->filePath(QStringLiteral("nowhere.dipw")));
+        QVERIFY(host.waitUntilIdle());
+        QVERIFY(!host.session.document());
+        QCOMPARE(failed.count(), 1);
+        QVERIFY(failed[0][1].toString().contains(QStringLiteral("nowhere.dipw")));
+        QCOMPARE(logged[0][0].toString(), failed[0][1].toString());
+    }
+
+    void whatIsCancelledWhileItIsReadIsNotShown() {
+        SessionHost host(recovery());
+        QSignalSpy failed(&host.messages, &Messages::failed);
+        host.session.openProject(project_);
+        host.jobs.cancelAll();
+        QVERIFY(host.waitUntilIdle());
+        QVERIFY(!host.session.document());
+        QVERIFY(failed.isEmpty());
+    }
+
+    void restoredWorkIsModifiedAndKeptAgain() {
+        QDir().mkpath(recovery());
+        const QString copy = recovery() + QStringLiteral("/left.dipw");
+        saveProject(boxProject(), copy);
+        const auto left = findRecoveredDocuments(recovery());
+        QCOMPARE(left.size(), std::size_t(1));
+        SessionHost host(recovery());
+        host.session.restore(left.front());
+        QVERIFY(host.waitUntilIdle());
+        QVERIFY(host.session.document()->isModified());
+        QVERIFY(!QFile::exists(copy));
+        QCOMPARE(QDir(recovery()).entryList({QStringLiteral("*.dipw")}).size(), 1);
+        host.session.discardChanges();
+        QVERIFY(QDir(recovery()).entryList({QStringLiteral("*.dipw")}).isEmpty());
+    }
+
+    void savingTellsWhere() {
+        SessionHost host(recovery());
+        host.session.openCopy(project_);
+        QVERIFY(host.waitUntilIdle());
+        QSignalSpy saved(&host.session, &DocumentSession::saved);
+        const QString path = folder_->filePath(QStringLiteral("saved.dipw"));
+        host.session.saveAs(path);
+        QCOMPARE(saved.count(), 1);
+        QCOMPARE(saved[0][0].toString(), path);
+        QVERIFY(!host.session.document()->isModified());
+        QVERIFY_EXCEPTION_THROWN(host.session.saveAs(QStringLiteral("/no/such/folder/a.dipw")),
+                                 Error);
+        QCOMPARE(host.session.document()->path(), path);
+    }
+
+    void aModelOfADoubtfulSizeIsToldOf_data() {
+        QTest::addColumn<double>("size");
+        QTest::addColumn<int>("doubts");
+        QTest::newRow("tiny") << 1.0 << 1;
+        QTest::newRow("usual") << 80.0 << 0;
+        QTest::newRow("huge") << 5000.0 << 1;
+    }
+    void aModelOfADoubtfulSizeIsToldOf() {
+        QFETCH(double, size);
+        SessionHost host(recovery());
+        QSignalSpy doubted(&host.session, &DocumentSession::lengthDoubted);
+        host.session.importModel(writeModel(*folder_, size), {},
+                                 [](Project& project) { project.film.width = Millimetres(150); });
+        QVERIFY(host.waitUntilIdle());
+        QVERIFY(host.session.document());
+        QCOMPARE(host.session.document()->project().name, QStringLiteral("model"));
+        QCOMPARE(host.session.document()->project().film.width.value(), 150);
+        QTEST(int(doubted.count()), "doubts");
+    }
+
+    void aModelThatIsReadAgainKeepsItsPoseAndAnotherDoesNot() {
+        SessionHost host(recovery());
+        host.session.importModel(writeModel(*folder_, 80), {});
+        QVERIFY(host.waitUntilIdle());
+        Document& document = *host.session.document();
+        document.edit({}, {}, [](Project& project) {
+            project.immersions[0].rotation[1] = Degrees(25);
+            project.immersions[0].name = QStringLiteral("Bow");
+        });
+        const auto before = document.project().model;
+        reloadModel(document, host.jobs, host.messages);
+        QVERIFY(host.waitUntilIdle());
+        QVERIFY(document.project().model != before);
+        QCOMPARE(document.project().immersions[0].rotation[1].value(), 25);
+        replaceModel(document, writeModel(*folder_, 60), host.jobs, host.messages);
+        QVERIFY(host.waitUntilIdle());
+        QCOMPARE(document.project().immersions[0].rotation[1].value(), 0);
+        QCOMPARE(document.project().immersions[0].name, QStringLiteral("Bow"));
+        document.undoStack().undo();
+        document.undoStack().undo();
+        QVERIFY(document.project().model == before);
+    }
+
+    void aChangeRunsAgainOnceThereIsAResult() {
+        Document document(boxProject());
+        LiveRun live;
+        live.setDocument(&document);
+        live.setWanted(true);
+        QSignalSpy asked(&live, &LiveRun::runAsked);
+        setWidth(document, 200); // nothing has been run yet
+        document.setResult(resultOf(document.project()));
+        setWidth(document, 190);
+        setWidth(document, 180);
+        QVERIFY(asked.wait(patience));
+        QCOMPARE(asked.count(), 1); // for both
+        document.undoStack().undo();
+        document.undoStack().undo(); // fresh again, but one is under way
+        live.stop();
+        live.setWanted(false);
+        setWidth(document, 170);
+        QVERIFY(!asked.wait(800));
+    }
+
+    void nothingRunsWhileTheBodyIsHeld() {
+        Document document(boxProject());
+        document.setResult(resultOf(document.project()));
+        LiveRun live;
+        live.setDocument(&document);
+        live.setWanted(true);
+        QSignalSpy asked(&live, &LiveRun::runAsked);
+        live.setHeld(true);
+        setWidth(document, 190);
+        QVERIFY(!asked.wait(800));
+        live.setHeld(false);
+        QVERIFY(asked.wait(patience));
+    }
+
+    void anImmersionThatIsGoneIsNotLookedAt() {
+        const SolverRegistry registry;
+        JobRunner jobs;
+        DipSession session(jobs, registry);
+        Project project = boxProject();
+        project.immersions.resize(2);
+        Document document(project);
+        session.setDocument(&document);
+        QSignalSpy changed(&session, &DipSession::immersionChanged);
+        session.lookAt(5);
+        QCOMPARE(session.immersion(), std::size_t(0));
+        session.lookAt(1);
+        session.lookAt(1);
+        QCOMPARE(changed.count(), 1);
+        document.edit({}, {}, [](Project& edited) { edited.immersions.pop_back(); });
+        QCOMPARE(session.immersion(), std::size_t(0));
+        session.setDocument(nullptr);
+    }
+
+    void writtenFilesAreToldOf() {
+        Messages messages;
+        JobRunner jobs;
+        QSignalSpy said(&messages, &Messages::said);
+        QSignalSpy failed(&messages, &Messages::failed);
+        const QString path = folder_->filePath(QStringLiteral("note.txt"));
+        writeFiles(jobs, messages, QStringLiteral("Write"), QStringLiteral("Wrote %1"), path,
+                   [](const QString& target, const Progress&) {
+                       QFile file(target);
+                       QVERIFY(file.open(QIODevice::WriteOnly));
+                   });
+        writeFiles(jobs, messages, QStringLiteral("Fail"), QStringLiteral("Wrote %1"), path,
+                   [](const QString& target, const Progress&) {
+                       throw Error(QStringLiteral("The disk is full"), target);
+                   });
+        QVERIFY(QTest::qWaitFor([&] { return !jobs.isBusy(); }, patience));
+        QVERIFY(QFile::exists(path));
+        QCOMPARE(said.count(), 1);
+        QVERIFY(said[0][0].toString().contains(QStringLiteral("note.txt")));
+        QCOMPARE(failed.count(), 1);
+        QCOMPARE(failed[0][0].toString(), QStringLiteral("Fail"));
+    }
+
+private:
+    QString recovery() const { return folder_->filePath(QStringLiteral("recovery")); }
+
+    std::unique_ptr<QTemporaryDir> folder_;
+    QString project_;
+};
+
+QTEST_GUILESS_MAIN(SessionTest)
+#include "SessionTest.moc"
