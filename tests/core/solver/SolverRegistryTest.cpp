@@ -149,10 +149,15 @@ void SolverRegistryTest::searchPathComesFirst() {
     qputenv("DIPWRIGHT_PLUGIN_PATH", path.toUtf8());
     const QStringList folders = SolverRegistry::standardFolders();
     qputenv("DIPWRIGHT_PLUGIN_PATH", before);
-    QCOMPARE(folders.size(), 4);
+    const QString program = QCoreApplication::applicationDirPath();
+    QCOMPARE(folders.size(), 5);
     QCOMPARE(folders[0], QStringLiteral("/one"));
     QCOMPARE(folders[1], QStringLiteral("/two"));
-    QCOMPARE(folders[2], QCoreApplication::applicationDirPath() + QStringLiteral("/plugins"));
+    QCOMPARE(folders[2], program + QStringLiteral("/plugins"));
+    // Where it is installed, the program lies beside the libraries' folder.
+    QVERIFY2(folders[3].startsWith(QFileInfo(program).path()), qPrintable(folders[3]));
+    QVERIFY2(folders[3].endsWith(QLatin1String("/dipwright/plugins")), qPrintable(folders[3]));
+    QVERIFY2(folders[4].endsWith(QLatin1String("/plugins")), qPrintable(folders[4]));
 }
 
 void SolverRegistryTest::moduleBeingLoadedNowHasNotCrashed() {
