@@ -33,10 +33,11 @@ Eigen::Vector2f restPosition(const solver::FilmGrid& grid, std::size_t point);
 // and the next one. Wound counterclockwise seen from above (+Y).
 std::vector<FilmTriangle> filmTriangles(const solver::FilmGrid& grid);
 // The number of distance constraints: columns·(rows−1) + rows·(columns−1), and two a cell more for
-// an isotropic lattice (film-physics §1, Table I).
+// an isotropic lattice (docs/film-model.md, "The paper's model").
 std::size_t constraintCount(const solver::FilmGrid& grid, bool isotropic);
 
-// Principal stretches of a film triangle from its deformation gradient (film-physics §4).
+// Principal stretches of a film triangle from its deformation gradient (docs/film-model.md,
+// "Measures").
 struct PrincipalStretch {
     float larger = 1;                               // λ1
     float smaller = 1;                              // λ2

@@ -1,5 +1,5 @@
 // The signed distance field (SDF) of a body: φ on a uniform grid in body coordinates, negative
-// inside, with the surface normal as its gradient (film-physics §1).
+// inside, with the surface normal as its gradient (docs/film-model.md, "Frames").
 #pragma once
 
 #include "base/Progress.h"

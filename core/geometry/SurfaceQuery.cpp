@@ -14,7 +14,7 @@ namespace dipwright {
 namespace {
 
 // Weights of the point of triangle abc nearest to p, by the Voronoi regions of its corners and
-// edges (Ericson, Real-Time Collision Detection, §5.1.5).
+// edges (Ericson, Real-Time Collision Detection, section 5.1.5).
 Eigen::Vector3d closestWeights(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                                const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     const Eigen::Vector3d ab = b - a, ac = c - a;

@@ -55,8 +55,8 @@ struct TankProfile {
     Millimetres width{400}, length{600}; // of the water, along X and Z
     Millimetres waterLevel{0};           // under the tank's rim
     FilmEdges barriers;                  // sides of the film that barriers hold
-    // Between the tank's marks along X and Z, which the sheet's registration marks are laid to;
-    // 0: none.
+    // Between the tank's marks along X and Z, for whoever lays the sheet; nothing is computed from
+    // it. 0: none.
     std::array<Millimetres, 2> markDistance{};
     bool operator==(const TankProfile&) const = default;
 };

@@ -1,4 +1,5 @@
-// The document: everything a job is, as one value. interfaces.md gives its file form.
+// The document: everything a job is, as one value. docs/files-and-commands.md, "The project file",
+// gives its file form.
 #pragma once
 
 #include "dip/Dip.h"

@@ -1,4 +1,5 @@
-// Project files *.dipw: a zip with `mimetype` (first, stored), project.json, assets/, results/.
+// Project files *.dipw: a zip with `mimetype` (first, stored), project.json, assets/ and whatever
+// else others have put there (docs/files-and-commands.md, "The project file").
 #pragma once
 
 #include "project/Project.h"

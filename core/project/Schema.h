@@ -1,5 +1,5 @@
-// The schema of project.json, version 1 (interfaces.md), as tables of fields. Private to this
-// folder but for the limits, which the dialogs show.
+// The schema of project.json, version 1 (docs/files-and-commands.md, "The project file"), as tables
+// of fields. Private to this folder but for the limits, which the dialogs show.
 #pragma once
 
 #include "project/Field.h"

@@ -1,4 +1,5 @@
-// How much ink to print so that the right colour shows on the stretched film (film-physics §5).
+// How much ink to print so that the right colour shows on the stretched film (docs/film-model.md,
+// "Ink").
 #pragma once
 
 #include "texture/LinearLight.h"

@@ -68,7 +68,8 @@ ClosedForm::ClosedForm(const Meridian& profile, FilmLaw law, double ringRadius) 
         const double A = (a - R) / (R - ring / R);
         return 1 / (1 + A + A * ring / (R * R));
     };
-    // Near the pole the body is a cone of the slope da/ds (a plane for smooth bodies): §3's forms.
+    // Near the pole the body is a cone of the slope da/ds (a plane for smooth bodies): the forms of
+    // a large film.
     const double sine = profile.radius(step_) / step_;
     radii_.assign(samples, 0.0);
     radii_[1] = law == FilmLaw::Viscous ? step_ * std::sqrt(sine) : step_ * (sine + 1) / 2;

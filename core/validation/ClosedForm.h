@@ -1,6 +1,6 @@
-// Closed forms of the dip (film-physics §3): a body of revolution dips into a water-supported film
-// that is held at a distant ring. The elastic film has no tension at rest and the linear in-plane
-// equilibrium u = A·R + B/R; the viscous film keeps its volume as it flows.
+// Closed forms of the dip (docs/film-model.md, "Closed forms"): a body of revolution dips into a
+// water-supported film that is held at a distant ring. The elastic film has no tension at rest and
+// the linear in-plane equilibrium u = A·R + B/R; the viscous film keeps its volume as it flows.
 #pragma once
 
 #include <functional>
@@ -29,7 +29,7 @@ enum class FilmLaw { Elastic, Viscous };
 // pole:
 //   elastic   dR/ds = 1/λr,  λr = 1 + A − B/R²,  with A·R + B/R = a − R and B = −A·Ro²
 //   viscous   dR/ds = a/(J·R),  J = (Ro² − a²)/(Ro² − R²)
-// Ro: the radius of the ring that holds the film. As Ro grows these become the forms of §3.
+// Ro: the radius of the ring that holds the film. As Ro grows these become those of a large film.
 class ClosedForm {
 public:
     ClosedForm(const Meridian& profile, FilmLaw law, double ringRadius);

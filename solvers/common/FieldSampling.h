@@ -1,4 +1,4 @@
-// Trilinear sampling of the signed distance field (film-physics §1).
+// Trilinear sampling of the signed distance field (docs/film-model.md, "Frames").
 #pragma once
 
 #include "common/Vector3.h"

@@ -1,4 +1,4 @@
-// The paper's film on the CPU (film-physics §1).
+// The paper's film on the CPU (docs/film-model.md, "The paper's model").
 
 #include "paper/cpu/PaperFilm.h"
 

@@ -313,7 +313,8 @@ void ProductionFilmTest::doesNotHoldPastTheOverhang() {
 }
 
 // Past the equator the body holds on to film less and less (Adhesion.h). A sphere of 35 mm in a
-// film held at a ring of 90 mm; the closed form is that of §3 with the rate at which film is laid:
+// film held at a ring of 90 mm; the closed form is that of docs/film-model.md, "Closed forms", with
+// the rate at which film is laid:
 //   dR/ds = (g + (1 − g) da/ds)/λr, and da/ds = −u, u the y of the body's normal.
 void ProductionFilmTest::laysEverLessPastTheEquator() {
     constexpr double rho = 35, ring = 90;

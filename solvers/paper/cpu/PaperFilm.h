@@ -1,5 +1,5 @@
 // The paper's film on the CPU: position-based distance constraints, a fixed number of sweeps a step
-// (film-physics §1).
+// (docs/film-model.md, "The paper's model").
 #pragma once
 
 #include <dipwright/FilmSolver.h>

@@ -9,7 +9,8 @@ namespace dipwright::cpu {
 namespace {
 
 // The sum of the stiffnesses of a point's constraints: edges 1, diagonals 1/2; with diagonals, an
-// edge on the film's border 1/2 (film-physics §2.1). Without them, the number of constraints.
+// edge on the film's border 1/2 (docs/film-model.md, "Lattice with diagonals"). Without them, the
+// number of constraints.
 float stiffnessSum(const solver::FilmGrid& grid, int column, int row, bool hasDiagonals) {
     const int alongRow = (column > 0) + (column < grid.columns - 1);
     const int alongColumn = (row > 0) + (row < grid.rows - 1);

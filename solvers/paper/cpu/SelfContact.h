@@ -1,5 +1,5 @@
 // Contact of the film with itself: points that are neighbours in space but not in the film's grid
-// are kept apart (film-physics §1).
+// are kept apart (docs/film-model.md, "The paper's model").
 #pragma once
 
 #include "common/Vector3.h"

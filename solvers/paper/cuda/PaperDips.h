@@ -5,8 +5,8 @@
 
 namespace dipwright::cuda {
 
-// The paper's film (film-physics §1), relaxed by Jacobi sweeps. Throws std::invalid_argument for
-// settings that make no dip or that it does not know.
+// The paper's film (docs/film-model.md, "The paper's model"), relaxed by Jacobi sweeps. Throws
+// std::invalid_argument for settings that make no dip or that it does not know.
 std::unique_ptr<Dips> makePaperDips(const Device& device, Setups setups);
 // How many dips like this one fit on the device at the same time.
 std::size_t paperDipsAtOnce(const Device& device, const solver::DipSetup& setup);

@@ -5,8 +5,8 @@
 
 namespace dipwright::cpu {
 
-// Simulates Lattice::Isotropic with Support::Water (film-physics §2). The same bits for any number
-// of threads.
+// Simulates Lattice::Isotropic with Support::Water (docs/film-model.md, "The production model").
+// The same bits for any number of threads.
 std::unique_ptr<solver::FilmSolver> makeProductionFilm();
 
 } // namespace dipwright::cpu

@@ -1,5 +1,6 @@
 // Where film points stick to the body, and what the triangles see of those that have: the part of a
-// dip's step that is done point by point and triangle by triangle (film-physics §2.3, §2.4).
+// dip's step that is done point by point and triangle by triangle (docs/film-model.md, "Contact in
+// time" and "At the contact line").
 #pragma once
 
 #include "production/formulas/ContactPath.h"

@@ -1,8 +1,9 @@
 // The film between a point that has adhered and the waterline lies on the body's surface
-// (film-physics §2.4). For the equilibrium in the water plane, every triangle that crosses the
-// contact line sees its adhered corners where they would lie if that piece of surface were unfolded
-// about the line: at their distance along the surface, inwards of it, across the line where it is
-// nearest. At a sharp tip one adhered point lies in a different place for each triangle round it.
+// (docs/film-model.md, "At the contact line"). For the equilibrium in the water plane, every
+// triangle that crosses the contact line sees its adhered corners where they would lie if that
+// piece of surface were unfolded about the line: at their distance along the surface, inwards of
+// it, across the line where it is nearest. At a sharp tip one adhered point lies in a different
+// place for each triangle round it.
 #pragma once
 
 #include "common/BodyFrame.h"

@@ -5,8 +5,8 @@
 
 namespace dipwright::reference {
 
-// Simulates Lattice::Isotropic with Support::Water (film-physics §2) to a residual of 1e-9. Meant
-// for films of some thousand points.
+// Simulates Lattice::Isotropic with Support::Water (docs/film-model.md, "The production model") to
+// a residual of 1e-9. Meant for films of some thousand points.
 std::unique_ptr<solver::FilmSolver> makeReferenceFilm();
 
 } // namespace dipwright::reference
