@@ -21,7 +21,7 @@ set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 #   What a solver of one's own is built with: find_package(Dipwright) gives Dipwright::SolverInterface,
 #   from an installed tree and, without installing, from the build's folder.
 function(dipwright_install_package target header)
-    set(package ${PROJECT_BINARY_DIR}/${DIPWRIGHT_PACKAGE_DESTINATION})
+    set(package ${PROJECT_BINARY_DIR}/lib/cmake/Dipwright)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/DipwrightConfig.cmake ${package}/DipwrightConfig.cmake
         COPYONLY)
     write_basic_package_version_file(${package}/DipwrightConfigVersion.cmake
