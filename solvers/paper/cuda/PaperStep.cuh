@@ -291,6 +291,263 @@ struct StripShares {
     }
 };
 
+// A warp's strip of a block's tile and of the points round it: so many rows, a column a lane. All
+// members are called by all threads of the block, and inlined, so that the points stay in
+// registers.
+template <int stripRows, bool hasDiagonals>
+class Strip {
+public:
+    // `edgeRows`: by parity, warp, first or last row, lane.
+    __device__ __forceinline__ Strip(const PaperModel& film, const PaperDip& dip, int tile,
+                                     Position* edgeRows)
+        : film_(film), dip_(dip), edgeRows_(edgeRows), reach_(film.tiles.reach),
+          columns_(tileSpan(film.columns, film.tiles.across, tile % film.tiles.across)),
+          rows_(tileSpan(film.rows, film.tiles.down, tile / film.tiles.across)),
+          lane_(int(threadIdx.x) % 32), warp_(int(threadIdx.x) / 32),
+          column_(columns_.first - reach_ + lane_),
+          firstRow_(rows_.first - reach_ + warp_ * stripRows),
+          firstIndex_(firstRow_ * film.columns + column_),
+          alongX_((column_ > 0) + (column_ < film.columns - 1)),
+          columnStiffness_(hasDiagonals && alongX_ < 2 ? 0.5f : 1.0f) {
+        load();
+    }
+
+    // From the end of a step to the beginning of the next one's sweeps.
+    __device__ __forceinline__ void startStep(double descent) {
+        predict(film_, dip_, column_, firstRow_, descent, points_, isOwn_);
+    }
+
+    // The body goes down to `descent`, and adhered points with it. Hands out the points that other
+    // blocks take; all of them where they are swept in a launch of their own.
+    __device__ __forceinline__ void giveToNeighbours(int pass, double descent, bool givesAll) {
+        StoredPoint* handed = handedIn(pass);
+#pragma unroll
+        for (int r = 0; r < stripRows; ++r) {
+            if (isOwn_[r] && points_[r].hold == Hold::Adhered) {
+                points_[r].y = points_[r].beforeY - float(descent);
+            }
+            if (isHandedOut_[r] || (givesAll && isOwn_[r])) {
+                handOut(handed + r * film_.columns,
+                        {points_[r].x, points_[r].y, points_[r].z,
+                         handedOutIn(pass) + unsigned(points_[r].hold)});
+            }
+        }
+    }
+
+    // Takes the points round the tile as soon as their blocks have handed them out; all of them
+    // where they were handed out by a launch of its own.
+    __device__ __forceinline__ void takeFromNeighbours(int pass, bool takesAll) {
+        StoredPoint* handed = handedIn(pass);
+        StoredPoint taken[stripRows];
+#pragma unroll
+        for (int r = 0; r < stripRows; ++r) {
+            if (isTaken_[r] || (takesAll && isOwn_[r])) {
+                taken[r] = take(handed + r * film_.columns);
+            }
+        }
+#pragma unroll
+        for (int r = 0; r < stripRows; ++r) {
+            if (isTaken_[r] || (takesAll && isOwn_[r])) {
+                while (taken[r].mark - unsigned(taken[r].hold()) != handedOutIn(pass)) {
+                    __nanosleep(20);
+                    taken[r] = take(handed + r * film_.columns);
+                }
+                points_[r].x = taken[r].x;
+                points_[r].y = taken[r].y;
+                points_[r].z = taken[r].z;
+                points_[r].hold = taken[r].hold();
+            }
+        }
+    }
+
+    __device__ __forceinline__ void sweep(int sweeps) {
+        const bool works = hasFree(); // a strip without free points rests
+        keepEdges(parity_, weightOf(points_[0].hold), weightOf(points_[stripRows - 1].hold));
+        __syncthreads();
+        if (works) {
+            setShares();
+        } else {
+            keepEdges(1 - parity_, 0, 0);
+        }
+        for (int sweep = 1; sweep <= sweeps; ++sweep) {
+            const int left = sweeps - sweep; // rows beside the tile that are still needed
+            if (works && firstRow_ + stripRows > rows_.first - left &&
+                firstRow_ < rows_.last + left) {
+                sweepOnce();
+                if (left > 0) {
+                    keepEdges(1 - parity_, 0, 0); // weights are read before the sweeps only
+                }
+            }
+            parity_ = 1 - parity_;
+            if (left > 0) {
+                __syncthreads();
+            }
+        }
+    }
+
+    __device__ __forceinline__ void store(PaperWork work) const {
+#pragma unroll
+        for (int r = 0; r < stripRows; ++r) {
+            if (isOwn_[r]) {
+                const int index = firstIndex_ + r * film_.columns;
+                const Point& point = points_[r];
+                const bool isFree = point.hold == Hold::Free;
+                // Before the sweeps the next step's place is known only of points held now.
+                if (work != PaperWork::HandOut || !isFree) {
+                    dip_.now[index] = {point.x, isFree ? point.y : point.beforeY, point.z,
+                                       unsigned(point.hold)};
+                }
+                if (work != PaperWork::Sweep) {
+                    dip_.before[index] = {point.beforeX, point.beforeY, point.beforeZ, 0};
+                }
+            }
+        }
+    }
+
+private:
+    __device__ __forceinline__ void load() {
+#pragma unroll
+        for (int r = 0; r < stripRows; ++r) {
+            const int row = firstRow_ + r;
+            isOwn_[r] = columns_.owns(column_) && rows_.owns(row);
+            isTaken_[r] = !isOwn_[r] && column_ >= 0 &&
+                          column_ < min(film_.columns, columns_.last + reach_) && row >= 0 &&
+                          row < min(film_.rows, rows_.last + reach_);
+            isHandedOut_[r] = isOwn_[r] && (columns_.isNearEdge(column_, reach_) ||
+                                            rows_.isNearEdge(row, reach_));
+            // Points beyond the film's border are there, but missing.
+            points_[r] = {0, 0, 0, 0, 0, 0, -INFINITY, Hold::Missing};
+            if (isOwn_[r]) {
+                const int index = firstIndex_ + r * film_.columns;
+                const StoredPoint now = dip_.now[index], before = dip_.before[index];
+                Point& point = points_[r];
+                point = {now.x, now.y, now.z, before.x, before.y, before.z, -INFINITY, now.hold()};
+                if (point.hold != Hold::Free) {
+                    point.beforeY = now.y;
+                }
+            }
+        }
+    }
+
+    __device__ __forceinline__ StoredPoint* handedIn(int pass) const {
+        return dip_.handed[pass % 2] + firstIndex_;
+    }
+    __device__ __forceinline__ bool isBorder(int row) const {
+        return row == 0 || row == film_.rows - 1;
+    }
+    __device__ __forceinline__ bool hasFree() const {
+        bool hasFree = false;
+#pragma unroll
+        for (int r = 0; r < stripRows; ++r) {
+            hasFree = hasFree || points_[r].hold == Hold::Free;
+        }
+        return __any_sync(0xffffffff, hasFree);
+    }
+
+    // The rows next to this strip, of other warps: in shared memory, twice by turns.
+    __device__ __forceinline__ Position& edgeRow(int parity, int ofWarp, int isLast) const {
+        return edgeRows_[((parity * film_.tiles.warps + ofWarp) * 2 + isLast) * 32 + lane_];
+    }
+    __device__ __forceinline__ const Position& rowAbove() const {
+        return edgeRow(parity_, max(warp_ - 1, 0), 1);
+    }
+    __device__ __forceinline__ const Position& rowBelow() const {
+        return edgeRow(parity_, min(warp_ + 1, film_.tiles.warps - 1), 0);
+    }
+    __device__ __forceinline__ void keepEdges(int to, float firstWeight, float lastWeight) const {
+        const Point &first = points_[0], &last = points_[stripRows - 1];
+        edgeRow(to, warp_, 0) = {first.x, first.y, first.z, firstWeight};
+        edgeRow(to, warp_, 1) = {last.x, last.y, last.z, lastWeight};
+    }
+
+    __device__ __forceinline__ void setShares() {
+        float weights[stripRows + 2];
+        weights[0] = rowAbove().weight;
+        weights[stripRows + 1] = rowBelow().weight;
+#pragma unroll
+        for (int r = 0; r < stripRows; ++r) {
+            weights[r + 1] = weightOf(points_[r].hold);
+            share_[r] = points_[r].hold == Hold::Free
+                            ? film_.share[alongX_][isBorder(firstRow_ + r) ? 1 : 2]
+                            : 0.0f;
+        }
+        shares_.set(weights);
+    }
+
+    __device__ __forceinline__ void sweepOnce() {
+        Position now[stripRows + 2], onRight[stripRows + 2];
+        now[0] = rowAbove();
+        now[stripRows + 1] = rowBelow();
+#pragma unroll
+        for (int r = 0; r < stripRows; ++r) {
+            now[r + 1] = {points_[r].x, points_[r].y, points_[r].z, 0};
+        }
+#pragma unroll
+        for (int v = hasDiagonals ? 0 : 1; v < stripRows + (hasDiagonals ? 2 : 1); ++v) {
+            onRight[v] = fromRight(now[v]);
+        }
+        const auto down = [&](int v) {
+            return pull(now[v + 1].x - now[v].x, now[v + 1].y - now[v].y,
+                        film_.restZ + (now[v + 1].z - now[v].z), film_.restZ, shares_.down[v]) *
+                   columnStiffness_;
+        };
+        const auto rightDown = [&](int v) {
+            return pull(film_.restX + (onRight[v + 1].x - now[v].x), onRight[v + 1].y - now[v].y,
+                        film_.restZ + (onRight[v + 1].z - now[v].z), film_.restDiagonal,
+                        shares_.rightDown[v]) *
+                   0.5f;
+        };
+        const auto rightUp = [&](int v) {
+            return pull(film_.restX + (onRight[v].x - now[v + 1].x), onRight[v].y - now[v + 1].y,
+                        -film_.restZ + (onRight[v].z - now[v + 1].z), film_.restDiagonal,
+                        shares_.rightUp[v]) *
+                   0.5f;
+        };
+        // What the constraints to the row above move a point of this one, the other way.
+        Pull above = down(0);
+        if constexpr (hasDiagonals) {
+            above = (above + fromLeft(rightDown(0))) - rightUp(0);
+        }
+#pragma unroll
+        for (int r = 0; r < stripRows; ++r) {
+            const int v = r + 1;
+            Pull right = pull(film_.restX + (onRight[v].x - now[v].x), onRight[v].y - now[v].y,
+                              onRight[v].z - now[v].z, film_.restX, shares_.right[r]);
+            if constexpr (hasDiagonals) {
+                right = right * (isBorder(firstRow_ + r) ? 0.5f : 1.0f);
+            }
+            const Pull below = down(v);
+            Pull sum = (right - fromLeft(right)) + below;
+            if constexpr (hasDiagonals) {
+                const Pull ahead = rightDown(v), back = rightUp(v);
+                sum = (sum + (ahead - fromLeft(back))) - above;
+                above = (below + fromLeft(ahead)) - back;
+            } else {
+                sum = sum - above;
+                above = below;
+            }
+            points_[r].x = now[v].x + sum.x * share_[r];
+            points_[r].y = now[v].y + sum.y * (share_[r] * film_.vertical);
+            points_[r].z = now[v].z + sum.z * share_[r];
+        }
+    }
+
+    const PaperModel& film_;
+    const PaperDip& dip_;
+    Position* edgeRows_;
+    int reach_;
+    Span columns_, rows_; // of the tile
+    int lane_, warp_;
+    int column_, firstRow_, firstIndex_; // of this thread's points
+    int alongX_;                         // neighbours
+    float columnStiffness_;
+    Point points_[stripRows];
+    bool isTaken_[stripRows], isOwn_[stripRows], isHandedOut_[stripRows];
+    StripShares<stripRows, hasDiagonals> shares_;
+    float share_[stripRows]; // of the corrections' sum
+    int parity_ = 0;         // of the edge rows that are read
+};
+
 } // namespace paper
 
 // Passes firstPass … lastPass − 1 of all dips.
@@ -298,227 +555,36 @@ template <int stripRows, bool hasDiagonals>
 __global__ void __launch_bounds__(PaperTiles::mostWarps* PaperTiles::lanes)
     paperPasses(const __grid_constant__ PaperModel film, const PaperDip* dips, PaperWork work,
                 int firstPass, int lastPass) {
-    using namespace paper;
-    extern __shared__ Position edgeRows[]; // by parity, warp, first or last row, lane
+    extern __shared__ paper::Position edgeRows[];
     __shared__ PaperDip dip;
-
-    const PaperTiles& tiles = film.tiles;
+    const int tiles = film.tiles.count();
     if (threadIdx.x == 0) {
-        dip = dips[int(blockIdx.x) / tiles.count()];
+        dip = dips[int(blockIdx.x) / tiles];
     }
     __syncthreads();
     lastPass = min(lastPass, dip.steps * film.passesPerStep);
     if (firstPass >= lastPass) {
         return;
     }
-    const int tile = int(blockIdx.x) % tiles.count();
-    const int reach = tiles.reach;
-    const Span columns = tileSpan(film.columns, tiles.across, tile % tiles.across);
-    const Span rows = tileSpan(film.rows, tiles.down, tile / tiles.across);
-
-    // Points beyond the film's border are there, but missing.
-    const int lane = int(threadIdx.x) % 32, warp = int(threadIdx.x) / 32;
-    const int column = columns.first - reach + lane;
-    const int firstRow = rows.first - reach + warp * stripRows;
-    const int firstIndex = firstRow * film.columns + column;
-    const auto edgeRow = [&](int parity, int ofWarp, int isLast) -> Position& {
-        return edgeRows[((parity * tiles.warps + ofWarp) * 2 + isLast) * 32 + lane];
-    };
-    const int warpAbove = max(warp - 1, 0), warpBelow = min(warp + 1, tiles.warps - 1);
-    const int alongX = (column > 0) + (column < film.columns - 1);
-    const float columnStiffness = hasDiagonals && alongX < 2 ? 0.5f : 1.0f;
-    const auto isBorder = [&](int row) { return row == 0 || row == film.rows - 1; };
-
-    Point points[stripRows];
-    bool isTaken[stripRows], isOwn[stripRows], isHandedOut[stripRows];
-#pragma unroll
-    for (int r = 0; r < stripRows; ++r) {
-        const int row = firstRow + r;
-        isOwn[r] = columns.owns(column) && rows.owns(row);
-        isTaken[r] = !isOwn[r] && column >= 0 && column < min(film.columns, columns.last + reach) &&
-                     row >= 0 && row < min(film.rows, rows.last + reach);
-        isHandedOut[r] =
-            isOwn[r] && (columns.isNearEdge(column, reach) || rows.isNearEdge(row, reach));
-        points[r] = {0, 0, 0, 0, 0, 0, -INFINITY, Hold::Missing};
-        if (isOwn[r]) {
-            const int index = firstIndex + r * film.columns;
-            const StoredPoint now = dip.now[index], before = dip.before[index];
-            Point& point = points[r];
-            point = {now.x, now.y, now.z, before.x, before.y, before.z, -INFINITY, now.hold()};
-            if (point.hold != Hold::Free) {
-                point.beforeY = now.y;
-            }
-        }
-    }
-
-    int parity = 0;
+    paper::Strip<stripRows, hasDiagonals> strip(film, dip, int(blockIdx.x) % tiles, edgeRows);
     int step = firstPass / film.passesPerStep, part = firstPass % film.passesPerStep;
     for (int pass = firstPass; pass < lastPass; ++pass) {
-        const int sweeps = min(reach, film.iterations - part * reach);
         const double descent = fmin(dip.travel, double(step + 1) * film.stepLength);
-        StoredPoint* handed = dip.handed[pass % 2] + firstIndex;
-
         if (work != PaperWork::Sweep) {
             if (part == 0) {
-                predict(film, dip, column, firstRow, descent, points, isOwn);
+                strip.startStep(descent);
             }
-#pragma unroll
-            for (int r = 0; r < stripRows; ++r) {
-                if (isOwn[r] && points[r].hold == Hold::Adhered) {
-                    points[r].y = points[r].beforeY - float(descent);
-                }
-                if (isHandedOut[r] || (work == PaperWork::HandOut && isOwn[r])) {
-                    handOut(handed + r * film.columns,
-                            {points[r].x, points[r].y, points[r].z,
-                             handedOutIn(pass) + unsigned(points[r].hold)});
-                }
-            }
+            strip.giveToNeighbours(pass, descent, work == PaperWork::HandOut);
         }
         if (work == PaperWork::HandOut) {
             break;
         }
-
-        StoredPoint taken[stripRows];
-#pragma unroll
-        for (int r = 0; r < stripRows; ++r) {
-            if (isTaken[r] || (work == PaperWork::Sweep && isOwn[r])) {
-                taken[r] = take(handed + r * film.columns);
-            }
-        }
-        bool hasFree = false;
-#pragma unroll
-        for (int r = 0; r < stripRows; ++r) {
-            if (isTaken[r] || (work == PaperWork::Sweep && isOwn[r])) {
-                while (taken[r].mark - unsigned(taken[r].hold()) != handedOutIn(pass)) {
-                    __nanosleep(20);
-                    taken[r] = take(handed + r * film.columns);
-                }
-                points[r].x = taken[r].x;
-                points[r].y = taken[r].y;
-                points[r].z = taken[r].z;
-                points[r].hold = taken[r].hold();
-            }
-            hasFree = hasFree || points[r].hold == Hold::Free;
-        }
-        // A strip without free points rests.
-        const bool works = __any_sync(0xffffffff, hasFree);
-        const auto keepEdges = [&](int to, float firstWeight, float lastWeight) {
-            const Point &first = points[0], &last = points[stripRows - 1];
-            edgeRow(to, warp, 0) = {first.x, first.y, first.z, firstWeight};
-            edgeRow(to, warp, 1) = {last.x, last.y, last.z, lastWeight};
-        };
-        keepEdges(parity, weightOf(points[0].hold), weightOf(points[stripRows - 1].hold));
-        __syncthreads();
-
-        StripShares<stripRows, hasDiagonals> shares;
-        float share[stripRows]; // of the corrections' sum
-        if (works) {
-            float weights[stripRows + 2];
-            weights[0] = edgeRow(parity, warpAbove, 1).weight;
-            weights[stripRows + 1] = edgeRow(parity, warpBelow, 0).weight;
-#pragma unroll
-            for (int r = 0; r < stripRows; ++r) {
-                weights[r + 1] = weightOf(points[r].hold);
-                share[r] = points[r].hold == Hold::Free
-                               ? film.share[alongX][isBorder(firstRow + r) ? 1 : 2]
-                               : 0.0f;
-            }
-            shares.set(weights);
-        } else {
-            keepEdges(1 - parity, 0, 0);
-        }
-
-        for (int sweep = 1; sweep <= sweeps; ++sweep) {
-            const int left = sweeps - sweep; // rows beside the tile that are still needed
-            if (works && firstRow + stripRows > rows.first - left && firstRow < rows.last + left) {
-                Position now[stripRows + 2], onRight[stripRows + 2];
-                now[0] = edgeRow(parity, warpAbove, 1);
-                now[stripRows + 1] = edgeRow(parity, warpBelow, 0);
-#pragma unroll
-                for (int r = 0; r < stripRows; ++r) {
-                    now[r + 1] = {points[r].x, points[r].y, points[r].z, 0};
-                }
-#pragma unroll
-                for (int v = hasDiagonals ? 0 : 1; v < stripRows + (hasDiagonals ? 2 : 1); ++v) {
-                    onRight[v] = fromRight(now[v]);
-                }
-                const auto down = [&](int v) {
-                    return pull(now[v + 1].x - now[v].x, now[v + 1].y - now[v].y,
-                                film.restZ + (now[v + 1].z - now[v].z), film.restZ,
-                                shares.down[v]) *
-                           columnStiffness;
-                };
-                const auto rightDown = [&](int v) {
-                    return pull(film.restX + (onRight[v + 1].x - now[v].x),
-                                onRight[v + 1].y - now[v].y,
-                                film.restZ + (onRight[v + 1].z - now[v].z), film.restDiagonal,
-                                shares.rightDown[v]) *
-                           0.5f;
-                };
-                const auto rightUp = [&](int v) {
-                    return pull(film.restX + (onRight[v].x - now[v + 1].x),
-                                onRight[v].y - now[v + 1].y,
-                                -film.restZ + (onRight[v].z - now[v + 1].z), film.restDiagonal,
-                                shares.rightUp[v]) *
-                           0.5f;
-                };
-                // What the constraints to the row above move a point of this one, the other way.
-                Pull above = down(0);
-                if constexpr (hasDiagonals) {
-                    above = (above + fromLeft(rightDown(0))) - rightUp(0);
-                }
-#pragma unroll
-                for (int r = 0; r < stripRows; ++r) {
-                    const int v = r + 1;
-                    Pull right =
-                        pull(film.restX + (onRight[v].x - now[v].x), onRight[v].y - now[v].y,
-                             onRight[v].z - now[v].z, film.restX, shares.right[r]);
-                    if constexpr (hasDiagonals) {
-                        right = right * (isBorder(firstRow + r) ? 0.5f : 1.0f);
-                    }
-                    const Pull below = down(v);
-                    Pull sum = (right - fromLeft(right)) + below;
-                    if constexpr (hasDiagonals) {
-                        const Pull ahead = rightDown(v), back = rightUp(v);
-                        sum = (sum + (ahead - fromLeft(back))) - above;
-                        above = (below + fromLeft(ahead)) - back;
-                    } else {
-                        sum = sum - above;
-                        above = below;
-                    }
-                    points[r].x = now[v].x + sum.x * share[r];
-                    points[r].y = now[v].y + sum.y * (share[r] * film.vertical);
-                    points[r].z = now[v].z + sum.z * share[r];
-                }
-                if (left > 0) {
-                    keepEdges(1 - parity, 0, 0); // weights are read before the sweeps only
-                }
-            }
-            parity = 1 - parity;
-            if (left > 0) {
-                __syncthreads();
-            }
-        }
+        strip.takeFromNeighbours(pass, work == PaperWork::Sweep);
+        strip.sweep(min(film.tiles.reach, film.iterations - part * film.tiles.reach));
         part = part + 1 == film.passesPerStep ? 0 : part + 1;
         step += part == 0;
     }
-
-#pragma unroll
-    for (int r = 0; r < stripRows; ++r) {
-        if (isOwn[r]) {
-            const int index = firstIndex + r * film.columns;
-            const Point& point = points[r];
-            const bool isFree = point.hold == Hold::Free;
-            // Before the sweeps the next step's place is known only of points that are held now.
-            if (work != PaperWork::HandOut || !isFree) {
-                dip.now[index] = {point.x, isFree ? point.y : point.beforeY, point.z,
-                                  unsigned(point.hold)};
-            }
-            if (work != PaperWork::Sweep) {
-                dip.before[index] = {point.beforeX, point.beforeY, point.beforeZ, 0};
-            }
-        }
-    }
+    strip.store(work);
 }
 
 } // namespace dipwright::cuda
