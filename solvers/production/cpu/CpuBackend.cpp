@@ -1,48 +1,11 @@
 #include "production/cpu/CpuBackend.h"
 
 #include "common/cpu/RowParallel.h"
-#include "common/cpu/SimdClones.h"
-#include "production/cpu/RowMath.h"
+#include "production/cpu/RowKernels.h"
 
 #include <cmath>
 
 namespace dipwright::cpu {
-
-namespace {
-
-DIPWRIGHT_SIMD_CLONES
-void addScaled(std::size_t count, float factor, const float* a, float* out) {
-    DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < count; ++i) {
-        out[i] += factor * a[i];
-    }
-}
-
-DIPWRIGHT_SIMD_CLONES
-void scaleAndAdd(std::size_t count, float factor, const float* a, float* out) {
-    DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < count; ++i) {
-        out[i] = factor * out[i] + a[i];
-    }
-}
-
-DIPWRIGHT_SIMD_CLONES
-void addDifference(std::size_t count, float factor, const float* a, const float* b, float* out) {
-    DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < count; ++i) {
-        out[i] += factor * (a[i] - b[i]);
-    }
-}
-
-DIPWRIGHT_SIMD_CLONES
-void multiplyBy(std::size_t count, const float* a, float* out) {
-    DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < count; ++i) {
-        out[i] *= a[i];
-    }
-}
-
-} // namespace
 
 static_assert(numerics::FilmBackend<CpuBackend> && numerics::ConjugateBackend<CpuBackend>);
 

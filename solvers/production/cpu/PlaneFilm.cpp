@@ -1,13 +1,10 @@
 #include "production/cpu/PlaneFilm.h"
 
 #include "common/cpu/RowParallel.h"
-#include "common/cpu/SimdClones.h"
-#include "production/cpu/RowMath.h"
 #include "production/formulas/PlaneStress.h"
 
 namespace dipwright::cpu {
 
-using numerics::edgeForces;
 using numerics::gradientOf;
 using numerics::Matrix2;
 using numerics::StressState;
@@ -24,170 +21,10 @@ struct EdgeForces {
 };
 enum { firstX, firstZ, secondX, secondZ, leftX, leftZ, rightX, rightZ };
 
-struct ShapePointers {
-    const float *a, *b, *c, *d;
-};
-struct MutableStatePointers {
-    float *cosine, *sine, *turn;
-};
-struct StatePointers {
-    const float *cosine, *sine, *turn;
-};
-
-// The edges of one triangle of a cell: the first triangle takes the lower horizontal edge, and the
-// right vertical edge in an even cell, the left one in an odd cell.
-using CellEdges = numerics::EdgePair<float>;
-
-template <bool crept>
-inline Matrix2<float> shapeAt(const ShapePointers& shape, const Matrix2<float>& common,
-                              std::size_t i) {
-    if constexpr (crept) {
-        return {shape.a[i], shape.b[i], shape.c[i], shape.d[i]};
-    } else {
-        return common;
-    }
-}
-
-// x0, z0: the lower row of points; x1, z1: the upper one. `rest` is added to the horizontal and
-// vertical edges: the resting edge for displacements, zero for directions.
-struct RowOfPoints {
-    const float *x0, *z0, *x1, *z1;
-};
-
-struct RowOfForces {
-    float *firstX, *firstZ, *secondX, *secondZ, *leftX, *leftZ, *rightX, *rightZ;
-};
-
 RowOfForces rowOfForces(EdgeForces& forces) {
     return {forces.array(firstX),  forces.array(firstZ), forces.array(secondX),
             forces.array(secondZ), forces.array(leftX),  forces.array(leftZ),
             forces.array(rightX),  forces.array(rightZ)};
-}
-
-inline CellEdges cellEdges(const RowOfPoints& p, std::size_t i, bool second, bool right,
-                           float restX, float restZ) {
-    const float* hx = second ? p.x1 : p.x0;
-    const float* hz = second ? p.z1 : p.z0;
-    const float leftEdgeX = p.x1[i] - p.x0[i], rightEdgeX = p.x1[i + 1] - p.x0[i + 1];
-    const float leftEdgeZ = p.z1[i] - p.z0[i], rightEdgeZ = p.z1[i + 1] - p.z0[i + 1];
-    return {restX + (hx[i + 1] - hx[i]), hz[i + 1] - hz[i], right ? rightEdgeX : leftEdgeX,
-            restZ + (right ? rightEdgeZ : leftEdgeZ)};
-}
-
-template <bool crept>
-DIPWRIGHT_ALWAYS_INLINE void
-gradientCells(std::size_t cells, unsigned parity, const RowOfPoints& p,
-              const ShapePointers (&shapes)[2], Matrix2<float> common, float restX, float restZ,
-              float area, const MutableStatePointers (&states)[2], const RowOfForces& out) {
-    DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < cells; ++i) {
-        const bool even = ((unsigned(i) + parity) & 1u) == 0;
-        StressState<float> state0, state1;
-        const Matrix2<float> shape0 = shapeAt<crept>(shapes[0], common, i);
-        const Matrix2<float> shape1 = shapeAt<crept>(shapes[1], common, i);
-        const CellEdges force0 = edgeForces(
-            stress(gradientOf(cellEdges(p, i, false, even, restX, restZ), shape0), state0), shape0,
-            area);
-        const CellEdges force1 = edgeForces(
-            stress(gradientOf(cellEdges(p, i, true, !even, restX, restZ), shape1), state1), shape1,
-            area);
-        states[0].cosine[i] = state0.cosine;
-        states[0].sine[i] = state0.sine;
-        states[0].turn[i] = state0.turn;
-        states[1].cosine[i] = state1.cosine;
-        states[1].sine[i] = state1.sine;
-        states[1].turn[i] = state1.turn;
-        out.firstX[i] = force0.hx;
-        out.firstZ[i] = force0.hz;
-        out.secondX[i] = force1.hx;
-        out.secondZ[i] = force1.hz;
-        out.leftX[i] = even ? force1.vx : force0.vx;
-        out.leftZ[i] = even ? force1.vz : force0.vz;
-        out.rightX[i] = even ? force0.vx : force1.vx;
-        out.rightZ[i] = even ? force0.vz : force1.vz;
-    }
-}
-
-template <bool crept>
-DIPWRIGHT_ALWAYS_INLINE void hessianCells(std::size_t cells, unsigned parity, const RowOfPoints& p,
-                                          const ShapePointers (&shapes)[2], Matrix2<float> common,
-                                          float area, const StatePointers (&states)[2],
-                                          const RowOfForces& out) {
-    DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < cells; ++i) {
-        const bool even = ((unsigned(i) + parity) & 1u) == 0;
-        const Matrix2<float> shape0 = shapeAt<crept>(shapes[0], common, i);
-        const Matrix2<float> shape1 = shapeAt<crept>(shapes[1], common, i);
-        const StressState<float> state0{states[0].cosine[i], states[0].sine[i], states[0].turn[i]};
-        const StressState<float> state1{states[1].cosine[i], states[1].sine[i], states[1].turn[i]};
-        const CellEdges force0 = edgeForces(
-            stressDerivative(gradientOf(cellEdges(p, i, false, even, 0, 0), shape0), state0),
-            shape0, area);
-        const CellEdges force1 = edgeForces(
-            stressDerivative(gradientOf(cellEdges(p, i, true, !even, 0, 0), shape1), state1),
-            shape1, area);
-        out.firstX[i] = force0.hx;
-        out.firstZ[i] = force0.hz;
-        out.secondX[i] = force1.hx;
-        out.secondZ[i] = force1.hz;
-        out.leftX[i] = even ? force1.vx : force0.vx;
-        out.leftZ[i] = even ? force1.vz : force0.vz;
-        out.rightX[i] = even ? force0.vx : force1.vx;
-        out.rightZ[i] = even ? force0.vz : force1.vz;
-    }
-}
-
-DIPWRIGHT_SIMD_CLONES
-void gradientRow(bool crept, std::size_t cells, unsigned parity, const RowOfPoints& p,
-                 const ShapePointers (&shapes)[2], Matrix2<float> common, float restX, float restZ,
-                 float area, const MutableStatePointers (&states)[2], const RowOfForces& out) {
-    if (crept) {
-        gradientCells<true>(cells, parity, p, shapes, common, restX, restZ, area, states, out);
-    } else {
-        gradientCells<false>(cells, parity, p, shapes, common, restX, restZ, area, states, out);
-    }
-}
-
-DIPWRIGHT_SIMD_CLONES
-void hessianRow(bool crept, std::size_t cells, unsigned parity, const RowOfPoints& p,
-                const ShapePointers (&shapes)[2], Matrix2<float> common, float area,
-                const StatePointers (&states)[2], const RowOfForces& out) {
-    if (crept) {
-        hessianCells<true>(cells, parity, p, shapes, common, area, states, out);
-    } else {
-        hessianCells<false>(cells, parity, p, shapes, common, area, states, out);
-    }
-}
-
-// The largest λ1² + λ2², against the undeformed film, of the moving triangles of one row of cells.
-DIPWRIGHT_SIMD_CLONES
-float largestSquare(std::size_t cells, unsigned parity, const RowOfPoints& p,
-                    const std::array<const float*, 2>& moving, float inverseX, float inverseZ) {
-    float largest = 0;
-    for (std::size_t i = 0; i < cells; ++i) {
-        const bool even = ((unsigned(i) + parity) & 1u) == 0;
-        const auto square = [&](bool second) {
-            const CellEdges e = cellEdges(p, i, second, even != second, 1 / inverseX, 1 / inverseZ);
-            return (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
-                   (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
-        };
-        const float first = moving[0][i] * square(false), second = moving[1][i] * square(true);
-        largest = largest > first ? largest : first;
-        largest = largest > second ? largest : second;
-    }
-    return largest;
-}
-
-// Adds the forces of one row of cells to a row of points: to the lower row (`sign` −1, `edge` the
-// first horizontal edges) or to the upper row (`sign` +1, the second ones).
-DIPWRIGHT_SIMD_CLONES
-void addForces(std::size_t cells, float sign, const float* edge, const float* left,
-               const float* right, float* out) {
-    out[0] += -edge[0] + sign * left[0];
-    for (std::size_t i = 1; i < cells; ++i) {
-        out[i] += (edge[i - 1] - edge[i]) + sign * (left[i] + right[i - 1]);
-    }
-    out[cells] += edge[cells - 1] + sign * right[cells - 1];
 }
 
 // Runs cellRow(j, forces) for every row of cells and gathers the forces on the points of `result`.
@@ -323,17 +160,22 @@ std::pair<std::size_t, std::size_t> PlaneFilm::crossingInRow(int row) const {
     return {firstCrossing_[std::size_t(row)], firstCrossing_[std::size_t(row) + 1]};
 }
 
+RowOfShapes PlaneFilm::shapesOf(int row) const {
+    const std::size_t first = std::size_t(row) * std::size_t(columns_ - 1);
+    RowOfShapes shapes{crept_[std::size_t(row)] != 0, {}, {inverseX_, 0, 0, inverseZ_}, area_};
+    for (std::size_t second = 0; second < 2; ++second) {
+        const TriangleArrays& from = inverseShape_[second];
+        shapes.shapes[second] = {from.a.data() + first, from.b.data() + first,
+                                 from.c.data() + first, from.d.data() + first};
+    }
+    return shapes;
+}
+
 double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result) {
     const std::size_t width = std::size_t(columns_), cells = width - 1;
-    const Matrix2<float> common{inverseX_, 0, 0, inverseZ_};
     std::vector<double> squares(std::size_t(rows_ - 1), 0.0);
     gatherForces(columns_, rows_, result, [&](int j, bool owned, EdgeForces& forces) {
         const std::size_t first = std::size_t(j) * cells;
-        const ShapePointers shapes[2] = {
-            {inverseShape_[0].a.data() + first, inverseShape_[0].b.data() + first,
-             inverseShape_[0].c.data() + first, inverseShape_[0].d.data() + first},
-            {inverseShape_[1].a.data() + first, inverseShape_[1].b.data() + first,
-             inverseShape_[1].c.data() + first, inverseShape_[1].d.data() + first}};
         // A row of cells between two bands is computed for both; only one keeps its states.
         std::vector<float> spare;
         if (!owned) {
@@ -342,30 +184,31 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
         const auto keep = [&](std::vector<float>& array, std::size_t which) {
             return owned ? array.data() + first : spare.data() + which * cells;
         };
-        const MutableStatePointers states[2] = {
-            {keep(state_[0].cosine, 0), keep(state_[0].sine, 1), keep(state_[0].turn, 2)},
-            {keep(state_[1].cosine, 3), keep(state_[1].sine, 4), keep(state_[1].turn, 5)}};
-        gradientRow(crept_[std::size_t(j)] != 0, cells, unsigned(j) & 1u,
-                    rowOfPoints(displacement, width, j), shapes, common, 1 / inverseX_,
-                    1 / inverseZ_, area_, states, rowOfForces(forces));
+        RowOfStates<float*> states;
+        states.states[0] = {keep(state_[0].cosine, 0), keep(state_[0].sine, 1),
+                            keep(state_[0].turn, 2)};
+        states.states[1] = {keep(state_[1].cosine, 3), keep(state_[1].sine, 4),
+                            keep(state_[1].turn, 5)};
+        gradientRow(cells, unsigned(j) & 1u, rowOfPoints(displacement, width, j), shapesOf(j),
+                    1 / inverseX_, 1 / inverseZ_, states, rowOfForces(forces));
         const auto [begin, end] = crossingInRow(j);
         for (std::size_t k = begin; k < end; ++k) { // these few once more, by themselves
             const Crossing& triangle = crossing_[k];
             const std::size_t i = triangle.cell - first;
-            const bool second = triangle.second;
             StressState<float> state;
             const Matrix2<float> P =
                 stress(floatingGradient(anchors_[k], wholeGradient(triangle, displacement)), state);
-            states[second].cosine[i] = state.cosine;
-            states[second].sine[i] = state.sine;
-            states[second].turn[i] = state.turn;
-            putForces(
-                forces, i, triangle,
-                numerics::crossingForces(triangle, P, inverseShape(triangle.cell, second), area_));
+            const RowOfStates<float*>::Pointers& to = states.states[triangle.second];
+            to.cosine[i] = state.cosine;
+            to.sine[i] = state.sine;
+            to.turn[i] = state.turn;
+            putForces(forces, i, triangle,
+                      numerics::crossingForces(
+                          triangle, P, inverseShape(triangle.cell, triangle.second), area_));
         }
-        if (owned) {
-            for (const int which : {firstX, firstZ, secondX, secondZ}) {
-                const std::vector<float>& moving = moving_[which == secondX || which == secondZ];
+        for (const int which : {firstX, firstZ, secondX, secondZ}) {
+            const std::vector<float>& moving = moving_[which == secondX || which == secondZ];
+            if (owned) {
                 squares[std::size_t(j)] +=
                     rowWeightedSquares(moving.data() + first, forces.array(which), cells);
             }
@@ -380,38 +223,29 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
 
 void PlaneFilm::hessian(const PlaneVector& direction, PlaneVector& result) const {
     const std::size_t width = std::size_t(columns_), cells = width - 1;
-    const Matrix2<float> common{inverseX_, 0, 0, inverseZ_};
     gatherForces(columns_, rows_, result, [&](int j, bool, EdgeForces& forces) {
         const std::size_t first = std::size_t(j) * cells;
-        const ShapePointers shapes[2] = {
-            {inverseShape_[0].a.data() + first, inverseShape_[0].b.data() + first,
-             inverseShape_[0].c.data() + first, inverseShape_[0].d.data() + first},
-            {inverseShape_[1].a.data() + first, inverseShape_[1].b.data() + first,
-             inverseShape_[1].c.data() + first, inverseShape_[1].d.data() + first}};
-        const StatePointers states[2] = {
-            {state_[0].cosine.data() + first, state_[0].sine.data() + first,
-             state_[0].turn.data() + first},
-            {state_[1].cosine.data() + first, state_[1].sine.data() + first,
-             state_[1].turn.data() + first}};
-        hessianRow(crept_[std::size_t(j)] != 0, cells, unsigned(j) & 1u,
-                   rowOfPoints(direction, width, j), shapes, common, area_, states,
-                   rowOfForces(forces));
+        const RowOfPoints points = rowOfPoints(direction, width, j);
+        RowOfStates<const float*> states;
+        for (std::size_t second = 0; second < 2; ++second) {
+            states.states[second] = {state_[second].cosine.data() + first,
+                                     state_[second].sine.data() + first,
+                                     state_[second].turn.data() + first};
+        }
+        hessianRow(cells, unsigned(j) & 1u, points, shapesOf(j), states, rowOfForces(forces));
         const auto [begin, end] = crossingInRow(j);
         for (std::size_t k = begin; k < end; ++k) {
             const Crossing& triangle = crossing_[k];
             const std::size_t i = triangle.cell - first;
-            const bool second = triangle.second, right = triangle.thirdOnRight;
-            const Matrix2<float> shape = inverseShape(triangle.cell, second);
-            const StressState<float> state{states[second].cosine[i], states[second].sine[i],
-                                           states[second].turn[i]};
-            const CellEdges edges =
-                cellEdges(rowOfPoints(direction, width, j), i, second, right, 0, 0);
+            const Matrix2<float> shape = inverseShape(triangle.cell, triangle.second);
+            const RowOfStates<const float*>::Pointers& from = states.states[triangle.second];
+            const StressState<float> state{from.cosine[i], from.sine[i], from.turn[i]};
+            const numerics::EdgePair<float> edges =
+                cellEdges(points, i, triangle.second, triangle.thirdOnRight, 0, 0);
+            const Matrix2<float> change = floatingChange(anchors_[k], gradientOf(edges, shape));
             putForces(
                 forces, i, triangle,
-                numerics::crossingForces(
-                    triangle,
-                    stressDerivative(floatingChange(anchors_[k], gradientOf(edges, shape)), state),
-                    shape, area_));
+                numerics::crossingForces(triangle, stressDerivative(change, state), shape, area_));
         }
     });
 }

@@ -7,6 +7,7 @@
 
 #include "common/cpu/RowParallel.h"
 #include "production/cpu/PlaneVector.h"
+#include "production/cpu/RowKernels.h"
 #include "production/formulas/CrossingTriangle.h"
 
 #include <dipwright/FilmSolver.h>
@@ -74,6 +75,7 @@ private:
 
     template <typename Floating>
     void forFloating(int row, const Floating& floating) const;
+    RowOfShapes shapesOf(int row) const; // of cells
     // Begin and end in crossing_ of the triangles in a row of cells.
     std::pair<std::size_t, std::size_t> crossingInRow(int row) const;
     numerics::Matrix2<float> inverseShape(std::size_t cell, bool second) const;

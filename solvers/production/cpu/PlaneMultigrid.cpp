@@ -1,55 +1,13 @@
 #include "production/cpu/PlaneMultigrid.h"
 
 #include "common/cpu/RowParallel.h"
-#include "common/cpu/SimdClones.h"
+#include "production/cpu/RowKernels.h"
 
 #include <cmath>
 
 namespace dipwright::cpu {
 
 namespace multigrid = numerics::multigrid;
-
-namespace {
-
-struct StencilRow {
-    const float *below, *here, *above;
-};
-
-// One interior row of the stencil: `along` weighs the neighbours in X, `across` those in Z; the
-// other component enters by the four corners (the mixed derivative).
-DIPWRIGHT_SIMD_CLONES
-void stencilRow(std::size_t columns, const StencilRow& own, const StencilRow& other, float along,
-                float across, const float* free, float* out) {
-    const float middle = 2 * (along + across);
-    DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 1; i + 1 < columns; ++i) {
-        const float second = middle * own.here[i] - along * (own.here[i - 1] + own.here[i + 1]) -
-                             across * (own.below[i] + own.above[i]);
-        const float mixed =
-            (other.above[i + 1] - other.above[i - 1]) - (other.below[i + 1] - other.below[i - 1]);
-        out[i] = free[i] * (second - 0.5f * mixed);
-    }
-}
-
-DIPWRIGHT_SIMD_CLONES
-void chebyshevRow(std::size_t count, float keep, float gain, const float* diagonal,
-                  const float* residual, float* direction, float* result) {
-    DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < count; ++i) {
-        direction[i] = keep * direction[i] + gain * diagonal[i] * residual[i];
-        result[i] += direction[i];
-    }
-}
-
-DIPWRIGHT_SIMD_CLONES
-void subtractRow(std::size_t count, const float* a, const float* b, float* out) {
-    DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < count; ++i) {
-        out[i] = a[i] - b[i];
-    }
-}
-
-} // namespace
 
 PlaneMultigrid::Level PlaneMultigrid::makeLevel(int columns, int rows, double width, double depth) {
     Level level;
@@ -190,8 +148,7 @@ void PlaneMultigrid::smooth(Level& level, int degree, bool fromZero) {
                     std::fill_n(pick(level.result), count, 0.f);
                     std::copy_n(pick(level.right), count, pick(level.residual));
                 } else {
-                    subtractRow(count, pick(level.right), pick(level.residual),
-                                pick(level.residual));
+                    subtract(count, pick(level.right), pick(level.residual), pick(level.residual));
                 }
                 if (k == 0) {
                     std::fill_n(pick(level.direction), count, 0.f);
@@ -288,10 +245,10 @@ void PlaneMultigrid::cycle(std::size_t index) {
     forRowBands(level.rows, level.columns, [&](int begin, int end) {
         const std::size_t first = std::size_t(begin) * width;
         const std::size_t count = std::size_t(end - begin) * width;
-        subtractRow(count, level.right.x.data() + first, level.residual.x.data() + first,
-                    level.residual.x.data() + first);
-        subtractRow(count, level.right.z.data() + first, level.residual.z.data() + first,
-                    level.residual.z.data() + first);
+        subtract(count, level.right.x.data() + first, level.residual.x.data() + first,
+                 level.residual.x.data() + first);
+        subtract(count, level.right.z.data() + first, level.residual.z.data() + first,
+                 level.residual.z.data() + first);
     });
     restrictResidual(level, levels_[index + 1]);
     cycle(index + 1);

@@ -1,0 +1,383 @@
+// Two kinds of loops. Where the arithmetic is a few operations it is written in Highway's vectors.
+// Where it is the film's law (PlaneStress.h), which stands once for all devices, the loops are
+// plain and left to the compiler to vectorise for each of Highway's instruction sets: GCC and Clang
+// do; MSVC takes for these the one that the whole program is compiled for.
+
+#include "production/cpu/RowKernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "production/cpu/RowKernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+// The iterations of the next loop do not depend on each other.
+#ifndef DIPWRIGHT_INDEPENDENT_LOOP
+#if defined(__clang__)
+#define DIPWRIGHT_INDEPENDENT_LOOP _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define DIPWRIGHT_INDEPENDENT_LOOP _Pragma("GCC ivdep")
+#elif defined(_MSC_VER)
+#define DIPWRIGHT_INDEPENDENT_LOOP __pragma(loop(ivdep))
+#else
+#define DIPWRIGHT_INDEPENDENT_LOOP
+#endif
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace dipwright::cpu::HWY_NAMESPACE {
+
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Running sums of a row, whatever the vectors' length.
+constexpr std::size_t sumCount = 16;
+
+using Lanes = hn::CappedTag<float, sumCount>;
+using Vector = hn::Vec<Lanes>;
+constexpr Lanes lanes;
+
+HWY_INLINE Vector load(const float* from) {
+    return hn::LoadU(lanes, from);
+}
+HWY_INLINE std::size_t laneCount() {
+    return hn::Lanes(lanes);
+}
+
+// out[i] = whole(i) for whole vectors from `first` on, and one(i) for what is left up to `last`:
+// the same arithmetic for one number.
+template <typename Whole, typename One>
+HWY_INLINE void forRow(std::size_t first, std::size_t last, float* out, const Whole& whole,
+                       const One& one) {
+    std::size_t i = first;
+    for (; i + laneCount() <= last; i += laneCount()) {
+        hn::StoreU(whole(i), lanes, out + i);
+    }
+    for (; i < last; ++i) {
+        out[i] = one(i);
+    }
+}
+
+// The sum of product(i) over the whole sixteens, then of one(i).
+template <typename Product, typename One>
+HWY_INLINE double sumOfRow(std::size_t count, const Product& product, const One& one) {
+    HWY_ALIGN float sums[sumCount] = {};
+    std::size_t i = 0;
+    for (; i + sumCount <= count; i += sumCount) {
+        for (std::size_t lane = 0; lane < sumCount; lane += laneCount()) {
+            hn::Store(hn::Add(hn::Load(lanes, sums + lane), product(i + lane)), lanes, sums + lane);
+        }
+    }
+    double sum = 0;
+    for (const float each : sums) {
+        sum += double(each);
+    }
+    for (; i < count; ++i) {
+        sum += one(i);
+    }
+    return sum;
+}
+
+double rowDot(const float* a, const float* b, std::size_t count) {
+    return sumOfRow(
+        count, [&](std::size_t i) HWY_ATTR { return hn::Mul(load(a + i), load(b + i)); },
+        [&](std::size_t i) { return double(a[i]) * double(b[i]); });
+}
+
+double rowWeightedSquares(const float* weight, const float* a, std::size_t count) {
+    return sumOfRow(
+        count,
+        [&](std::size_t i)
+            HWY_ATTR { return hn::Mul(hn::Mul(load(weight + i), load(a + i)), load(a + i)); },
+        [&](std::size_t i) { return double(weight[i]) * double(a[i]) * double(a[i]); });
+}
+
+void addScaled(std::size_t count, float factor, const float* a, float* out) {
+    const Vector scale = hn::Set(lanes, factor);
+    forRow(
+        0, count, out,
+        [&](std::size_t i) HWY_ATTR { return hn::Add(load(out + i), hn::Mul(scale, load(a + i))); },
+        [&](std::size_t i) { return out[i] + factor * a[i]; });
+}
+
+void scaleAndAdd(std::size_t count, float factor, const float* a, float* out) {
+    const Vector scale = hn::Set(lanes, factor);
+    forRow(
+        0, count, out,
+        [&](std::size_t i) HWY_ATTR { return hn::Add(hn::Mul(scale, load(out + i)), load(a + i)); },
+        [&](std::size_t i) { return factor * out[i] + a[i]; });
+}
+
+void addDifference(std::size_t count, float factor, const float* a, const float* b, float* out) {
+    const Vector scale = hn::Set(lanes, factor);
+    forRow(
+        0, count, out,
+        [&](std::size_t i) HWY_ATTR {
+            return hn::Add(load(out + i), hn::Mul(scale, hn::Sub(load(a + i), load(b + i))));
+        },
+        [&](std::size_t i) { return out[i] + factor * (a[i] - b[i]); });
+}
+
+void subtract(std::size_t count, const float* a, const float* b, float* out) {
+    forRow(
+        0, count, out, [&](std::size_t i) HWY_ATTR { return hn::Sub(load(a + i), load(b + i)); },
+        [&](std::size_t i) { return a[i] - b[i]; });
+}
+
+void multiplyBy(std::size_t count, const float* a, float* out) {
+    forRow(
+        0, count, out, [&](std::size_t i) HWY_ATTR { return hn::Mul(load(out + i), load(a + i)); },
+        [&](std::size_t i) { return out[i] * a[i]; });
+}
+
+void stencilRow(std::size_t columns, const StencilRow& own, const StencilRow& other, float along,
+                float across, const float* free, float* out) {
+    const float middle = 2 * (along + across);
+    const Vector middles = hn::Set(lanes, middle), alongs = hn::Set(lanes, along);
+    const Vector acrosses = hn::Set(lanes, across), half = hn::Set(lanes, 0.5f);
+    forRow(
+        1, columns - 1, out,
+        [&](std::size_t i) HWY_ATTR {
+            const Vector beside = hn::Add(load(own.here + i - 1), load(own.here + i + 1));
+            const Vector nextTo = hn::Add(load(own.below + i), load(own.above + i));
+            const Vector second =
+                hn::Sub(hn::Sub(hn::Mul(middles, load(own.here + i)), hn::Mul(alongs, beside)),
+                        hn::Mul(acrosses, nextTo));
+            const Vector mixed =
+                hn::Sub(hn::Sub(load(other.above + i + 1), load(other.above + i - 1)),
+                        hn::Sub(load(other.below + i + 1), load(other.below + i - 1)));
+            return hn::Mul(load(free + i), hn::Sub(second, hn::Mul(half, mixed)));
+        },
+        [&](std::size_t i) {
+            const float second = middle * own.here[i] -
+                                 along * (own.here[i - 1] + own.here[i + 1]) -
+                                 across * (own.below[i] + own.above[i]);
+            const float mixed = (other.above[i + 1] - other.above[i - 1]) -
+                                (other.below[i + 1] - other.below[i - 1]);
+            return free[i] * (second - 0.5f * mixed);
+        });
+}
+
+void chebyshevRow(std::size_t count, float keep, float gain, const float* diagonal,
+                  const float* residual, float* direction, float* result) {
+    const Vector keeps = hn::Set(lanes, keep), gains = hn::Set(lanes, gain);
+    forRow(
+        0, count, result,
+        [&](std::size_t i) HWY_ATTR {
+            const Vector next =
+                hn::Add(hn::Mul(keeps, load(direction + i)),
+                        hn::Mul(hn::Mul(gains, load(diagonal + i)), load(residual + i)));
+            hn::StoreU(next, lanes, direction + i);
+            return hn::Add(load(result + i), next);
+        },
+        [&](std::size_t i) {
+            direction[i] = keep * direction[i] + gain * diagonal[i] * residual[i];
+            return result[i] + direction[i];
+        });
+}
+
+// The forces of both triangles of a cell to its edges.
+HWY_INLINE void putForces(const RowOfForces& out, std::size_t i, bool even,
+                          const numerics::EdgePair<float>& first,
+                          const numerics::EdgePair<float>& second) {
+    out.firstX[i] = first.hx;
+    out.firstZ[i] = first.hz;
+    out.secondX[i] = second.hx;
+    out.secondZ[i] = second.hz;
+    out.leftX[i] = even ? second.vx : first.vx;
+    out.leftZ[i] = even ? second.vz : first.vz;
+    out.rightX[i] = even ? first.vx : second.vx;
+    out.rightZ[i] = even ? first.vz : second.vz;
+}
+
+template <bool crept>
+HWY_INLINE numerics::Matrix2<float> shapeAt(const RowOfShapes& shapes, bool second, std::size_t i) {
+    if constexpr (crept) {
+        const RowOfShapes::Pointers& shape = shapes.shapes[second];
+        return {shape.a[i], shape.b[i], shape.c[i], shape.d[i]};
+    } else {
+        return shapes.common;
+    }
+}
+
+// By value: so the compiler sees that no loop writes over its own pointers.
+template <bool crept>
+HWY_INLINE void gradientCells(std::size_t cells, unsigned parity, RowOfPoints p, RowOfShapes shapes,
+                              float restX, float restZ, RowOfStates<float*> states,
+                              RowOfForces out) {
+    const auto [first, second] = states.states;
+    DIPWRIGHT_INDEPENDENT_LOOP
+    for (std::size_t i = 0; i < cells; ++i) {
+        const bool even = ((unsigned(i) + parity) & 1u) == 0;
+        numerics::StressState<float> state0, state1;
+        const numerics::Matrix2<float> shape0 = shapeAt<crept>(shapes, false, i);
+        const numerics::Matrix2<float> shape1 = shapeAt<crept>(shapes, true, i);
+        const numerics::EdgePair<float> force0 = edgeForces(
+            stress(gradientOf(cellEdges(p, i, false, even, restX, restZ), shape0), state0), shape0,
+            shapes.area);
+        const numerics::EdgePair<float> force1 = edgeForces(
+            stress(gradientOf(cellEdges(p, i, true, !even, restX, restZ), shape1), state1), shape1,
+            shapes.area);
+        first.cosine[i] = state0.cosine;
+        first.sine[i] = state0.sine;
+        first.turn[i] = state0.turn;
+        second.cosine[i] = state1.cosine;
+        second.sine[i] = state1.sine;
+        second.turn[i] = state1.turn;
+        putForces(out, i, even, force0, force1);
+    }
+}
+
+template <bool crept>
+HWY_INLINE void hessianCells(std::size_t cells, unsigned parity, RowOfPoints p, RowOfShapes shapes,
+                             RowOfStates<const float*> states, RowOfForces out) {
+    const auto [first, second] = states.states;
+    DIPWRIGHT_INDEPENDENT_LOOP
+    for (std::size_t i = 0; i < cells; ++i) {
+        const bool even = ((unsigned(i) + parity) & 1u) == 0;
+        const numerics::Matrix2<float> shape0 = shapeAt<crept>(shapes, false, i);
+        const numerics::Matrix2<float> shape1 = shapeAt<crept>(shapes, true, i);
+        const numerics::StressState<float> state0{first.cosine[i], first.sine[i], first.turn[i]};
+        const numerics::StressState<float> state1{second.cosine[i], second.sine[i], second.turn[i]};
+        const numerics::EdgePair<float> force0 = edgeForces(
+            stressDerivative(gradientOf(cellEdges(p, i, false, even, 0, 0), shape0), state0),
+            shape0, shapes.area);
+        const numerics::EdgePair<float> force1 = edgeForces(
+            stressDerivative(gradientOf(cellEdges(p, i, true, !even, 0, 0), shape1), state1),
+            shape1, shapes.area);
+        putForces(out, i, even, force0, force1);
+    }
+}
+
+void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
+                 const RowOfShapes& shapes, float restX, float restZ,
+                 const RowOfStates<float*>& states, const RowOfForces& forces) {
+    if (shapes.isCrept) {
+        gradientCells<true>(cells, parity, points, shapes, restX, restZ, states, forces);
+    } else {
+        gradientCells<false>(cells, parity, points, shapes, restX, restZ, states, forces);
+    }
+}
+
+void hessianRow(std::size_t cells, unsigned parity, const RowOfPoints& direction,
+                const RowOfShapes& shapes, const RowOfStates<const float*>& states,
+                const RowOfForces& forces) {
+    if (shapes.isCrept) {
+        hessianCells<true>(cells, parity, direction, shapes, states, forces);
+    } else {
+        hessianCells<false>(cells, parity, direction, shapes, states, forces);
+    }
+}
+
+float largestSquare(std::size_t cells, unsigned parity, const RowOfPoints& p,
+                    const std::array<const float*, 2>& moving, float inverseX, float inverseZ) {
+    float largest = 0;
+    for (std::size_t i = 0; i < cells; ++i) {
+        const bool even = ((unsigned(i) + parity) & 1u) == 0;
+        const auto square = [&](bool second) {
+            const numerics::EdgePair<float> e =
+                cellEdges(p, i, second, even != second, 1 / inverseX, 1 / inverseZ);
+            return (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
+                   (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
+        };
+        const float first = moving[0][i] * square(false), second = moving[1][i] * square(true);
+        largest = largest > first ? largest : first;
+        largest = largest > second ? largest : second;
+    }
+    return largest;
+}
+
+void addForces(std::size_t cells, float sign, const float* edge, const float* left,
+               const float* right, float* out) {
+    const Vector signs = hn::Set(lanes, sign);
+    out[0] += -edge[0] + sign * left[0];
+    forRow(
+        1, cells, out,
+        [&](std::size_t i) HWY_ATTR {
+            const Vector edges = hn::Sub(load(edge + i - 1), load(edge + i));
+            const Vector sides = hn::Mul(signs, hn::Add(load(left + i), load(right + i - 1)));
+            return hn::Add(load(out + i), hn::Add(edges, sides));
+        },
+        [&](std::size_t i) {
+            return out[i] + ((edge[i - 1] - edge[i]) + sign * (left[i] + right[i - 1]));
+        });
+    out[cells] += edge[cells - 1] + sign * right[cells - 1];
+}
+
+} // namespace
+
+} // namespace dipwright::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace dipwright::cpu {
+
+namespace {
+
+HWY_EXPORT(rowDot);
+HWY_EXPORT(rowWeightedSquares);
+HWY_EXPORT(addScaled);
+HWY_EXPORT(scaleAndAdd);
+HWY_EXPORT(addDifference);
+HWY_EXPORT(subtract);
+HWY_EXPORT(multiplyBy);
+HWY_EXPORT(stencilRow);
+HWY_EXPORT(chebyshevRow);
+HWY_EXPORT(gradientRow);
+HWY_EXPORT(hessianRow);
+HWY_EXPORT(largestSquare);
+HWY_EXPORT(addForces);
+
+} // namespace
+
+double rowDot(const float* a, const float* b, std::size_t count) {
+    return HWY_DYNAMIC_DISPATCH(rowDot)(a, b, count);
+}
+double rowWeightedSquares(const float* weight, const float* a, std::size_t count) {
+    return HWY_DYNAMIC_DISPATCH(rowWeightedSquares)(weight, a, count);
+}
+void addScaled(std::size_t count, float factor, const float* a, float* out) {
+    HWY_DYNAMIC_DISPATCH(addScaled)(count, factor, a, out);
+}
+void scaleAndAdd(std::size_t count, float factor, const float* a, float* out) {
+    HWY_DYNAMIC_DISPATCH(scaleAndAdd)(count, factor, a, out);
+}
+void addDifference(std::size_t count, float factor, const float* a, const float* b, float* out) {
+    HWY_DYNAMIC_DISPATCH(addDifference)(count, factor, a, b, out);
+}
+void subtract(std::size_t count, const float* a, const float* b, float* out) {
+    HWY_DYNAMIC_DISPATCH(subtract)(count, a, b, out);
+}
+void multiplyBy(std::size_t count, const float* a, float* out) {
+    HWY_DYNAMIC_DISPATCH(multiplyBy)(count, a, out);
+}
+void stencilRow(std::size_t columns, const StencilRow& own, const StencilRow& other, float along,
+                float across, const float* free, float* out) {
+    HWY_DYNAMIC_DISPATCH(stencilRow)(columns, own, other, along, across, free, out);
+}
+void chebyshevRow(std::size_t count, float keep, float gain, const float* diagonal,
+                  const float* residual, float* direction, float* result) {
+    HWY_DYNAMIC_DISPATCH(chebyshevRow)(count, keep, gain, diagonal, residual, direction, result);
+}
+void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
+                 const RowOfShapes& shapes, float restX, float restZ,
+                 const RowOfStates<float*>& states, const RowOfForces& forces) {
+    HWY_DYNAMIC_DISPATCH(gradientRow)(cells, parity, points, shapes, restX, restZ, states, forces);
+}
+void hessianRow(std::size_t cells, unsigned parity, const RowOfPoints& direction,
+                const RowOfShapes& shapes, const RowOfStates<const float*>& states,
+                const RowOfForces& forces) {
+    HWY_DYNAMIC_DISPATCH(hessianRow)(cells, parity, direction, shapes, states, forces);
+}
+float largestSquare(std::size_t cells, unsigned parity, const RowOfPoints& points,
+                    const std::array<const float*, 2>& moving, float inverseX, float inverseZ) {
+    return HWY_DYNAMIC_DISPATCH(largestSquare)(cells, parity, points, moving, inverseX, inverseZ);
+}
+void addForces(std::size_t cells, float sign, const float* edge, const float* left,
+               const float* right, float* out) {
+    HWY_DYNAMIC_DISPATCH(addForces)(cells, sign, edge, left, right, out);
+}
+
+} // namespace dipwright::cpu
+#endif
