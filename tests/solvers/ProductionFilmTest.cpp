@@ -1,13 +1,9 @@
-// The production film on the CPU: against its closed forms, against the reference solver, and
-// against itself on finer grids, with shorter steps and with other numbers of threads.
+// The production film on the CPU: against itself on finer grids, with shorter steps and with other
+// numbers of threads, and at its edges, tips and overhangs.
 
-#include "production/cpu/ProductionFilm.h"
-#include "dip/Dip.h"
+#include "ProductionDips.h"
 #include "geometry/Shapes.h"
 #include "production/formulas/Adhesion.h"
-#include "production/reference/ReferenceFilm.h"
-#include "project/ProjectStore.h"
-#include "validation/PhysicsValidation.h"
 
 #include <QTest>
 #include <algorithm>
@@ -15,68 +11,9 @@
 #include <cstring>
 
 using namespace dipwright;
+using namespace dipwright::test;
 
 namespace {
-
-// The CPU's production film as a module of its own.
-class FilmModule : public solver::SolverModule {
-public:
-    const char* unavailableReason() const override { return nullptr; }
-    const char* device() const override { return "test"; }
-    std::unique_ptr<solver::FilmSolver> create() const override {
-        return cpu::makeProductionFilm();
-    }
-    bool runBatch(std::span<solver::BatchItem>, solver::CancelFunction, void*) const override {
-        return false;
-    }
-};
-
-struct Ending {
-    solver::DipSetup setup;
-    std::vector<float> positions;
-    std::vector<solver::PointState> states;
-    double descent = 0;
-
-    Eigen::Vector3d at(std::size_t point) const {
-        return {double(positions[3 * point]), double(positions[3 * point + 1]),
-                double(positions[3 * point + 2])};
-    }
-    bool adhered(std::size_t point) const { return states[point] == solver::PointState::Adhered; }
-};
-
-Ending dip(solver::FilmSolver& film, const solver::DipSetup& setup) {
-    Ending ending;
-    ending.setup = setup;
-    film.begin(setup);
-    solver::DipState progress;
-    while (!progress.finished) {
-        progress = film.advance(16);
-    }
-    ending.descent = progress.descent;
-    ending.positions.resize(3 * setup.film.pointCount());
-    ending.states.resize(setup.film.pointCount());
-    film.read(ending.positions, ending.states);
-    return ending;
-}
-
-Ending dipOnCpu(const solver::DipSetup& setup) {
-    return dip(*cpu::makeProductionFilm(), setup);
-}
-
-struct Body {
-    PosedBody posed;
-    DistanceField field;
-};
-
-Body bodyOf(TriangleMesh mesh) {
-    TexturedMesh model;
-    model.mesh = std::move(mesh);
-    model.materials.resize(1);
-    Body body;
-    body.posed = posedBody(model, Immersion{});
-    body.field = buildDistanceField(model.mesh, 128, {});
-    return body;
-}
 
 // Two balls of 15 mm radius, 2 mm of gap between them seen from above, the second 18 mm higher.
 TriangleMesh twoBalls() {
@@ -92,54 +29,12 @@ TriangleMesh twoBalls() {
     return both;
 }
 
-Body turtle() {
-    const Project project = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw"));
-    Body body;
-    body.posed = posedBody(*project.model, project.immersions.front());
-    body.field = buildDistanceField(project.model->mesh, 128, {});
-    return body;
-}
-
-// A film of `columns` points a side over 150 mm, to a depth in mm.
-solver::DipSetup squareDip(const Body& body, int columns, double depth) {
-    FilmSettings film;
-    film.width = film.height = Millimetres(150);
-    film.columns = film.rows = columns;
-    ProcessSettings process;
-    process.depth = Millimetres(depth);
-    return dipSetup(body.posed, body.field, Immersion{}, film, process);
-}
-
-// 95th percentile and largest distance between two films at points that both have on the body.
-// `every`: one point of the coarse film stands for that many steps of the fine one's grid.
-std::pair<double, double> difference(const Ending& coarse, const Ending& fine, int every) {
-    std::vector<double> distances;
-    const int columns = coarse.setup.film.columns, fineColumns = fine.setup.film.columns;
-    for (int row = 0; row < coarse.setup.film.rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-            const auto point = std::size_t(row * columns + column);
-            const auto other = std::size_t(row * every * fineColumns + column * every);
-            if (coarse.adhered(point) && fine.adhered(other)) {
-                distances.push_back((coarse.at(point) - fine.at(other)).norm());
-            }
-        }
-    }
-    std::sort(distances.begin(), distances.end());
-    if (distances.size() < 50) {
-        return {1e9, 1e9};
-    }
-    return {distances[distances.size() * 95 / 100], distances.back()};
-}
-
 } // namespace
 
 class ProductionFilmTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void closedForms();
-    void followsTheReference_data();
-    void followsTheReference();
     void finerGridAndShorterStepChangeLittle();
     void aThinLegHangsOnTheStepNoMore();
     void aPartThatTouchesLaterIsMetWhenItTouches();
@@ -150,45 +45,6 @@ private slots:
     void doesNotHoldPastTheOverhang();
     void laysEverLessPastTheEquator();
 };
-
-void ProductionFilmTest::closedForms() {
-    PhysicsOptions options;
-    options.resolutions = {15, 30};
-    for (const PhysicsResult& result : validatePhysics(FilmModule(), options, {})) {
-        qInfo("%s, %s, %d cells: rms %g, axis minus diagonal %g", qPrintable(result.body),
-              qPrintable(result.film), result.cells, result.rms, result.anisotropy);
-        QVERIFY2(result.passed(), qPrintable(result.body));
-        if (result.cells >= 30) {
-            QVERIFY2(std::abs(result.anisotropy) <= 0.002, qPrintable(result.body));
-        }
-    }
-}
-
-void ProductionFilmTest::followsTheReference_data() {
-    QTest::addColumn<int>("which");
-    QTest::newRow("sphere") << 0;
-    QTest::newRow("cone") << 1;
-    QTest::newRow("turtle") << 2;
-}
-
-void ProductionFilmTest::followsTheReference() {
-    QFETCH(int, which);
-    const Body body = which == 0   ? bodyOf(sphereMesh(35, 128, 256))
-                      : which == 1 ? bodyOf(coneMesh(pi / 4, 40, 256))
-                                   : turtle();
-    const solver::DipSetup setup = squareDip(body, 61, which == 2 ? 12 : 30);
-    const Ending fast = dipOnCpu(setup);
-    const Ending exact = dip(*reference::makeReferenceFilm(), setup);
-    int differing = 0;
-    for (std::size_t point = 0; point < fast.states.size(); ++point) {
-        differing += fast.states[point] != exact.states[point];
-    }
-    const auto [percentile95, largest] = difference(fast, exact, 1);
-    qInfo("95 %% within %g mm, all within %g mm, %d points adhered in one only", percentile95,
-          largest, differing);
-    QVERIFY(largest <= 0.02);
-    QVERIFY(differing <= 2); // points within a hair of touching when the dip ends
-}
 
 void ProductionFilmTest::finerGridAndShorterStepChangeLittle() {
     const Body body = bodyOf(sphereMesh(35, 256, 512));

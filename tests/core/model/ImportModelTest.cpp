@@ -149,6 +149,7 @@ private Q_SLOTS:
     void objWithoutMaterialFileIsGreyAndSaysSo();
     void plyWithItsPicture();
     void binaryPlyWithCoordinatesACorner();
+    void plyFacesHaveTheirOwnCoordinatesAndPictures();
     void plyAndStlWithoutCoordinates();
     void gltfShowsItsPictureUpright();
     void glbShowsItsPictureUpright();
@@ -267,6 +268,27 @@ void ImportModelTest::binaryPlyWithCoordinatesACorner() {
             import(write(QStringLiteral("binary.ply"), squareBinaryPly("ply.png", littleEndian)));
         QCOMPARE(report.triangles, std::size_t(2));
         QVERIFY(showsQuarters(model));
+    }
+}
+
+// Two triangles that share two points and show two places, of one picture or of two.
+void ImportModelTest::plyFacesHaveTheirOwnCoordinatesAndPictures() {
+    write(QStringLiteral("ply.png"), png(quarters()));
+    QImage plain(16, 16, QImage::Format_RGB32);
+    plain.fill(Qt::blue);
+    write(QStringLiteral("plain.png"), png(plain));
+    const QByteArray ply = "ply\nformat ascii 1.0\ncomment TextureFile ply.png\n"
+                           "comment TextureFile plain.png\nelement vertex 4\nproperty float x\n"
+                           "property float y\nproperty float z\nelement face 2\n"
+                           "property list uchar int vertex_indices\n"
+                           "property list uchar float texcoord\nproperty int texnumber\n"
+                           "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+                           "3 0 1 2 6 0.6 0.6 0.9 0.6 0.9 0.9 0\n"
+                           "3 0 2 3 6 0.1 0.6 0.4 0.9 0.1 0.9 ";
+    for (const auto& [picture, colour] : {std::pair("0\n", Qt::red), std::pair("1\n", Qt::blue)}) {
+        const auto [model, report] = import(write(QStringLiteral("faces.ply"), ply + picture));
+        QCOMPARE(colourAtPlace(model, 0.75F, 0.25F), QColor(Qt::green));
+        QCOMPARE(colourAtPlace(model, 0.25F, 0.75F), QColor(colour));
     }
 }
 

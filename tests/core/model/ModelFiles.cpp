@@ -244,14 +244,14 @@ void writeSquare3mf(const QString& path, const QByteArray& pngBytes) {
 <resources>
 <m:texture2d id="1" path="/3D/Textures/picture.png" contenttype="image/png"/>
 <m:texture2dgroup id="2" texid="1">
-<m:tex2coord u="0" v="0"/><m:tex2coord u="1" v="0"/>
 <m:tex2coord u="1" v="1"/><m:tex2coord u="0" v="1"/>
+<m:tex2coord u="0" v="0"/><m:tex2coord u="1" v="0"/>
 </m:texture2dgroup>
 <object id="3" type="model"><mesh>
 <vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/>
 <vertex x="1" y="1" z="0"/><vertex x="0" y="1" z="0"/></vertices>
-<triangles><triangle v1="0" v2="1" v3="2" pid="2" p1="0" p2="1" p3="2"/>
-<triangle v1="0" v2="2" v3="3" pid="2" p1="0" p2="2" p3="3"/></triangles>
+<triangles><triangle v1="0" v2="1" v3="2" pid="2" p1="2" p2="3" p3="0"/>
+<triangle v1="0" v2="2" v3="3" pid="2" p1="2" p2="0" p3="1"/></triangles>
 </mesh></object>
 </resources>
 <build><item objectid="3"/></build>

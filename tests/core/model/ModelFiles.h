@@ -25,7 +25,8 @@ QByteArray cubeObj(const QByteArray& head = QByteArray());
 QByteArray squareGltf(const QByteArray& pngBytes);
 QByteArray squareGlb(const QByteArray& pngBytes);
 
-// The same square as 3MF with its picture, and as PLY that names its picture's file.
+// The same square as 3MF with its picture, whose coordinates stand in another order than the
+// points, and as PLY that names its picture's file.
 void writeSquare3mf(const QString& path, const QByteArray& pngBytes);
 QByteArray squarePly(const QByteArray& pictureFile);
 

@@ -1,0 +1,48 @@
+// The production film on the CPU against its closed forms.
+#include "production/cpu/ProductionFilm.h"
+#include "validation/PhysicsValidation.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace dipwright;
+
+namespace {
+
+// The CPU's production film as a module of its own.
+class FilmModule : public solver::SolverModule {
+public:
+    const char* unavailableReason() const override { return nullptr; }
+    const char* device() const override { return "test"; }
+    std::unique_ptr<solver::FilmSolver> create() const override {
+        return cpu::makeProductionFilm();
+    }
+    bool runBatch(std::span<solver::BatchItem>, solver::CancelFunction, void*) const override {
+        return false;
+    }
+};
+
+} // namespace
+
+class ProductionClosedFormTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void closedForms();
+};
+
+void ProductionClosedFormTest::closedForms() {
+    PhysicsOptions options;
+    options.resolutions = {15, 30};
+    for (const PhysicsResult& result : validatePhysics(FilmModule(), options, {})) {
+        qInfo("%s, %s, %d cells: rms %g, axis minus diagonal %g", qPrintable(result.body),
+              qPrintable(result.film), result.cells, result.rms, result.anisotropy);
+        QVERIFY2(result.passed(), qPrintable(result.body));
+        if (result.cells >= 30) {
+            QVERIFY2(std::abs(result.anisotropy) <= 0.002, qPrintable(result.body));
+        }
+    }
+}
+
+QTEST_GUILESS_MAIN(ProductionClosedFormTest)
+#include "ProductionClosedFormTest.moc"
