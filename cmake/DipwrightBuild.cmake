@@ -1,5 +1,5 @@
 # What every target of the project shares: the language level, the warnings, where binaries go,
-# and the two functions with which folders declare their library and their tests.
+# and the functions with which folders declare their library and their tests.
 include(DipwrightRooms)
 
 set(CMAKE_CXX_STANDARD 20)

@@ -364,7 +364,7 @@ void RoomsTest::headersThatSayTheyArePrivateAre() {
     expectNone(complaints([](const Room& room) {
         QStringList saying;
         for (const QString& file : sourcesOf(room)) {
-            if (isHeader(file) && textOf(file).contains("Private to this folder")) {
+            if (isHeader(file) && textOf(file).contains("Private to this folder.")) {
                 saying << file;
             }
         }
