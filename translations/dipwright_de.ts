@@ -1904,14 +1904,6 @@
         <translation>Noch keine</translation>
     </message>
     <message>
-        <source>Replace Model</source>
-        <translation>Modell ersetzen</translation>
-    </message>
-    <message>
-        <source>Replace Texture</source>
-        <translation>Textur ersetzen</translation>
-    </message>
-    <message>
         <source>%1 is a picture: open the project first that is to wear it</source>
         <translation>%1 ist ein Bild: Öffnen Sie zuerst das Projekt, das es tragen soll</translation>
     </message>
@@ -1957,6 +1949,17 @@
     <message>
         <source>Saved %1</source>
         <translation>%1 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::EditController</name>
+    <message>
+        <source>Replace Model</source>
+        <translation>Modell ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace Texture</source>
+        <translation>Textur ersetzen</translation>
     </message>
 </context>
 <context>
@@ -2089,6 +2092,10 @@
     <message>
         <source>Computational hydrographic printing.</source>
         <translation>Berechneter Wassertransferdruck.</translation>
+    </message>
+    <message>
+        <source>The report is on the clipboard</source>
+        <translation>Der Bericht liegt in der Zwischenablage</translation>
     </message>
 </context>
 <context>
@@ -2366,10 +2373,6 @@
     <message>
         <source>Cancelling …</source>
         <translation>Wird abgebrochen …</translation>
-    </message>
-    <message>
-        <source>The report is on the clipboard</source>
-        <translation>Der Bericht liegt in der Zwischenablage</translation>
     </message>
     <message>
         <source>Layout “%1”</source>

@@ -1904,14 +1904,6 @@
         <translation>Nenhum ainda</translation>
     </message>
     <message>
-        <source>Replace Model</source>
-        <translation>Trocar modelo</translation>
-    </message>
-    <message>
-        <source>Replace Texture</source>
-        <translation>Trocar textura</translation>
-    </message>
-    <message>
         <source>%1 is a picture: open the project first that is to wear it</source>
         <translation>%1 é uma imagem: abra antes o projeto que vai vesti-la</translation>
     </message>
@@ -1957,6 +1949,17 @@
     <message>
         <source>Saved %1</source>
         <translation>%1 salvo</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::EditController</name>
+    <message>
+        <source>Replace Model</source>
+        <translation>Trocar modelo</translation>
+    </message>
+    <message>
+        <source>Replace Texture</source>
+        <translation>Trocar textura</translation>
     </message>
 </context>
 <context>
@@ -2089,6 +2092,10 @@
     <message>
         <source>Computational hydrographic printing.</source>
         <translation>Impressão hidrográfica computacional.</translation>
+    </message>
+    <message>
+        <source>The report is on the clipboard</source>
+        <translation>O relatório está na área de transferência</translation>
     </message>
 </context>
 <context>
@@ -2366,10 +2373,6 @@
     <message>
         <source>Cancelling …</source>
         <translation>Cancelando…</translation>
-    </message>
-    <message>
-        <source>The report is on the clipboard</source>
-        <translation>O relatório está na área de transferência</translation>
     </message>
     <message>
         <source>Layout “%1”</source>

@@ -5,8 +5,8 @@
 #include "document/RecentProjects.h"
 #include "main/WindowActions.h"
 #include "main/Workbench.h"
+#include "model/ImportModel.h"
 #include "project/ProjectStore.h"
-#include "session/ModelImport.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -25,9 +25,9 @@ bool matches(const QString& path, const QStringList& patterns) {
 } // namespace
 
 DocumentController::DocumentController(const WindowActions& actions, DocumentSession& session,
-                                       JobRunner& jobs, Messages& messages,
-                                       const Workbench& workbench, QWidget& window)
-    : session_(session), jobs_(jobs), messages_(messages), workbench_(workbench), window_(window) {
+                                       Messages& messages, const Workbench& workbench,
+                                       QWidget& window)
+    : session_(session), messages_(messages), workbench_(workbench), window_(window) {
     const auto on = [this](const QAction* action, auto what) {
         connect(action, &QAction::triggered, this, what);
     };
@@ -35,9 +35,6 @@ DocumentController::DocumentController(const WindowActions& actions, DocumentSes
     on(actions.open, &DocumentController::askOpen);
     on(actions.save, &DocumentController::save);
     on(actions.saveAs, &DocumentController::saveAs);
-    on(actions.reloadModel, &DocumentController::reloadModel);
-    on(actions.replaceModel, &DocumentController::askModel);
-    on(actions.replaceTexture, &DocumentController::askTexture);
 }
 
 void DocumentController::askNew(const QString& model) {
@@ -130,30 +127,6 @@ void DocumentController::fillRecentMenu(QMenu& menu) {
     }
 }
 
-void DocumentController::reloadModel() {
-    dipwright::reloadModel(*session_.document(), jobs_, messages_);
-}
-
-void DocumentController::askModel() {
-    const QString path =
-        QFileDialog::getOpenFileName(&window_, tr("Replace Model"), {}, modelFileFilter());
-    if (!path.isEmpty()) {
-        replaceModel(*session_.document(), path, jobs_, messages_);
-    }
-}
-
-void DocumentController::askTexture() {
-    const QString path =
-        QFileDialog::getOpenFileName(&window_, tr("Replace Texture"), {}, pictureFileFilter());
-    if (!path.isEmpty()) {
-        replaceTexture(path);
-    }
-}
-
-void DocumentController::replaceTexture(const QString& path) {
-    dipwright::replaceTexture(*session_.document(), path, jobs_, messages_);
-}
-
 void DocumentController::takeFiles(const QList<QUrl>& files) {
     for (const QUrl& file : files) {
         takeFile(file);
@@ -165,7 +138,7 @@ void DocumentController::takeFile(const QUrl& file) {
     if (matches(path, {QStringLiteral("*.dipw")})) {
         session_.openProject(path);
     } else if (matches(path, pictureFilePatterns()) && session_.document()) {
-        replaceTexture(path);
+        emit textureDropped(path);
     } else if (matches(path, pictureFilePatterns())) {
         messages_.say(
             tr("%1 is a picture: open the project first that is to wear it").arg(file.fileName()));

@@ -1,5 +1,4 @@
-// What the user does with documents, and is asked about them: new, open, save, replace, drop,
-// close.
+// What the user does with documents, and is asked about them: new, open, save, drop, close.
 #pragma once
 
 #include "session/DocumentSession.h"
@@ -18,8 +17,8 @@ class DocumentController : public QObject {
     Q_OBJECT
 
 public:
-    DocumentController(const WindowActions& actions, DocumentSession& session, JobRunner& jobs,
-                       Messages& messages, const Workbench& workbench, QWidget& window);
+    DocumentController(const WindowActions& actions, DocumentSession& session, Messages& messages,
+                       const Workbench& workbench, QWidget& window);
 
     void askNew(const QString& model = {});
     void askOpen();
@@ -29,18 +28,16 @@ public:
     bool saveAs(); // false: not saved
     bool mayClose();
     void fillRecentMenu(QMenu& menu);
-    void reloadModel();
-    void askModel();
-    void askTexture();
-    void replaceTexture(const QString& path);
     void takeFiles(const QList<QUrl>& files); // dropped on the window
+
+signals:
+    void textureDropped(const QString& path); // on the open document
 
 private:
     bool saveTo(const QString& path);
     void takeFile(const QUrl& file);
 
     DocumentSession& session_;
-    JobRunner& jobs_;
     Messages& messages_;
     const Workbench& workbench_;
     QWidget& window_;

@@ -14,9 +14,10 @@
 
 namespace dipwright {
 
-ExportController::ExportController(const WindowActions& actions, const DipSession& session,
-                                   JobRunner& jobs, Messages& messages, QWidget& window)
-    : session_(session), jobs_(jobs), messages_(messages), window_(window) {
+ExportController::ExportController(const WindowActions& actions, const StretchPanel& stretch,
+                                   const DipSession& session, JobRunner& jobs, Messages& messages,
+                                   QWidget& window)
+    : stretch_(stretch), session_(session), jobs_(jobs), messages_(messages), window_(window) {
     const auto on = [this](const QAction* action, auto what) {
         connect(action, &QAction::triggered, this, what);
     };
@@ -24,6 +25,7 @@ ExportController::ExportController(const WindowActions& actions, const DipSessio
     on(actions.exportPdf, &ExportController::exportSheetPdf);
     on(actions.exportPng, &ExportController::exportSheetPng);
     on(actions.print, &ExportController::print);
+    connect(&stretch, &StretchPanel::exportAsked, this, &ExportController::exportStretch);
 }
 
 void ExportController::exportResults() {
@@ -72,12 +74,11 @@ void ExportController::exportSheetPng() {
                });
 }
 
-void ExportController::exportStretch(const StretchPanel& stretch, const QString& suffix) {
-    exportFile(tr("Export Stretch"), tr("stretch"), suffix, stretchWriter(stretch, suffix));
+void ExportController::exportStretch(const QString& suffix) {
+    exportFile(tr("Export Stretch"), tr("stretch"), suffix, stretchWriter(suffix));
 }
 
-ExportController::Write ExportController::stretchWriter(const StretchPanel& stretch,
-                                                        const QString& suffix) const {
+ExportController::Write ExportController::stretchWriter(const QString& suffix) const {
     if (suffix == QLatin1String("vtp")) {
         return [result = session_.outcome().result,
                 number = session_.immersion()](const QString& path) {
@@ -91,7 +92,7 @@ ExportController::Write ExportController::stretchWriter(const StretchPanel& stre
         return
             [reading = session_.reading()](const QString& path) { writeFilmTable(*reading, path); };
     }
-    return [picture = stretch.picture()](const QString& path) {
+    return [picture = stretch_.picture()](const QString& path) {
         writeWhole(path, [&](QIODevice& device) { writePng(picture, device, path); });
     };
 }

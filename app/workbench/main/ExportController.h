@@ -17,10 +17,11 @@ class ExportController : public QObject {
     Q_OBJECT
 
 public:
-    ExportController(const WindowActions& actions, const DipSession& session, JobRunner& jobs,
-                     Messages& messages, QWidget& window);
+    // Stretch is exported when `stretch` asks for it, as it shows it.
+    ExportController(const WindowActions& actions, const StretchPanel& stretch,
+                     const DipSession& session, JobRunner& jobs, Messages& messages,
+                     QWidget& window);
 
-    void exportStretch(const StretchPanel& stretch, const QString& suffix); // png, csv or vtp
     void showCertainty(const std::vector<ImmersionCertainty>& certainty, bool outdated,
                        LengthUnit unit);
 
@@ -29,13 +30,15 @@ private:
     void exportResults();
     void exportSheetPdf();
     void exportSheetPng();
+    void exportStretch(const QString& suffix); // png, csv or vtp
     void print();
     QString sheetName() const;
     // Asks for a file and has it written.
     void exportFile(const QString& title, const QString& name, const QString& suffix,
                     const Write& write);
-    Write stretchWriter(const StretchPanel& stretch, const QString& suffix) const;
+    Write stretchWriter(const QString& suffix) const;
 
+    const StretchPanel& stretch_;
     const DipSession& session_;
     JobRunner& jobs_;
     Messages& messages_;

@@ -7,6 +7,7 @@
 #include "panels/ResultsPanel.h"
 #include "panels/StartPage.h"
 #include "panels/Timeline.h"
+#include "session/Messages.h"
 #include "solver/SolverRegistry.h"
 #include "viewport/DipView.h"
 
@@ -23,8 +24,9 @@
 namespace dipwright {
 
 HelpController::HelpController(const WindowActions& actions, QMainWindow& window,
-                               const WindowParts& parts, const SolverRegistry& registry)
-    : window_(window), parts_(parts), registry_(registry) {
+                               const WindowParts& parts, const SolverRegistry& registry,
+                               Messages& messages)
+    : window_(window), parts_(parts), registry_(registry), messages_(messages) {
     const auto on = [this](const QAction* action, auto what) {
         connect(action, &QAction::triggered, this, what);
     };
@@ -32,6 +34,7 @@ HelpController::HelpController(const WindowActions& actions, QMainWindow& window
     on(actions.guide, &HelpController::showGuide);
     on(actions.whatsThis, [] { QWhatsThis::enterWhatsThisMode(); });
     on(actions.about, &HelpController::showAbout);
+    connect(parts.log, &LogPanel::reportAsked, this, &HelpController::copyReport);
 }
 
 // What is not to be seen now is told without being pointed at.
@@ -74,7 +77,7 @@ void HelpController::showAbout() {
                  QLatin1String(qVersion()), parts_.view->graphicsDevice().toHtmlEscaped()));
 }
 
-void HelpController::copyReport() const {
+void HelpController::copyReport() {
     QStringList lines{
         QStringLiteral("Dipwright %1").arg(QStringLiteral(DIPWRIGHT_VERSION)),
         QStringLiteral("Qt %1").arg(QLatin1String(qVersion())),
@@ -89,6 +92,7 @@ void HelpController::copyReport() const {
     }
     lines += {QString(), parts_.log->text()};
     QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+    messages_.say(tr("The report is on the clipboard"), 4000);
 }
 
 } // namespace dipwright

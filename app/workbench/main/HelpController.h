@@ -8,6 +8,7 @@ class QMainWindow;
 
 namespace dipwright {
 
+class Messages;
 class WindowActions;
 
 class HelpController : public QObject {
@@ -15,19 +16,20 @@ class HelpController : public QObject {
 
 public:
     HelpController(const WindowActions& actions, QMainWindow& window, const WindowParts& parts,
-                   const SolverRegistry& registry);
+                   const SolverRegistry& registry, Messages& messages);
 
     void showTour();
-    // On the clipboard: about program and machine, then the log.
-    void copyReport() const;
 
 private:
     void showGuide();
     void showAbout();
+    // On the clipboard: about program and machine, then the log.
+    void copyReport();
 
     QMainWindow& window_;
     const WindowParts& parts_;
     const SolverRegistry& registry_;
+    Messages& messages_;
 };
 
 } // namespace dipwright

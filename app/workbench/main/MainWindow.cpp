@@ -1,14 +1,11 @@
 #include "main/MainWindow.h"
 
 #include "dialogs/PreferencesDialog.h"
-#include "document/ImmersionEdits.h"
 #include "document/RecentProjects.h"
 #include "look/Theme.h"
 #include "main/StatusLine.h"
 #include "main/WindowMenus.h"
 #include "main/Workbench.h"
-#include "panels/LogPanel.h"
-#include "panels/NoticeBar.h"
 #include "panels/ProjectTree.h"
 #include "panels/PropertyPanel.h"
 #include "panels/ResultsPanel.h"
@@ -21,7 +18,6 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QStatusBar>
 #include <QWhatsThis>
@@ -37,22 +33,23 @@ MainWindow::MainWindow(Workbench& workbench)
                   [this]() -> DocumentSession& { return workbench_.openWindow()->documents(); }}),
       session_(jobs_, workbench.registry()), check_(jobs_, workbench.registry(), messages_),
       layout_(*this, workbench.registry()), parts_(layout_.parts()), actions_(*this),
+      shownMessages_(messages_, parts_, *this),
       status_(new StatusLine(*statusBar(), jobs_, *actions_.cancel)), scene_(*parts_.view),
       playback_(session_, *parts_.view, scene_, *parts_.timeline),
       reader_(session_, *parts_.view, scene_, *parts_.results),
       measure_(*parts_.view, scene_, messages_), turn_(session_, *parts_.view),
       dip_(actions_, session_, check_, playback_, messages_, *parts_.results, *parts_.staleBanner),
-      documentActions_(actions_, documents_, jobs_, messages_, workbench, *this),
-      exports_(actions_, session_, jobs_, messages_, *this),
+      documentActions_(actions_, documents_, messages_, workbench, *this),
+      edits_(actions_, *parts_.tree, *parts_.properties, session_, jobs_, messages_, *this),
+      exports_(actions_, parts_.results->stretch(), session_, jobs_, messages_, *this),
       profiles_(actions_, documents_, messages_, workbench, *parts_.properties, *this),
       viewActions_(actions_, *parts_.view, scene_, parts_.results->stretch(), jobs_, messages_,
                    *this),
-      help_(actions_, *this, parts_, workbench.registry()) {
+      help_(actions_, *this, parts_, workbench.registry(), messages_) {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
     connectActions();
     connectMenus();
-    connectMessages();
     connectPanels();
     connectSession();
     layout_.restore();
@@ -77,10 +74,6 @@ void MainWindow::connectActions() {
     on(actions_.newWindow, [this] { workbench_.openWindow(); });
     on(actions_.close, &QWidget::close);
     on(actions_.quit, [] { QApplication::closeAllWindows(); });
-    on(actions_.undo, [this] { document()->undoStack().undo(); });
-    on(actions_.redo, [this] { document()->undoStack().redo(); });
-    on(actions_.addImmersion, &MainWindow::addSecondImmersion);
-    on(actions_.removeImmersion, [this] { removeImmersion(*document(), session_.immersion()); });
     on(actions_.preferences, &MainWindow::askPreferences);
     on(actions_.play, [this] { parts_.timeline->togglePlaying(); });
     on(actions_.resetLayout, [this] { layout_.reset(); });
@@ -100,22 +93,6 @@ void MainWindow::connectMenus() {
             [this](const QString& name) { messages_.say(tr("Layout “%1”").arg(name), 4000); });
 }
 
-void MainWindow::connectMessages() {
-    connect(&messages_, &Messages::logged, parts_.log, &LogPanel::add);
-    connect(&messages_, &Messages::said, statusBar(), &QStatusBar::showMessage);
-    connect(&messages_, &Messages::noticed, parts_.notice, &NoticeBar::say);
-    connect(&messages_, &Messages::failed, this, &MainWindow::showFailure);
-    connect(&documents_, &DocumentSession::lengthDoubted, this, [this](double millimetres) {
-        messages_.notice(tr("The body is %1 long. If its file is in another unit, make the project "
-                            "again and say there how long the longest edge is.")
-                             .arg(shownLength(millimetres, workbench_.preferences().unit)));
-    });
-    connect(parts_.log, &LogPanel::reportAsked, this, [this] {
-        help_.copyReport();
-        messages_.say(tr("The report is on the clipboard"), 4000);
-    });
-}
-
 void MainWindow::connectPanels() {
     StartPage* start = parts_.startPage;
     connect(start, &StartPage::newAsked, this, [this] { documentActions_.askNew(); });
@@ -123,32 +100,26 @@ void MainWindow::connectPanels() {
     connect(start, &StartPage::tourAsked, &help_, &HelpController::showTour);
     connect(start, &StartPage::projectChosen, &documents_, &DocumentSession::openProject);
     connect(start, &StartPage::sampleChosen, &documents_, &DocumentSession::openCopy);
-    connect(parts_.tree, &ProjectTree::addImmersionAsked, this, &MainWindow::addSecondImmersion);
-    connect(parts_.tree, &ProjectTree::removeImmersionAsked, this,
-            [this](std::size_t number) { removeImmersion(*document(), number); });
+    connect(&documentActions_, &DocumentController::textureDropped, &edits_,
+            &EditController::replaceTexture);
     connect(parts_.tree, &ProjectTree::nodeSelected, this, [this](const ProjectNode& node) {
         parts_.properties->showNode(node);
         if (node.part == ProjectPart::Immersion) {
             session_.lookAt(node.immersion);
         }
     });
-    const PropertyPanel* properties = parts_.properties;
-    connect(properties, &PropertyPanel::failed, &messages_,
+    connect(parts_.properties, &PropertyPanel::failed, &messages_,
             [this](const QString& sentence) { messages_.say(sentence); });
-    connect(properties, &PropertyPanel::reloadModelAsked, &documentActions_,
-            &DocumentController::reloadModel);
-    connect(properties, &PropertyPanel::replaceModelAsked, &documentActions_,
-            &DocumentController::askModel);
-    connect(properties, &PropertyPanel::replaceTextureAsked, &documentActions_,
-            &DocumentController::askTexture);
-    const StretchPanel* stretch = &parts_.results->stretch();
-    connect(stretch, &StretchPanel::exportAsked, this,
-            [this, stretch](const QString& suffix) { exports_.exportStretch(*stretch, suffix); });
 }
 
 void MainWindow::connectSession() {
     connect(&documents_, &DocumentSession::documentChanged, this, &MainWindow::showDocument);
     connect(&documents_, &DocumentSession::saved, this, &MainWindow::keepThumbnail);
+    connect(&documents_, &DocumentSession::lengthDoubted, this, [this](double millimetres) {
+        messages_.notice(tr("The body is %1 long. If its file is in another unit, make the project "
+                            "again and say there how long the longest edge is.")
+                             .arg(shownLength(millimetres, workbench_.preferences().unit)));
+    });
     connect(&jobs_, &JobRunner::busy, this, &MainWindow::updateActions);
     connect(&jobs_, &JobRunner::idle, this, &MainWindow::updateActions);
     for (const auto changed : {&DipSession::started, &DipSession::finished, &DipSession::dropped}) {
@@ -175,18 +146,16 @@ void MainWindow::showDocument() {
     Document* shown = document();
     parts_.properties->setDocument(nullptr);
     parts_.tree->setDocument(nullptr);
-    layout_.showProject(shown);
     session_.setDocument(shown);
+    parts_.tree->setDocument(shown);
+    parts_.properties->setDocument(shown);
+    layout_.showProject(shown); // as wide as the properties want
     playback_.showDocument();
     dip_.showDocument();
     if (shown) {
         connect(shown, &Document::projectChanged, this, &MainWindow::updateActions);
         connect(shown, &Document::fileChanged, this, &MainWindow::updateTitle);
         connect(&shown->undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateActions);
-    }
-    parts_.tree->setDocument(shown);
-    parts_.properties->setDocument(shown);
-    if (shown) {
         parts_.tree->select({ProjectPart::Immersion, 0});
     } else {
         parts_.startPage->refresh();
@@ -212,11 +181,6 @@ void MainWindow::applyPreferences() {
     parts_.startPage->refresh();
 }
 
-void MainWindow::addSecondImmersion() {
-    addImmersion(*document());
-    parts_.tree->select({ProjectPart::Immersion, 1});
-}
-
 void MainWindow::askPreferences() {
     PreferencesDialog dialog(workbench_.preferences(), workbench_.registry(), actions(), this);
     if (dialog.exec() == QDialog::Accepted) {
@@ -237,13 +201,6 @@ void MainWindow::updateTitle() {
 void MainWindow::updateActions() {
     actions_.enable(
         {document(), jobs_.isBusy(), session_.isRunning(), parts_.timeline->frames() > 0});
-}
-
-void MainWindow::showFailure(const QString& title, const QString& sentence) {
-    auto* box = new QMessageBox(QMessageBox::Critical, title, sentence, QMessageBox::Ok, this);
-    box->setObjectName(QStringLiteral("failure"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
 }
 
 void MainWindow::keepThumbnail() {

@@ -5,12 +5,14 @@
 #include "jobs/JobRunner.h"
 #include "main/DipController.h"
 #include "main/DocumentController.h"
+#include "main/EditController.h"
 #include "main/ExportController.h"
 #include "main/HelpController.h"
 #include "main/ProfileController.h"
 #include "main/ViewController.h"
 #include "main/WindowActions.h"
 #include "main/WindowLayout.h"
+#include "main/WindowMessages.h"
 #include "view/BodyTurn.h"
 #include "view/DipPlayback.h"
 #include "view/FilmReader.h"
@@ -44,17 +46,14 @@ protected:
 private:
     void connectActions();
     void connectMenus();
-    void connectMessages();
     void connectPanels();
     void connectSession();
 
     void showDocument();
     void applyPreferences();
-    void addSecondImmersion();
     void askPreferences();
     void updateTitle();
     void updateActions();
-    void showFailure(const QString& title, const QString& sentence);
     void keepThumbnail();
 
     Workbench& workbench_;
@@ -67,6 +66,7 @@ private:
     WindowLayout layout_;
     const WindowParts& parts_;
     WindowActions actions_;
+    WindowMessages shownMessages_;
     StatusLine* status_;
 
     DipScene scene_;
@@ -76,6 +76,7 @@ private:
     BodyTurn turn_;
     DipController dip_;
     DocumentController documentActions_;
+    EditController edits_;
     ExportController exports_;
     ProfileController profiles_;
     ViewController viewActions_;

@@ -49,7 +49,7 @@ DocumentSession& DocumentSession::vacant() {
 }
 
 void DocumentSession::openProject(const QString& path) {
-    if (document_) {
+    if (document_ || jobs_.isBusy()) { // with another one, perhaps
         window_.another().openProject(path);
         return;
     }

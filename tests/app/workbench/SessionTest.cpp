@@ -109,6 +109,18 @@ private slots:
         QCOMPARE(host.other->session.document()->path(), second);
     }
 
+    void twoProjectsAskedForAtOnceAreBothOpened() {
+        SessionHost host(recovery());
+        const QString second = folder_->filePath(QStringLiteral("second.dipw"));
+        saveProject(boxProject(), second);
+        host.session.openProject(project_);
+        host.session.openProject(second);
+        QVERIFY(host.waitUntilIdle());
+        QVERIFY(host.other && host.other->waitUntilIdle());
+        QCOMPARE(host.session.document()->path(), project_);
+        QCOMPARE(host.other->session.document()->path(), second);
+    }
+
     void aCopyHasNoFile() {
         SessionHost host(recovery());
         host.session.openCopy(project_);

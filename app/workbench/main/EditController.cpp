@@ -1,0 +1,68 @@
+#include "main/EditController.h"
+
+#include "dialogs/NewProjectDialog.h"
+#include "document/ImmersionEdits.h"
+#include "main/WindowActions.h"
+#include "panels/ProjectTree.h"
+#include "panels/PropertyPanel.h"
+#include "session/ModelImport.h"
+
+#include <QAction>
+#include <QFileDialog>
+
+namespace dipwright {
+
+EditController::EditController(const WindowActions& actions, ProjectTree& tree,
+                               const PropertyPanel& properties, const DipSession& session,
+                               JobRunner& jobs, Messages& messages, QWidget& window)
+    : tree_(tree), session_(session), jobs_(jobs), messages_(messages), window_(window) {
+    const auto on = [this](const QAction* action, auto what) {
+        connect(action, &QAction::triggered, this, what);
+    };
+    const auto remove = [this](std::size_t number) {
+        removeImmersion(*session_.document(), number);
+    };
+    on(actions.undo, [this] { session_.document()->undoStack().undo(); });
+    on(actions.redo, [this] { session_.document()->undoStack().redo(); });
+    on(actions.addImmersion, &EditController::addSecondImmersion);
+    on(actions.removeImmersion, [this, remove] { remove(session_.immersion()); });
+    on(actions.reloadModel, &EditController::reloadModel);
+    on(actions.replaceModel, &EditController::askModel);
+    on(actions.replaceTexture, &EditController::askTexture);
+    connect(&tree, &ProjectTree::addImmersionAsked, this, &EditController::addSecondImmersion);
+    connect(&tree, &ProjectTree::removeImmersionAsked, this, remove);
+    connect(&properties, &PropertyPanel::reloadModelAsked, this, &EditController::reloadModel);
+    connect(&properties, &PropertyPanel::replaceModelAsked, this, &EditController::askModel);
+    connect(&properties, &PropertyPanel::replaceTextureAsked, this, &EditController::askTexture);
+}
+
+void EditController::addSecondImmersion() {
+    addImmersion(*session_.document());
+    tree_.select({ProjectPart::Immersion, 1});
+}
+
+void EditController::reloadModel() {
+    dipwright::reloadModel(*session_.document(), jobs_, messages_);
+}
+
+void EditController::askModel() {
+    const QString path =
+        QFileDialog::getOpenFileName(&window_, tr("Replace Model"), {}, modelFileFilter());
+    if (!path.isEmpty()) {
+        replaceModel(*session_.document(), path, jobs_, messages_);
+    }
+}
+
+void EditController::askTexture() {
+    const QString path =
+        QFileDialog::getOpenFileName(&window_, tr("Replace Texture"), {}, pictureFileFilter());
+    if (!path.isEmpty()) {
+        replaceTexture(path);
+    }
+}
+
+void EditController::replaceTexture(const QString& path) {
+    dipwright::replaceTexture(*session_.document(), path, jobs_, messages_);
+}
+
+} // namespace dipwright

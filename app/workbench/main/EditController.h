@@ -1,0 +1,39 @@
+// What the user does to the open document as a whole: takes changes back, adds an immersion,
+// exchanges model or texture.
+#pragma once
+
+#include "session/DipSession.h"
+#include "session/Messages.h"
+
+class QWidget;
+
+namespace dipwright {
+
+class ProjectTree;
+class PropertyPanel;
+class WindowActions;
+
+class EditController : public QObject {
+    Q_OBJECT
+
+public:
+    // Does what the actions, the tree and the property panel ask for.
+    EditController(const WindowActions& actions, ProjectTree& tree, const PropertyPanel& properties,
+                   const DipSession& session, JobRunner& jobs, Messages& messages, QWidget& window);
+
+    void replaceTexture(const QString& path);
+
+private:
+    void addSecondImmersion();
+    void reloadModel();
+    void askModel();
+    void askTexture();
+
+    ProjectTree& tree_;
+    const DipSession& session_;
+    JobRunner& jobs_;
+    Messages& messages_;
+    QWidget& window_;
+};
+
+} // namespace dipwright
