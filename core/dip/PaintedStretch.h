@@ -16,7 +16,7 @@ std::vector<float> paintedPointStretches(const DippedFilm& film, const FilmConta
 std::vector<float> paintedAreaStretches(const DippedFilm& film, const FilmContact& contact);
 
 // How film on the body is compressed: its smaller principal stretch λ2 is below 1. The model lets
-// it thicken; real film may fold there (film-physics §4).
+// it thicken; real film may fold there (docs/film-model.md, "Measures").
 struct Wrinkling {
     std::vector<float> pointStretches; // a film point each: mean λ2 of its painted triangles; or 1
     double area = 0;                   // mm² of flat film with λ2 below wrinkledBelow

@@ -1,8 +1,8 @@
 // From the body's texture back to the image to print.
 //
 // Film images are pictures of the flat film, ink side up: pixel columns run along +X, pixel rows
-// along +Z; the picture's full width is the film's width (film-physics, "Which way up the sheet
-// is").
+// along +Z; the picture's full width is the film's width (docs/film-model.md, "Which way up the
+// sheet is").
 #pragma once
 
 #include "dip/FilmContact.h"

@@ -234,7 +234,7 @@ std::vector<Revolution> bodiesOfRevolution() {
     return bodies;
 }
 
-// What film-physics asks of the production film.
+// The limits of docs/film-validation.md, "The closed forms".
 double allowedError(bool isCone, int cells) {
     const double at30 = isCone ? 0.01 : 0.005;
     return cells < 30 ? 2 * at30 : cells < 60 ? at30 : at30 / 2;

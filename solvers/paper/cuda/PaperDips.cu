@@ -45,7 +45,7 @@ std::size_t sharedBytes(int warps) {
 }
 
 // The share of the sum of its constraints' corrections that a point takes: 1 / their number, or,
-// with diagonals, / the sum of their stiffnesses (film-physics §2.1).
+// with diagonals, / the sum of their stiffnesses (docs/film-model.md, "Lattice with diagonals").
 float share(int alongX, int alongZ, bool withDiagonals) {
     if (!withDiagonals) {
         return 1 / float(alongX + alongZ);

@@ -1,4 +1,4 @@
-// The paper's step on the GPU (film-physics §1).
+// The paper's step on the GPU (docs/film-model.md, "The paper's model").
 //
 // A block keeps its tile of the film, and the points round it within the reach of one pass's
 // sweeps, in registers for as long as the kernel runs; a warp's neighbours along a row are in its

@@ -1,5 +1,6 @@
-// The paper's step as it stands in film-physics §1, word by word, in double precision: one point,
-// one constraint, one sweep after the other. Slow, and what the film on the CPU has to follow.
+// The paper's step as it stands in docs/film-model.md, "The paper's model", word by word, in double
+// precision: one point, one constraint, one sweep after the other. Slow, and what the film on the
+// CPU has to follow.
 #pragma once
 
 #include "common/BodyFrame.h"

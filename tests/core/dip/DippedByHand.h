@@ -32,7 +32,7 @@ DippedFilm flatUnderBox(const solver::FilmGrid& grid, const Eigen::Vector3d& siz
 // distance from the middle lies; beyond `end` (radians) the film is free.
 DippedFilm onSphere(const solver::FilmGrid& grid, double radius, double end,
                     const std::function<double(double)>& polarAngle);
-// Viscous film: R = 2ρ sin(θ/2) (film-physics §3).
+// Viscous film: R = 2ρ sin(θ/2) (docs/film-model.md, "Closed forms").
 DippedFilm viscousOnSphere(const solver::FilmGrid& grid, double radius, double end);
 
 } // namespace dipwright::test
