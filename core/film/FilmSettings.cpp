@@ -1,8 +1,5 @@
 #include "film/FilmSettings.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace dipwright {
 
 solver::FilmGrid filmGrid(const FilmSettings& settings) {
@@ -26,11 +23,6 @@ std::vector<std::uint8_t> pinnedPoints(const FilmSettings& settings) {
         }
     }
     return pinned;
-}
-
-int squareCellRows(Millimetres width, Millimetres height, int columns) {
-    const double cells = (columns - 1) * (height / width);
-    return std::max(2, int(std::lround(cells)) + 1);
 }
 
 } // namespace dipwright

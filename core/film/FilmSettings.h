@@ -41,8 +41,5 @@ struct FilmSettings {
 solver::FilmGrid filmGrid(const FilmSettings& settings);
 // One byte a point, empty when all edges are free.
 std::vector<std::uint8_t> pinnedPoints(const FilmSettings& settings);
-// Rows for a given number of columns (or the reverse) so that the cells are as square as they can
-// be.
-int squareCellRows(Millimetres width, Millimetres height, int columns);
 
 } // namespace dipwright

@@ -6,8 +6,6 @@
 
 #include <QCoreApplication>
 #include <QJsonArray>
-#include <QRegularExpression>
-#include <cmath>
 
 namespace dipwright {
 namespace {
@@ -233,23 +231,6 @@ const std::vector<Field<Immersion>>& immersionFields() {
             "offset_mm", 2, -5000, 5000,
             [](auto& i, int part) -> auto& { return i.offset[part]; })};
     return fields;
-}
-
-std::optional<FieldRule> ruleOf(const QString& path) {
-    static const QRegularExpression immersion(QStringLiteral("^immersions\\[\\d+\\]\\.(.+)$"));
-    if (const auto match = immersion.match(path); match.hasMatch()) {
-        for (const auto& field : immersionFields()) {
-            if (field.path == match.captured(1)) {
-                return field.rule;
-            }
-        }
-    }
-    for (const auto& field : projectFields()) {
-        if (field.path == path) {
-            return field.rule;
-        }
-    }
-    return std::nullopt;
 }
 
 } // namespace dipwright

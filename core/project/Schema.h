@@ -5,7 +5,6 @@
 #include "project/Field.h"
 #include "project/Project.h"
 
-#include <optional>
 #include <vector>
 
 namespace dipwright {
@@ -16,9 +15,5 @@ inline constexpr int projectVersion = 1;
 // points, as each sets what follows.
 const std::vector<Field<Project>>& projectFields();
 const std::vector<Field<Immersion>>& immersionFields();
-
-// What the value at `path` must be ("film.swell", "immersions[0].offset_mm"); none for an unknown
-// path.
-std::optional<FieldRule> ruleOf(const QString& path);
 
 } // namespace dipwright

@@ -38,7 +38,6 @@ private Q_SLOTS:
     void swellGrowsThePrintedSheet();
     void noPinnedEdgeNeedsNoBytes();
     void pinnedEdgesHoldTheirPoints();
-    void rowsKeepCellsSquare();
     void pointsRestRoundTheMiddle();
     void trianglesCoverTheFilmFacingUp();
     void cellsAreCutInTurns();
@@ -78,12 +77,6 @@ void FilmTest::pinnedEdgesHoldTheirPoints() {
     settings.edges = {false, true, true, false};
     const std::vector<std::uint8_t> others = {1, 1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     QVERIFY(pinnedPoints(settings) == others);
-}
-
-void FilmTest::rowsKeepCellsSquare() {
-    QCOMPARE(squareCellRows(Millimetres(210), Millimetres(297), 120), 169);
-    QCOMPARE(squareCellRows(Millimetres(300), Millimetres(300), 61), 61);
-    QCOMPARE(squareCellRows(Millimetres(1000), Millimetres(1), 4), 2);
 }
 
 void FilmTest::pointsRestRoundTheMiddle() {

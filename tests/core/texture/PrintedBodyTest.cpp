@@ -56,7 +56,7 @@ FilmSettings filmOf(Millimetres width, Millimetres height, int columns) {
     settings.width = width;
     settings.height = height;
     settings.columns = columns;
-    settings.rows = squareCellRows(width, height, columns);
+    settings.rows = int(std::lround((columns - 1) * (height / width))) + 1; // square cells
     return settings;
 }
 
