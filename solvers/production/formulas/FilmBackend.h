@@ -115,6 +115,7 @@ concept FilmTeam = requires(Film& film, Real value, bool flag, detail::PointWork
 // The film's forces, with a drag of the water of so much on each point (WaterDrag.h).
 template <typename Film, typename Real = typename Film::Real>
 concept FilmEquilibrium = requires(Film& film, Real drag, Real length, double number) {
+    { film.model() } -> std::convertible_to<const FilmModel<Real>&>;
     { Film::newtonLimits() } -> std::same_as<NewtonLimits>;
     // Tells the equilibrium which points move; a barrier.
     film.setFree();

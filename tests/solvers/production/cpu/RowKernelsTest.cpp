@@ -1,0 +1,266 @@
+// The row kernels in this processor's vectors, against the same arithmetic one number after the
+// other: bit for bit, for rows of every length.
+
+#include "production/cpu/RowKernels.h"
+
+#include <QTest>
+#include <algorithm>
+#include <bit>
+#include <random>
+#include <vector>
+
+using namespace dipwright;
+using namespace dipwright::cpu;
+
+namespace {
+
+using Row = std::vector<float>;
+
+Row randomRow(std::size_t count, unsigned seed, float from = -1, float to = 1) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> number(from, to);
+    Row row(count);
+    std::generate(row.begin(), row.end(), [&] { return number(random); });
+    return row;
+}
+
+bool haveSameBits(const Row& a, const Row& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float left, float right) {
+        return std::bit_cast<unsigned>(left) == std::bit_cast<unsigned>(right);
+    });
+}
+
+constexpr std::size_t longest = 70; // four of the longest vectors and a rest
+
+// Two rows of displaced points and shapes of the cells between them.
+struct Cells {
+    explicit Cells(std::size_t count)
+        : cells(count), x0(randomRow(count + 1, 1, -0.2f, 0.2f)),
+          z0(randomRow(count + 1, 2, -0.2f, 0.2f)), x1(randomRow(count + 1, 3, -0.2f, 0.2f)),
+          z1(randomRow(count + 1, 4, -0.2f, 0.2f)) {
+        for (unsigned k = 0; k < 8; ++k) {
+            const bool isDiagonal = k % 4 == 0 || k % 4 == 3;
+            shapes.push_back(
+                randomRow(count, 10 + k, isDiagonal ? 0.9f : -0.1f, isDiagonal ? 1.1f : 0.1f));
+        }
+    }
+    RowOfPoints points() const { return {x0.data(), z0.data(), x1.data(), z1.data()}; }
+    RowOfShapes rowOfShapes(bool isCrept) const {
+        RowOfShapes row{isCrept, {}, {0.98f, 0, 0, 1.03f}, 0.5f};
+        for (std::size_t second = 0; second < 2; ++second) {
+            row.shapes[second] = {shapes[4 * second].data(), shapes[4 * second + 1].data(),
+                                  shapes[4 * second + 2].data(), shapes[4 * second + 3].data()};
+        }
+        return row;
+    }
+    numerics::Matrix2<float> shape(bool isCrept, bool second, std::size_t i) const {
+        const std::size_t k = 4 * std::size_t(second);
+        return isCrept ? numerics::Matrix2<float>{shapes[k][i], shapes[k + 1][i], shapes[k + 2][i],
+                                                  shapes[k + 3][i]}
+                       : rowOfShapes(false).common;
+    }
+
+    std::size_t cells;
+    Row x0, z0, x1, z1;
+    std::vector<Row> shapes;
+};
+
+// Forces on the edges, and states, of a row of cells, one after the other.
+struct Edges {
+    explicit Edges(std::size_t count) : arrays(8, Row(count)), states(6, Row(count)) {}
+    RowOfForces forces() {
+        return {arrays[0].data(), arrays[1].data(), arrays[2].data(), arrays[3].data(),
+                arrays[4].data(), arrays[5].data(), arrays[6].data(), arrays[7].data()};
+    }
+    RowOfStates<float*> rowOfStates() {
+        RowOfStates<float*> row;
+        row.states[0] = {states[0].data(), states[1].data(), states[2].data()};
+        row.states[1] = {states[3].data(), states[4].data(), states[5].data()};
+        return row;
+    }
+    RowOfStates<const float*> constStates() const {
+        RowOfStates<const float*> row;
+        row.states[0] = {states[0].data(), states[1].data(), states[2].data()};
+        row.states[1] = {states[3].data(), states[4].data(), states[5].data()};
+        return row;
+    }
+    void put(std::size_t i, bool second, bool right, const numerics::EdgePair<float>& force) {
+        arrays[second ? 2 : 0][i] = force.hx;
+        arrays[second ? 3 : 1][i] = force.hz;
+        arrays[right ? 6 : 4][i] = force.vx;
+        arrays[right ? 7 : 5][i] = force.vz;
+    }
+    bool operator==(const Edges& other) const {
+        return std::ranges::equal(arrays, other.arrays, haveSameBits) &&
+               std::ranges::equal(states, other.states, haveSameBits);
+    }
+    std::vector<Row> arrays, states;
+};
+
+} // namespace
+
+class RowKernelsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void sums();
+    void linearCombinations();
+    void multigridRows();
+    void forcesOfCells();
+    void forcesOnPoints();
+    void largestStretch();
+};
+
+void RowKernelsTest::sums() {
+    for (std::size_t count = 0; count <= longest; ++count) {
+        const Row a = randomRow(count, 1), b = randomRow(count, 2), w = randomRow(count, 3, 0, 1);
+        float products[16] = {}, squares[16] = {};
+        const std::size_t whole = count / 16 * 16;
+        for (std::size_t i = 0; i < whole; ++i) {
+            products[i % 16] += a[i] * b[i];
+            squares[i % 16] += w[i] * a[i] * a[i];
+        }
+        double product = 0, square = 0;
+        for (std::size_t lane = 0; lane < 16; ++lane) {
+            product += double(products[lane]);
+            square += double(squares[lane]);
+        }
+        for (std::size_t i = whole; i < count; ++i) {
+            product += double(a[i]) * double(b[i]);
+            square += double(w[i]) * double(a[i]) * double(a[i]);
+        }
+        QVERIFY(rowDot(a.data(), b.data(), count) == product);
+        QVERIFY(rowWeightedSquares(w.data(), a.data(), count) == square);
+    }
+}
+
+void RowKernelsTest::linearCombinations() {
+    for (std::size_t count = 0; count <= longest; ++count) {
+        const Row a = randomRow(count, 1), b = randomRow(count, 2), c = randomRow(count, 3);
+        const float factor = 0.37f;
+        Row out = c, expected = c;
+        const auto check = [&](const auto& one) {
+            for (std::size_t i = 0; i < count; ++i) {
+                expected[i] = one(i, expected[i]);
+            }
+            return haveSameBits(out, expected);
+        };
+        addScaled(count, factor, a.data(), out.data());
+        QVERIFY(check([&](std::size_t i, float was) { return was + factor * a[i]; }));
+        scaleAndAdd(count, factor, b.data(), out.data());
+        QVERIFY(check([&](std::size_t i, float was) { return factor * was + b[i]; }));
+        addDifference(count, factor, a.data(), b.data(), out.data());
+        QVERIFY(check([&](std::size_t i, float was) { return was + factor * (a[i] - b[i]); }));
+        multiplyBy(count, b.data(), out.data());
+        QVERIFY(check([&](std::size_t i, float was) { return was * b[i]; }));
+        subtract(count, a.data(), out.data(), out.data());
+        QVERIFY(check([&](std::size_t i, float was) { return a[i] - was; }));
+    }
+}
+
+void RowKernelsTest::multigridRows() {
+    for (std::size_t count = 2; count <= longest; ++count) {
+        std::vector<Row> v;
+        for (unsigned seed = 0; seed < 7; ++seed) {
+            v.push_back(randomRow(count, seed));
+        }
+        const float along = 1.3f, across = 0.7f, keep = 0.4f, gain = 1.1f;
+        Row out(count), expected(count);
+        stencilRow(count, {v[0].data(), v[1].data(), v[2].data()},
+                   {v[3].data(), v[4].data(), v[5].data()}, along, across, v[6].data(), out.data());
+        for (std::size_t i = 1; i + 1 < count; ++i) {
+            const float second = 2 * (along + across) * v[1][i] -
+                                 along * (v[1][i - 1] + v[1][i + 1]) - across * (v[0][i] + v[2][i]);
+            const float mixed = (v[5][i + 1] - v[5][i - 1]) - (v[3][i + 1] - v[3][i - 1]);
+            expected[i] = v[6][i] * (second - 0.5f * mixed);
+        }
+        QVERIFY(haveSameBits(out, expected));
+
+        Row direction = v[2], result = v[3], expectedDirection = v[2], expectedResult = v[3];
+        chebyshevRow(count, keep, gain, v[0].data(), v[1].data(), direction.data(), result.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            expectedDirection[i] = keep * expectedDirection[i] + gain * v[0][i] * v[1][i];
+            expectedResult[i] += expectedDirection[i];
+        }
+        QVERIFY(haveSameBits(direction, expectedDirection));
+        QVERIFY(haveSameBits(result, expectedResult));
+    }
+}
+
+void RowKernelsTest::forcesOfCells() {
+    for (std::size_t count = 1; count <= longest; ++count) {
+        const Cells film(count);
+        for (const bool isCrept : {false, true}) {
+            for (const unsigned parity : {0u, 1u}) {
+                Edges gradient(count), expected(count);
+                gradientRow(count, parity, film.points(), film.rowOfShapes(isCrept), 1.02f, 0.97f,
+                            gradient.rowOfStates(), gradient.forces());
+                Edges hessian = gradient, expectedHessian = gradient;
+                hessianRow(count, parity, film.points(), film.rowOfShapes(isCrept),
+                           gradient.constStates(), hessian.forces());
+                for (std::size_t i = 0; i < count; ++i) {
+                    for (const bool second : {false, true}) {
+                        const bool right = ((i + parity) % 2 == 0) != second;
+                        const auto shape = film.shape(isCrept, second, i);
+                        numerics::StressState<float> state;
+                        const auto P = stress(
+                            gradientOf(cellEdges(film.points(), i, second, right, 1.02f, 0.97f),
+                                       shape),
+                            state);
+                        const auto states = expected.rowOfStates().states[second];
+                        states.cosine[i] = state.cosine;
+                        states.sine[i] = state.sine;
+                        states.turn[i] = state.turn;
+                        expected.put(i, second, right, edgeForces(P, shape, 0.5f));
+                        const auto change =
+                            gradientOf(cellEdges(film.points(), i, second, right, 0, 0), shape);
+                        expectedHessian.put(
+                            i, second, right,
+                            edgeForces(stressDerivative(change, state), shape, 0.5f));
+                    }
+                }
+                QVERIFY(gradient == expected);
+                QVERIFY(hessian == expectedHessian);
+            }
+        }
+    }
+}
+
+void RowKernelsTest::forcesOnPoints() {
+    for (std::size_t cells = 1; cells <= longest; ++cells) {
+        const Row edge = randomRow(cells, 1), left = randomRow(cells, 2),
+                  right = randomRow(cells, 3);
+        for (const float sign : {-1.f, 1.f}) {
+            Row out = randomRow(cells + 1, 4), expected = out;
+            addForces(cells, sign, edge.data(), left.data(), right.data(), out.data());
+            expected[0] += -edge[0] + sign * left[0];
+            for (std::size_t i = 1; i < cells; ++i) {
+                expected[i] += (edge[i - 1] - edge[i]) + sign * (left[i] + right[i - 1]);
+            }
+            expected[cells] += edge[cells - 1] + sign * right[cells - 1];
+            QVERIFY(haveSameBits(out, expected));
+        }
+    }
+}
+
+void RowKernelsTest::largestStretch() {
+    for (std::size_t count = 1; count <= longest; ++count) {
+        const Cells film(count);
+        const Row moving[2] = {randomRow(count, 5, 0, 1), randomRow(count, 6, 0, 1)};
+        const float inverseX = 0.98f, inverseZ = 1.03f;
+        float largest = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            for (const bool second : {false, true}) {
+                const auto e = cellEdges(film.points(), i, second, (i % 2 == 0) != second,
+                                         1 / inverseX, 1 / inverseZ);
+                const float square = (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
+                                     (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
+                largest = std::max(largest, moving[second][i] * square);
+            }
+        }
+        QVERIFY(largestSquare(count, 0, film.points(), {moving[0].data(), moving[1].data()},
+                              inverseX, inverseZ) == largest);
+    }
+}
+
+QTEST_GUILESS_MAIN(RowKernelsTest)
+#include "RowKernelsTest.moc"

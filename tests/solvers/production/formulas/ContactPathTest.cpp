@@ -1,0 +1,134 @@
+// The contact line and the surface unfolded about it, on bodies where both are known.
+
+#include "production/formulas/ContactPath.h"
+
+#include "solvers/TestFilm.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace dipwright;
+using namespace dipwright::numerics;
+
+namespace {
+
+using Place = Vector3<double>;
+constexpr double radius = 30, cell = 1.5;
+
+// A body with its middle at a height over the water.
+struct Placed {
+    test::SampledBody body;
+    FieldGrid<double> field;
+    BodyFrame<double> frame;
+
+    Placed(test::SampledBody sampled, double height)
+        : body(std::move(sampled)), field(fieldGrid<double>(body.view)) {
+        solver::BodyMotion motion;
+        motion.start = {0, height, 0};
+        frame = bodyFrame<double>(motion, 0);
+    }
+    ContactLine<double> lineAt(const Place& adhered, const Place& free,
+                               double contactDistance = 0) const {
+        return contactLine(field, frame, contactDistance, cell, adhered, free);
+    }
+};
+
+// On the sphere, by the angle from straight down.
+Place onSphere(double angle, double around, double height) {
+    return {radius * std::sin(angle) * std::cos(around), height - radius * std::cos(angle),
+            radius * std::sin(angle) * std::sin(around)};
+}
+
+} // namespace
+
+class ContactPathTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void lineIsWhereTheSphereMeetsTheWater_data();
+    void lineIsWhereTheSphereMeetsTheWater();
+    void lineKeepsTheContactDistance();
+    void flatFaceHasNoLine();
+    void unfoldsTheSphereByItsArc();
+    void unfoldsAWallByItsHeight();
+    void unfoldsAcrossTheLineWhereItIsNearest();
+};
+
+void ContactPathTest::lineIsWhereTheSphereMeetsTheWater_data() {
+    QTest::addColumn<double>("height");
+    QTest::newRow("under the water's half") << 22.0;
+    QTest::newRow("half") << 0.0;
+    QTest::newRow("past the half") << -12.0;
+}
+
+void ContactPathTest::lineIsWhereTheSphereMeetsTheWater() {
+    QFETCH(double, height);
+    const Placed sphere(test::sphere(radius, 129), height);
+    const double edge = std::sqrt(radius * radius - height * height);
+    for (const double around : {0.0, 0.8, 2.5, -1.2}) {
+        const Place outwards{std::cos(around), 0, std::sin(around)};
+        const auto line =
+            sphere.lineAt(outwards * (edge - 0.7) + Place{0, -1, 0}, outwards * (edge + 0.9));
+        QVERIFY(line.found);
+        QVERIFY(std::abs(length(line.place) - edge) < 0.01);
+        QVERIFY(length(line.outwards - outwards) < 0.01);
+        QVERIFY(std::abs(line.steepness - edge / radius) < 0.01);
+        QVERIFY(std::abs(line.upwards - -height / radius) < 0.01);
+    }
+}
+
+void ContactPathTest::lineKeepsTheContactDistance() {
+    const Placed sphere(test::sphere(radius, 129), 20);
+    const auto line = sphere.lineAt({22, -1, 0}, {25, 0, 0}, 0.5);
+    QVERIFY(line.found);
+    QVERIFY(std::abs(line.place.x - std::sqrt(30.5 * 30.5 - 400)) < 0.01);
+}
+
+void ContactPathTest::flatFaceHasNoLine() {
+    const Placed box(test::box(20, 10, 20, 65), 10.5); // its lower face at 0.5 mm over the water
+    QVERIFY(!box.lineAt({0, 0.5, 0}, {1.5, 0, 0}, 1).found);
+}
+
+// The film that covers a piece of meridian lies as far inwards of the line as that is long.
+void ContactPathTest::unfoldsTheSphereByItsArc() {
+    const double height = 20, lineAngle = std::acos(height / radius);
+    const double edge = radius * std::sin(lineAngle);
+    const Placed sphere(test::sphere(radius, 129), height);
+    for (const double around : {0.0, 1.1}) {
+        const Place outwards{std::cos(around), 0, std::sin(around)};
+        for (const double arc : {0.3, 1.0, 2.0}) {
+            const Place corner = onSphere(lineAngle - arc / radius, around, height);
+            const auto line = sphere.lineAt(corner, outwards * (edge + 1));
+            const auto result = unfolded(sphere.field, sphere.frame, 0.0, cell, line, corner);
+            QVERIFY(std::abs(result.path - arc) < 0.01);
+            QVERIFY(length(result.position - outwards * (edge - arc)) < 0.02);
+        }
+    }
+}
+
+void ContactPathTest::unfoldsAWallByItsHeight() {
+    const Placed box(test::box(20, 25, 20, 129), 5);
+    const Place corner{20, -1.2, 3}; // on the wall, under the water
+    const auto line = box.lineAt({19.9, -1.2, 3}, {21, 0, 3});
+    QVERIFY(line.found);
+    QVERIFY(std::abs(line.place.x - 20) < 0.01);
+    QVERIFY(std::abs(line.steepness - 1) < 0.001);
+    const auto result = unfolded(box.field, box.frame, 0.0, cell, line, corner);
+    QVERIFY(std::abs(result.path - 1.2) < 0.01);
+    QVERIFY(length(result.position - Place{18.8, 0, 3}) < 0.02);
+}
+
+// A corner beside the triangle's own line goes inwards along its own meridian.
+void ContactPathTest::unfoldsAcrossTheLineWhereItIsNearest() {
+    const double height = 20, lineAngle = std::acos(height / radius);
+    const double edge = radius * std::sin(lineAngle);
+    const Placed sphere(test::sphere(radius, 129), height);
+    const auto line = sphere.lineAt(onSphere(lineAngle - 0.03, 0, height), {edge + 1, 0, 0});
+    const double around = 0.05;
+    const Place corner = onSphere(lineAngle - 1.0 / radius, around, height);
+    const auto result = unfolded(sphere.field, sphere.frame, 0.0, cell, line, corner);
+    const Place outwards{std::cos(around), 0, std::sin(around)};
+    QVERIFY(length(result.position - outwards * (edge - 1)) < 0.02);
+}
+
+QTEST_GUILESS_MAIN(ContactPathTest)
+#include "ContactPathTest.moc"

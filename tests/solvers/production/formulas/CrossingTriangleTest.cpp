@@ -1,0 +1,164 @@
+// A triangle that crosses the contact line: what of it strains, and what of it pulls.
+
+#include "production/formulas/CrossingTriangle.h"
+
+#include <QTest>
+#include <cmath>
+#include <utility>
+
+using namespace dipwright::numerics;
+
+namespace {
+
+using Matrix = Matrix2<double>;
+using Crossing = CrossingTriangle<double>;
+using Anchor = CrossingAnchor<double>;
+
+const Matrix rest{0.5, 0, 0, 0.25}; // of edges 2 and 4 mm long
+constexpr double area = 4;
+
+double distance(const Matrix& a, const Matrix& b) {
+    return std::hypot(std::hypot(a.a - b.a, a.b - b.b), std::hypot(a.c - b.c, a.d - b.d));
+}
+
+// Its shared corner s in the middle, h at the end of the horizontal edge and v of the vertical one.
+Crossing crossing(bool sharedFree, bool horizontalFree, bool verticalFree) {
+    Crossing triangle;
+    triangle.sharedFree = sharedFree;
+    triangle.horizontalFree = horizontalFree;
+    triangle.verticalFree = verticalFree;
+    return triangle;
+}
+
+Anchor anchorFor(double nx, double nz, double before, double after,
+                 const Matrix& gradient = {1, 0, 0, 1}) {
+    Crossing start, end;
+    start.normalX = nx;
+    start.normalZ = nz;
+    start.floating = before;
+    end.floating = after;
+    return anchorOverStep(crossingAnchor(start, gradient), end);
+}
+
+} // namespace
+
+class CrossingTriangleTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void wholeTriangleIsAnOrdinaryOne();
+    void onlyTheFloatingPartOfTheSidesPulls();
+    void heldCornersBalanceTheForces();
+    void changeAcrossTheLineIsTheFloatingParts();
+    void takesTheLineInTheMiddleOfTheStep();
+    void shredsAreNotToldApart();
+    void seesItsHeldCornersUnfolded();
+    void afterTheStepAllOfItHasTheFloatingGradient();
+    void turnedFilmTakesItsNormalAlong();
+};
+
+void CrossingTriangleTest::wholeTriangleIsAnOrdinaryOne() {
+    const Matrix P{0.3, -0.1, 0.2, 0.5};
+    for (const bool second : {false, true}) {
+        for (const bool onRight : {false, true}) {
+            Crossing triangle = crossing(true, true, false);
+            triangle.second = second;
+            triangle.thirdOnRight = onRight;
+            const EdgePair<double> all = crossingForces(triangle, P, rest, area);
+            const EdgePair<double> ordinary = edgeForces(P, rest, area);
+            QVERIFY(std::abs(all.hx - ordinary.hx) < 1e-12);
+            QVERIFY(std::abs(all.hz - ordinary.hz) < 1e-12);
+            QVERIFY(std::abs(all.vx - ordinary.vx) < 1e-12);
+            QVERIFY(std::abs(all.vz - ordinary.vz) < 1e-12);
+        }
+    }
+    const Matrix whole{1.1, 0.2, -0.1, 0.9};
+    QVERIFY(distance(floatingGradient(anchorFor(1, 0, 1, 1), whole), whole) < 1e-12);
+}
+
+// ½ P Σ share ℓ n over the two sides that meet in the corner: by hand for s = (0, 0), h = (2, 0),
+// v = (0, 4), whose sides s–h, h–v and v–s have ℓ n = (0, −2), (4, 2) and (−4, 0).
+void CrossingTriangleTest::onlyTheFloatingPartOfTheSidesPulls() {
+    const Matrix P{0.3, -0.1, 0.2, 0.5};
+    Crossing triangle = crossing(false, true, true);
+    triangle.horizontalShare = 0.4;
+    triangle.verticalShare = 0.7;
+    triangle.diagonalShare = 1;
+    const EdgePair<double> force = crossingForces(triangle, P, rest, area);
+    const auto half = [&](double nx, double nz) {
+        return std::pair{(P.a * nx + P.b * nz) / 2, (P.c * nx + P.d * nz) / 2};
+    };
+    const auto onH = half(4, 2 - 0.4 * 2), onV = half(4 - 0.7 * 4, 2);
+    QVERIFY(std::abs(force.hx - onH.first) < 1e-12);
+    QVERIFY(std::abs(force.hz - onH.second) < 1e-12);
+    QVERIFY(std::abs(force.vx - onV.first) < 1e-12);
+    QVERIFY(std::abs(force.vz - onV.second) < 1e-12);
+}
+
+// What reaches s is the forces on the edges with the other sign.
+void CrossingTriangleTest::heldCornersBalanceTheForces() {
+    const Matrix P{0.3, -0.1, 0.2, 0.5};
+    Crossing triangle = crossing(true, false, true);
+    triangle.horizontalShare = 0.4;
+    triangle.diagonalShare = 0.8;
+    const EdgePair<double> force = crossingForces(triangle, P, rest, area);
+    const double sharedX = (P.a * -4 + P.b * -2 * 0.4) / 2;
+    const double sharedZ = (P.c * -4 + P.d * -2 * 0.4) / 2;
+    QVERIFY(std::abs(-force.hx - force.vx - sharedX) < 1e-12);
+    QVERIFY(std::abs(-force.hz - force.vz - sharedZ) < 1e-12);
+}
+
+void CrossingTriangleTest::changeAcrossTheLineIsTheFloatingParts() {
+    const Anchor anchor = anchorFor(1, 0, 0.5, 0.5);
+    const Matrix across = floatingChange(anchor, Matrix{0.1, 0, 0.02, 0});
+    QVERIFY(distance(across, {0.2, 0, 0.04, 0}) < 1e-12); // half floats: twice the change
+    const Matrix along{0, 0.1, 0, -0.05};
+    QVERIFY(distance(floatingChange(anchor, along), along) < 1e-12);
+    const Matrix whole{1.1, 0.1, 0, 1};
+    QVERIFY(distance(floatingGradient(anchor, whole), {1.2, 0.1, 0, 1}) < 1e-12);
+}
+
+void CrossingTriangleTest::takesTheLineInTheMiddleOfTheStep() {
+    QCOMPARE(anchorFor(1, 0, 0.8, 0.6).gain, 1 / 0.7 - 1);
+    QCOMPARE(anchorFor(1, 0, 1, 1).gain, 0.0);
+}
+
+void CrossingTriangleTest::shredsAreNotToldApart() {
+    QCOMPARE(anchorFor(1, 0, 0.01, 0.01).gain, 1 / leastFloatingFraction - 1);
+    // Without a contact line the triangle is whole.
+    const Matrix change{0.1, 0.2, 0.3, 0.4};
+    QVERIFY(distance(floatingChange(anchorFor(0, 0, 0.5, 0.5), change), change) < 1e-12);
+}
+
+void CrossingTriangleTest::seesItsHeldCornersUnfolded() {
+    Crossing triangle;
+    triangle.hx = 0.1;
+    triangle.hz = 0.2;
+    triangle.vx = -0.3;
+    triangle.vz = 0.4;
+    const auto edges = unfoldedEdges(EdgePair<double>{2, 0, 0, 4}, triangle);
+    QCOMPARE(edges.hx, 2.1);
+    QCOMPARE(edges.hz, 0.2);
+    QCOMPARE(edges.vx, -0.3);
+    QCOMPARE(edges.vz, 4.4);
+}
+
+void CrossingTriangleTest::afterTheStepAllOfItHasTheFloatingGradient() {
+    const Anchor anchor = anchorFor(0.6, 0.8, 0.7, 0.5);
+    const Matrix whole{1.1, 0.05, -0.02, 1.04};
+    const Matrix floating = floatingGradient(anchor, whole);
+    const Matrix edges = whole * inverse(rest);
+    QVERIFY(distance(edges * relaxedCrossingShape(anchor, whole, rest, 1.0), floating) < 1e-12);
+    // Nothing is made of film that is as good as flat.
+    const Matrix flat{1, 0, 0, 0.001};
+    QVERIFY(distance(relaxedCrossingShape(anchor, flat, rest, 1.0), rest) == 0);
+}
+
+void CrossingTriangleTest::turnedFilmTakesItsNormalAlong() {
+    const double c = std::cos(0.5), s = std::sin(0.5);
+    const Anchor anchor = anchorFor(c, s, 0.5, 0.5, {c, -s, s, c});
+    QVERIFY(std::abs(anchor.mx - 1) < 1e-12); // across the line is the film's own X
+    QVERIFY(std::abs(anchor.mz) < 1e-12);
+}
+
+QTEST_GUILESS_MAIN(CrossingTriangleTest)
+#include "CrossingTriangleTest.moc"

@@ -1,0 +1,163 @@
+// The film's law in one triangle, against the energy that it is the derivative of.
+
+#include "production/formulas/PlaneStress.h"
+
+#include <QTest>
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace dipwright::numerics;
+
+namespace {
+
+using Matrix = Matrix2<double>;
+
+Matrix rotation(double angle) {
+    return {std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)};
+}
+Matrix sum(const Matrix& a, const Matrix& b, double factor) {
+    return {a.a + factor * b.a, a.b + factor * b.b, a.c + factor * b.c, a.d + factor * b.d};
+}
+double product(const Matrix& a, const Matrix& b) {
+    return a.a * b.a + a.b * b.b + a.c * b.c + a.d * b.d;
+}
+double distance(const Matrix& a, const Matrix& b) {
+    const Matrix difference = sum(a, b, -1);
+    return std::sqrt(product(difference, difference));
+}
+double traceOfStretch(const Matrix& F) {
+    return std::hypot(F.a + F.d, F.c - F.b);
+}
+
+// W = δ²/2 + G(s): G = (s − 2)², and below the mean stretch 4/5 the parabola −s²/4 on the same
+// tangent.
+double energy(const Matrix& F) {
+    const double s = traceOfStretch(F);
+    const double squares = (F.a - F.d) * (F.a - F.d) + (F.b + F.c) * (F.b + F.c);
+    return squares / 2 + (s > 1.6 ? (s - 2) * (s - 2) : 0.8 - s * s / 4);
+}
+
+Matrix stressAt(const Matrix& F) {
+    StressState<double> state;
+    return stress(F, state);
+}
+Matrix derivativeAt(const Matrix& F, const Matrix& change) {
+    StressState<double> state;
+    stress(F, state);
+    return stressDerivative(change, state);
+}
+
+const std::vector<Matrix> directions{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+
+// Stretched, sheared, turned, compressed, gathered, inside out.
+std::vector<Matrix> states() {
+    return {{1.2, 0, 0, 1.1},     {1.3, 0.4, -0.1, 0.9}, rotation(2.1) * Matrix{1.1, 0.2, 0.2, 1.4},
+            {0.95, 0.02, 0, 0.9}, {0.6, 0.1, 0, 0.7},    rotation(-1) * Matrix{0.4, 0, 0.1, 0.5},
+            {-1.1, 0.2, 0.3, 1.4}};
+}
+
+} // namespace
+
+class PlaneStressTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void isTheGradientOfTheEnergy();
+    void derivativeIsTheHessianInTension();
+    void derivativeIsNeverIndefinite();
+    void turnedFilmIsAtRest();
+    void isTheSameInAllDirections();
+    void narrowsByPoissonsRatio();
+    void gatheringBeginsWithoutAStep();
+    void relaxedFilmKeepsItsShareOfStretch();
+    void filmInsideOutIsLeftToRecover();
+};
+
+void PlaneStressTest::isTheGradientOfTheEnergy() {
+    const double h = 1e-6;
+    for (const Matrix& F : states()) {
+        for (const Matrix& way : directions) {
+            const double slope = (energy(sum(F, way, h)) - energy(sum(F, way, -h))) / (2 * h);
+            QVERIFY(std::abs(slope - product(stressAt(F), way)) < 1e-8);
+        }
+    }
+}
+
+void PlaneStressTest::derivativeIsTheHessianInTension() {
+    const double h = 1e-6;
+    for (const Matrix& F : states()) {
+        if (traceOfStretch(F) <= 2) {
+            continue;
+        }
+        for (const Matrix& way : directions) {
+            const Matrix ahead = stressAt(sum(F, way, h)), behind = stressAt(sum(F, way, -h));
+            QVERIFY(distance(derivativeAt(F, way), sum({}, sum(ahead, behind, -1), 1 / (2 * h))) <
+                    1e-7);
+        }
+    }
+}
+
+void PlaneStressTest::derivativeIsNeverIndefinite() {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> number(-1.5, 1.5);
+    for (int i = 0; i < 10000; ++i) {
+        const Matrix F{number(random), number(random), number(random), number(random)};
+        const Matrix change{number(random), number(random), number(random), number(random)};
+        QVERIFY(product(derivativeAt(F, change), change) > -1e-9);
+    }
+}
+
+void PlaneStressTest::turnedFilmIsAtRest() {
+    for (const double angle : {0.0, 0.3, 1.5, -3.0}) {
+        QVERIFY(distance(stressAt(rotation(angle)), {}) < 1e-11);
+    }
+}
+
+void PlaneStressTest::isTheSameInAllDirections() {
+    for (const Matrix& F : states()) {
+        for (const double angle : {0.4, 2.0}) {
+            const Matrix Q = rotation(angle);
+            QVERIFY(distance(stressAt(Q * F), Q * stressAt(F)) < 1e-11);
+            QVERIFY(distance(stressAt(F * Q), stressAt(F) * Q) < 1e-11);
+        }
+    }
+}
+
+// 1/3: film pulled along X by e narrows by e/3 where nothing pulls along Z. Young's modulus is 8/3.
+void PlaneStressTest::narrowsByPoissonsRatio() {
+    for (const double e : {0.001, 0.1, 0.5}) {
+        const Matrix P = stressAt({1 + e, 0, 0, 1 - e / 3});
+        QVERIFY(std::abs(P.d) < 1e-11);
+        QVERIFY(std::abs(P.a - 8 * e / 3) < 1e-11);
+    }
+}
+
+void PlaneStressTest::gatheringBeginsWithoutAStep() {
+    const auto squeezed = [](double s) { return stressAt({s / 2, 0, 0, s / 2}).a; };
+    QVERIFY(std::abs(squeezed(1.6 + 1e-9) - squeezed(1.6 - 1e-9)) < 1e-8);
+    QVERIFY(std::abs(squeezed(1.6) - squeezed(1.7)) > 0.01);
+    // From here on it gives way: the more it is gathered the less it resists.
+    QVERIFY(std::abs(squeezed(1.0)) < std::abs(squeezed(1.6)));
+}
+
+// With edges E = F·D the film's gradient afterwards is E·D'⁻¹.
+void PlaneStressTest::relaxedFilmKeepsItsShareOfStretch() {
+    const Matrix inverseShape{2, 0.1, -0.2, 1.5};
+    const Matrix F = rotation(0.7) * Matrix{1.3, 0.1, 0.1, 0.9};
+    const Matrix edges = F * inverse(inverseShape);
+    const auto after = [&](double keep) {
+        return edges * relaxedInverseShape(inverseShape, F, keep);
+    };
+    QVERIFY(distance(after(1), F) < 1e-12);
+    QVERIFY(distance(stressAt(after(0)), {}) < 1e-11);
+    const Matrix half = rotation(0.7) * Matrix{1.15, 0.05, 0.05, 0.95};
+    QVERIFY(distance(after(0.5), half) < 1e-12);
+}
+
+void PlaneStressTest::filmInsideOutIsLeftToRecover() {
+    const Matrix shape{2, 0, 0, 2};
+    QVERIFY(distance(relaxedInverseShape(shape, Matrix{-1, 0, 0, 1}, 0.0), shape) == 0);
+}
+
+QTEST_GUILESS_MAIN(PlaneStressTest)
+#include "PlaneStressTest.moc"

@@ -1,0 +1,69 @@
+// How far a step goes, what is left of the stress after it, and the water's drag in it.
+
+#include "production/formulas/StepLength.h"
+
+#include "production/formulas/WaterDrag.h"
+
+#include <QTest>
+#include <cmath>
+#include <limits>
+
+using namespace dipwright::numerics;
+
+class StepLengthTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void contactLineTravelsAsFarAsAsked();
+    void flatFacesDoNotStopTheDip();
+    void firstContactIsNotRunOver();
+    void knowsWhatIsNextToContact();
+    void stressDecaysWithTime();
+    void dragGrowsWithAreaAndSpeed();
+};
+
+// Along a surface of steepness sin(angle), the body comes down by travel · sin(angle).
+void StepLengthTest::contactLineTravelsAsFarAsAsked() {
+    QCOMPARE(contactIncrement(0.5, 1), 0.5);
+    QCOMPARE(contactIncrement(0.5, std::sin(0.5)), 0.5 * std::sin(0.5));
+}
+
+void StepLengthTest::flatFacesDoNotStopTheDip() {
+    QCOMPARE(contactIncrement(0.5, 0), 0.5 * leastSteepness);
+    QCOMPARE(contactIncrement(0.5, 0.01), 0.5 * leastSteepness);
+}
+
+void StepLengthTest::firstContactIsNotRunOver() {
+    QCOMPARE(approachIncrement(0.5, 3.25), 3.25);
+    QCOMPARE(approachIncrement(0.5, 0.2), 0.2);
+    QCOMPARE(approachIncrement(0.5, 0.001), 0.05); // but the dip goes on
+    QCOMPARE(approachIncrement(0.5, -2), 0.05);
+}
+
+void StepLengthTest::knowsWhatIsNextToContact() {
+    constexpr int columns = 9, rows = 7, held = 3 * columns + 4;
+    const auto isFree = [](std::size_t point) { return point != held; };
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            const bool isNear = std::abs(row - 3) <= 2 && std::abs(column - 4) <= 2;
+            QCOMPARE(isNextToContact(columns, rows, row * columns + column, isFree), isNear);
+        }
+    }
+}
+
+void StepLengthTest::stressDecaysWithTime() {
+    QVERIFY(std::abs(keptStress(10, 5, 2) - std::exp(-1)) <
+            1e-15); // two seconds, one time constant
+    QVERIFY(std::abs(keptStress(4, 5, 2) * keptStress(6, 5, 2) - keptStress(10, 5, 2)) < 1e-15);
+    QCOMPARE(keptStress(10, 5, std::numeric_limits<double>::infinity()), 1.0); // elastic
+    QCOMPARE(keptStress(10, 5, 0), 0.0);                                       // viscous
+}
+
+void StepLengthTest::dragGrowsWithAreaAndSpeed() {
+    const double drag = pointDrag(1.5, 2, 0.5);
+    QCOMPARE(drag, waterDrag * 1.5 * 2 / 0.5);
+    QCOMPARE(pointDrag(3, 2, 0.5), 2 * drag);
+    QCOMPARE(pointDrag(1.5, 2, 0.25), 2 * drag); // the same way in half the descent
+}
+
+QTEST_GUILESS_MAIN(StepLengthTest)
+#include "StepLengthTest.moc"
