@@ -27,7 +27,7 @@ public:
             memory_ = memory;
             blocks_ = blocks;
             block_ = block;
-            meetings_ = 0;
+            barriers_ = 0;
         }
         __syncthreads();
     }
@@ -38,22 +38,22 @@ public:
     __device__ int thread() const { return block_ * threads + int(threadIdx.x); }
     __device__ int threadCount() const { return blocks_ * threads; }
 
-    // All blocks meet: what any has written before, all see afterwards.
-    __device__ void meet() {
+    // A barrier of all blocks: what any thread has written before, all see afterwards.
+    __device__ void barrier() {
         __syncthreads();
         if (threadIdx.x == 0) {
-            ++meetings_;
+            ++barriers_;
             __threadfence();
             atomicAdd(&memory_->arrived, 1u);
             const volatile unsigned* arrived = &memory_->arrived;
-            while (*arrived < meetings_ * unsigned(blocks_)) {
+            while (*arrived < barriers_ * unsigned(blocks_)) {
             }
             __threadfence();
         }
         __syncthreads();
     }
 
-    // The blocks meet, and `values` becomes for every thread the sum (or the largest) of those of
+    // A barrier as well: `values` becomes for every thread the sum (or the largest) of those of
     // all threads of the team. Always added in the same order.
     template <int count>
     __device__ void sum(double (&values)[count]) {
@@ -74,7 +74,7 @@ private:
             partial_[warp][i] = values[i];
         }
         __syncthreads();
-        double(*slots)[TeamMemory::mostValues] = memory_->values[meetings_ % 2];
+        double(*slots)[TeamMemory::mostValues] = memory_->values[barriers_ % 2];
         if (warp == 0) {
             for (int i = 0; i < count; ++i) {
                 values[i] = partial_[lane % warps][i];
@@ -84,7 +84,7 @@ private:
                 slots[block_][i] = values[i];
             }
         }
-        meet();
+        barrier();
         if (int(threadIdx.x) < blocks_) {
             for (int i = 0; i < count; ++i) {
                 brought_[i][threadIdx.x] = slots[threadIdx.x][i];
@@ -123,7 +123,7 @@ private:
 
     TeamMemory* memory_;
     int blocks_, block_;
-    unsigned meetings_;
+    unsigned barriers_;
     double partial_[warps][TeamMemory::mostValues];                  // of this block's warps
     double brought_[TeamMemory::mostValues][TeamMemory::mostBlocks]; // by the blocks
     double result_[TeamMemory::mostValues];

@@ -1,13 +1,13 @@
 // A band of the film's rows, worked on by one thread through several Jacobi or Gauss–Seidel sweeps
-// before it meets the other bands again. It computes the rows beside it that it needs once more
-// itself, with the same arithmetic, so that the result does not depend on how the film is cut.
+// before the next barrier with the other bands. It computes the rows beside it that it needs once
+// more itself, with the same arithmetic, so that the result does not depend on how the film is cut.
 #pragma once
 
 #include "paper/cpu/PaperModel.h"
 
 namespace dipwright::cpu {
 
-// What all bands do between two meetings.
+// What all bands do between two barriers.
 struct PaperPass {
     bool predicts = false; // begins with the prediction and the contact
     int sweeps = 0;

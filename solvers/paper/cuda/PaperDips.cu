@@ -207,8 +207,8 @@ void PaperDips::layFlat(Setups setups) {
         dip.steps = stepsOf(setup, model_.stepLength);
         dip.now = points_.data() + filmsPerDip * i * pointCount();
         dip.before = dip.now + pointCount();
-        dip.handed[0] = dip.before + pointCount();
-        dip.handed[1] = dip.handed[0] + pointCount();
+        dip.halo[0] = dip.before + pointCount();
+        dip.halo[1] = dip.halo[0] + pointCount();
         for (std::size_t point = 0; point < flat.size(); ++point) {
             const bool isPinned = !setup.pinned.empty() && setup.pinned[point] != 0;
             flat[point] = {0, 0, 0, unsigned(isPinned ? Hold::Pinned : Hold::Free)};
@@ -250,7 +250,7 @@ void PaperDips::launch(int firstPass, int lastPass) {
         return;
     }
     for (int pass = firstPass; pass < lastPass; ++pass) {
-        run(PaperWork::HandOut, pass, pass + 1);
+        run(PaperWork::Send, pass, pass + 1);
         run(PaperWork::Sweep, pass, pass + 1);
     }
 }

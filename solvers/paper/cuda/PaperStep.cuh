@@ -1,11 +1,11 @@
 // The paper's step on the GPU (docs/film-model.md, "The paper's model").
 //
-// A block keeps its tile of the film, and the points round it within the reach of one pass's
-// sweeps, in registers for as long as the kernel runs; a warp's neighbours along a row are in its
-// other lanes, those above and below in shared memory. A pass begins with every block handing out
-// the points that it owns near its edges, and taking those round its tile from its neighbours.
-// Every point handed out carries the number of the pass, so that its bytes are their own signal:
-// nobody waits for more than what he needs, and there is no barrier between blocks.
+// A block keeps its tile of the film, and a halo of points round it as wide as the reach of one
+// pass's sweeps, in registers for as long as the kernel runs; a warp's neighbours along a row are
+// in its other lanes, those above and below in shared memory. A pass begins with a halo exchange:
+// every block sends the points that it owns near its edges, and receives its halo from its
+// neighbours. Every point sent carries the number of the pass, so that its bytes are their own
+// signal: no block waits for more than it needs, and there is no barrier between blocks.
 //
 // Points are displacements from the flat film, as on the CPU, and the arithmetic is the CPU's,
 // operation by operation (this file is to be compiled without contraction): the film's motion is so
@@ -24,8 +24,8 @@ namespace dipwright::cuda {
 // What holds a point.
 enum class Hold : unsigned { Free, Pinned, Adhered, Missing }; // missing: outside the film
 
-// A point in memory: its displacement, and how it is held. As it is handed out, `mark` also tells
-// in which pass.
+// A point in memory: its displacement, and how it is held. As it is sent, `mark` also tells in
+// which pass.
 struct alignas(16) StoredPoint {
     float x, y, z;
     unsigned mark;
@@ -33,7 +33,7 @@ struct alignas(16) StoredPoint {
     __host__ __device__ Hold hold() const { return Hold(mark % 4); }
 };
 
-constexpr unsigned handedOutIn(int pass) {
+constexpr unsigned sentIn(int pass) {
     return 4 * (unsigned(pass) + 1);
 }
 
@@ -63,12 +63,12 @@ struct PaperDip {
     int steps = 0;
     StoredPoint* now = nullptr;    // adhered points at the height that they had at descent 0
     StoredPoint* before = nullptr; // one step ago
-    StoredPoint* handed[2] = {};   // by pass modulo 2; adhered points where they are in that step
+    StoredPoint* halo[2] = {};     // by pass modulo 2; adhered points where they are in that step
 };
 
 // A launch does both, or, where the blocks do not all fit on the device together, one of the two
 // for one pass.
-enum class PaperWork { All, HandOut, Sweep };
+enum class PaperWork { All, Send, Sweep };
 
 namespace paper {
 
@@ -134,7 +134,7 @@ __device__ inline Pull fromLeft(const Pull& p) {
 }
 
 // 16 bytes that are written and read as one.
-__device__ inline void handOut(StoredPoint* to, const StoredPoint& point) {
+__device__ inline void sendPoint(StoredPoint* to, const StoredPoint& point) {
     const std::uint64_t low =
         std::uint64_t(__float_as_uint(point.x)) | std::uint64_t(__float_as_uint(point.y)) << 32;
     const std::uint64_t high = std::uint64_t(__float_as_uint(point.z)) | std::uint64_t(point.mark)
@@ -145,7 +145,7 @@ __device__ inline void handOut(StoredPoint* to, const StoredPoint& point) {
         : "memory");
 }
 
-__device__ inline StoredPoint take(const StoredPoint* from) {
+__device__ inline StoredPoint receivePoint(const StoredPoint* from) {
     std::uint64_t low, high;
     asm volatile("{ .reg .b128 p; ld.relaxed.gpu.global.b128 p, [%2]; mov.b128 {%0, %1}, p; }"
                  : "=l"(low), "=l"(high)
@@ -159,7 +159,7 @@ __device__ inline StoredPoint take(const StoredPoint* from) {
 struct Span {
     int first, last;
     __device__ bool owns(int index) const { return index >= first && index < last; }
-    // Whether another tile takes it.
+    // Whether it is in another tile's halo.
     __device__ bool isNearEdge(int index, int reach) const {
         return index < first + reach || index >= last - reach;
     }
@@ -317,45 +317,44 @@ public:
         predict(film_, dip_, column_, firstRow_, descent, points_, isOwn_);
     }
 
-    // The body goes down to `descent`, and adhered points with it. Hands out the points that other
-    // blocks take; all of them where they are swept in a launch of their own.
-    __device__ __forceinline__ void giveToNeighbours(int pass, double descent, bool givesAll) {
-        StoredPoint* handed = handedIn(pass);
+    // The body goes down to `descent`, and adhered points with it. Sends the points that are in
+    // other blocks' halos; all of them where they are swept in a launch of their own.
+    __device__ __forceinline__ void sendHalo(int pass, double descent, bool sendsAll) {
+        StoredPoint* halo = haloIn(pass);
 #pragma unroll
         for (int r = 0; r < stripRows; ++r) {
             if (isOwn_[r] && points_[r].hold == Hold::Adhered) {
                 points_[r].y = points_[r].beforeY - float(descent);
             }
-            if (isHandedOut_[r] || (givesAll && isOwn_[r])) {
-                handOut(handed + r * film_.columns,
-                        {points_[r].x, points_[r].y, points_[r].z,
-                         handedOutIn(pass) + unsigned(points_[r].hold)});
+            if (isSent_[r] || (sendsAll && isOwn_[r])) {
+                sendPoint(halo + r * film_.columns, {points_[r].x, points_[r].y, points_[r].z,
+                                                     sentIn(pass) + unsigned(points_[r].hold)});
             }
         }
     }
 
-    // Takes the points round the tile as soon as their blocks have handed them out; all of them
-    // where they were handed out by a launch of its own.
-    __device__ __forceinline__ void takeFromNeighbours(int pass, bool takesAll) {
-        StoredPoint* handed = handedIn(pass);
-        StoredPoint taken[stripRows];
+    // Receives the halo, each point as soon as its block has sent it; all points of the strip where
+    // they were sent by a launch of its own.
+    __device__ __forceinline__ void receiveHalo(int pass, bool receivesAll) {
+        StoredPoint* halo = haloIn(pass);
+        StoredPoint received[stripRows];
 #pragma unroll
         for (int r = 0; r < stripRows; ++r) {
-            if (isTaken_[r] || (takesAll && isOwn_[r])) {
-                taken[r] = take(handed + r * film_.columns);
+            if (isHalo_[r] || (receivesAll && isOwn_[r])) {
+                received[r] = receivePoint(halo + r * film_.columns);
             }
         }
 #pragma unroll
         for (int r = 0; r < stripRows; ++r) {
-            if (isTaken_[r] || (takesAll && isOwn_[r])) {
-                while (taken[r].mark - unsigned(taken[r].hold()) != handedOutIn(pass)) {
+            if (isHalo_[r] || (receivesAll && isOwn_[r])) {
+                while (received[r].mark - unsigned(received[r].hold()) != sentIn(pass)) {
                     __nanosleep(20);
-                    taken[r] = take(handed + r * film_.columns);
+                    received[r] = receivePoint(halo + r * film_.columns);
                 }
-                points_[r].x = taken[r].x;
-                points_[r].y = taken[r].y;
-                points_[r].z = taken[r].z;
-                points_[r].hold = taken[r].hold();
+                points_[r].x = received[r].x;
+                points_[r].y = received[r].y;
+                points_[r].z = received[r].z;
+                points_[r].hold = received[r].hold();
             }
         }
     }
@@ -393,7 +392,7 @@ public:
                 const Point& point = points_[r];
                 const bool isFree = point.hold == Hold::Free;
                 // Before the sweeps the next step's place is known only of points held now.
-                if (work != PaperWork::HandOut || !isFree) {
+                if (work != PaperWork::Send || !isFree) {
                     dip_.now[index] = {point.x, isFree ? point.y : point.beforeY, point.z,
                                        unsigned(point.hold)};
                 }
@@ -410,11 +409,11 @@ private:
         for (int r = 0; r < stripRows; ++r) {
             const int row = firstRow_ + r;
             isOwn_[r] = columns_.owns(column_) && rows_.owns(row);
-            isTaken_[r] = !isOwn_[r] && column_ >= 0 &&
-                          column_ < min(film_.columns, columns_.last + reach_) && row >= 0 &&
-                          row < min(film_.rows, rows_.last + reach_);
-            isHandedOut_[r] = isOwn_[r] && (columns_.isNearEdge(column_, reach_) ||
-                                            rows_.isNearEdge(row, reach_));
+            isHalo_[r] = !isOwn_[r] && column_ >= 0 &&
+                         column_ < min(film_.columns, columns_.last + reach_) && row >= 0 &&
+                         row < min(film_.rows, rows_.last + reach_);
+            isSent_[r] = isOwn_[r] &&
+                         (columns_.isNearEdge(column_, reach_) || rows_.isNearEdge(row, reach_));
             // Points beyond the film's border are there, but missing.
             points_[r] = {0, 0, 0, 0, 0, 0, -INFINITY, Hold::Missing};
             if (isOwn_[r]) {
@@ -429,8 +428,8 @@ private:
         }
     }
 
-    __device__ __forceinline__ StoredPoint* handedIn(int pass) const {
-        return dip_.handed[pass % 2] + firstIndex_;
+    __device__ __forceinline__ StoredPoint* haloIn(int pass) const {
+        return dip_.halo[pass % 2] + firstIndex_;
     }
     __device__ __forceinline__ bool isBorder(int row) const {
         return row == 0 || row == film_.rows - 1;
@@ -542,7 +541,7 @@ private:
     int alongX_;                         // neighbours
     float columnStiffness_;
     Point points_[stripRows];
-    bool isTaken_[stripRows], isOwn_[stripRows], isHandedOut_[stripRows];
+    bool isHalo_[stripRows], isOwn_[stripRows], isSent_[stripRows];
     StripShares<stripRows, hasDiagonals> shares_;
     float share_[stripRows]; // of the corrections' sum
     int parity_ = 0;         // of the edge rows that are read
@@ -574,12 +573,12 @@ __global__ void __launch_bounds__(PaperTiles::mostWarps* PaperTiles::lanes)
             if (part == 0) {
                 strip.startStep(descent);
             }
-            strip.giveToNeighbours(pass, descent, work == PaperWork::HandOut);
+            strip.sendHalo(pass, descent, work == PaperWork::Send);
         }
-        if (work == PaperWork::HandOut) {
+        if (work == PaperWork::Send) {
             break;
         }
-        strip.takeFromNeighbours(pass, work == PaperWork::Sweep);
+        strip.receiveHalo(pass, work == PaperWork::Sweep);
         strip.sweep(min(film.tiles.reach, film.iterations - part * film.tiles.reach));
         part = part + 1 == film.passesPerStep ? 0 : part + 1;
         step += part == 0;

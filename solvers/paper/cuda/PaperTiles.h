@@ -8,7 +8,7 @@
 namespace dipwright::cuda {
 
 // A tile owns its points, and computes those within `reach` of them once more by itself, so that
-// it meets its neighbours only after that many sweeps. A warp works on a strip of some rows of all
+// it exchanges halos only after that many sweeps. A warp works on a strip of some rows of all
 // these points, one column a lane.
 struct PaperTiles {
     static constexpr int lanes = 32;

@@ -1,6 +1,6 @@
 // The production film on the GPU (FilmBackend.h): all steps of a launch in one kernel in which the
-// blocks of a film meet between the parts of the work, so that the host is not asked before they
-// are done.
+// blocks of a film have barriers between the parts of the work, so that the host is not asked
+// before they are done.
 #pragma once
 
 #include "production/cuda/PlaneForces.cuh"
@@ -76,7 +76,7 @@ public:
         return dip_.laid[triangle];
     }
 
-    __device__ void meet() const { team_.meet(); }
+    __device__ void barrier() const { team_.barrier(); }
     __device__ float least(float value) const {
         double largest[1] = {-double(value)};
         team_.largest(largest);
@@ -141,7 +141,7 @@ public:
     __host__ __device__ static constexpr numerics::NewtonLimits newtonLimits() { return {}; }
     __device__ void setFree() const {
         forPoints([&](int point) { dip_.levelFree[point] = dip_.free[point]; });
-        team_.meet();
+        team_.barrier();
         for (int l = 1; l < model_.levelCount; ++l) {
             holdCoarse(l);
         }
@@ -168,7 +168,7 @@ public:
     __device__ void keepBest() const { copy(dip_.displacement, dip_.best); }
     __device__ void takeBest() const {
         copy(dip_.best, dip_.displacement);
-        team_.meet();
+        team_.barrier();
     }
 
     __device__ void startLinear() const {
@@ -242,7 +242,7 @@ private:
                            nearest(x, fine.columns, coarse.columns)] = 0;
             }
         });
-        team_.meet();
+        team_.barrier();
     }
 
     const ProductionModel& model_;
@@ -270,7 +270,7 @@ __global__ void __launch_bounds__(Team::threads, 1)
     for (int step = 0; step < maximumSteps && !numerics::isFinished(film); ++step) {
         numerics::step(film);
     }
-    team.meet(); // everyone has read the state
+    team.barrier(); // everyone has read the state
     if (team.block() == 0 && threadIdx.x == 0) {
         *dip.state = film.state();
     }

@@ -1,8 +1,8 @@
-// The multigrid V-cycle on the GPU (PlaneGrid.h). On the way down, one tile after the other is
+// The multigrid V-cycle on the GPU (MultigridCycle.h). On the way down, one tile after the other is
 // smoothed, its residual taken and carried over to the coarser level without leaving the block: it
 // begins with so many points round the tile as the three smoothing steps use up. The same on the
 // way up. The coarser levels, which one block can hold, every block computes whole for itself, and
-// so saves the meetings with the others. Loops are kept from being unrolled where all their copies
+// so saves barriers with the others. Loops are kept from being unrolled where all their copies
 // would crowd the instructions of a step out of the caches.
 #pragma once
 
@@ -41,7 +41,7 @@ __device__ inline void forRange(const PlaneRange& range, const Work& work,
 }
 
 // Some points of a level in shared memory. Smoothing goes from `result` to `other` and back: so the
-// threads meet once a step.
+// threads have one barrier a step.
 struct PlanePatch {
     const PlaneLevel* level;
     PlaneRange range;
@@ -405,12 +405,12 @@ __device__ inline const float2* solveWhole(const ProductionModel& model, const P
 }
 
 // smoothed ≈ stiffness⁻¹ · right on the finest level by one V-cycle. Returns this thread's share of
-// their product; the blocks have yet to meet.
+// their product; a barrier is yet to come.
 __device__ inline double multigridCycle(const ProductionModel& model, const ProductionDip& dip,
                                         Team& team, float2* memory) {
     for (int l = 0; l < model.wholeLevel; ++l) {
         descend(model, dip, l, team, memory);
-        team.meet();
+        team.barrier();
     }
     const float2* solution = solveWhole(model, dip, memory);
     const PlaneLevel& whole = model.levels[model.wholeLevel];
@@ -427,7 +427,7 @@ __device__ inline double multigridCycle(const ProductionModel& model, const Prod
     for (int l = model.wholeLevel - 1; l >= 0; --l) {
         product = ascend(model, dip, l, solution, team, tileMemory);
         if (l > 0) {
-            team.meet();
+            team.barrier();
             solution = dip.smoothed + model.levels[l].offset;
         }
     }

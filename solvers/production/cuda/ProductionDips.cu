@@ -333,7 +333,7 @@ std::unique_ptr<Dips> makeProductionDips(const Device& device, Setups setups) {
 }
 
 std::size_t productionDipsAtOnce(const Device& device, const solver::DipSetup&) {
-    constexpr int fewestBlocks = 8; // below, the film waits for its blocks, not for their meetings
+    constexpr int fewestBlocks = 8; // below, the film waits for its blocks, not for its barriers
     return std::size_t(std::max(1, device.multiprocessors / fewestBlocks));
 }
 

@@ -32,8 +32,8 @@ struct PlaneTiles {
     constexpr int count() const { return across * down; }
 };
 
-// How the points of a level lie between those of the next coarser one (PlaneGrid.h, interpolation),
-// along one axis; where there is none, `coarse` is 0.
+// How the points of a level lie between those of the next coarser one (MultigridCycle.h,
+// interpolation), along one axis; where there is none, `coarse` is 0.
 struct PlaneAxis {
     int fine = 0, coarse = 0;         // points
     float perFine = 0, perCoarse = 0; // 1 / (fine − 1), 1 / (coarse − 1)

@@ -40,7 +40,7 @@ ContactBody<Real> contactBody(const solver::DipSetup& setup) {
 }
 
 // A film point that has met the body in a step. A face that turns up too far does not hold it. It
-// stays free at first: film that is let go of in the same step draws it back. What is there still a
+// stays free at first: film that is released in the same step draws it back. What is there still a
 // step later is trapped.
 template <typename Real>
 struct Attachment {
@@ -94,8 +94,8 @@ struct LaidCorners {
     Real slipX[3] = {}, slipZ[3] = {}; // from where it would lie, unfolded, to where it does
     Real upwards[3] = {};              // of the contact line, see ContactLine
     bool isHeld[3] = {};
-    bool isReleased[3] = {}; // let go of: it stays where it is
-    Real lost = 0;           // of the triangle's weight: what was cut off when it was let go of
+    bool isReleased[3] = {}; // no longer held: it stays where it is
+    Real lost = 0;           // of the triangle's weight: what was cut off when it was released
 };
 
 // Corner of a triangle; `held`: in the world, of a free point anything.
@@ -249,7 +249,7 @@ DIPWRIGHT_HOST_DEVICE inline void setEdges(const TriangleCorners& triangle,
 }
 
 // Every held corner unfolded by itself: of film that more than one contact line holds, or that has
-// been let go of in part.
+// been released in part.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
 unfoldedApart(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
@@ -349,9 +349,9 @@ unfoldedTriangle(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Re
 
 namespace detail {
 
-// Cuts what is laid off a triangle of which all corners on the body have just been let go of, so
-// that the film's new edge is where the contact line was: its corners on the body are moved to the
-// line, on the way to its free ones. Returns what its inverse rest shape changes by, so that its
+// Cuts the laid part off a triangle of which all corners on the body have just been released: these
+// are moved to the contact line, towards the free ones, so that the floating film's new edge is
+// where the line was. Returns the factor of the triangle's inverse rest shape with which its
 // stretch stays the same.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
@@ -398,14 +398,14 @@ cutAtLine(const TriangleCorners& triangle, const CrossingTriangle<Real>& crossin
 
 } // namespace detail
 
-// Lets go of film at the corners at which the body has turned up past what holds it. Returns what
-// the triangle's inverse rest shape changes by.
+// Releases a triangle's corners at which the body turns up too far to hold film (`upwards` past
+// `steepestHeld`). Returns the factor of the triangle's inverse rest shape.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
-releaseWhereTurnedUp(const ContactBody<Real>& body, const TriangleCorners& triangle,
-                     const CrossingTriangle<Real>& crossing,
-                     const CrossingCorner<Real> (&corners)[3], LaidCorners<Real>& film) {
-    // Not where each corner has a contact line of its own, or some were let go of before.
+releaseTriangle(const ContactBody<Real>& body, const TriangleCorners& triangle,
+                const CrossingTriangle<Real>& crossing, const CrossingCorner<Real> (&corners)[3],
+                LaidCorners<Real>& film) {
+    // Not where each corner has a contact line of its own, or some were released before.
     bool isWhole = crossing.normalX != Real(0) || crossing.normalZ != Real(0);
     for (int k = 0; k < 3; ++k) {
         if (!corners[k].isFree && !film.isReleased[k]) {

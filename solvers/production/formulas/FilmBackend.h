@@ -90,7 +90,7 @@ concept FilmTeam = requires(Film& film, Real value, bool flag, detail::PointWork
                             detail::CrossingWork<Real> forCrossing,
                             detail::Unfolding<Real> unfolding) {
     // A barrier: what any thread of the team has written before, all see afterwards.
-    film.meet();
+    film.barrier();
     // The least value, or whether any flag is set, of all threads of the team; a barrier as well.
     { film.least(value) } -> std::same_as<Real>;
     { film.anyOf(flag) } -> std::same_as<bool>;

@@ -130,7 +130,7 @@ template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void moveAnchors(Film& film) {
     film.forCrossing(
         [](int, const auto& crossing, auto& anchor) { anchor = anchorOverStep(anchor, crossing); });
-    film.meet();
+    film.barrier();
 }
 
 // The floating parts of the crossing triangles have the gradient that they have now.
@@ -255,7 +255,7 @@ DIPWRIGHT_TEAM inline bool releaseOverhang(Film& film, double descent) {
             CrossingCorner<Real> corners[3];
             findCorners(film, points, bodyFrame<Real>(film.body().motion, descent), corners);
             const Matrix2<Real> change =
-                releaseWhereTurnedUp(film.body(), points, crossing, corners, film.laid(triangle));
+                releaseTriangle(film.body(), points, crossing, corners, film.laid(triangle));
             film.setShape(triangle, change * film.shape(triangle));
             any = true;
         }
@@ -275,7 +275,7 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
     const double increment = std::fmin(detail::nextIncrement(film), motion.travel - dip.descent);
     const double end = dip.descent + increment;
     detail::predict(film, increment);
-    film.meet();
+    film.barrier();
     bool hasTorn = false;
     if (dip.anyAdhered) {
         detail::findContactLine(film, end, true);

@@ -50,7 +50,7 @@ public:
     void setClearance(int point, Real clearance) { clearance_[std::size_t(point)] = clearance; }
     LaidCorners<Real>& laid(int triangle) { return laid_[std::size_t(triangle)]; }
 
-    static void meet() {}
+    static void barrier() {}
     static Real least(Real value) { return value; }
     static bool anyOf(bool flag) { return flag; }
     template <typename Work>

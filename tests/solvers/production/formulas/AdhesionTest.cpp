@@ -146,7 +146,7 @@ void AdhesionTest::releasedFilmIsCutAtTheLine() {
     LaidCorners<double> film;
     film.isHeld[0] = true;
     film.upwards[0] = dip.body.steepestHeld + 0.1;
-    const auto change = releaseWhereTurnedUp(dip.body, triangle, crossing, corners, film);
+    const auto change = releaseTriangle(dip.body, triangle, crossing, corners, film);
     QVERIFY(film.isReleased[0]);
     QVERIFY(std::abs(film.lost - 0.6) < 1e-12);
     const Place cut = Place{0, 0, 0} + detail::offset(film, 0);
