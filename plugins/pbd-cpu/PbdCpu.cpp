@@ -73,14 +73,14 @@ void simulate(solver::BatchItem& item, Cancellation& cancelled) {
     constexpr int stepsBetweenQuestions = 4;
     CpuFilm film;
     film.begin(item.setup);
-    solver::DipState progress;
-    while (!progress.finished) {
+    solver::DipState state;
+    while (!state.finished) {
         if (cancelled()) {
             return;
         }
-        progress = film.advance(stepsBetweenQuestions);
+        state = film.advance(stepsBetweenQuestions);
     }
-    item.finish(progress.steps, [&](auto positions, auto states) { film.read(positions, states); });
+    item.finish(state.steps, [&](auto positions, auto states) { film.read(positions, states); });
 }
 
 class PbdCpu : public solver::SolverModule {

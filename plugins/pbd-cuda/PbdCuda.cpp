@@ -41,7 +41,7 @@ public:
     }
     solver::DipState advance(int maximumSteps) override {
         begun().advance(maximumSteps);
-        return begun().progress(0);
+        return begun().state(0);
     }
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
         begun().read(0, positions, states);
@@ -134,11 +134,11 @@ bool PbdCuda::runTogether(std::span<solver::BatchItem> items, solver::CancelFunc
         dips->advance(stepsBetweenQuestions);
         finished = true;
         for (std::size_t dip = 0; dip < items.size(); ++dip) {
-            finished = finished && dips->progress(dip).finished;
+            finished = finished && dips->state(dip).finished;
         }
     }
     for (std::size_t dip = 0; dip < items.size(); ++dip) {
-        items[dip].finish(dips->progress(dip).steps,
+        items[dip].finish(dips->state(dip).steps,
                           [&](auto positions, auto states) { dips->read(dip, positions, states); });
     }
     return true;

@@ -112,7 +112,7 @@ Ending gpuEnding(const cuda::Dips& dips, std::size_t dip, const solver::FilmGrid
     end.positions.resize(3 * grid.pointCount());
     end.states.resize(grid.pointCount());
     dips.read(dip, end.positions, end.states);
-    end.progress = dips.progress(dip);
+    end.progress = dips.state(dip);
     return end;
 }
 
@@ -153,7 +153,7 @@ void run(const cuda::Device& device, const Options& options, const Body& body, i
     for (int dip = 0; dip < options.dips; ++dip) {
         const auto dips = makeDips(device, setups);
         const auto start = std::chrono::steady_clock::now();
-        while (!dips->progress(0).finished && dips->progress(0).steps < options.steps) {
+        while (!dips->state(0).finished && dips->state(0).steps < options.steps) {
             dips->advance(std::min(options.steps, 256));
         }
         seconds.push_back(secondsSince(start) / options.batch);

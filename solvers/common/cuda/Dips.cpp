@@ -11,16 +11,16 @@ void Dips::read(std::size_t dip, std::span<float> positions,
     const StoredFilm source = stored(dip);
     std::vector<std::byte> copy(source.bytes);
     check(cudaMemcpy(copy.data(), source.onDevice, source.bytes, cudaMemcpyDeviceToHost));
-    unpack(dip, copy.data(), progress(dip), positions, states);
+    unpack(dip, copy.data(), state(dip), positions, states);
 }
 
-void Dips::unpack(std::size_t dip, const std::byte* stored, const solver::DipState& progress,
+void Dips::unpack(std::size_t dip, const std::byte* stored, const solver::DipState& dipState,
                   std::span<float> positions, std::span<solver::PointState> states) const {
     const std::size_t count = film_.pointCount();
     if (positions.size() != 3 * count || !(states.empty() || states.size() == count)) {
         throw std::invalid_argument("the arrays to read into do not match the film");
     }
-    unpackPoints(dip, stored, progress, positions, states);
+    unpackPoints(dip, stored, dipState, positions, states);
 }
 
 bool areAlike(const solver::DipSetup& a, const solver::DipSetup& b) {

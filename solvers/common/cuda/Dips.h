@@ -29,21 +29,21 @@ public:
 
     // Advances each dip that has not finished by at most `maximumSteps` steps.
     virtual void advance(int maximumSteps) = 0;
-    virtual solver::DipState progress(std::size_t dip) const = 0;
+    virtual solver::DipState state(std::size_t dip) const = 0;
     // As solver::FilmSolver::read.
     void read(std::size_t dip, std::span<float> positions,
               std::span<solver::PointState> states) const;
 
     virtual StoredFilm stored(std::size_t dip) const = 0;
-    // What a host's copy of the stored film says, made when the dip was at `progress`; as
+    // What a host's copy of the stored film says, made when the dip was at `dipState`; as
     // solver::FilmSolver::read.
-    void unpack(std::size_t dip, const std::byte* stored, const solver::DipState& progress,
+    void unpack(std::size_t dip, const std::byte* stored, const solver::DipState& dipState,
                 std::span<float> positions, std::span<solver::PointState> states) const;
 
 private:
     // `unpack` into arrays that match the film.
     virtual void unpackPoints(std::size_t dip, const std::byte* stored,
-                              const solver::DipState& progress, std::span<float> positions,
+                              const solver::DipState& dipState, std::span<float> positions,
                               std::span<solver::PointState> states) const = 0;
 
     Device device_;

@@ -44,7 +44,7 @@ void Snapshot::begin() {
     check(cudaMemcpyAsync(onHost_.get(), onDevice_.data(), film.bytes, cudaMemcpyDeviceToHost,
                           way_.get()));
     check(cudaEventRecord(arrived_.get(), way_.get()));
-    underWay_ = dips_.progress(dip_);
+    underWay_ = dips_.state(dip_);
 }
 
 } // namespace dipwright::cuda

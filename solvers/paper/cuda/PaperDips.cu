@@ -157,11 +157,11 @@ public:
     PaperDips(const Device& device, Setups setups);
 
     void advance(int maximumSteps) override;
-    solver::DipState progress(std::size_t dip) const override;
+    solver::DipState state(std::size_t dip) const override;
     StoredFilm stored(std::size_t dip) const override;
 
 private:
-    void unpackPoints(std::size_t dip, const std::byte* stored, const solver::DipState& progress,
+    void unpackPoints(std::size_t dip, const std::byte* stored, const solver::DipState& dipState,
                       std::span<float> positions,
                       std::span<solver::PointState> states) const override;
     void layFlat(Setups setups);
@@ -255,7 +255,7 @@ void PaperDips::launch(int firstPass, int lastPass) {
     }
 }
 
-solver::DipState PaperDips::progress(std::size_t dip) const {
+solver::DipState PaperDips::state(std::size_t dip) const {
     const PaperDip& own = dips_[dip];
     const int steps = std::min(stepsDone_, own.steps);
     const double descent = std::min(own.travel, double(steps) * model_.stepLength);
@@ -266,7 +266,7 @@ StoredFilm PaperDips::stored(std::size_t dip) const {
     return {reinterpret_cast<const std::byte*>(dips_[dip].now), pointCount() * sizeof(StoredPoint)};
 }
 
-void PaperDips::unpackPoints(std::size_t, const std::byte* stored, const solver::DipState& progress,
+void PaperDips::unpackPoints(std::size_t, const std::byte* stored, const solver::DipState& dipState,
                              std::span<float> positions,
                              std::span<solver::PointState> states) const {
     const std::span points(reinterpret_cast<const StoredPoint*>(stored), pointCount());
@@ -276,7 +276,7 @@ void PaperDips::unpackPoints(std::size_t, const std::byte* stored, const solver:
         const double restX = -film().width / 2 + double(i % film().columns) * film().spacingX();
         const double restZ = -film().depth / 2 + double(i / film().columns) * film().spacingZ();
         positions[3 * i] = float(restX + double(point.x));
-        positions[3 * i + 1] = float(double(point.y) - (isAdhered ? progress.descent : 0.0));
+        positions[3 * i + 1] = float(double(point.y) - (isAdhered ? dipState.descent : 0.0));
         positions[3 * i + 2] = float(restZ + double(point.z));
         if (!states.empty()) {
             states[i] = isAdhered ? solver::PointState::Adhered : solver::PointState::Free;

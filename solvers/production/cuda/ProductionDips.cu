@@ -208,11 +208,11 @@ public:
     ProductionDips(const Device& device, Setups setups);
 
     void advance(int maximumSteps) override;
-    solver::DipState progress(std::size_t dip) const override;
+    solver::DipState state(std::size_t dip) const override;
     StoredFilm stored(std::size_t dip) const override;
 
 private:
-    void unpackPoints(std::size_t dip, const std::byte* stored, const solver::DipState& progress,
+    void unpackPoints(std::size_t dip, const std::byte* stored, const solver::DipState& dipState,
                       std::span<float> positions,
                       std::span<solver::PointState> states) const override;
     void layFlat(const solver::DipSetup& setup, const ProductionDip& dip) const;
@@ -284,7 +284,7 @@ void ProductionDips::advance(int maximumSteps) {
     }
 }
 
-solver::DipState ProductionDips::progress(std::size_t dip) const {
+solver::DipState ProductionDips::state(std::size_t dip) const {
     const numerics::StepState<float>& state = states_[dip];
     return {state.steps, state.descent, state.descent >= dips_[dip].body.motion.travel};
 }
@@ -297,7 +297,7 @@ StoredFilm ProductionDips::stored(std::size_t dip) const {
 }
 
 void ProductionDips::unpackPoints(std::size_t dip, const std::byte* stored,
-                                  const solver::DipState& progress, std::span<float> positions,
+                                  const solver::DipState& dipState, std::span<float> positions,
                                   std::span<solver::PointState> states) const {
     const ProductionDip& own = dips_[dip];
     const std::byte* first = this->stored(dip).onDevice;
@@ -308,7 +308,7 @@ void ProductionDips::unpackPoints(std::size_t dip, const std::byte* stored,
     const float2* displacement = inCopy(own.displacement);
     const float3* attached = inCopy(own.attached);
     const std::uint8_t* held = inCopy(own.states);
-    const auto frame = numerics::bodyFrame<float>(own.body.motion, progress.descent);
+    const auto frame = numerics::bodyFrame<float>(own.body.motion, dipState.descent);
     const std::size_t count = film().pointCount();
     for (std::size_t point = 0; point < count; ++point) {
         const auto state = solver::PointState(held[point]);
