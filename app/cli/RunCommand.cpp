@@ -20,7 +20,7 @@ void printSummary(const JobResult& result, QTextStream& out) {
         out << note << '\n';
     }
     for (const ImmersionResult& immersion : result.immersions) {
-        const DippedFilm& film = *immersion.film;
+        const DippedFilm& film = immersion.laid->film();
         out << QStringLiteral("%1: %2 × %3 points, %4 steps in %5 s, %6 % of the body covered, "
                               "registration %7 mm on average, %8 mm for 95 %\n")
                    .arg(immersion.immersion.name)

@@ -21,9 +21,9 @@ constexpr int halvings = 10;
 class LimitFinder {
 public:
     LimitFinder(const DippedFilm& film, const PosedBody& body, const CornerNormals& normals,
-                const SurfaceQuery& query, const ProcessSettings& process, FilmContact& contact)
-        : film_(film), mesh_(body.model.mesh), normals_(normals), query_(query), contact_(contact),
-          cell_(float(std::max(film.grid.spacingX(), film.grid.spacingZ()))),
+                const ProcessSettings& process, FilmContact& contact)
+        : film_(film), mesh_(body.model.mesh), normals_(normals), query_(body.query),
+          contact_(contact), cell_(float(std::max(film.grid.spacingX(), film.grid.spacingZ()))),
           triangles_(filmTriangles(film.grid)),
           steepest_(float(std::sin(radians(process.overhang)))), mostStretch_(process.tearStretch),
           state_(film.positions.size(), Reach::None) {}
@@ -224,9 +224,8 @@ private:
 } // namespace
 
 void continueToLimit(const DippedFilm& film, const PosedBody& body, const CornerNormals& normals,
-                     const SurfaceQuery& query, const ProcessSettings& process,
-                     FilmContact& contact) {
-    LimitFinder(film, body, normals, query, process, contact).find();
+                     const ProcessSettings& process, FilmContact& contact) {
+    LimitFinder(film, body, normals, process, contact).find();
 }
 
 } // namespace dipwright

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "dip/FilmContact.h"
+#include "dip/Pose.h"
+#include "dip/ProcessSettings.h"
+#include "film/DippedFilm.h"
 #include "geometry/CornerNormals.h"
 
 namespace dipwright {
@@ -12,7 +15,6 @@ namespace dipwright {
 // cells at the most; film that is near its place there, but does not touch, is left as it is.
 // `contact` is complete but for that; `normals` are the body's.
 void continueToLimit(const DippedFilm& film, const PosedBody& body, const CornerNormals& normals,
-                     const SurfaceQuery& query, const ProcessSettings& process,
-                     FilmContact& contact);
+                     const ProcessSettings& process, FilmContact& contact);
 
 } // namespace dipwright

@@ -1,8 +1,8 @@
 #include "dip/Coverage.h"
 
-#include "dip/FilmOnBody.h"
 #include "dip/TrappedAir.h"
 #include "dip/TrianglePieces.h"
+#include "geometry/SurfaceSamples.h"
 
 #include <tbb/parallel_for.h>
 
@@ -15,14 +15,14 @@ namespace {
 
 constexpr double samplesPerFilmCell = 4;
 constexpr int mostPieces = 64; // a triangle's samples are at most the square of this
+constexpr int samplesOfBody = 40'000;
 
 } // namespace
 
-Coverage coverage(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
-                  const SurfaceQuery& query) {
-    const TriangleMesh& mesh = body.model.mesh;
-    const FilmOnBody filmOnBody(film, contact, body);
-    const double sampleArea = film.grid.spacingX() * film.grid.spacingZ() / samplesPerFilmCell;
+Coverage coverage(const LaidFilm& laid) {
+    const TriangleMesh& mesh = laid.body().model.mesh;
+    const solver::FilmGrid& grid = laid.film().grid;
+    const double sampleArea = grid.spacingX() * grid.spacingZ() / samplesPerFilmCell;
     std::vector<double> painted(mesh.triangles.size(), 0);
     Coverage result;
     result.covered.assign(mesh.triangles.size(), 0);
@@ -31,11 +31,8 @@ Coverage coverage(const DippedFilm& film, const FilmContact& contact, const Pose
         const int pieces =
             int(std::clamp(std::ceil(std::sqrt(area / sampleArea)), 1.0, double(mostPieces)));
         int hits = 0;
-        forEachPiece(std::uint32_t(triangle), pieces, [&](const SurfacePoint& sample) {
-            Eigen::Vector2f rest;
-            std::uint32_t filmTriangle = 0;
-            hits += filmOnBody.locate(sample, rest, filmTriangle) ? 1 : 0;
-        });
+        forEachPiece(std::uint32_t(triangle), pieces,
+                     [&](const SurfacePoint& sample) { hits += laid.place(sample) ? 1 : 0; });
         painted[triangle] = area * hits / (pieces * pieces);
         result.covered[triangle] = 2 * hits >= pieces * pieces ? 1 : 0;
     });
@@ -43,8 +40,21 @@ Coverage coverage(const DippedFilm& film, const FilmContact& contact, const Pose
         result.paintedArea += area;
     }
     result.share = result.paintedArea / surfaceArea(mesh);
-    result.trappedAirArea = trappedAirArea(body, query);
+    result.trappedAirArea = trappedAirArea(laid.body());
     return result;
+}
+
+double coverageTogether(const std::vector<std::shared_ptr<const LaidFilm>>& films,
+                        const Progress& progress) {
+    const TriangleMesh& mesh = films.front()->body().model.mesh;
+    const std::vector<SurfacePoint> samples = evenSamples(mesh, surfaceArea(mesh) / samplesOfBody);
+    const auto painted =
+        std::count_if(samples.begin(), samples.end(), [&](const SurfacePoint& sample) {
+            progress.cancelSwitch.throwIfCancelled();
+            return std::any_of(films.begin(), films.end(),
+                               [&](const auto& laid) { return laid->place(sample).has_value(); });
+        });
+    return double(painted) / double(samples.size());
 }
 
 } // namespace dipwright

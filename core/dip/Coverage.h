@@ -1,7 +1,8 @@
-// How much of the body an immersion paints.
+// How much of the body dips paint.
 #pragma once
 
-#include "dip/FilmContact.h"
+#include "base/Progress.h"
+#include "dip/LaidFilm.h"
 
 namespace dipwright {
 
@@ -12,8 +13,13 @@ struct Coverage {
     double trappedAirArea = 0;         // mm² that film cannot reach because air is caught there
 };
 
-// By samples of every body triangle, a few for each film cell's area. All cores, deterministic.
-Coverage coverage(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
-                  const SurfaceQuery& query);
+// Of one dip. By samples of every body triangle, a few for each film cell's area. All cores,
+// deterministic.
+Coverage coverage(const LaidFilm& laid);
+
+// The share of the surface that at least one of several films of the same body paints, by samples
+// spread evenly over it. Throws Cancelled.
+double coverageTogether(const std::vector<std::shared_ptr<const LaidFilm>>& films,
+                        const Progress& progress);
 
 } // namespace dipwright

@@ -3,30 +3,14 @@
 
 #include "base/Progress.h"
 #include "dip/Pose.h"
+#include "dip/ProcessSettings.h"
 #include "film/DippedFilm.h"
 #include "film/FilmSettings.h"
 #include "geometry/DistanceField.h"
 
 #include <functional>
-#include <optional>
 
 namespace dipwright {
-
-// The project file's "process".
-struct ProcessSettings {
-    MillimetresPerSecond dipSpeed{5};
-    Seconds timeStep{1.0 / 60}; // paper-2020 only; the production film chooses its own step
-    int iterations = 5;         // paper-2020 only
-    solver::Relaxation relaxation = solver::Relaxation::Jacobi; // paper-2020 only
-    bool selfContact = false;                                   // paper-2020 only
-    double contactTravel = 0.25;      // production only: cells the contact line travels in one step
-    std::optional<Millimetres> depth; // how far the lowest point goes under; none: all of the body
-    Millimetres margin{2};            // farther than fully under
-    double tearStretch = 4;           // area stretch past which film counts as torn
-    Degrees overhang{20};             // film holds on faces that turn upwards by no more than this
-    QString solver = QStringLiteral("auto");
-    bool operator==(const ProcessSettings&) const = default;
-};
 
 // Film points in the world frame while a dip runs, for display. Valid during the call only.
 struct FilmFrame {

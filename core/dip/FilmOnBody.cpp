@@ -14,114 +14,105 @@ constexpr float otherSide = -0.05f;
 // Weights up to this count as none: the place is on an edge or in a corner.
 constexpr float noWeight = 1e-5f;
 
-} // namespace
-
-struct FilmOnBody::Data {
-    const DippedFilm& film;
-    const FilmContact& contact;
-    const TriangleMesh& body;
-    std::vector<std::uint32_t> filmTriangle; // of each painted triangle
-    TriangleMesh painted;
-    std::vector<std::uint32_t> opposite;     // by painted edge: noEdge at the border
-    std::vector<std::uint8_t> isBorderPoint; // a film point each
-    SurfaceQuery query;
-    float reach;
-
-    Data(const DippedFilm& dipped, const FilmContact& located, const PosedBody& posed,
-         std::vector<std::uint32_t> indices, TriangleMesh mesh)
-        : film(dipped), contact(located), body(posed.model.mesh), filmTriangle(std::move(indices)),
-          painted(std::move(mesh)), opposite(oppositeEdges(painted)),
-          isBorderPoint(painted.positions.size(), 0), query(painted),
-          reach(float(std::max(dipped.grid.spacingX(), dipped.grid.spacingZ()))) {
-        for (std::size_t edge = 0; edge < opposite.size(); ++edge) {
-            if (opposite[edge] == noEdge) {
-                isBorderPoint[painted.triangles[edge / 3][edge % 3]] = 1;
-                isBorderPoint[painted.triangles[edge / 3][(edge + 1) % 3]] = 1;
-            }
+std::vector<std::uint32_t> reachedTriangles(const FilmContact& contact) {
+    std::vector<std::uint32_t> reached;
+    for (std::uint32_t triangle = 0; triangle < contact.painted.size(); ++triangle) {
+        if (contact.reaches(triangle)) {
+            reached.push_back(triangle);
         }
     }
-
-    bool fits(const SurfacePoint& onFilm, const Eigen::Vector3f& outward) const {
-        return onFilm.isValid() &&
-               triangleNormal(painted, onFilm.triangle).dot(outward) < otherSide;
-    }
-    bool isOnBorder(const SurfacePoint& onFilm) const {
-        for (std::uint32_t corner = 0; corner < 3; ++corner) {
-            const std::uint32_t next = (corner + 1) % 3;
-            const bool onEdge = onFilm.weights[(corner + 2) % 3] <= noWeight;
-            const bool inCorner = onEdge && onFilm.weights[next] <= noWeight;
-            if ((onEdge && opposite[3 * onFilm.triangle + corner] == noEdge) ||
-                (inCorner && isBorderPoint[painted.triangles[onFilm.triangle][corner]])) {
-                return true;
-            }
-        }
-        return false;
-    }
-    // Whether the film's nearest place is its border, seen from beyond it.
-    bool isBeyondBorder(const SurfacePoint& onFilm, const Eigen::Vector3f& offset,
-                        const Eigen::Vector3f& outward) const {
-        const float sideways = (offset - offset.dot(outward) * outward).norm();
-        return sideways > 0.02f * reach && isOnBorder(onFilm);
-    }
-    // The film on the side of the body where `place` is.
-    ClosestPoint filmOver(const Eigen::Vector3f& place, const Eigen::Vector3f& outward) const {
-        ClosestPoint nearest = query.closest(place, reach);
-        if (fits(nearest.point, outward)) {
-            return nearest;
-        }
-        const RayHit above = query.hit(place, outward, reach);
-        const RayHit below = query.hit(place, -outward, reach);
-        if (fits(above.point, outward) &&
-            (above.distance <= below.distance || !fits(below.point, outward))) {
-            return {above.point, above.distance};
-        }
-        return fits(below.point, outward) ? ClosestPoint{below.point, below.distance}
-                                          : ClosestPoint{};
-    }
-};
-
-FilmOnBody::FilmOnBody(const DippedFilm& film, const FilmContact& contact, const PosedBody& body) {
-    const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
-    std::vector<std::uint32_t> indices;
-    // On the body itself, should the film have stopped short of it by a contact distance.
-    TriangleMesh painted{contact.places, {}};
-    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
-        if (contact.reaches(std::uint32_t(triangle))) {
-            indices.push_back(std::uint32_t(triangle));
-            painted.triangles.push_back(triangles[triangle]);
-        }
-    }
-    data_ = std::make_unique<Data>(film, contact, body, std::move(indices), std::move(painted));
+    return reached;
 }
 
-FilmOnBody::~FilmOnBody() = default;
-FilmOnBody::FilmOnBody(FilmOnBody&&) noexcept = default;
-FilmOnBody& FilmOnBody::operator=(FilmOnBody&&) noexcept = default;
+// On the body itself, should the film have stopped short of it by a contact distance.
+TriangleMesh paintedMesh(const FilmContact& contact, const std::vector<FilmTriangle>& triangles,
+                         const std::vector<std::uint32_t>& reached) {
+    TriangleMesh painted{contact.places, {}};
+    for (const std::uint32_t triangle : reached) {
+        painted.triangles.push_back(triangles[triangle]);
+    }
+    return painted;
+}
 
-bool FilmOnBody::locate(const SurfacePoint& point, Eigen::Vector2f& rest,
-                        std::uint32_t& triangle) const {
-    const Eigen::Vector3f place = position(data_->body, point);
-    const Eigen::Vector3f outward = triangleNormal(data_->body, point.triangle);
-    const ClosestPoint found = data_->filmOver(place, outward);
+} // namespace
+
+FilmOnBody::FilmOnBody(const solver::FilmGrid& grid, const std::vector<FilmTriangle>& triangles,
+                       const FilmContact& contact, const TriangleMesh& body)
+    : grid_(grid), contact_(contact), body_(body), filmTriangle_(reachedTriangles(contact)),
+      painted_(paintedMesh(contact, triangles, filmTriangle_)), opposite_(oppositeEdges(painted_)),
+      isBorderPoint_(painted_.positions.size(), 0), query_(painted_),
+      reach_(float(std::max(grid.spacingX(), grid.spacingZ()))) {
+    for (std::size_t edge = 0; edge < opposite_.size(); ++edge) {
+        if (opposite_[edge] == noEdge) {
+            isBorderPoint_[painted_.triangles[edge / 3][edge % 3]] = 1;
+            isBorderPoint_[painted_.triangles[edge / 3][(edge + 1) % 3]] = 1;
+        }
+    }
+}
+
+bool FilmOnBody::fits(const SurfacePoint& onFilm, const Eigen::Vector3f& outward) const {
+    return onFilm.isValid() && triangleNormal(painted_, onFilm.triangle).dot(outward) < otherSide;
+}
+
+bool FilmOnBody::isOnBorder(const SurfacePoint& onFilm) const {
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+        const std::uint32_t next = (corner + 1) % 3;
+        const bool onEdge = onFilm.weights[(corner + 2) % 3] <= noWeight;
+        const bool inCorner = onEdge && onFilm.weights[next] <= noWeight;
+        if ((onEdge && opposite_[3 * onFilm.triangle + corner] == noEdge) ||
+            (inCorner && isBorderPoint_[painted_.triangles[onFilm.triangle][corner]])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Whether the film's nearest place is its border, seen from beyond it.
+bool FilmOnBody::isBeyondBorder(const SurfacePoint& onFilm, const Eigen::Vector3f& offset,
+                                const Eigen::Vector3f& outward) const {
+    const float sideways = (offset - offset.dot(outward) * outward).norm();
+    return sideways > 0.02f * reach_ && isOnBorder(onFilm);
+}
+
+// The film on the side of the body where `place` is.
+ClosestPoint FilmOnBody::filmOver(const Eigen::Vector3f& place,
+                                  const Eigen::Vector3f& outward) const {
+    ClosestPoint nearest = query_.closest(place, reach_);
+    if (fits(nearest.point, outward)) {
+        return nearest;
+    }
+    const RayHit above = query_.hit(place, outward, reach_);
+    const RayHit below = query_.hit(place, -outward, reach_);
+    if (fits(above.point, outward) &&
+        (above.distance <= below.distance || !fits(below.point, outward))) {
+        return {above.point, above.distance};
+    }
+    return fits(below.point, outward) ? ClosestPoint{below.point, below.distance} : ClosestPoint{};
+}
+
+std::optional<FilmPlace> FilmOnBody::place(const SurfacePoint& point) const {
+    const Eigen::Vector3f onBody = position(body_, point);
+    const Eigen::Vector3f outward = triangleNormal(body_, point.triangle);
+    const ClosestPoint found = filmOver(onBody, outward);
     if (!found.point.isValid()) {
-        return false;
+        return std::nullopt;
     }
-    const Eigen::Vector3f offset = place - position(data_->painted, found.point);
-    const bool deepInAHollow = offset.dot(outward) < -float(touchedHollow) * data_->reach;
-    if (deepInAHollow || data_->isBeyondBorder(found.point, offset, outward)) {
-        return false;
+    const Eigen::Vector3f offset = onBody - position(painted_, found.point);
+    const bool deepInAHollow = offset.dot(outward) < -float(touchedHollow) * reach_;
+    if (deepInAHollow || isBeyondBorder(found.point, offset, outward)) {
+        return std::nullopt;
     }
-    triangle = data_->filmTriangle[found.point.triangle];
-    if (!data_->contact.reaches(triangle, found.point.weights)) {
-        return false;
+    FilmPlace place;
+    place.triangle = filmTriangle_[found.point.triangle];
+    if (!contact_.reaches(place.triangle, found.point.weights)) {
+        return std::nullopt;
     }
-    const FilmTriangle& corners = data_->painted.triangles[found.point.triangle];
-    rest.setZero();
+    const FilmTriangle& corners = painted_.triangles[found.point.triangle];
     for (int corner = 0; corner < 3; ++corner) {
-        rest += found.point.weights[corner] *
-                restPosition(data_->film.grid, corners[std::size_t(corner)]);
+        place.rest +=
+            found.point.weights[corner] * restPosition(grid_, corners[std::size_t(corner)]);
     }
-    return true;
+    return place;
 }
 
 } // namespace dipwright

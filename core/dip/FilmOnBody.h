@@ -1,26 +1,38 @@
-// Where film lands on the body: from a place on the body back to the flat film.
+// Where film lands on the body: from a place on the body back to the flat film. Private to this
+// folder: LaidFilm::place() is how everyone else asks.
 #pragma once
 
-#include "dip/FilmContact.h"
+#include "dip/LaidFilm.h"
 
 namespace dipwright {
 
-// A hierarchy over the painted, deformed film. Keeps references to its
-// arguments.
+// A hierarchy over the painted, deformed film. Keeps references to its arguments. Reading is const,
+// any thread.
 class FilmOnBody {
 public:
-    FilmOnBody(const DippedFilm& film, const FilmContact& contact, const PosedBody& body);
-    ~FilmOnBody();
-    FilmOnBody(FilmOnBody&&) noexcept;
-    FilmOnBody& operator=(FilmOnBody&&) noexcept;
+    // `triangles`: filmTriangles() of the grid; `body` in the pose frame of the contact.
+    FilmOnBody(const solver::FilmGrid& grid, const std::vector<FilmTriangle>& triangles,
+               const FilmContact& contact, const TriangleMesh& body);
 
-    // The place on the flat film (restPosition's frame) of the film that covers `point` of the
-    // body; false where none does. `triangle` gets the film triangle. Any thread.
-    bool locate(const SurfacePoint& point, Eigen::Vector2f& rest, std::uint32_t& triangle) const;
+    // The place of the film that covers `point` of the body; nothing where none does.
+    std::optional<FilmPlace> place(const SurfacePoint& point) const;
 
 private:
-    struct Data;
-    std::unique_ptr<Data> data_;
+    bool fits(const SurfacePoint& onFilm, const Eigen::Vector3f& outward) const;
+    bool isOnBorder(const SurfacePoint& onFilm) const;
+    bool isBeyondBorder(const SurfacePoint& onFilm, const Eigen::Vector3f& offset,
+                        const Eigen::Vector3f& outward) const;
+    ClosestPoint filmOver(const Eigen::Vector3f& place, const Eigen::Vector3f& outward) const;
+
+    const solver::FilmGrid& grid_;
+    const FilmContact& contact_;
+    const TriangleMesh& body_;
+    std::vector<std::uint32_t> filmTriangle_; // of each painted triangle
+    TriangleMesh painted_;
+    std::vector<std::uint32_t> opposite_;     // by painted edge: noEdge at the border
+    std::vector<std::uint8_t> isBorderPoint_; // a film point each
+    SurfaceQuery query_;                      // of painted_
+    float reach_;                             // a film cell, mm
 };
 
 } // namespace dipwright

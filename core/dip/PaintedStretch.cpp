@@ -14,13 +14,13 @@ struct PaintedConstraint {
 
 // In the order of constraintStretches().
 std::vector<PaintedConstraint> paintedConstraints(const DippedFilm& film,
+                                                  const std::vector<FilmTriangle>& triangles,
                                                   const FilmContact& contact) {
     const auto columns = std::uint32_t(film.grid.columns);
     const auto rows = std::uint32_t(film.grid.rows);
     const std::vector<float> stretches = constraintStretches(film);
     const std::size_t firstVertical = std::size_t(rows) * (columns - 1);
     std::vector<std::uint8_t> isPainted(stretches.size(), 0);
-    const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
     for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
         for (int side = 0; contact.painted[triangle] && side < 3; ++side) {
             const std::uint32_t a = triangles[triangle][std::size_t(side)];
@@ -50,23 +50,35 @@ std::vector<PaintedConstraint> paintedConstraints(const DippedFilm& film,
     return constraints;
 }
 
-} // namespace
-
-std::vector<float> paintedConstraintStretches(const DippedFilm& film, const FilmContact& contact) {
-    std::vector<float> stretches;
-    for (const PaintedConstraint& constraint : paintedConstraints(film, contact)) {
-        stretches.push_back(constraint.stretch);
-    }
-    return stretches;
-}
-
-std::vector<float> paintedPointStretches(const DippedFilm& film, const FilmContact& contact) {
-    std::vector<float> sums(film.grid.pointCount(), 0);
-    std::vector<int> counts(film.grid.pointCount(), 0);
-    for (const PaintedConstraint& constraint : paintedConstraints(film, contact)) {
+std::vector<float> meanOfConstraints(const std::vector<PaintedConstraint>& constraints,
+                                     std::size_t points) {
+    std::vector<float> sums(points, 0);
+    std::vector<int> counts(points, 0);
+    for (const PaintedConstraint& constraint : constraints) {
         for (const std::uint32_t point : {constraint.from, constraint.to}) {
             sums[point] += constraint.stretch;
             ++counts[point];
+        }
+    }
+    for (std::size_t point = 0; point < points; ++point) {
+        sums[point] = counts[point] > 0 ? sums[point] / float(counts[point]) : 1.f;
+    }
+    return sums;
+}
+
+// For each film point the mean of `value` over the painted triangles round it; 1 where none is.
+template <typename Value>
+std::vector<float> meanOfTriangles(const std::vector<FilmTriangle>& triangles,
+                                   const std::vector<PrincipalStretch>& stretches,
+                                   const FilmContact& contact, const Value& value) {
+    std::vector<float> sums(contact.surface.size(), 0);
+    std::vector<int> counts(contact.surface.size(), 0);
+    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
+        if (contact.painted[triangle]) {
+            for (const std::uint32_t point : triangles[triangle]) {
+                sums[point] += value(stretches[triangle]);
+                ++counts[point];
+            }
         }
     }
     for (std::size_t point = 0; point < sums.size(); ++point) {
@@ -75,50 +87,9 @@ std::vector<float> paintedPointStretches(const DippedFilm& film, const FilmConta
     return sums;
 }
 
-std::vector<float> paintedAreaStretches(const DippedFilm& film, const FilmContact& contact) {
-    const std::vector<PrincipalStretch> stretches = principalStretches(film);
-    std::vector<float> kept;
-    for (std::size_t triangle = 0; triangle < stretches.size(); ++triangle) {
-        if (contact.painted[triangle]) {
-            kept.push_back(stretches[triangle].area());
-        }
-    }
-    return kept;
-}
-
-Wrinkling paintedWrinkling(const DippedFilm& film, const FilmContact& contact) {
-    const std::vector<PrincipalStretch> stretches = principalStretches(film);
-    const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
-    Wrinkling result;
-    result.pointStretches.assign(film.grid.pointCount(), 0);
-    std::vector<int> counts(film.grid.pointCount(), 0);
-    std::size_t painted = 0, wrinkled = 0;
-    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
-        if (!contact.painted[triangle]) {
-            continue;
-        }
-        const float smaller = stretches[triangle].smaller;
-        ++painted;
-        wrinkled += smaller < wrinkledBelow ? 1 : 0;
-        result.least = std::min(result.least, double(smaller));
-        for (const std::uint32_t point : triangles[triangle]) {
-            result.pointStretches[point] += smaller;
-            ++counts[point];
-        }
-    }
-    for (std::size_t point = 0; point < counts.size(); ++point) {
-        float& value = result.pointStretches[point];
-        value = counts[point] > 0 ? value / float(counts[point]) : 1.f;
-    }
-    const double triangleArea = film.grid.spacingX() * film.grid.spacingZ() / 2;
-    result.area = double(wrinkled) * triangleArea;
-    result.share = painted > 0 ? double(wrinkled) / double(painted) : 0;
-    return result;
-}
-
-std::vector<std::uint8_t> paintedPoints(const DippedFilm& film, const FilmContact& contact) {
-    std::vector<std::uint8_t> painted(film.grid.pointCount(), 0);
-    const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
+std::vector<std::uint8_t> paintedPoints(const std::vector<FilmTriangle>& triangles,
+                                        const FilmContact& contact) {
+    std::vector<std::uint8_t> painted(contact.surface.size(), 0);
     for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
         if (contact.painted[triangle]) {
             for (const std::uint32_t point : triangles[triangle]) {
@@ -127,6 +98,69 @@ std::vector<std::uint8_t> paintedPoints(const DippedFilm& film, const FilmContac
         }
     }
     return painted;
+}
+
+// Just past the limit of contact film would be stretched as it is before it.
+void continueToLimit(std::vector<float>& stretches, const std::vector<std::uint8_t>& isPainted,
+                     const std::vector<FilmTriangle>& triangles, const FilmContact& contact) {
+    for (const auto& [triangle, limit] : contact.limits) {
+        float sum = 0;
+        int known = 0;
+        for (const std::uint32_t point : triangles[triangle]) {
+            sum += isPainted[point] ? stretches[point] : 0;
+            known += isPainted[point] ? 1 : 0;
+        }
+        for (const std::uint32_t point : triangles[triangle]) {
+            stretches[point] =
+                isPainted[point] || known == 0 ? stretches[point] : sum / float(known);
+        }
+    }
+}
+
+Wrinkling wrinkling(const solver::FilmGrid& grid, const std::vector<FilmTriangle>& triangles,
+                    const std::vector<PrincipalStretch>& stretches, const FilmContact& contact) {
+    Wrinkling result;
+    result.pointStretches =
+        meanOfTriangles(triangles, stretches, contact,
+                        [](const PrincipalStretch& stretch) { return stretch.smaller; });
+    std::size_t painted = 0, wrinkled = 0;
+    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
+        if (contact.painted[triangle]) {
+            const float smaller = stretches[triangle].smaller;
+            ++painted;
+            wrinkled += smaller < wrinkledBelow ? 1 : 0;
+            result.least = std::min(result.least, double(smaller));
+        }
+    }
+    const double triangleArea = grid.spacingX() * grid.spacingZ() / 2;
+    result.area = double(wrinkled) * triangleArea;
+    result.share = painted > 0 ? double(wrinkled) / double(painted) : 0;
+    return result;
+}
+
+} // namespace
+
+PaintedStretch paintedStretch(const DippedFilm& film, const std::vector<FilmTriangle>& triangles,
+                              const std::vector<PrincipalStretch>& stretches,
+                              const FilmContact& contact) {
+    PaintedStretch result;
+    result.points = paintedPoints(triangles, contact);
+    const std::vector<PaintedConstraint> constraints = paintedConstraints(film, triangles, contact);
+    for (const PaintedConstraint& constraint : constraints) {
+        result.constraints.push_back(constraint.stretch);
+    }
+    result.pointMeans = meanOfConstraints(constraints, film.grid.pointCount());
+    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
+        if (contact.painted[triangle]) {
+            result.areas.push_back(stretches[triangle].area());
+        }
+    }
+    result.pointAreas =
+        meanOfTriangles(triangles, stretches, contact,
+                        [](const PrincipalStretch& stretch) { return stretch.area(); });
+    continueToLimit(result.pointAreas, result.points, triangles, contact);
+    result.wrinkling = wrinkling(film.grid, triangles, stretches, contact);
+    return result;
 }
 
 } // namespace dipwright

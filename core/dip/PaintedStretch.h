@@ -3,17 +3,9 @@
 #pragma once
 
 #include "dip/FilmContact.h"
+#include "film/DippedFilm.h"
 
 namespace dipwright {
-
-// Final over rest length of the horizontal and vertical constraints that are sides of painted film.
-std::vector<float> paintedConstraintStretches(const DippedFilm& film, const FilmContact& contact);
-
-// A film point each: the mean of those of its constraints; 1 where it has none.
-std::vector<float> paintedPointStretches(const DippedFilm& film, const FilmContact& contact);
-
-// Area stretch J of the painted film triangles.
-std::vector<float> paintedAreaStretches(const DippedFilm& film, const FilmContact& contact);
 
 // How film on the body is compressed: its smaller principal stretch λ2 is below 1. The model lets
 // it thicken; real film may fold there (docs/film-model.md, "Measures").
@@ -25,9 +17,23 @@ struct Wrinkling {
 };
 inline constexpr float wrinkledBelow =
     0.99f; // a hundredth is within what a film profile is known to
-Wrinkling paintedWrinkling(const DippedFilm& film, const FilmContact& contact);
 
-// A film point each: 1 where painted film meets in it.
-std::vector<std::uint8_t> paintedPoints(const DippedFilm& film, const FilmContact& contact);
+struct PaintedStretch {
+    std::vector<std::uint8_t> points; // a film point each: 1 where painted film meets in it
+    // Final over rest length of the horizontal and vertical constraints that are sides of painted
+    // film, and for each film point the mean of those that meet in it; 1 where none does.
+    std::vector<float> constraints, pointMeans;
+    // Area stretch J of the painted film triangles, and for each film point the mean of those round
+    // it, so that the ink's density, which is reckoned with it, does not jump from triangle to
+    // triangle. Points just past the limit of contact are stretched as the film before it; 1 where
+    // no painted film is near.
+    std::vector<float> areas, pointAreas;
+    Wrinkling wrinkling;
+};
+
+// `triangles` and `stretches`: filmTriangles() and principalStretches() of the film.
+PaintedStretch paintedStretch(const DippedFilm& film, const std::vector<FilmTriangle>& triangles,
+                              const std::vector<PrincipalStretch>& stretches,
+                              const FilmContact& contact);
 
 } // namespace dipwright

@@ -24,12 +24,12 @@ Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immer
 }
 
 PosedBody posedBody(const TexturedMesh& model, const Immersion& immersion) {
-    PosedBody body;
-    body.modelToPose = poseTransform(model.mesh, immersion);
-    body.model = model;
-    body.model.mesh = transformed(model.mesh, body.modelToPose);
-    body.height = boundingBox(body.model.mesh).max().y();
-    return body;
+    const Eigen::Isometry3d modelToPose = poseTransform(model.mesh, immersion);
+    TexturedMesh posed = model;
+    posed.mesh = transformed(model.mesh, modelToPose);
+    const double height = boundingBox(posed.mesh).max().y();
+    SurfaceQuery query(posed.mesh);
+    return {std::move(posed), modelToPose, height, std::move(query)};
 }
 
 } // namespace dipwright

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/Units.h"
+#include "geometry/SurfaceQuery.h"
 #include "model/TexturedMesh.h"
 
 #include <QString>
@@ -23,11 +24,13 @@ struct Immersion {
 // Model coordinates to the pose frame.
 Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immersion);
 
-// A body in the pose frame of one immersion, with what asks it questions.
+// A body in the pose frame of one immersion, with what asks its surface questions. It does not
+// depend on the immersion's offset.
 struct PosedBody {
     TexturedMesh model;            // positions in the pose frame
     Eigen::Isometry3d modelToPose; // from the coordinates of the model and its distance field
     double height = 0;             // mm from the lowest to the highest point
+    SurfaceQuery query;            // of model.mesh
 };
 PosedBody posedBody(const TexturedMesh& model, const Immersion& immersion);
 

@@ -144,9 +144,9 @@ std::vector<std::uint8_t> openAir(const SpaceGrid& grid) {
 
 } // namespace
 
-double trappedAirArea(const PosedBody& body, const SurfaceQuery& query, int resolution) {
+double trappedAirArea(const PosedBody& body, int resolution) {
     const TriangleMesh& mesh = body.model.mesh;
-    const SpaceGrid grid(mesh, query, resolution);
+    const SpaceGrid grid(mesh, body.query, resolution);
     const std::vector<std::uint8_t> open = openAir(grid);
     double trapped = 0;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "dip/Pose.h"
-#include "geometry/SurfaceQuery.h"
 
 namespace dipwright {
 
@@ -10,6 +9,6 @@ namespace dipwright {
 // height gets away when it can reach the open without ever going below that height; found on a grid
 // of `resolution` cells along the body's longest edge, so that hollows of less than a cell are not
 // seen. All cores, deterministic.
-double trappedAirArea(const PosedBody& body, const SurfaceQuery& query, int resolution = 96);
+double trappedAirArea(const PosedBody& body, int resolution = 96);
 
 } // namespace dipwright

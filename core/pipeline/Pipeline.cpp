@@ -1,10 +1,9 @@
 #include "pipeline/Pipeline.h"
 
 #include "base/Error.h"
-#include "dip/FilmOnBody.h"
+#include "dip/Coverage.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/SolverChoice.h"
-#include "pipeline/TotalCoverage.h"
 #include "texture/Chessboard.h"
 
 #include <QCoreApplication>
@@ -55,7 +54,7 @@ public:
             const double begin = fieldDone + share * double(index);
             runImmersion(index, progress.part(0, fieldDone), progress.part(begin, begin + share));
         }
-        result_.coverageTotal = totalCoverage(result_.immersions, progress);
+        result_.coverageTotal = coverageTotal(progress);
         makeProof(progress.part(immersionsDone, 1));
         return std::move(result_);
     }
@@ -92,22 +91,16 @@ private:
         now.immersion = project_.immersions[index];
         if (old && old->immersion.rotation == now.immersion.rotation) {
             now.body = old->body;
-            now.query = old->query;
         } else {
             now.body = std::make_shared<PosedBody>(posedBody(*project_.model, now.immersion));
-            now.query = std::make_shared<SurfaceQuery>(now.body->model.mesh);
         }
         if (old && sameDip(*old, now)) {
-            now.film = old->film;
-        } else {
-            now.film = dip(index, now, fieldProgress, progress.part(0, dipDone));
-        }
-        if (old && now.film == old->film) {
-            now.contact = old->contact;
+            now.laid = old->laid;
             now.coverage = old->coverage;
             now.registration = old->registration;
         } else {
-            locate(now, progress.part(dipDone, contactDone));
+            locate(now, dip(index, now, fieldProgress, progress.part(0, dipDone)),
+                   progress.part(dipDone, contactDone));
         }
         if (old && sameTexture(*old, now)) {
             now.texture = old->texture;
@@ -116,7 +109,7 @@ private:
                 texture(now, progress.part(contactDone, textureDone)));
         }
         now.sheet = jobSheet(project_, now.immersion, now.texture->image);
-        if (edgeIsOnBody(*now.film, *now.contact)) {
+        if (edgeIsOnBody(*now.laid)) {
             result_.notes.append(Text::tr("%1: the film's edge ends up on the body; take a larger "
                                           "film, or place the body further from the edge")
                                      .arg(now.immersion.name));
@@ -132,8 +125,8 @@ private:
                previous_->solver.id == result_.solver.id;
     }
 
-    std::shared_ptr<const DippedFilm> dip(std::size_t index, const ImmersionResult& now,
-                                          const Progress& fieldProgress, const Progress& progress) {
+    DippedFilm dip(std::size_t index, const ImmersionResult& now, const Progress& fieldProgress,
+                   const Progress& progress) {
         if (!result_.field) {
             result_.field =
                 cachedDistanceField(project_.model->mesh, project_.fieldResolution, fieldProgress);
@@ -143,9 +136,9 @@ private:
             observer = [this, index](const FilmFrame& frame) { options_.observer(index, frame); };
         }
         const auto simulate = [&] {
-            return std::make_shared<DippedFilm>(simulateDip(
-                *now.body, *result_.field, now.immersion, project_.film, project_.process,
-                registry_.module(result_.solver.id), progress, observer));
+            return simulateDip(*now.body, *result_.field, now.immersion, project_.film,
+                               project_.process, registry_.module(result_.solver.id), progress,
+                               observer);
         };
         try {
             return simulate();
@@ -174,23 +167,29 @@ private:
         return true;
     }
 
-    void locate(ImmersionResult& now, const Progress& progress) const {
+    void locate(ImmersionResult& now, DippedFilm film, const Progress& progress) const {
         progress(0, Text::tr("Finding the film on the body"));
-        const auto contact = std::make_shared<FilmContact>(
-            locateFilm(*now.film, *now.body, *now.query, project_.process));
+        now.laid = layFilm(now.body, std::move(film), project_.process);
         progress(0.4, Text::tr("Measuring the coverage"));
-        now.coverage =
-            std::make_shared<Coverage>(coverage(*now.film, *contact, *now.body, *now.query));
+        now.coverage = std::make_shared<Coverage>(coverage(*now.laid));
         progress(0.6, Text::tr("Measuring the registration"));
-        const FilmOnBody filmOnBody(*now.film, *contact, *now.body);
-        now.registration =
-            registrationError(*now.film, *contact, *now.body, *now.query, filmOnBody);
-        now.contact = contact;
+        now.registration = registrationError(*now.laid, *now.laid);
+    }
+
+    double coverageTotal(const Progress& progress) const {
+        if (result_.immersions.size() == 1) {
+            return result_.immersions.front().coverage->share;
+        }
+        std::vector<std::shared_ptr<const LaidFilm>> films;
+        for (const ImmersionResult& immersion : result_.immersions) {
+            films.push_back(immersion.laid);
+        }
+        return coverageTogether(films, progress);
     }
 
     bool sameTexture(const ImmersionResult& old, const ImmersionResult& now) const {
         const Project& before = previous_->project;
-        return old.contact == now.contact && before.sheet.resolution == project_.sheet.resolution &&
+        return old.laid == now.laid && before.sheet.resolution == project_.sheet.resolution &&
                before.sheet.bleed == project_.sheet.bleed && before.ink == project_.ink &&
                previous_->options.chessboard == options_.chessboard &&
                previous_->options.filmImage == options_.filmImage;
@@ -200,12 +199,13 @@ private:
         const QSize pixels =
             sheetPixels(project_.film.width, project_.film.height, project_.sheet.resolution);
         if (!options_.chessboard && options_.filmImage.isNull()) {
-            return reverseTexture(*now.film, *now.contact, *now.body, *now.query,
-                                  {pixels, project_.sheet.bleed.value(), project_.ink}, progress);
+            return reverseTexture(*now.laid, {pixels, project_.sheet.bleed.value(), project_.ink},
+                                  progress);
         }
         ReverseTexture picture;
         if (options_.chessboard) {
-            solver::FilmGrid printed = now.film->grid; // the squares are measured on the sheet
+            solver::FilmGrid printed =
+                now.laid->film().grid; // the squares are measured on the sheet
             printed.width = project_.film.width.value();
             printed.depth = project_.film.height.value();
             picture.image = chessboard(printed, chessSquare, pixels);
@@ -221,7 +221,7 @@ private:
             return false;
         }
         const auto same = [](const ImmersionResult& a, const ImmersionResult& b) {
-            return a.film == b.film && a.contact == b.contact && a.texture == b.texture;
+            return a.laid == b.laid && a.texture == b.texture;
         };
         return std::equal(result_.immersions.begin(), result_.immersions.end(),
                           previous_->immersions.begin(), same);
@@ -234,8 +234,7 @@ private:
         }
         std::vector<WornFilm> films;
         for (const ImmersionResult& now : result_.immersions) {
-            films.push_back(
-                {now.film.get(), now.contact.get(), now.body.get(), now.texture->image});
+            films.push_back({now.laid, now.texture->image});
         }
         ProofOptions options;
         const bool reversed = !options_.chessboard && options_.filmImage.isNull();

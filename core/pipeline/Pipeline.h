@@ -12,9 +12,7 @@ namespace dipwright {
 struct ImmersionResult {
     Immersion immersion;
     std::shared_ptr<const PosedBody> body;
-    std::shared_ptr<const SurfaceQuery> query;
-    std::shared_ptr<const DippedFilm> film;
-    std::shared_ptr<const FilmContact> contact;
+    std::shared_ptr<const LaidFilm> laid;
     std::shared_ptr<const Coverage> coverage;
     std::shared_ptr<const ReverseTexture> texture;
     Registration registration;

@@ -1,7 +1,7 @@
 #include "pipeline/PoseSearch.h"
 
 #include "base/Error.h"
-#include "dip/FilmOnBody.h"
+#include "dip/LaidFilm.h"
 #include "geometry/SurfaceSamples.h"
 #include "project/FilmSizes.h"
 
@@ -132,19 +132,21 @@ public:
 
 private:
     void tryPoses(std::size_t begin, std::size_t end) {
-        std::vector<PosedBody> bodies;
+        std::vector<std::shared_ptr<const PosedBody>> bodies(end - begin);
         std::vector<solver::BatchItem> items(end - begin);
-        for (std::size_t index = begin; index < end; ++index) {
-            bodies.push_back(posedBody(*project_.model, poses_[index]));
-            items[index - begin].setup =
-                dipSetup(bodies.back(), *field_, poses_[index], film_, process_);
-        }
+        tbb::parallel_for(begin, end, [&](std::size_t index) {
+            const std::size_t item = index - begin;
+            bodies[item] =
+                std::make_shared<const PosedBody>(posedBody(*project_.model, poses_[index]));
+            items[item].setup = dipSetup(*bodies[item], *field_, poses_[index], film_, process_);
+        });
         simulate(items);
         tbb::parallel_for(begin, end, [&](std::size_t index) {
             const solver::BatchItem& item = items[index - begin];
-            const DippedFilm film = dippedFilm(item, poses_[index]);
+            DippedFilm film = dippedFilm(item, poses_[index]);
             if (isStable(film, item.setup.motion.travel)) {
-                qualities_[index] = judged(film, bodies[index - begin]);
+                qualities_[index] =
+                    judged(*layFilm(bodies[index - begin], std::move(film), process_));
             }
         });
     }
@@ -164,17 +166,11 @@ private:
     }
 
     // A quality for each sample: 0 where nothing is painted, never below a trace where it is.
-    std::vector<float> judged(const DippedFilm& film, const PosedBody& body) const {
+    std::vector<float> judged(const LaidFilm& laid) const {
         std::vector<float> qualities(samples_.size(), 0.f);
-        const SurfaceQuery query(body.model.mesh);
-        const FilmContact contact = locateFilm(film, body, query, process_);
-        const FilmOnBody filmOnBody(film, contact, body);
-        const std::vector<PrincipalStretch> stretches = principalStretches(film);
         for (std::size_t index = 0; index < samples_.size(); ++index) {
-            Eigen::Vector2f rest;
-            std::uint32_t triangle = 0;
-            if (filmOnBody.locate(samples_[index], rest, triangle)) {
-                const PrincipalStretch& stretch = stretches[triangle];
+            if (const std::optional<FilmPlace> place = laid.place(samples_[index])) {
+                const PrincipalStretch& stretch = laid.stretches()[place->triangle];
                 qualities[index] =
                     std::max(float(printQuality(stretch.larger, stretch.smaller)), 1e-6f);
             }

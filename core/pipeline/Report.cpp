@@ -1,4 +1,3 @@
-#include "dip/PaintedStretch.h"
 #include "pipeline/Pipeline.h"
 
 #include <QJsonArray>
@@ -21,10 +20,11 @@ QJsonObject filmJson(const DippedFilm& film) {
 }
 
 QJsonObject immersionJson(const ImmersionResult& result) {
-    const DippedFilm& film = *result.film;
-    const FilmContact& contact = *result.contact;
+    const DippedFilm& film = result.laid->film();
+    const FilmContact& contact = result.laid->contact();
+    const PaintedStretch& painted = result.laid->painted();
+    const Wrinkling& wrinkling = painted.wrinkling;
     const Registration& registration = result.registration;
-    const Wrinkling wrinkling = paintedWrinkling(film, contact);
     qint64 adhered = 0;
     for (std::size_t point = 0; point < film.states.size(); ++point) {
         adhered += film.adhered(point) ? 1 : 0;
@@ -39,8 +39,8 @@ QJsonObject immersionJson(const ImmersionResult& result) {
             {"coverage", result.coverage->share},
             {"painted_area_mm2", result.coverage->paintedArea},
             {"trapped_air_area_mm2", result.coverage->trappedAirArea},
-            {"stretch", toJson(distribution(paintedConstraintStretches(film, contact)))},
-            {"area_stretch", toJson(distribution(paintedAreaStretches(film, contact)))},
+            {"stretch", toJson(distribution(painted.constraints))},
+            {"area_stretch", toJson(distribution(painted.areas))},
             {"wrinkling", QJsonObject{{"film_area_mm2", wrinkling.area},
                                       {"share", wrinkling.share},
                                       {"least", wrinkling.least}}},

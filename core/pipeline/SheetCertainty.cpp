@@ -2,7 +2,8 @@
 
 #include "base/Error.h"
 #include "base/Png.h"
-#include "dip/FilmOnBody.h"
+#include "dip/Dip.h"
+#include "dip/LaidFilm.h"
 #include "geometry/SurfaceSamples.h"
 #include "pipeline/ResultFolder.h"
 #include "pipeline/SolverChoice.h"
@@ -34,33 +35,6 @@ constexpr double ownDone = 0.1;
 constexpr double halfStepDone = 0.3;
 constexpr double dipDone = 0.9; // of a film
 
-struct HeldBody {
-    HeldBody(const TexturedMesh& model, const Immersion& immersion)
-        : posed(posedBody(model, immersion)), query(posed.model.mesh),
-          samples(evenSamples(posed.model.mesh, surfaceArea(posed.model.mesh) / wantedSamples)) {}
-
-    PosedBody posed;
-    SurfaceQuery query;
-    std::vector<SurfacePoint> samples;
-};
-
-struct LaidFilm {
-    LaidFilm(DippedFilm dipped, const HeldBody& body, const ProcessSettings& process)
-        : film(std::move(dipped)), contact(locateFilm(film, body.posed, body.query, process)),
-          onBody(film, contact, body.posed) {}
-
-    // The place on the flat film that is over a place of the body, if any is.
-    std::optional<Eigen::Vector2f> over(const SurfacePoint& point) const {
-        Eigen::Vector2f place = Eigen::Vector2f::Zero();
-        std::uint32_t triangle = 0;
-        return onBody.locate(point, place, triangle) ? std::optional(place) : std::nullopt;
-    }
-
-    DippedFilm film;
-    FilmContact contact;
-    FilmOnBody onBody; // of the two above
-};
-
 Project withHalfStep(Project project) {
     project.process.contactTravel /= 2;
     project.process.timeStep = Seconds(project.process.timeStep.value() / 2);
@@ -87,9 +61,9 @@ Project withHalfSpacing(Project project) {
 // (`once`) or none (`never`).
 constexpr float once = -1, never = -2;
 float moved(const LaidFilm& own, const LaidFilm& finer, const SurfacePoint& place) {
-    const auto before = own.over(place);
-    const auto after = finer.over(place);
-    return before && after ? (*after - *before).norm() : before || after ? once : never;
+    const auto before = own.place(place);
+    const auto after = finer.place(place);
+    return before && after ? (after->rest - before->rest).norm() : before || after ? once : never;
 }
 
 std::vector<float> moved(const LaidFilm& own, const LaidFilm& finer,
@@ -103,8 +77,9 @@ std::vector<float> moved(const LaidFilm& own, const LaidFilm& finer,
     return distances;
 }
 
-SheetChange change(const LaidFilm& own, const LaidFilm& finer, const HeldBody& body) {
-    std::vector<float> distances = moved(own, finer, body.samples);
+SheetChange change(const LaidFilm& own, const LaidFilm& finer,
+                   const std::vector<SurfacePoint>& samples) {
+    std::vector<float> distances = moved(own, finer, samples);
     const auto all = double(distances.size());
     SheetChange result;
     result.paintedOnce = double(std::count(distances.begin(), distances.end(), once)) / all;
@@ -115,32 +90,34 @@ SheetChange change(const LaidFilm& own, const LaidFilm& finer, const HeldBody& b
 }
 
 QImage map(const LaidFilm& own, const LaidFilm& finer) {
-    std::vector<float> distances = moved(own, finer, own.contact.surface);
+    std::vector<float> distances = moved(own, finer, own.contact().surface);
     for (float& distance : distances) {
         distance =
             distance == once ? std::numeric_limits<float>::quiet_NaN() : std::max(distance, 0.f);
     }
-    return certaintyMap(own.film, own.contact, distances, mapEdge);
+    return certaintyMap(own, distances, mapEdge);
 }
 
 ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
                              const DistanceField& field, const solver::SolverModule& module,
                              const Progress& progress) {
-    const HeldBody body(*project.model, immersion);
+    const auto body = std::make_shared<const PosedBody>(posedBody(*project.model, immersion));
+    const TriangleMesh& mesh = body->model.mesh;
+    const auto samples = evenSamples(mesh, surfaceArea(mesh) / wantedSamples);
     const auto laid = [&](const Project& job, const Progress& part) {
-        DippedFilm film = simulateDip(body.posed, field, immersion, job.film, job.process, module,
+        DippedFilm film = simulateDip(*body, field, immersion, job.film, job.process, module,
                                       part.part(0, dipDone), {});
         part(dipDone, Text::tr("Comparing the sheets"));
-        return LaidFilm(std::move(film), body, job.process);
+        return layFilm(body, std::move(film), job.process);
     };
-    const LaidFilm own = laid(project, progress.part(0, ownDone));
+    const auto own = laid(project, progress.part(0, ownDone));
     ImmersionCertainty result;
     result.immersion = immersion;
     result.halfStep =
-        change(own, laid(withHalfStep(project), progress.part(ownDone, halfStepDone)), body);
-    const LaidFilm finer = laid(withHalfSpacing(project), progress.part(halfStepDone, 1));
-    result.halfSpacing = change(own, finer, body);
-    result.map = map(own, finer);
+        change(*own, *laid(withHalfStep(project), progress.part(ownDone, halfStepDone)), samples);
+    const auto finer = laid(withHalfSpacing(project), progress.part(halfStepDone, 1));
+    result.halfSpacing = change(*own, *finer, samples);
+    result.map = map(*own, *finer);
     return result;
 }
 

@@ -80,24 +80,20 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
              const ResultFolder& folder) {
     pieces.push_back(
         {Text::tr("Writing the film of %1").arg(result.immersion.name), [&result, prefix, &folder] {
-             folder.write(prefix + QStringLiteral("film.vtp"),
-                          filmVtp(*result.film, *result.contact, *result.body));
+             folder.write(prefix + QStringLiteral("film.vtp"), filmVtp(*result.laid));
              folder.write(prefix + QStringLiteral("body.vtp"),
                           bodyVtp(*result.body, *result.coverage));
          }});
     const QString text = Text::tr("Writing the stretch of %1").arg(result.immersion.name);
-    pieces.push_back(
-        {text, [&result, prefix, &folder] {
-             const QString name = prefix + QStringLiteral("stretch.png");
-             folder.write(name,
-                          pngBytes(stretchMap(*result.film, *result.contact, filmMapEdge), name));
-         }});
-    pieces.push_back(
-        {text, [&result, prefix, &folder] {
-             const QString name = prefix + QStringLiteral("wrinkling.png");
-             folder.write(name,
-                          pngBytes(wrinklingMap(*result.film, *result.contact, filmMapEdge), name));
-         }});
+    pieces.push_back({text, [&result, prefix, &folder] {
+                          const QString name = prefix + QStringLiteral("stretch.png");
+                          folder.write(name, pngBytes(stretchMap(*result.laid, filmMapEdge), name));
+                      }});
+    pieces.push_back({text, [&result, prefix, &folder] {
+                          const QString name = prefix + QStringLiteral("wrinkling.png");
+                          folder.write(name,
+                                       pngBytes(wrinklingMap(*result.laid, filmMapEdge), name));
+                      }});
 }
 
 } // namespace

@@ -1,4 +1,3 @@
-#include "dip/PaintedStretch.h"
 #include "results/Results.h"
 
 #include <QCoreApplication>
@@ -23,9 +22,9 @@ const QColor unknown(208, 60, 140); // in none of the colour maps
 // A value a film point, NaN where it is not known, and which of the film is on the body.
 class FilmValues {
 public:
-    FilmValues(const DippedFilm& film, const FilmContact& contact, std::vector<float> values)
-        : grid_(film.grid), values_(std::move(values)), painted_(contact.painted),
-          isOn_(paintedPoints(film, contact)) {}
+    FilmValues(const LaidFilm& laid, std::vector<float> values)
+        : grid_(laid.film().grid), values_(std::move(values)), painted_(laid.contact().painted),
+          isOn_(laid.painted().points) {}
 
     // At a place given in cells, columns to the right and rows down.
     double at(double column, double row) const {
@@ -373,21 +372,20 @@ MapSubject certaintySubject(const FilmValues& values) {
 
 } // namespace
 
-QImage stretchMap(const DippedFilm& film, const FilmContact& contact, int longEdge) {
-    const FilmValues values(film, contact, paintedPointStretches(film, contact));
-    return FilmMap(film.grid, values, stretchSubject(values), longEdge).draw();
+QImage stretchMap(const LaidFilm& laid, int longEdge) {
+    const FilmValues values(laid, laid.painted().pointMeans);
+    return FilmMap(laid.film().grid, values, stretchSubject(values), longEdge).draw();
 }
 
-QImage wrinklingMap(const DippedFilm& film, const FilmContact& contact, int longEdge) {
-    const Wrinkling wrinkling = paintedWrinkling(film, contact);
-    const FilmValues values(film, contact, wrinkling.pointStretches);
-    return FilmMap(film.grid, values, wrinklingSubject(values, wrinkling), longEdge).draw();
+QImage wrinklingMap(const LaidFilm& laid, int longEdge) {
+    const Wrinkling& wrinkling = laid.painted().wrinkling;
+    const FilmValues values(laid, wrinkling.pointStretches);
+    return FilmMap(laid.film().grid, values, wrinklingSubject(values, wrinkling), longEdge).draw();
 }
 
-QImage certaintyMap(const DippedFilm& film, const FilmContact& contact,
-                    const std::vector<float>& changes, int longEdge) {
-    const FilmValues values(film, contact, changes);
-    return FilmMap(film.grid, values, certaintySubject(values), longEdge).draw();
+QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, int longEdge) {
+    const FilmValues values(laid, changes);
+    return FilmMap(laid.film().grid, values, certaintySubject(values), longEdge).draw();
 }
 
 } // namespace dipwright

@@ -1,12 +1,9 @@
 #include "results/Results.h"
 
-#include "dip/FilmOnBody.h"
 #include "geometry/CornerNormals.h"
 #include "results/ProofScene.h"
-#include "texture/AreaStretch.h"
 #include "texture/Ink.h"
 
-#include <Eigen/LU>
 #include <QCoreApplication>
 #include <QPainter>
 #include <algorithm>
@@ -72,45 +69,37 @@ private:
 class PaintedFilm {
 public:
     PaintedFilm(const WornFilm& worn, bool compensatedInk)
-        : onBody_(*worn.film, *worn.contact, *worn.body), picture_(worn.image, worn.film->grid),
-          grid_(worn.film->grid), triangles_(filmTriangles(grid_)),
-          stretches_(pointAreaStretches(*worn.film, *worn.contact)),
+        : laid_(worn.laid), picture_(worn.image, worn.laid->film().grid),
           ink_({compensatedInk, InkSettings().limit}), compensatedInk_(compensatedInk) {}
 
     // Lays this film's colour over `under`.
     LinearColour over(const LinearColour& under, const SurfacePoint& point) const {
-        Eigen::Vector2f rest;
-        std::uint32_t triangle = 0;
-        if (!onBody_.locate(point, rest, triangle)) {
+        const std::optional<FilmPlace> place = laid_->place(point);
+        if (!place) {
             return under;
         }
-        const FilmPicture::Paint paint = picture_.at(rest);
+        const FilmPicture::Paint paint = picture_.at(place->rest);
         if (paint.cover <= 0) {
             return under;
         }
         LinearColour colour = paint.colour / paint.cover;
         if (compensatedInk_) {
-            colour = ink_.shown(colour, areaStretch(rest, triangle));
+            colour = ink_.shown(colour, areaStretch(*place));
         }
         return (1 - paint.cover) * under + paint.cover * colour;
     }
 
 private:
-    float areaStretch(const Eigen::Vector2f& rest, std::uint32_t triangle) const {
-        const auto& [a, b, c] = triangles_[triangle];
-        const Eigen::Vector2f origin = restPosition(grid_, a);
-        Eigen::Matrix2f edges;
-        edges << restPosition(grid_, b) - origin, restPosition(grid_, c) - origin;
-        const Eigen::Vector2f share = edges.inverse() * (rest - origin);
-        return stretches_[a] + share.x() * (stretches_[b] - stretches_[a]) +
-               share.y() * (stretches_[c] - stretches_[a]);
+    float areaStretch(const FilmPlace& place) const {
+        const auto& [a, b, c] = laid_->triangles()[place.triangle];
+        const std::vector<float>& stretches = laid_->painted().pointAreas;
+        const Eigen::Vector3f share = laid_->weights(place);
+        return stretches[a] + share[1] * (stretches[b] - stretches[a]) +
+               share[2] * (stretches[c] - stretches[a]);
     }
 
-    FilmOnBody onBody_;
+    std::shared_ptr<const LaidFilm> laid_;
     FilmPicture picture_;
-    solver::FilmGrid grid_;
-    std::vector<FilmTriangle> triangles_;
-    std::vector<float> stretches_; // a film point each
     InkCompensation ink_;
     bool compensatedInk_;
 };

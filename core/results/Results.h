@@ -5,6 +5,7 @@
 #pragma once
 
 #include "dip/Coverage.h"
+#include "dip/LaidFilm.h"
 #include "texture/ReverseTexture.h"
 
 #include <QJsonObject>
@@ -12,21 +13,20 @@
 namespace dipwright {
 
 // VTK XML PolyData files as interfaces.md says, in the pose frame: float arrays, compressed.
-QByteArray filmVtp(const DippedFilm& film, const FilmContact& contact, const PosedBody& body);
+QByteArray filmVtp(const LaidFilm& laid);
 QByteArray bodyVtp(const PosedBody& body, const Coverage& coverage);
 
 // The mean stretch of each film point over the flat film, ink side up, with a labelled scale, the
 // outline of the painted area and its distribution. `longEdge` pixels tall.
-QImage stretchMap(const DippedFilm& film, const FilmContact& contact, int longEdge);
+QImage stretchMap(const LaidFilm& laid, int longEdge);
 
 // Where film on the body is compressed and may fold: the smaller principal stretch λ2 over the flat
 // film, drawn like stretchMap(); white where nothing is compressed.
-QImage wrinklingMap(const DippedFilm& film, const FilmContact& contact, int longEdge);
+QImage wrinklingMap(const LaidFilm& laid, int longEdge);
 
 // How far the sheet moves when it is computed more finely: `changes` in mm, one of each film point,
 // NaN where it paints in one of the dips only; over the flat film, drawn like stretchMap().
-QImage certaintyMap(const DippedFilm& film, const FilmContact& contact,
-                    const std::vector<float>& changes, int longEdge);
+QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, int longEdge);
 
 // Colour maps of even lightness steps, made in OKLab: "lagoon" (dark blue over green to yellow),
 // "dusk" (blue over grey to yellow, the same to readers with any colour vision), both light at 1;
@@ -35,11 +35,9 @@ QStringList colourMaps();
 // The colour at `value`, clamped to 0 … 1. Throws Error on an unknown map.
 QColor mapColour(const QString& map, double value);
 
-// One immersion's film wearing a picture, for the proof. Not owned; `body` in this film's own pose.
+// One immersion's film, on the body in its own pose, wearing a picture.
 struct WornFilm {
-    const DippedFilm* film = nullptr;
-    const FilmContact* contact = nullptr;
-    const PosedBody* body = nullptr;
+    std::shared_ptr<const LaidFilm> laid;
     QImage image; // of the flat film
 };
 

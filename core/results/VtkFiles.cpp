@@ -99,8 +99,7 @@ SplitBody splitAtSeams(const TexturedMesh& model) {
     return body;
 }
 
-void addPrincipalStretches(const DippedFilm& film, vtkCellData& cells) {
-    const std::vector<PrincipalStretch> stretches = principalStretches(film);
+void addPrincipalStretches(const std::vector<PrincipalStretch>& stretches, vtkCellData& cells) {
     vtkNew<vtkFloatArray> larger = floatArray("larger_stretch", 1, stretches.size());
     vtkNew<vtkFloatArray> smaller = floatArray("smaller_stretch", 1, stretches.size());
     vtkNew<vtkFloatArray> area = floatArray("area_stretch", 1, stretches.size());
@@ -116,7 +115,8 @@ void addPrincipalStretches(const DippedFilm& film, vtkCellData& cells) {
 
 } // namespace
 
-QByteArray filmVtp(const DippedFilm& film, const FilmContact& contact, const PosedBody& body) {
+QByteArray filmVtp(const LaidFilm& laid) {
+    const DippedFilm& film = laid.film();
     const std::size_t count = film.grid.pointCount();
     const std::vector<float> stretches = pointStretches(film);
     vtkNew<vtkFloatArray> rest = floatArray("rest", 3, count);
@@ -128,20 +128,20 @@ QByteArray filmVtp(const DippedFilm& film, const FilmContact& contact, const Pos
         const Eigen::Vector2f flat = restPosition(film.grid, point);
         rest->SetTuple3(tuple, flat.x(), 0, flat.y());
         adhered->SetValue(tuple, film.adhered(point) ? 1 : 0);
-        const SurfacePoint& place = contact.surface[point];
-        const Eigen::Vector2f texture =
-            place.isValid() ? body.model.textureCoordinate(place) : Eigen::Vector2f(none, none);
+        const SurfacePoint& place = laid.contact().surface[point];
+        const Eigen::Vector2f texture = place.isValid() ? laid.body().model.textureCoordinate(place)
+                                                        : Eigen::Vector2f(none, none);
         uv->SetTypedTuple(tuple, texture.data());
         stretch->SetValue(tuple, stretches[point]);
     }
     vtkNew<vtkPolyData> data;
     data->SetPoints(points(film.positions));
-    data->SetPolys(cells(filmTriangles(film.grid)));
+    data->SetPolys(cells(laid.triangles()));
     data->GetPointData()->AddArray(rest);
     data->GetPointData()->AddArray(adhered);
     data->GetPointData()->AddArray(uv);
     data->GetPointData()->AddArray(stretch);
-    addPrincipalStretches(film, *data->GetCellData());
+    addPrincipalStretches(laid.stretches(), *data->GetCellData());
     return vtpBytes(data);
 }
 

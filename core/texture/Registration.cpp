@@ -3,7 +3,6 @@
 #include "geometry/SurfaceSamples.h"
 #include "texture/ReverseMap.h"
 
-#include <Eigen/LU>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -47,28 +46,19 @@ std::vector<std::uint8_t> cellsWellInside(const solver::FilmGrid& grid,
     return inside;
 }
 
-double paintedArea(const DippedFilm& film, const FilmContact& contact) {
-    const std::vector<PrincipalStretch> stretches = principalStretches(film);
-    const double restArea = film.grid.spacingX() * film.grid.spacingZ() / 2;
+double paintedArea(const LaidFilm& laid) {
+    const solver::FilmGrid& grid = laid.film().grid;
+    const double restArea = grid.spacingX() * grid.spacingZ() / 2;
     double area = 0;
-    for (std::size_t triangle = 0; triangle < stretches.size(); ++triangle) {
-        area += contact.painted[triangle] ? double(stretches[triangle].area()) * restArea : 0;
+    for (const float stretch : laid.painted().areas) {
+        area += double(stretch) * restArea;
     }
     return area;
 }
 
-FilmPlace filmPlace(const solver::FilmGrid& grid, const FilmTriangle& corners,
-                    std::uint32_t triangle, const Eigen::Vector2f& rest) {
-    const Eigen::Vector2f a = restPosition(grid, corners[0]);
-    Eigen::Matrix2f edges;
-    edges << restPosition(grid, corners[1]) - a, restPosition(grid, corners[2]) - a;
-    const Eigen::Vector2f along = edges.inverse() * (rest - a);
-    return {triangle, {1 - along.sum(), along[0], along[1]}};
-}
-
 // How far from `wanted` on the body, in mm, that belongs what the film shows there.
 float errorAt(const TexturedMesh& model, const ReverseMap& map, const SurfacePoint& wanted,
-              const FilmPlace& place) {
+              const FilmWeights& place) {
     const Eigen::Vector3f at = position(model.mesh, wanted);
     const SurfacePoint carried = map.surface(place);
     const TexturePlace shown = map.texture(place);
@@ -86,26 +76,25 @@ float errorAt(const TexturedMesh& model, const ReverseMap& map, const SurfacePoi
 
 } // namespace
 
-Registration registrationError(const DippedFilm& film, const FilmContact& contact,
-                               const PosedBody& body, const SurfaceQuery& query,
-                               const FilmOnBody& filmOnBody) {
-    const double whole = surfaceArea(body.model.mesh);
-    const double painted = paintedArea(film, contact);
+Registration registrationError(const LaidFilm& planned, const LaidFilm& laid) {
+    const TexturedMesh& model = planned.body().model;
+    const double whole = surfaceArea(model.mesh);
+    const double painted = paintedArea(planned);
     if (!(painted > 0)) {
         return {};
     }
     const std::vector<SurfacePoint> samples =
-        evenSamples(body.model.mesh, std::max(painted / wantedSamples, whole / mostSamples));
-    const std::vector<std::uint8_t> inside = cellsWellInside(film.grid, contact);
-    const ReverseMap map(film, contact, body, query);
+        evenSamples(model.mesh, std::max(painted / wantedSamples, whole / mostSamples));
+    const std::vector<std::uint8_t> inside =
+        cellsWellInside(planned.film().grid, planned.contact());
+    const ReverseMap map(planned);
     constexpr float leftOut = -1;
     std::vector<float> errors(samples.size(), leftOut);
     tbb::parallel_for(std::size_t(0), samples.size(), [&](std::size_t sample) {
-        Eigen::Vector2f rest;
-        std::uint32_t triangle = 0;
-        if (filmOnBody.locate(samples[sample], rest, triangle) && inside[triangle / 2]) {
-            const FilmPlace place = filmPlace(film.grid, map.triangles()[triangle], triangle, rest);
-            errors[sample] = errorAt(body.model, map, samples[sample], place);
+        const std::optional<FilmPlace> place = laid.place(samples[sample]);
+        if (place && inside[place->triangle / 2]) {
+            errors[sample] =
+                errorAt(model, map, samples[sample], {place->triangle, planned.weights(*place)});
         }
     });
     std::erase(errors, leftOut);

@@ -1,7 +1,5 @@
 #include "texture/ReverseMap.h"
 
-#include "dip/FilmOnBody.h"
-
 #include <Eigen/LU>
 #include <tbb/parallel_for.h>
 
@@ -66,14 +64,13 @@ Eigen::Vector3f FilmPiece::childWeights(const Eigen::Vector3f& weights, std::siz
     return 2 * weights - Eigen::Vector3f::Unit(int(child));
 }
 
-ReverseMap::ReverseMap(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
-                       const SurfaceQuery& query)
-    : contact_(contact), model_(body.model), query_(query), triangles_(filmTriangles(film.grid)),
-      seam_(triangles_.size(), 0) {
-    markSeams(film, body);
+ReverseMap::ReverseMap(const LaidFilm& laid)
+    : contact_(laid.contact()), model_(laid.body().model), query_(laid.body().query),
+      triangles_(laid.triangles()), seam_(triangles_.size(), 0) {
+    markSeams(laid);
 }
 
-void ReverseMap::markSeams(const DippedFilm& film, const PosedBody& body) {
+void ReverseMap::markSeams(const LaidFilm& laid) {
     const TriangleMesh& mesh = model_.mesh;
     const std::vector<std::uint32_t> opposite = oppositeEdges(mesh);
     std::vector<std::uint32_t> seamEdges;
@@ -86,8 +83,8 @@ void ReverseMap::markSeams(const DippedFilm& film, const PosedBody& body) {
     if (seamEdges.empty()) {
         return;
     }
-    const FilmOnBody filmOnBody(film, contact_, body);
-    const double step = std::min(film.grid.spacingX(), film.grid.spacingZ()) / seamSamplesPerCell;
+    const solver::FilmGrid& grid = laid.film().grid;
+    const double step = std::min(grid.spacingX(), grid.spacingZ()) / seamSamplesPerCell;
     for (const std::uint32_t edge : seamEdges) {
         const std::uint32_t triangle = edge / 3;
         const int from = int(edge % 3);
@@ -101,10 +98,8 @@ void ReverseMap::markSeams(const DippedFilm& film, const PosedBody& body) {
             SurfacePoint point{triangle, Eigen::Vector3f::Zero()};
             point.weights[from] = 1 - share;
             point.weights[to] = share;
-            Eigen::Vector2f rest;
-            std::uint32_t filmTriangle = 0;
-            if (filmOnBody.locate(point, rest, filmTriangle)) {
-                seam_[filmTriangle] = 1;
+            if (const std::optional<FilmPlace> covering = laid.place(point)) {
+                seam_[covering->triangle] = 1;
             }
         }
     }
@@ -114,7 +109,7 @@ std::size_t ReverseMap::seamCount() const {
     return std::size_t(std::count(seam_.begin(), seam_.end(), 1));
 }
 
-SurfacePoint ReverseMap::surface(const FilmPlace& place) const {
+SurfacePoint ReverseMap::surface(const FilmWeights& place) const {
     const FilmTriangle& corners = triangles_[place.triangle];
     const Eigen::Vector3f& a = contact_.places[corners[0]];
     const Eigen::Vector3f& b = contact_.places[corners[1]];
@@ -135,7 +130,7 @@ TexturePlace ReverseMap::texture(const SurfacePoint& point) const {
     return {model_.textureCoordinate(point), point.triangle};
 }
 
-TexturePlace ReverseMap::texture(const FilmPlace& place) const {
+TexturePlace ReverseMap::texture(const FilmWeights& place) const {
     FilmPiece piece = whole(place.triangle);
     Eigen::Vector3f weights = place.weights;
     while (piece.depth < deepest) {

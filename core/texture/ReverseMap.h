@@ -2,14 +2,12 @@
 // body's texture it has to show.
 #pragma once
 
-#include "dip/FilmContact.h"
-
-#include <optional>
+#include "dip/LaidFilm.h"
 
 namespace dipwright {
 
-// A place of the flat film: weights of the corners of one film triangle.
-struct FilmPlace {
+// A place of the flat film by the weights of the corners of one film triangle.
+struct FilmWeights {
     std::uint32_t triangle = 0;
     Eigen::Vector3f weights = Eigen::Vector3f::Zero();
 };
@@ -47,25 +45,22 @@ struct LinearPiece {
 // A film place is carried linearly to the flat triangle between the points of contact and from
 // there to the nearest place of the body. Pieces whose coordinates are linear within `tolerance` mm
 // on the body are read directly; others are halved at the middles of their edges until they are,
-// which resolves the seams between charts (the paper's Figure 5). Keeps references to its
-// arguments. Reading is const, any thread.
+// which resolves the seams between charts (the paper's Figure 5). Keeps a reference to the film.
+// Reading is const, any thread.
 class ReverseMap {
 public:
     static constexpr float tolerance = 0.03f; // mm on the body
 
-    ReverseMap(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
-               const SurfaceQuery& query);
+    explicit ReverseMap(const LaidFilm& laid);
 
-    const std::vector<FilmTriangle>& triangles() const { return triangles_; }
-    const FilmContact& contact() const { return contact_; }
     // Whether a border between charts runs through a painted triangle, by the body's topology.
     bool isSeam(std::uint32_t triangle) const { return seam_[triangle] != 0; }
     std::size_t seamCount() const;
 
-    SurfacePoint surface(const FilmPlace& place) const;
+    SurfacePoint surface(const FilmWeights& place) const;
     TexturePlace texture(const SurfacePoint& point) const;
     // The texture's place, as the sheet's pixels get it.
-    TexturePlace texture(const FilmPlace& place) const;
+    TexturePlace texture(const FilmWeights& place) const;
 
     // Where the body would show a texture coordinate if its surface went on flat, and its texture
     // evenly, as in one of its triangles; none where all of that triangle shows one place or line.
@@ -91,12 +86,12 @@ public:
 
 private:
     float mismatch(const SurfacePoint& point, const Eigen::Vector2f& coordinate) const;
-    void markSeams(const DippedFilm& film, const PosedBody& body);
+    void markSeams(const LaidFilm& laid);
 
     const FilmContact& contact_;
     const TexturedMesh& model_;
     const SurfaceQuery& query_;
-    std::vector<FilmTriangle> triangles_;
+    const std::vector<FilmTriangle>& triangles_;
     std::vector<std::uint8_t> seam_; // a film triangle each
 };
 

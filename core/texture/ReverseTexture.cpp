@@ -1,7 +1,6 @@
 #include "texture/ReverseTexture.h"
 
 #include "base/Error.h"
-#include "texture/AreaStretch.h"
 #include "texture/Bleed.h"
 #include "texture/BodyColours.h"
 #include "texture/ReverseMap.h"
@@ -49,27 +48,26 @@ struct CellPlaces {
 
 class FilmPainter {
 public:
-    FilmPainter(const DippedFilm& film, const FilmContact& contact, const PosedBody& body,
-                const ReverseMap& map, const ReverseTextureOptions& options, QImage& image)
-        : film_(film), model_(body.model), map_(map), colours_(body.model), ink_(options.ink),
-          areaStretch_(pointAreaStretches(film, contact)),
-          columns_(image.width(), film.grid.columns - 1), rows_(image.height(), film.grid.rows - 1),
-          pixelSize_(float(film.grid.width / image.width()),
-                     float(film.grid.depth / image.height())),
+    FilmPainter(const LaidFilm& laid, const ReverseMap& map, const ReverseTextureOptions& options,
+                QImage& image)
+        : laid_(laid), grid_(laid.film().grid), model_(laid.body().model), map_(map),
+          colours_(model_), ink_(options.ink), columns_(image.width(), grid_.columns - 1),
+          rows_(image.height(), grid_.rows - 1),
+          pixelSize_(float(grid_.width / image.width()), float(grid_.depth / image.height())),
           bits_(image.bits()), stride_(image.bytesPerLine()) {}
 
     // Paints one row of cells; returns the body area in mm² that ends up visibly too pale.
     double paintCells(int row) const {
         double shortfall = 0;
         std::vector<Pixel> pixels;
-        for (int column = 0; column + 1 < film_.grid.columns; ++column) {
+        for (int column = 0; column + 1 < grid_.columns; ++column) {
             const auto cell =
-                std::uint32_t(row) * std::uint32_t(film_.grid.columns - 1) + std::uint32_t(column);
+                std::uint32_t(row) * std::uint32_t(grid_.columns - 1) + std::uint32_t(column);
             for (const std::uint32_t triangle : {2 * cell, 2 * cell + 1}) {
-                if (map_.contact().reaches(triangle)) {
+                if (laid_.contact().reaches(triangle)) {
                     collect(column, row, triangle % 2 == 1, pixels);
                     std::erase_if(pixels, [&](const Pixel& pixel) {
-                        return !map_.contact().reaches(triangle, pixel.weights);
+                        return !laid_.contact().reaches(triangle, pixel.weights);
                     });
                     shortfall += paint(map_.whole(triangle), pixels);
                 }
@@ -178,11 +176,11 @@ private:
     }
     // Of a piece's corner, on the flat film, in pixels from its middle.
     Eigen::Vector2f pixelPlace(const FilmPiece& piece, std::size_t corner) const {
-        const FilmTriangle& points = map_.triangles()[piece.triangle];
+        const FilmTriangle& points = laid_.triangles()[piece.triangle];
         Eigen::Vector2f place = Eigen::Vector2f::Zero();
         for (int k = 0; k < 3; ++k) {
             place += piece.corners[corner][k] *
-                     restPosition(film_.grid, points[std::size_t(k)]).cwiseQuotient(pixelSize_);
+                     restPosition(grid_, points[std::size_t(k)]).cwiseQuotient(pixelSize_);
         }
         return place;
     }
@@ -203,7 +201,7 @@ private:
         }
         return print(piece, pixel, sum);
     }
-    LinearColour colourAt(const FilmPlace& place,
+    LinearColour colourAt(const FilmWeights& place,
                           const Eigen::Matrix<float, 3, 2>& gradient) const {
         const SurfacePoint onBody = map_.surface(place);
         const BodyTexture* texture = colours_.texture(onBody.triangle);
@@ -236,11 +234,12 @@ private:
     }
 
     double print(const FilmPiece& piece, const Pixel& pixel, const LinearColour& wanted) const {
-        const FilmTriangle& corners = map_.triangles()[piece.triangle];
+        const FilmTriangle& corners = laid_.triangles()[piece.triangle];
         const Eigen::Vector3f weights = filmWeights(piece, pixel.weights);
-        const float stretch = weights[0] * areaStretch_[corners[0]] +
-                              weights[1] * areaStretch_[corners[1]] +
-                              weights[2] * areaStretch_[corners[2]];
+        const std::vector<float>& stretches = laid_.painted().pointAreas;
+        const float stretch = weights[0] * stretches[corners[0]] +
+                              weights[1] * stretches[corners[1]] +
+                              weights[2] * stretches[corners[2]];
         const InkCompensation::Ink ink = ink_.print(wanted, stretch);
         auto* bytes = bits_ + pixel.row * stride_ + 4 * pixel.column;
         for (int channel = 0; channel < 3; ++channel) {
@@ -250,12 +249,12 @@ private:
         return ink.fallsShort ? double(pixelSize_.prod() * stretch) : 0;
     }
 
-    const DippedFilm& film_;
+    const LaidFilm& laid_;
+    const solver::FilmGrid& grid_;
     const TexturedMesh& model_;
     const ReverseMap& map_;
     BodyColours colours_;
     InkCompensation ink_;
-    std::vector<float> areaStretch_; // a film point each
     CellPlaces columns_;
     CellPlaces rows_;
     Eigen::Vector2f pixelSize_; // mm
@@ -265,9 +264,8 @@ private:
 
 } // namespace
 
-ReverseTexture reverseTexture(const DippedFilm& film, const FilmContact& contact,
-                              const PosedBody& body, const SurfaceQuery& query,
-                              const ReverseTextureOptions& options, const Progress& progress) {
+ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions& options,
+                              const Progress& progress) {
     progress(0, Text::tr("Reversing the texture"));
     ReverseTexture result;
     result.image = QImage(options.pixels, QImage::Format_RGBA8888);
@@ -278,20 +276,21 @@ ReverseTexture reverseTexture(const DippedFilm& film, const FilmContact& contact
             QStringLiteral("%1 × %2").arg(options.pixels.width()).arg(options.pixels.height()));
     }
     result.image.fill(0);
-    const ReverseMap map(film, contact, body, query);
+    const ReverseMap map(laid);
     result.seamTriangles = map.seamCount();
     progress(0.1, Text::tr("Reversing the texture"));
 
-    const FilmPainter painter(film, contact, body, map, options, result.image);
-    std::vector<double> shortfall(std::size_t(film.grid.rows - 1), 0);
-    tbb::parallel_for(0, film.grid.rows - 1, [&](int row) {
+    const FilmPainter painter(laid, map, options, result.image);
+    const solver::FilmGrid& grid = laid.film().grid;
+    std::vector<double> shortfall(std::size_t(grid.rows - 1), 0);
+    tbb::parallel_for(0, grid.rows - 1, [&](int row) {
         progress.cancelSwitch.throwIfCancelled();
         shortfall[std::size_t(row)] = painter.paintCells(row);
     });
     result.shortfallArea = std::accumulate(shortfall.begin(), shortfall.end(), 0.0);
 
     progress(0.9, Text::tr("Continuing the colour past the edge"));
-    const double pixelSize = film.grid.width / options.pixels.width();
+    const double pixelSize = grid.width / options.pixels.width();
     continueColour(result.image, options.bleed / pixelSize);
     progress(1, Text::tr("Reversing the texture"));
     return result;

@@ -5,7 +5,8 @@
 // sheet is").
 #pragma once
 
-#include "dip/FilmContact.h"
+#include "base/Progress.h"
+#include "dip/LaidFilm.h"
 #include "texture/Ink.h"
 
 #include <QImage>
@@ -27,8 +28,7 @@ struct ReverseTexture {
 // The image to print so that the dip puts the body's texture where it belongs: every pixel in a
 // painted film triangle shows its place of the texture, filtered over what the pixel covers there.
 // All cores, deterministic, throws Cancelled; Error for an image that does not fit into memory.
-ReverseTexture reverseTexture(const DippedFilm& film, const FilmContact& contact,
-                              const PosedBody& body, const SurfaceQuery& query,
-                              const ReverseTextureOptions& options, const Progress& progress);
+ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions& options,
+                              const Progress& progress);
 
 } // namespace dipwright

@@ -30,8 +30,8 @@ public:
         const ImmersionResult& dipped = job_.immersions.front();
         const QSize pixels =
             sheetPixels(project_.film.width, project_.film.height, DotsPerInch(dpi));
-        return reverseTexture(*dipped.film, *dipped.contact, *dipped.body, *dipped.query,
-                              {pixels, project_.sheet.bleed.value(), project_.ink}, {});
+        return reverseTexture(*dipped.laid, {pixels, project_.sheet.bleed.value(), project_.ink},
+                              {});
     }
 
     Sheet sheet(double dpi) const {

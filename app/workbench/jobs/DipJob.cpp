@@ -61,7 +61,7 @@ void DipJob::process(const Progress& progress) {
         runJob(project_, registry_, options, previous_.get(), progress.part(0, dipDone)));
     for (const ImmersionResult& immersion : outcome_.result->immersions) {
         progress(dipDone, QCoreApplication::translate("DipJob", "Preparing the views"));
-        outcome_.readings.push_back(std::make_shared<FilmReading>(immersion));
+        outcome_.readings.push_back(std::make_shared<FilmReading>(immersion.laid));
         outcome_.sheets.push_back(sheetPreview(immersion.sheet));
     }
 }

@@ -1,7 +1,5 @@
 #include "jobs/FilmReading.h"
 
-#include "dip/PaintedStretch.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -52,37 +50,32 @@ Eigen::Vector3f weightsIn(const std::array<Eigen::Vector2f, 3>& corners,
 
 } // namespace
 
-FilmReading::FilmReading(const ImmersionResult& result)
-    : film_(result.film), contact_(result.contact) {
-    mesh_.positions = film_->positions;
-    mesh_.triangles = filmTriangles(film_->grid);
+FilmReading::FilmReading(std::shared_ptr<const LaidFilm> laid)
+    : laid_(std::move(laid)), mesh_{film().positions, laid_->triangles()} {
     query_ = std::make_unique<SurfaceQuery>(mesh_);
-    const auto principal = principalStretches(*film_);
     const auto mean = [&](float (*value)(const PrincipalStretch&)) {
-        return perPoint(film_->positions.size(), mesh_.triangles, principal, value);
+        return perPoint(film().positions.size(), mesh_.triangles, laid_->stretches(), value);
     };
-    values_[std::size_t(FilmQuantity::Length)] = paintedPointStretches(*film_, *contact_);
+    const PaintedStretch& painted = laid_->painted();
+    values_[std::size_t(FilmQuantity::Length)] = painted.pointMeans;
     values_[std::size_t(FilmQuantity::Area)] =
         mean([](const PrincipalStretch& stretch) { return stretch.area(); });
     values_[std::size_t(FilmQuantity::Larger)] =
         mean([](const PrincipalStretch& stretch) { return stretch.larger; });
     values_[std::size_t(FilmQuantity::Smaller)] =
         mean([](const PrincipalStretch& stretch) { return stretch.smaller; });
-    const std::vector<std::uint8_t> isPainted = paintedPoints(*film_, *contact_);
     for (std::size_t quantity = 0; quantity < filmQuantityCount; ++quantity) {
-        painted_[quantity] = chosen(values_[quantity], isPainted);
+        painted_[quantity] = chosen(values_[quantity], painted.points);
     }
     for (const FilmQuantity quantity : {FilmQuantity::Larger, FilmQuantity::Smaller}) {
         spreads_[std::size_t(quantity)] = distribution(paintedValues(quantity));
     }
-    spreads_[std::size_t(FilmQuantity::Length)] =
-        distribution(paintedConstraintStretches(*film_, *contact_));
-    spreads_[std::size_t(FilmQuantity::Area)] =
-        distribution(paintedAreaStretches(*film_, *contact_));
+    spreads_[std::size_t(FilmQuantity::Length)] = distribution(painted.constraints);
+    spreads_[std::size_t(FilmQuantity::Area)] = distribution(painted.areas);
 }
 
 std::optional<FilmReadingPoint> FilmReading::at(const Eigen::Vector2f& rest) const {
-    const solver::FilmGrid& grid = film_->grid;
+    const solver::FilmGrid& grid = film().grid;
     const double across = (rest.x() + grid.width / 2) / grid.spacingX();
     const double down = (rest.y() + grid.depth / 2) / grid.spacingZ();
     if (across < 0 || down < 0 || across > grid.columns - 1 || down > grid.rows - 1) {
@@ -124,13 +117,13 @@ FilmReadingPoint FilmReading::at(const SurfacePoint& onFilm) const {
     for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::uint32_t point = triangle[corner];
         const float weight = onFilm.weights[Eigen::Index(corner)];
-        reading.rest += weight * restPosition(film_->grid, point);
+        reading.rest += weight * restPosition(film().grid, point);
         for (std::size_t quantity = 0; quantity < filmQuantityCount; ++quantity) {
             reading.values[quantity] += weight * values_[quantity][point];
         }
-        reading.adhered = reading.adhered && film_->adhered(point);
+        reading.adhered = reading.adhered && film().adhered(point);
     }
-    reading.body = contact_->surface[triangle[std::size_t(nearest)]];
+    reading.body = laid_->contact().surface[triangle[std::size_t(nearest)]];
     return reading;
 }
 

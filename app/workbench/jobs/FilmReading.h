@@ -22,9 +22,9 @@ struct FilmReadingPoint {
 
 class FilmReading {
 public:
-    explicit FilmReading(const ImmersionResult& result);
+    explicit FilmReading(std::shared_ptr<const LaidFilm> laid);
 
-    const DippedFilm& film() const { return *film_; }
+    const DippedFilm& film() const { return laid_->film(); }
     // One value a film point.
     const std::vector<float>& values(FilmQuantity quantity) const {
         return values_[std::size_t(quantity)];
@@ -46,8 +46,7 @@ public:
 private:
     FilmReadingPoint at(const SurfacePoint& onFilm) const;
 
-    std::shared_ptr<const DippedFilm> film_;
-    std::shared_ptr<const FilmContact> contact_;
+    std::shared_ptr<const LaidFilm> laid_;
     TriangleMesh mesh_; // the dipped film
     std::unique_ptr<SurfaceQuery> query_;
     std::array<std::vector<float>, filmQuantityCount> values_, painted_;

@@ -82,9 +82,8 @@ ExportController::Write ExportController::stretchWriter(const QString& suffix) c
     if (suffix == QLatin1String("vtp")) {
         return [result = session_.outcome().result,
                 number = session_.immersion()](const QString& path) {
-            const ImmersionResult& immersion = result->immersions[number];
             writeWhole(path, [&](QIODevice& device) {
-                device.write(filmVtp(*immersion.film, *immersion.contact, *immersion.body));
+                device.write(filmVtp(*result->immersions[number].laid));
             });
         };
     }

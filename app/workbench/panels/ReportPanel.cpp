@@ -1,6 +1,5 @@
 #include "panels/ReportPanel.h"
 
-#include "dip/PaintedStretch.h"
 #include "panels/ShippedNames.h"
 
 #include <QCoreApplication>
@@ -45,10 +44,9 @@ QString percent(double share) {
 }
 
 QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
-    const DippedFilm& film = *result.film;
-    const FilmContact& contact = *result.contact;
-    const Distribution stretch = distribution(paintedConstraintStretches(film, contact));
-    const Distribution area = distribution(paintedAreaStretches(film, contact));
+    const DippedFilm& film = result.laid->film();
+    const Distribution stretch = distribution(result.laid->painted().constraints);
+    const Distribution area = distribution(result.laid->painted().areas);
     std::size_t adhered = 0;
     for (std::size_t point = 0; point < film.states.size(); ++point) {
         adhered += film.adhered(point);

@@ -206,7 +206,7 @@ void DipScene::showEnd() {
         if (extent_ == FilmExtent::OnBody) {
             std::size_t kept = 0;
             for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
-                if (result.contact->painted[t]) {
+                if (result.laid->contact().painted[t]) {
                     shape.triangles[kept++] = shape.triangles[t];
                 }
             }

@@ -37,6 +37,11 @@ PosedBody posed(const TexturedMesh& model) {
     return posedBody(model, Immersion{});
 }
 
+std::shared_ptr<const LaidFilm> laid(const TexturedMesh& model, const DippedFilm& film,
+                                     const ProcessSettings& process) {
+    return layFilm(std::make_shared<const PosedBody>(posed(model)), film, process);
+}
+
 QImage letterF() {
     QImage image(600, 600, QImage::Format_RGBA8888);
     image.fill(Qt::white);

@@ -1,8 +1,7 @@
 // Bodies with textures and films laid on them by closed forms, for tests without a solver.
 #pragma once
 
-#include "dip/Pose.h"
-#include "film/DippedFilm.h"
+#include "dip/LaidFilm.h"
 
 #include <functional>
 
@@ -12,6 +11,9 @@ solver::FilmGrid a4Grid(int columns = 120, int rows = 170);
 
 // A body of one plain colour, in the pose frame of an immersion as modelled.
 PosedBody posed(const TexturedMesh& model);
+// A film that is on such a body as a dip with `process` would have left it.
+std::shared_ptr<const LaidFilm> laid(const TexturedMesh& model, const DippedFilm& film,
+                                     const ProcessSettings& process = {});
 // A letter F of three bars, black on white, in the upper left of its picture.
 QImage letterF();
 TexturedMesh plainModel(const TriangleMesh& mesh, const QColor& colour);

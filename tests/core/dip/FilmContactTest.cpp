@@ -1,7 +1,6 @@
 // Which film is on the body, and how much of the body it paints.
 #include "DippedByHand.h"
 #include "dip/Coverage.h"
-#include "dip/FilmOnBody.h"
 #include "geometry/Shapes.h"
 
 #include <QtTest>
@@ -14,16 +13,20 @@ using namespace dipwright;
 namespace {
 
 struct Located {
-    PosedBody body;
-    SurfaceQuery query;
-    DippedFilm film;
-    FilmContact contact;
+    std::shared_ptr<const LaidFilm> laid;
+    const PosedBody& body;
+    const DippedFilm& film;
+    const FilmContact& contact;
 
     Located(const TriangleMesh& mesh, const DippedFilm& dipped,
             const ProcessSettings& process = ProcessSettings{})
-        : body(test::posed(test::plainModel(mesh, Qt::red))), query(body.model.mesh), film(dipped),
-          contact(locateFilm(film, body, query, process)) {}
+        : laid(test::laid(test::plainModel(mesh, Qt::red), dipped, process)), body(laid->body()),
+          film(laid->film()), contact(laid->contact()) {}
 
+    // Of the film over the body's place nearest to `position`.
+    std::optional<FilmPlace> placeAt(const Eigen::Vector3f& position) const {
+        return laid->place(body.query.closest(position).point);
+    }
     std::size_t paintedCount() const {
         return std::size_t(
             std::accumulate(contact.painted.begin(), contact.painted.end(), std::size_t(0)));
@@ -34,9 +37,8 @@ struct Located {
     // Share of the painted film triangles for which `test` of the triangle's middle holds.
     template <typename Test>
     bool allPainted(const Test& holds) const {
-        const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
-        for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
-            const auto& [a, b, c] = triangles[triangle];
+        for (std::size_t triangle = 0; triangle < laid->triangles().size(); ++triangle) {
+            const auto& [a, b, c] = laid->triangles()[triangle];
             const Eigen::Vector3f middle =
                 (film.positions[a] + film.positions[b] + film.positions[c]) / 3;
             if (contact.painted[triangle] && !holds(middle)) {
@@ -66,18 +68,20 @@ private Q_SLOTS:
     void contactIsOnTheSurfaceNearTheFilm();
     void filmAtAContactDistanceLiesOnTheBody();
     void filmOnTheUpperSideIsNotPainted();
-    void tornFilmIsMarkedAndNotPainted();
+    void tornFilmIsNotPainted();
     void loneMissIsFilledFromItsNeighbours();
     void freeFilmAtTheWaterlineIsNotFilled();
     void trappedFilmIsNotPainted();
     void filmAcrossAHollowIsNotPainted();
     void coverageOfABoxIsItsBottom();
     void coverageOfABallIsItsCap();
+    void filmsTogetherCoverWhatAnyCovers();
+    void filmOnTheEdgeIsTold();
     void paintEndsEvenlyWhereTheBodyTurnsUp_data();
     void paintEndsEvenlyWhereTheBodyTurnsUp();
-    void filmOnBodyGivesThePlaceBack();
-    void filmOnBodyEndsWhereThePaintEnds();
-    void filmOnBodyTellsTheSidesOfAThinPlateApart();
+    void placeGivesTheFlatFilmBack();
+    void placeEndsWhereThePaintEnds();
+    void placeTellsTheSidesOfAThinPlateApart();
     void sameResultTwice();
 };
 
@@ -111,11 +115,9 @@ void FilmContactTest::filmAtAContactDistanceLiesOnTheBody() {
     }
     const Located box(boxMesh({60, 30, 60}), film);
     QCOMPARE(box.paintedCount(), std::size_t(2 * 33 * 33));
-    const FilmOnBody filmOnBody(box.film, box.contact, box.body);
-    Eigen::Vector2f rest;
-    std::uint32_t triangle = 0;
-    QVERIFY(filmOnBody.locate(box.query.closest({5, 0, -8}).point, rest, triangle));
-    QVERIFY((rest - Eigen::Vector2f(5, -8)).norm() < 1e-3f);
+    const std::optional<FilmPlace> place = box.placeAt({5, 0, -8});
+    QVERIFY(place);
+    QVERIFY((place->rest - Eigen::Vector2f(5, -8)).norm() < 1e-3f);
 }
 
 void FilmContactTest::filmOnTheUpperSideIsNotPainted() {
@@ -133,7 +135,7 @@ void FilmContactTest::filmOnTheUpperSideIsNotPainted() {
     }
 }
 
-void FilmContactTest::tornFilmIsMarkedAndNotPainted() {
+void FilmContactTest::tornFilmIsNotPainted() {
     DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
     // Drawn sideways on the bottom: the cells to its left grow to 2.5 times their area.
     const std::size_t point = middlePoint(film.grid);
@@ -141,13 +143,16 @@ void FilmContactTest::tornFilmIsMarkedAndNotPainted() {
     ProcessSettings process;
     process.tearStretch = 2;
     const Located box(boxMesh({60, 30, 60}), film, process);
-    const auto torn = std::count(box.contact.torn.begin(), box.contact.torn.end(), 1);
-    QVERIFY(torn > 0);
-    for (std::size_t triangle = 0; triangle < box.contact.torn.size(); ++triangle) {
-        QVERIFY(!(box.contact.torn[triangle] && box.contact.painted[triangle]));
+    int torn = 0;
+    for (std::size_t triangle = 0; triangle < box.laid->triangles().size(); ++triangle) {
+        const bool isTorn = box.laid->stretches()[triangle].isTorn(process.tearStretch);
+        QVERIFY(!(isTorn && box.contact.painted[triangle]));
+        torn += isTorn ? 1 : 0;
     }
+    QVERIFY(torn > 0);
+    // By the usual limit nothing tears.
     const Located whole(boxMesh({60, 30, 60}), film);
-    QCOMPARE(std::count(whole.contact.torn.begin(), whole.contact.torn.end(), 1), 0);
+    QCOMPARE(whole.paintedCount(), box.paintedCount() + std::size_t(torn));
 }
 
 void FilmContactTest::loneMissIsFilledFromItsNeighbours() {
@@ -158,7 +163,7 @@ void FilmContactTest::loneMissIsFilledFromItsNeighbours() {
     film.positions[point].y() -= 3;
     const Located globe(ball(), film);
     QCOMPARE(globe.contact.filledCount, std::size_t(1));
-    QCOMPARE(int(globe.contact.filled[point]), 1);
+    QVERIFY(globe.contact.surface[point].isValid());
     QVERIFY((globe.place(point) - place).norm() < 0.1f);
 }
 
@@ -207,7 +212,7 @@ void FilmContactTest::coverageOfABoxIsItsBottom() {
     const solver::FilmGrid grid = test::a4Grid();
     const Eigen::Vector3d size(33 * grid.spacingX(), 30, 33 * grid.spacingZ());
     const Located box(boxMesh(size), test::flatUnderBox(grid, size + Eigen::Vector3d(0.1, 0, 0.1)));
-    const Coverage cover = coverage(box.film, box.contact, box.body, box.query);
+    const Coverage cover = coverage(*box.laid);
     const double bottom = size.x() * size.z();
     QVERIFY(std::abs(cover.paintedArea - bottom) < 0.01 * bottom);
     QVERIFY(std::abs(cover.share - bottom / surfaceArea(box.body.model.mesh)) < 0.005);
@@ -221,10 +226,27 @@ void FilmContactTest::coverageOfABoxIsItsBottom() {
 void FilmContactTest::coverageOfABallIsItsCap() {
     const double end = 1.2;
     const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, end));
-    const Coverage cover = coverage(globe.film, globe.contact, globe.body, globe.query);
+    const Coverage cover = coverage(*globe.laid);
     // The film's last whole cells end up to a cell before the contact line, and are continued to
     // it.
     QVERIFY(std::abs(cover.share - (1 - std::cos(end)) / 2) < 0.001);
+}
+
+void FilmContactTest::filmsTogetherCoverWhatAnyCovers() {
+    const Located small(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 0.8));
+    const Located large(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.2));
+    const double both = coverageTogether({small.laid, large.laid}, {});
+    QVERIFY(std::abs(both - coverage(*large.laid).share) < 0.002);
+    Progress cancelled;
+    cancelled.cancelSwitch.cancel();
+    QVERIFY_EXCEPTION_THROWN(coverageTogether({small.laid, large.laid}, cancelled), Cancelled);
+}
+
+void FilmContactTest::filmOnTheEdgeIsTold() {
+    const DippedFilm film = test::flatUnderBox({31, 31, 60, 60}, {50, 30, 50});
+    QVERIFY(!edgeIsOnBody(*test::laid(test::plainModel(boxMesh({50, 30, 50}), Qt::red), film)));
+    const DippedFilm tooSmall = test::flatUnderBox({31, 31, 60, 60}, {70, 30, 70});
+    QVERIFY(edgeIsOnBody(*test::laid(test::plainModel(boxMesh({70, 30, 70}), Qt::red), tooSmall)));
 }
 
 void FilmContactTest::paintEndsEvenlyWhereTheBodyTurnsUp_data() {
@@ -251,28 +273,24 @@ void FilmContactTest::paintEndsEvenlyWhereTheBodyTurnsUp() {
         }
     }
     const Located globe(sphereMesh(ballRadius, rings, 2 * rings), film);
-    const FilmOnBody filmOnBody(globe.film, globe.contact, globe.body);
     for (double turn = 0; turn < 2 * pi; turn += 0.01) {
         for (const double beside : {-within, within}) {
             const double angle = limit + beside / ballRadius;
             const Eigen::Vector3d place(std::sin(angle) * std::cos(turn), 1 - std::cos(angle),
                                         std::sin(angle) * std::sin(turn));
-            Eigen::Vector2f rest;
-            std::uint32_t triangle = 0;
-            const bool covered = filmOnBody.locate(
-                globe.query.closest((ballRadius * place).cast<float>()).point, rest, triangle);
-            QCOMPARE(covered, beside < 0);
-            if (covered) {
+            const std::optional<FilmPlace> found =
+                globe.placeAt((ballRadius * place).cast<float>());
+            QCOMPARE(found.has_value(), beside < 0);
+            if (found) {
                 const double fromMiddle = 2 * ballRadius * std::sin(angle / 2);
-                QVERIFY(std::abs(double(rest.norm()) - fromMiddle) < 0.3);
+                QVERIFY(std::abs(double(found->rest.norm()) - fromMiddle) < 0.3);
             }
         }
     }
 }
 
-void FilmContactTest::filmOnBodyGivesThePlaceBack() {
+void FilmContactTest::placeGivesTheFlatFilmBack() {
     const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.5));
-    const FilmOnBody filmOnBody(globe.film, globe.contact, globe.body);
     int found = 0;
     for (std::uint32_t triangle = 0; triangle < globe.body.model.mesh.triangles.size();
          ++triangle) {
@@ -280,30 +298,33 @@ void FilmContactTest::filmOnBodyGivesThePlaceBack() {
         const Eigen::Vector3f place = position(globe.body.model.mesh, middle);
         const double angle =
             std::atan2(std::hypot(place.x(), place.z()), ballRadius - double(place.y()));
-        Eigen::Vector2f rest;
-        std::uint32_t filmTriangle = 0;
-        const bool covered = filmOnBody.locate(middle, rest, filmTriangle);
-        QVERIFY(covered || angle > 1.5 - 3 / ballRadius);
-        QVERIFY(!covered || angle < 1.5 + 0.1 / ballRadius);
-        if (covered) {
+        const std::optional<FilmPlace> covering = globe.laid->place(middle);
+        QVERIFY(covering || angle > 1.5 - 3 / ballRadius);
+        QVERIFY(!covering || angle < 1.5 + 0.1 / ballRadius);
+        if (covering) {
             const Eigen::Vector2f direction = Eigen::Vector2f(place.x(), place.z()).normalized();
             const Eigen::Vector2f expected =
                 float(2 * ballRadius * std::sin(angle / 2)) * direction;
-            QVERIFY((rest - expected).norm() < 0.06f);
+            QVERIFY((covering->rest - expected).norm() < 0.06f);
+            // Its weights are those of the triangle's corners that it lies between.
+            const Eigen::Vector3f weights = globe.laid->weights(*covering);
+            const FilmTriangle& corners = globe.laid->triangles()[covering->triangle];
+            Eigen::Vector2f back = Eigen::Vector2f::Zero();
+            for (int corner = 0; corner < 3; ++corner) {
+                QVERIFY(weights[corner] > -1e-3f && weights[corner] < 1 + 1e-3f);
+                back +=
+                    weights[corner] * restPosition(globe.film.grid, corners[std::size_t(corner)]);
+            }
+            QVERIFY((back - covering->rest).norm() < 1e-3f);
             ++found;
         }
     }
     QVERIFY(found > 10000);
 }
 
-void FilmContactTest::filmOnBodyEndsWhereThePaintEnds() {
+void FilmContactTest::placeEndsWhereThePaintEnds() {
     const Located box(boxMesh({60, 30, 60}), test::flatUnderBox(test::a4Grid(), {30, 30, 30}));
-    const FilmOnBody filmOnBody(box.film, box.contact, box.body);
-    const auto covers = [&](float x, float z) {
-        Eigen::Vector2f rest;
-        std::uint32_t triangle = 0;
-        return filmOnBody.locate(box.query.closest({x, 0, z}).point, rest, triangle);
-    };
+    const auto covers = [&](float x, float z) { return box.placeAt({x, 0, z}).has_value(); };
     // Eighteen points of each row are on the bottom, 17 cells between them.
     const auto end = float(8.5 * box.film.grid.spacingX());
     QVERIFY(covers(end - 0.05f, 3));
@@ -313,14 +334,11 @@ void FilmContactTest::filmOnBodyEndsWhereThePaintEnds() {
     QVERIFY(!covers(25, 25));
 }
 
-void FilmContactTest::filmOnBodyTellsTheSidesOfAThinPlateApart() {
+void FilmContactTest::placeTellsTheSidesOfAThinPlateApart() {
     // A plate of 0.2 mm with film below it only.
     const Located plate(boxMesh({60, 0.2, 60}), test::flatUnderBox(test::a4Grid(), {60, 0.2, 60}));
-    const FilmOnBody filmOnBody(plate.film, plate.contact, plate.body);
-    Eigen::Vector2f rest;
-    std::uint32_t triangle = 0;
-    QVERIFY(filmOnBody.locate(plate.query.closest({5, 0, 5}).point, rest, triangle));
-    QVERIFY(!filmOnBody.locate(plate.query.closest({5, 0.2f, 5}).point, rest, triangle));
+    QVERIFY(plate.placeAt({5, 0, 5}));
+    QVERIFY(!plate.placeAt({5, 0.2f, 5}));
 }
 
 void FilmContactTest::sameResultTwice() {
@@ -332,8 +350,8 @@ void FilmContactTest::sameResultTwice() {
         QCOMPARE(one.contact.surface[point].triangle, other.contact.surface[point].triangle);
         QCOMPARE(one.contact.surface[point].weights, other.contact.surface[point].weights);
     }
-    const Coverage oneCover = coverage(film, one.contact, one.body, one.query);
-    const Coverage otherCover = coverage(film, other.contact, other.body, other.query);
+    const Coverage oneCover = coverage(*one.laid);
+    const Coverage otherCover = coverage(*other.laid);
     QCOMPARE(oneCover.paintedArea, otherCover.paintedArea);
     QVERIFY(oneCover.covered == otherCover.covered);
 }

@@ -56,8 +56,7 @@ constexpr double pitArea = pi * 27 * 27 + 2 * pi * 27 * 37;
 double trapped(const TriangleMesh& mesh, const std::array<double, 3>& degrees = {0, 0, 0}) {
     Immersion immersion;
     immersion.rotation = {Degrees(degrees[0]), Degrees(degrees[1]), Degrees(degrees[2])};
-    const PosedBody body = posedBody(test::plainModel(mesh, Qt::red), immersion);
-    return trappedAirArea(body, SurfaceQuery(body.model.mesh));
+    return trappedAirArea(posedBody(test::plainModel(mesh, Qt::red), immersion));
 }
 
 } // namespace

@@ -72,8 +72,7 @@ private slots:
         QVERIFY(first_.solver.device != QLatin1String("cpu")); // but in words
         QCOMPARE(first_.immersions.size(), 2U);
         for (const ImmersionResult& immersion : first_.immersions) {
-            QVERIFY(immersion.body && immersion.query && immersion.film && immersion.contact &&
-                    immersion.coverage && immersion.texture);
+            QVERIFY(immersion.body && immersion.laid && immersion.coverage && immersion.texture);
             QVERIFY(immersion.registration.samples > 0);
             QCOMPARE(immersion.sheet.image.size(), QSize(255, 255));
             QCOMPARE(immersion.sheet.job.project, QStringLiteral("ball"));
@@ -101,7 +100,7 @@ private slots:
     void nothingChangedIsAllTakenOver() {
         const JobResult again = runJob(job_, *registry_, {}, &first_, {});
         for (std::size_t index = 0; index < 2; ++index) {
-            QVERIFY(again.immersions[index].film == first_.immersions[index].film);
+            QVERIFY(again.immersions[index].laid == first_.immersions[index].laid);
             QVERIFY(again.immersions[index].texture == first_.immersions[index].texture);
         }
         QCOMPARE(again.proof.cacheKey(), first_.proof.cacheKey());
@@ -111,8 +110,7 @@ private slots:
         Project job = job_;
         job.sheet.resolution = DotsPerInch(100);
         const JobResult result = runJob(job, *registry_, {}, &first_, {});
-        QVERIFY(result.immersions[0].film == first_.immersions[0].film);
-        QVERIFY(result.immersions[0].contact == first_.immersions[0].contact);
+        QVERIFY(result.immersions[0].laid == first_.immersions[0].laid);
         QVERIFY(result.immersions[0].texture != first_.immersions[0].texture);
         QCOMPARE(result.immersions[0].sheet.image.size(), QSize(354, 354));
     }
@@ -121,8 +119,8 @@ private slots:
         Project job = job_;
         job.immersions[1].rotation[1] = Degrees(30);
         const JobResult result = runJob(job, *registry_, {}, &first_, {});
-        QVERIFY(result.immersions[0].film == first_.immersions[0].film);
-        QVERIFY(result.immersions[1].film != first_.immersions[1].film);
+        QVERIFY(result.immersions[0].laid == first_.immersions[0].laid);
+        QVERIFY(result.immersions[1].laid != first_.immersions[1].laid);
         QVERIFY(result.field == first_.field);
     }
 
@@ -131,8 +129,8 @@ private slots:
         job.film.swellX = 1.05;
         const JobResult result = runJob(job, *registry_, {}, &first_, {});
         QVERIFY(result.immersions[0].body == first_.immersions[0].body);
-        QVERIFY(result.immersions[0].film != first_.immersions[0].film);
-        QVERIFY(result.immersions[1].film != first_.immersions[1].film);
+        QVERIFY(result.immersions[0].laid != first_.immersions[0].laid);
+        QVERIFY(result.immersions[1].laid != first_.immersions[1].laid);
     }
 
     void anotherNameIsOnTheSheetAlone() {
@@ -160,7 +158,7 @@ private slots:
         JobOptions options;
         options.chessboard = true;
         const JobResult result = runJob(job_, *registry_, options, &first_, {});
-        QVERIFY(result.immersions[0].film == first_.immersions[0].film);
+        QVERIFY(result.immersions[0].laid == first_.immersions[0].laid);
         // Two corners of 17 mm squares meet in the middle of the sheet.
         const QImage& image = result.immersions[0].sheet.image;
         const int middle = image.width() / 2;
@@ -287,8 +285,8 @@ private slots:
         QCOMPARE(immersion["film"].toObject()["constraints"].toInt(), 2 * 31 * 30 + 2 * 30 * 30);
         const ImmersionResult& result = first_.immersions[1];
         qint64 adhered = 0;
-        for (std::size_t point = 0; point < result.film->states.size(); ++point) {
-            adhered += result.film->adhered(point) ? 1 : 0;
+        for (std::size_t point = 0; point < result.laid->film().states.size(); ++point) {
+            adhered += result.laid->film().adhered(point) ? 1 : 0;
         }
         QCOMPARE(immersion["adhered"].toInteger(), adhered);
         QCOMPARE(immersion["coverage"].toDouble(), result.coverage->share);

@@ -45,7 +45,7 @@ TexturedMesh ball() {
 }
 
 // The lower half of the ball wears film that kept its area: R = 2ρ sin(θ/2) (film-physics §3).
-DippedFilm laidFilm(const solver::FilmGrid& grid) {
+DippedFilm dippedFilm(const solver::FilmGrid& grid) {
     DippedFilm film;
     film.grid = grid;
     for (std::size_t point = 0; point < grid.pointCount(); ++point) {
@@ -67,11 +67,15 @@ DippedFilm laidFilm(const solver::FilmGrid& grid) {
 
 struct Dip {
     TexturedMesh model = ball();
-    PosedBody body = posedBody(model, Immersion{});
-    DippedFilm film = laidFilm({81, 113, 140, 196});
-    SurfaceQuery query{body.model.mesh};
-    FilmContact contact = locateFilm(film, body, query, ProcessSettings{});
-    Coverage covered = coverage(film, contact, body, query);
+    std::shared_ptr<const PosedBody> body =
+        std::make_shared<const PosedBody>(posedBody(model, Immersion{}));
+    std::shared_ptr<const LaidFilm> laid =
+        layFilm(body, dippedFilm({81, 113, 140, 196}), ProcessSettings{});
+    const DippedFilm& film = laid->film();
+    Coverage covered = coverage(*laid);
+
+    // Another film that the same of is on the body.
+    LaidFilm withFilm(const DippedFilm& other) const { return {body, other, laid->contact()}; }
 };
 
 // Red to the left, green to the right, blue down the middle line.
@@ -123,8 +127,7 @@ class ResultsTest : public QObject {
         ProofOptions options;
         options.tile = tile;
         options.compensatedInk = compensated;
-        return proofPicture(dip_.model, {{&dip_.film, &dip_.contact, &dip_.body, image}}, options,
-                            {});
+        return proofPicture(dip_.model, {{dip_.laid, image}}, options, {});
     }
 
 private slots:
@@ -147,7 +150,7 @@ private slots:
 };
 
 void ResultsTest::filmFileHoldsTheFilm() {
-    const auto data = readBack(filmVtp(dip_.film, dip_.contact, dip_.body));
+    const auto data = readBack(filmVtp(*dip_.laid));
     QCOMPARE(data->GetNumberOfPoints(), vtkIdType(81 * 113));
     QCOMPARE(data->GetNumberOfPolys(), vtkIdType(2 * 80 * 112));
     auto* rest = vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray("rest"));
@@ -172,7 +175,7 @@ void ResultsTest::filmFileHoldsTheFilm() {
 }
 
 void ResultsTest::bodyFileHoldsTheBody() {
-    const auto data = readBack(bodyVtp(dip_.body, dip_.covered));
+    const auto data = readBack(bodyVtp(*dip_.body, dip_.covered));
     QCOMPARE(data->GetNumberOfPolys(), vtkIdType(dip_.model.mesh.triangles.size()));
     auto* texture = vtkFloatArray::SafeDownCast(data->GetPointData()->GetTCoords());
     auto* covered = data->GetCellData()->GetArray("covered");
@@ -192,9 +195,9 @@ void ResultsTest::bodyFileHoldsTheBody() {
 }
 
 void ResultsTest::filesAreTheSameEveryTime() {
-    const QByteArray once = filmVtp(dip_.film, dip_.contact, dip_.body);
+    const QByteArray once = filmVtp(*dip_.laid);
     QVERIFY(!once.isEmpty());
-    QCOMPARE(once, filmVtp(dip_.film, dip_.contact, dip_.body));
+    QCOMPARE(once, filmVtp(*dip_.laid));
 }
 
 namespace {
@@ -241,25 +244,24 @@ void ResultsTest::unknownColourMapIsRefused() {
 }
 
 void ResultsTest::stretchMapShowsWhereFilmStretched() {
-    const QImage map = stretchMap(dip_.film, dip_.contact, 1000);
+    const QImage map = stretchMap(*dip_.laid, 1000);
     keep(map, "stretch.png");
     QVERIFY(std::abs(map.height() - 1000) <= 1);
     QVERIFY(map.width() > 600 && map.width() < 1100);
     QVERIFY(countColours(map) > 100);
-    QCOMPARE(map, stretchMap(dip_.film, dip_.contact, 1000));
+    QCOMPARE(map, stretchMap(*dip_.laid, 1000));
     // Stronger colour where the film stretched than in the middle, where it did not.
     DippedFilm flat = dip_.film;
     for (std::size_t i = 0; i < flat.positions.size(); ++i) {
         const Eigen::Vector2f rest = restPosition(flat.grid, i);
         flat.positions[i] = {rest.x(), 0, rest.y()};
     }
-    QVERIFY(countColours(stretchMap(flat, dip_.contact, 1000)) < countColours(map));
+    QVERIFY(countColours(stretchMap(dip_.withFilm(flat), 1000)) < countColours(map));
 }
 
 void ResultsTest::stretchMapFitsWideFilm() {
-    const DippedFilm wide = laidFilm({113, 57, 196, 98});
-    const FilmContact contact = locateFilm(wide, dip_.body, dip_.query, ProcessSettings{});
-    const QImage map = stretchMap(wide, contact, 800);
+    const auto wide = layFilm(dip_.body, dippedFilm({113, 57, 196, 98}), ProcessSettings{});
+    const QImage map = stretchMap(*wide, 800);
     keep(map, "stretch-wide.png");
     QVERIFY(map.width() > map.height());
 }
@@ -274,18 +276,18 @@ void ResultsTest::wrinklingIsToldFromThinning() {
         }
         return film;
     };
-    const Wrinkling thinned = paintedWrinkling(drawn(1), dip_.contact);
+    const Wrinkling thinned = dip_.withFilm(drawn(1)).painted().wrinkling;
     QCOMPARE(thinned.share, 0.0);
     QVERIFY(std::abs(thinned.least - 1) < 1e-4);
-    const DippedFilm compressed = drawn(0.9f);
-    const Wrinkling wrinkled = paintedWrinkling(compressed, dip_.contact);
+    const LaidFilm compressed = dip_.withFilm(drawn(0.9f));
+    const Wrinkling& wrinkled = compressed.painted().wrinkling;
     QCOMPARE(wrinkled.share, 1.0);
     QVERIFY(wrinkled.area > 0);
     QVERIFY(std::abs(wrinkled.least - 0.9) < 1e-4);
-    const QImage map = wrinklingMap(dip_.film, dip_.contact, 1000);
+    const QImage map = wrinklingMap(*dip_.laid, 1000);
     keep(map, "wrinkling.png");
-    QCOMPARE(map.size(), stretchMap(dip_.film, dip_.contact, 1000).size());
-    QVERIFY(map != wrinklingMap(compressed, dip_.contact, 1000));
+    QCOMPARE(map.size(), stretchMap(*dip_.laid, 1000).size());
+    QVERIFY(map != wrinklingMap(compressed, 1000));
 }
 
 void ResultsTest::proofShowsTheImageOnTheBody() {
@@ -329,8 +331,7 @@ void ResultsTest::proofTakesInkBackToWhatShows() {
     image.fill(QColor(90, 90, 90));
     ProcessSettings process;
     process.tearStretch = 10;
-    const FilmContact contact = locateFilm(stretched, dip_.body, dip_.query, process);
-    const WornFilm worn{&stretched, &contact, &dip_.body, image};
+    const WornFilm worn{layFilm(dip_.body, stretched, process), image};
     ProofOptions options;
     options.tile = QSize(60, 60);
     options.compensatedInk = false;
@@ -352,10 +353,8 @@ void ResultsTest::laterFilmsLieOverEarlierOnes() {
     ProofOptions options;
     options.tile = QSize(100, 100);
     options.compensatedInk = false;
-    const QImage image = proofPicture(dip_.model,
-                                      {{&dip_.film, &dip_.contact, &dip_.body, red},
-                                       {&dip_.film, &dip_.contact, &dip_.body, holed}},
-                                      options, {});
+    const QImage image =
+        proofPicture(dip_.model, {{dip_.laid, red}, {dip_.laid, holed}}, options, {});
     const QColor left = image.pixelColor(30, 75);
     const QColor right = image.pixelColor(70, 75);
     QVERIFY(left.red() > left.green() + 40);
@@ -376,7 +375,7 @@ void ResultsTest::proofCanBeCancelled() {
     };
     ProofOptions options;
     options.tile = QSize(60, 60);
-    const WornFilm worn{&dip_.film, &dip_.contact, &dip_.body, stripes(dip_.film.grid)};
+    const WornFilm worn{dip_.laid, stripes(dip_.film.grid)};
     QVERIFY_EXCEPTION_THROWN(proofPicture(dip_.model, {worn}, options, progress), Cancelled);
 }
 

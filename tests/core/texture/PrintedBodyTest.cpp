@@ -1,6 +1,7 @@
 // From body to sheet with the film simulated by the CPU plugin.
 #include "DippedByHand.h"
 #include "dip/Coverage.h"
+#include "dip/Dip.h"
 #include "geometry/Shapes.h"
 #include "solver/SolverRegistry.h"
 #include "texture/Registration.h"
@@ -16,39 +17,19 @@ using namespace dipwright;
 
 namespace {
 
-// One immersion from a model to its film.
-struct Print {
-    Immersion immersion;
-    FilmSettings filmSettings;
+// One immersion from a model to its film on the body.
+std::shared_ptr<const LaidFilm> dipped(const TexturedMesh& model, const Immersion& immersion,
+                                       const FilmSettings& film, std::optional<Millimetres> depth) {
     ProcessSettings process;
-    PosedBody body;
-    SurfaceQuery query;
-    DippedFilm film;
-    FilmContact contact;
-
-    Print(const TexturedMesh& model, const Immersion& held, const FilmSettings& settings,
-          std::optional<Millimetres> depth)
-        : immersion(held), filmSettings(settings), process(withDepth(depth)),
-          body(posedBody(model, held)), query(body.model.mesh), film(dipped(model)),
-          contact(locateFilm(film, body, query, process)) {}
-
-    Registration registration() const {
-        return registrationError(film, contact, body, query, FilmOnBody(film, contact, body));
-    }
-
-private:
-    static ProcessSettings withDepth(std::optional<Millimetres> depth) {
-        ProcessSettings process;
-        process.depth = depth;
-        return process;
-    }
-    DippedFilm dipped(const TexturedMesh& model) const {
-        const SolverRegistry registry;
-        const DistanceField field = buildDistanceField(model.mesh, 128, Progress{});
-        return simulateDip(body, field, immersion, filmSettings, process,
-                           registry.module("pbd-cpu"), Progress{}, {});
-    }
-};
+    process.depth = depth;
+    const auto body = std::make_shared<const PosedBody>(posedBody(model, immersion));
+    const SolverRegistry registry;
+    const DistanceField field = buildDistanceField(model.mesh, 128, Progress{});
+    return layFilm(body,
+                   simulateDip(*body, field, immersion, film, process, registry.module("pbd-cpu"),
+                               Progress{}, {}),
+                   process);
+}
 
 FilmSettings filmOf(Millimetres width, Millimetres height, int columns) {
     FilmSettings settings;
@@ -63,17 +44,17 @@ FilmSettings filmOf(Millimetres width, Millimetres height, int columns) {
 const Eigen::Vector3d boxSize(60, 20, 60);
 
 // A box over a place off the film's middle, dipped by 2 mm.
-Print printedBox() {
+std::shared_ptr<const LaidFilm> dippedBox() {
     Immersion beside;
     beside.offset = {Millimetres(12), Millimetres(-7)};
-    return {test::boxWithPicture(boxSize, test::letterF()), beside,
-            filmOf(Millimetres(120), Millimetres(100), 97), Millimetres(2)};
+    return dipped(test::boxWithPicture(boxSize, test::letterF()), beside,
+                  filmOf(Millimetres(120), Millimetres(100), 97), Millimetres(2));
 }
 
 // Film cells wholly under the box's bottom: whether a film triangle is one.
-bool isUnderBottom(const Print& print, const FilmTriangle& triangle) {
+bool isUnderBottom(const solver::FilmGrid& grid, const FilmTriangle& triangle) {
     return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t point) {
-        const Eigen::Vector2f rest = restPosition(print.film.grid, point) - Eigen::Vector2f(12, -7);
+        const Eigen::Vector2f rest = restPosition(grid, point) - Eigen::Vector2f(12, -7);
         return rest.cwiseAbs().maxCoeff() < 29.9f;
     });
 }
@@ -90,23 +71,23 @@ private Q_SLOTS:
 };
 
 void PrintedBodyTest::flatFaceIsCarriedUnchanged() {
-    const Print print = printedBox();
-    const std::vector<FilmTriangle> triangles = filmTriangles(print.film.grid);
-    const std::vector<PrincipalStretch> stretches = principalStretches(print.film);
+    const auto laid = dippedBox();
+    const solver::FilmGrid& grid = laid->film().grid;
+    const std::vector<FilmTriangle>& triangles = laid->triangles();
+    const std::vector<PrincipalStretch>& stretches = laid->stretches();
     int cells = 0;
     for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
-        if (!isUnderBottom(print, triangles[triangle])) {
+        if (!isUnderBottom(grid, triangles[triangle])) {
             continue;
         }
         ++cells;
-        QVERIFY(print.contact.painted[triangle]);
+        QVERIFY(laid->contact().painted[triangle]);
         QVERIFY(std::abs(stretches[triangle].larger - 1) < 0.002f);
         QVERIFY(std::abs(stretches[triangle].smaller - 1) < 0.002f);
         for (const std::uint32_t point : triangles[triangle]) {
-            const Eigen::Vector2f rest =
-                restPosition(print.film.grid, point) - Eigen::Vector2f(12, -7);
+            const Eigen::Vector2f rest = restPosition(grid, point) - Eigen::Vector2f(12, -7);
             const Eigen::Vector3f place =
-                position(print.body.model.mesh, print.contact.surface[point]);
+                position(laid->body().model.mesh, laid->contact().surface[point]);
             QVERIFY((place - Eigen::Vector3f(rest.x(), 0, rest.y())).norm() < 0.05f);
         }
     }
@@ -114,12 +95,9 @@ void PrintedBodyTest::flatFaceIsCarriedUnchanged() {
 }
 
 void PrintedBodyTest::letterOnTheBottomIsMirroredOnTheSheet() {
-    const Print print = printedBox();
     ReverseTextureOptions options;
     options.pixels = {1200, 1000}; // ten a millimetre
-    const QImage sheet =
-        reverseTexture(print.film, print.contact, print.body, print.query, options, Progress{})
-            .image;
+    const QImage sheet = reverseTexture(*dippedBox(), options, Progress{}).image;
     // The letter as it has to stand on the sheet: mirrored, 60 mm wide, its middle 12 mm right of
     // the film's and 7 mm above it.
     const QImage mirrored = test::letterF().mirrored(true, false);
@@ -142,12 +120,12 @@ void PrintedBodyTest::letterOnTheBottomIsMirroredOnTheSheet() {
 void PrintedBodyTest::sphereIsPaintedToItsOverhangAndInPlace() {
     QImage picture(256, 128, QImage::Format_RGBA8888);
     picture.fill(Qt::red);
-    const Print print(test::globe(35, 90, 180, picture), Immersion{},
-                      filmOf(Millimetres(210), Millimetres(210), 91), std::nullopt);
-    const Registration error = print.registration();
+    const auto laid = dipped(test::globe(35, 90, 180, picture), Immersion{},
+                             filmOf(Millimetres(210), Millimetres(210), 91), std::nullopt);
+    const Registration error = registrationError(*laid, *laid);
     QVERIFY2(error.mean <= 0.15, qPrintable(QString::number(error.mean)));
     QVERIFY2(error.percentile95 <= 0.4, qPrintable(QString::number(error.percentile95)));
-    const Coverage cover = coverage(print.film, print.contact, print.body, print.query);
+    const Coverage cover = coverage(*laid);
     // Painted from the pole to where the sphere turns up by 20°, but for a film cell or two.
     const double end = (1 + std::sin(radians(Degrees(20)))) / 2;
     QVERIFY2(cover.share > end - 0.06 && cover.share < end + 0.005,

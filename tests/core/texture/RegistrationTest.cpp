@@ -22,11 +22,7 @@ QImage anyPicture() {
 // Measures a film that came to lie as `dipped` when its sheet was made for `planned`.
 Registration measured(const TexturedMesh& model, const DippedFilm& planned,
                       const DippedFilm& dipped) {
-    const PosedBody body = test::posed(model);
-    const SurfaceQuery query(body.model.mesh);
-    const FilmContact plan = locateFilm(planned, body, query, ProcessSettings{});
-    const FilmContact outcome = locateFilm(dipped, body, query, ProcessSettings{});
-    return registrationError(planned, plan, body, query, FilmOnBody(dipped, outcome, body));
+    return registrationError(*test::laid(model, planned), *test::laid(model, dipped));
 }
 
 } // namespace

@@ -47,10 +47,7 @@ LinearColour waves(double u, double v) {
 
 ReverseTexture reversed(const TexturedMesh& model, const DippedFilm& film,
                         const ReverseTextureOptions& options, const Progress& progress = {}) {
-    const PosedBody body = test::posed(model);
-    const SurfaceQuery query(body.model.mesh);
-    const FilmContact contact = locateFilm(film, body, query, ProcessSettings{});
-    return reverseTexture(film, contact, body, query, options, progress);
+    return reverseTexture(*test::laid(model, film), options, progress);
 }
 
 ReverseTextureOptions uncompensated(QSize pixels = a4Pixels) {

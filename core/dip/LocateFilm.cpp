@@ -1,6 +1,7 @@
-#include "dip/FilmContact.h"
+#include "dip/LocateFilm.h"
 
 #include "dip/ContactLimit.h"
+#include "geometry/CornerNormals.h"
 
 #include <tbb/parallel_for.h>
 
@@ -40,7 +41,7 @@ SurfacePoint surfacePoint(const Eigen::Vector3f& position, const Eigen::Vector3f
 
 // The point midway between the neighbours, along the grid's rows and columns, of a point that
 // missed; invalid unless all four are on the body.
-SurfacePoint filledPoint(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
+SurfacePoint filledPoint(const DippedFilm& film, const PosedBody& body,
                          const std::vector<SurfacePoint>& located, std::size_t point) {
     const auto columns = std::size_t(film.grid.columns);
     const std::size_t column = point % columns;
@@ -57,7 +58,7 @@ SurfacePoint filledPoint(const DippedFilm& film, const PosedBody& body, const Su
         }
         middle += position(body.model.mesh, located[neighbour]) / 4;
     }
-    return query.closest(middle, cellSize(film.grid)).point;
+    return body.query.closest(middle, cellSize(film.grid)).point;
 }
 
 std::vector<SurfacePoint> locatePoints(const DippedFilm& film, const SurfaceQuery& query) {
@@ -75,9 +76,9 @@ std::vector<SurfacePoint> locatePoints(const DippedFilm& film, const SurfaceQuer
 
 class PaintTest {
 public:
-    PaintTest(const PosedBody& body, const CornerNormals& normals, const SurfaceQuery& query,
+    PaintTest(const PosedBody& body, const CornerNormals& normals,
               const std::vector<SurfacePoint>& surface, const ProcessSettings& process, float cell)
-        : mesh_(body.model.mesh), normals_(normals), query_(query), surface_(surface),
+        : mesh_(body.model.mesh), normals_(normals), query_(body.query), surface_(surface),
           steepest_(float(std::sin(radians(process.overhang)))),
           deepest_(float(touchedHollow) * cell) {}
 
@@ -141,31 +142,28 @@ private:
 
 } // namespace
 
-FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const SurfaceQuery& query,
+FilmContact locateFilm(const DippedFilm& film, const PosedBody& body,
                        const ProcessSettings& process) {
     FilmContact contact;
-    const std::vector<SurfacePoint> located = locatePoints(film, query);
+    const std::vector<SurfacePoint> located = locatePoints(film, body.query);
     contact.surface = located;
-    contact.filled.assign(located.size(), 0);
     for (std::size_t point = 0; point < located.size(); ++point) {
         if (located[point].isValid()) {
             ++contact.contactCount;
             continue;
         }
-        contact.surface[point] = filledPoint(film, body, query, located, point);
-        contact.filled[point] = contact.surface[point].isValid();
-        contact.filledCount += contact.filled[point];
+        contact.surface[point] = filledPoint(film, body, located, point);
+        contact.filledCount += contact.surface[point].isValid() ? 1 : 0;
     }
 
     const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
     const std::vector<PrincipalStretch> stretches = principalStretches(film);
     const CornerNormals normals = cornerNormals(body.model.mesh);
-    const PaintTest test(body, normals, query, contact.surface, process, cellSize(film.grid));
+    const PaintTest test(body, normals, contact.surface, process, cellSize(film.grid));
     contact.painted.resize(triangles.size());
-    contact.torn.resize(triangles.size());
     tbb::parallel_for(std::size_t(0), triangles.size(), [&](std::size_t triangle) {
-        contact.torn[triangle] = stretches[triangle].isTorn(process.tearStretch);
-        contact.painted[triangle] = !contact.torn[triangle] && test.isPainted(triangles[triangle]);
+        const bool torn = stretches[triangle].isTorn(process.tearStretch);
+        contact.painted[triangle] = !torn && test.isPainted(triangles[triangle]);
     });
     contact.places = film.positions;
     for (std::size_t point = 0; point < contact.places.size(); ++point) {
@@ -174,21 +172,9 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body, const Surf
         }
     }
     if (film.isotropic) {
-        continueToLimit(film, body, normals, query, process, contact);
+        continueToLimit(film, body, normals, process, contact);
     }
     return contact;
-}
-
-bool edgeIsOnBody(const DippedFilm& film, const FilmContact& contact) {
-    const int columns = film.grid.columns, rows = film.grid.rows;
-    for (int point = 0; point < columns * rows; ++point) {
-        const int column = point % columns, row = point / columns;
-        const bool isOnEdge = column == 0 || row == 0 || column == columns - 1 || row == rows - 1;
-        if (isOnEdge && contact.surface[std::size_t(point)].isValid()) {
-            return true;
-        }
-    }
-    return false;
 }
 
 } // namespace dipwright

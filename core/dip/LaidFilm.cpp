@@ -1,0 +1,49 @@
+#include "dip/LaidFilm.h"
+
+#include "dip/FilmOnBody.h"
+#include "dip/LocateFilm.h"
+
+#include <Eigen/LU>
+
+namespace dipwright {
+
+LaidFilm::LaidFilm(std::shared_ptr<const PosedBody> body, DippedFilm film, FilmContact contact)
+    : body_(std::move(body)), film_(std::move(film)), contact_(std::move(contact)),
+      triangles_(filmTriangles(film_.grid)), stretches_(principalStretches(film_)),
+      painted_(paintedStretch(film_, triangles_, stretches_, contact_)),
+      onBody_(std::make_unique<FilmOnBody>(film_.grid, triangles_, contact_, body_->model.mesh)) {}
+
+LaidFilm::~LaidFilm() = default;
+
+std::optional<FilmPlace> LaidFilm::place(const SurfacePoint& point) const {
+    return onBody_->place(point);
+}
+
+Eigen::Vector3f LaidFilm::weights(const FilmPlace& place) const {
+    const FilmTriangle& corners = triangles_[place.triangle];
+    const Eigen::Vector2f a = restPosition(film_.grid, corners[0]);
+    Eigen::Matrix2f edges;
+    edges << restPosition(film_.grid, corners[1]) - a, restPosition(film_.grid, corners[2]) - a;
+    const Eigen::Vector2f along = edges.inverse() * (place.rest - a);
+    return {1 - along.sum(), along[0], along[1]};
+}
+
+std::shared_ptr<const LaidFilm> layFilm(std::shared_ptr<const PosedBody> body, DippedFilm film,
+                                        const ProcessSettings& process) {
+    FilmContact contact = locateFilm(film, *body, process);
+    return std::make_shared<const LaidFilm>(std::move(body), std::move(film), std::move(contact));
+}
+
+bool edgeIsOnBody(const LaidFilm& laid) {
+    const int columns = laid.film().grid.columns, rows = laid.film().grid.rows;
+    for (int point = 0; point < columns * rows; ++point) {
+        const int column = point % columns, row = point / columns;
+        const bool isOnEdge = column == 0 || row == 0 || column == columns - 1 || row == rows - 1;
+        if (isOnEdge && laid.contact().surface[std::size_t(point)].isValid()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace dipwright

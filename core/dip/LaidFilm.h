@@ -1,0 +1,67 @@
+// A film at the end of its dip as it lies on the body: the one value that everything after the dip
+// asks, be it the reverse texture, a map, the coverage or the proof.
+#pragma once
+
+#include "dip/FilmContact.h"
+#include "dip/PaintedStretch.h"
+#include "dip/Pose.h"
+#include "dip/ProcessSettings.h"
+#include "film/DippedFilm.h"
+
+#include <memory>
+#include <optional>
+
+namespace dipwright {
+
+class FilmOnBody;
+
+// A place of the flat film.
+struct FilmPlace {
+    Eigen::Vector2f rest = Eigen::Vector2f::Zero(); // in restPosition()'s frame, mm
+    std::uint32_t triangle = 0;                     // the film triangle it is in
+};
+
+// Immutable, everything in it computed once when it is made: any thread may read. Shared, not
+// copied: it is handed on as std::shared_ptr<const LaidFilm>.
+class LaidFilm {
+public:
+    // Of a contact that is known; layFilm() finds it. `film` is in the body's pose frame.
+    LaidFilm(std::shared_ptr<const PosedBody> body, DippedFilm film, FilmContact contact);
+    ~LaidFilm();
+    LaidFilm(const LaidFilm&) = delete;
+    LaidFilm& operator=(const LaidFilm&) = delete;
+
+    const PosedBody& body() const { return *body_; }
+    const DippedFilm& film() const { return film_; }
+    const FilmContact& contact() const { return contact_; }
+    // filmTriangles() of the grid.
+    const std::vector<FilmTriangle>& triangles() const { return triangles_; }
+    // A film triangle each, painted or not.
+    const std::vector<PrincipalStretch>& stretches() const { return stretches_; }
+    const PaintedStretch& painted() const { return painted_; }
+
+    // The place on the flat film of the film that covers `point` of the body; nothing where none
+    // does.
+    std::optional<FilmPlace> place(const SurfacePoint& point) const;
+    // A place's barycentric weights in its film triangle, in the order of the corners.
+    Eigen::Vector3f weights(const FilmPlace& place) const;
+
+private:
+    std::shared_ptr<const PosedBody> body_;
+    DippedFilm film_;
+    FilmContact contact_;
+    std::vector<FilmTriangle> triangles_;
+    std::vector<PrincipalStretch> stretches_;
+    PaintedStretch painted_;
+    std::unique_ptr<const FilmOnBody> onBody_;
+};
+
+// The film as a dip with `process` has left it, located on the body. All cores, deterministic.
+std::shared_ptr<const LaidFilm> layFilm(std::shared_ptr<const PosedBody> body, DippedFilm film,
+                                        const ProcessSettings& process);
+
+// Whether the film's edge has ended up on the body: it was too small for it, and where the edge
+// lies the film may lie over itself.
+bool edgeIsOnBody(const LaidFilm& laid);
+
+} // namespace dipwright
