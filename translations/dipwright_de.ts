@@ -313,8 +313,8 @@
         <translation>%1: Die Zellen des Films sind grob für diesen Körper; geben Sie dem Film mehr Punkte</translation>
     </message>
     <message>
-        <source>The CPU will take over from %1: %2</source>
-        <translation>%1 wird von der CPU vertreten: %2</translation>
+        <source>The CPU takes over from %1: %2</source>
+        <translation>Die CPU übernimmt für %1: %2</translation>
     </message>
     <message>
         <source>The model is not closed, what is inside is guessed</source>

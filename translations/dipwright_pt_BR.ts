@@ -313,8 +313,8 @@
         <translation>%1: as células do filme são grossas para este corpo; dê mais pontos ao filme</translation>
     </message>
     <message>
-        <source>The CPU will take over from %1: %2</source>
-        <translation>A CPU vai assumir o lugar de %1: %2</translation>
+        <source>The CPU takes over from %1: %2</source>
+        <translation>A CPU assume o lugar de %1: %2</translation>
     </message>
     <message>
         <source>The model is not closed, what is inside is guessed</source>

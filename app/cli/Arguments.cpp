@@ -1,6 +1,6 @@
 #include "cli/Arguments.h"
 
-#include "pipeline/SolverChoice.h"
+#include "base/Error.h"
 #include "project/ProjectStore.h"
 
 #include <QImageReader>
@@ -149,12 +149,10 @@ Project projectArgument(const QCommandLineParser& parser) {
     return project;
 }
 
-QString usableSolver(const QString& wanted, const SolverRegistry& registry, QTextStream& out) {
-    const SolverChoice choice = chooseSolver(wanted, registry);
-    if (!choice.note.isEmpty()) {
-        out << "warning: " << choice.note << '\n';
+void printWarnings(const QStringList& warnings, QTextStream& out) {
+    for (const QString& warning : warnings) {
+        out << "warning: " << warning << '\n';
     }
-    return choice.id;
 }
 
 void declareFilmImage(QCommandLineParser& parser) {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "cli/Command.h"
-#include "pipeline/Pipeline.h"
+#include "pipeline/JobOptions.h"
+#include "project/Project.h"
 
 #include <tbb/global_control.h>
 
@@ -37,8 +38,8 @@ void applySettings(Project& project, const QCommandLineParser& parser);
 void declareProject(QCommandLineParser& parser);
 Project projectArgument(const QCommandLineParser& parser);
 
-// The solver that computes for `wanted`; tells the user where another takes over.
-QString usableSolver(const QString& wanted, const SolverRegistry& registry, QTextStream& out);
+// What the user is to know of how a result came about, a line each.
+void printWarnings(const QStringList& warnings, QTextStream& out);
 
 // --film-image chessboard|FILE. Throws Error for a picture that cannot be read.
 void declareFilmImage(QCommandLineParser& parser);

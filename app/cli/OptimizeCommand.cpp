@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 
 #include "pipeline/PoseSearch.h"
+#include "pipeline/SolverChoice.h"
 #include "project/ProjectStore.h"
 
 namespace dipwright::cli {
@@ -68,11 +69,14 @@ public:
         options.candidates = wholeNumberOption(parser, candidatesOption, 6, 2000);
         const Project project = projectArgument(parser);
         const SolverRegistry registry;
-        const QString solver =
-            parser.isSet(solverOption) ? parser.value(solverOption) : project.process.solver;
-        const QString usable = usableSolver(solver, registry, console.out());
+        SolverChoice solver = chooseSolver(
+            parser.isSet(solverOption) ? parser.value(solverOption) : project.process.solver,
+            registry);
         const std::vector<RankedPoses> ranking =
-            searchPoses(project, registry.module(usable), options, console.progress());
+            withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {
+                return searchPoses(project, module, options, console.progress());
+            });
+        printWarnings(solver.notes, console.out());
         printRanking(ranking, console.out());
         writeBest(parser, ranking.front());
     }

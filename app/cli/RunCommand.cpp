@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 
 #include "pipeline/Pipeline.h"
+#include "pipeline/WriteResults.h"
 
 namespace dipwright::cli {
 namespace {

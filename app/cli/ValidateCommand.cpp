@@ -4,6 +4,7 @@
 #include "base/Png.h"
 #include "pipeline/SheetCertainty.h"
 #include "pipeline/ValidateJob.h"
+#include "pipeline/WriteResults.h"
 #include "validation/PhysicsValidation.h"
 
 #include <QJsonArray>
@@ -85,6 +86,7 @@ void printCertainty(const std::vector<ImmersionCertainty>& certainty, QTextStrea
         printChange(one.immersion.name, QStringLiteral("half the cell"), one.halfSpacing, out);
     }
     for (const ImmersionCertainty& one : certainty) {
+        printWarnings(one.notes, out);
         if (!isCertain(one)) {
             out << "warning: " << one.immersion.name
                 << ": this sheet is not certain; give the film more points, turn the body, or dip "
@@ -102,9 +104,6 @@ void validateTheSheet(const QCommandLineParser& parser, Console& console) {
         checkResultFolder(parser.value(mapsOption)); // better now than after the work
     }
     const SolverRegistry registry;
-    if (!parser.isSet(jsonOption)) {
-        project.process.solver = usableSolver(project.process.solver, registry, console.out());
-    }
     const std::vector<ImmersionCertainty> certainty =
         sheetCertainty(project, registry, console.progress());
     if (parser.isSet(mapsOption)) {
@@ -124,9 +123,7 @@ void validateTheJob(const QCommandLineParser& parser, Console& console) {
         console.out() << QJsonDocument(json).toJson();
         return;
     }
-    for (const QString& warning : warnings) {
-        console.out() << "warning: " << warning << '\n';
-    }
+    printWarnings(warnings, console.out());
     console.out() << "The project can be run\n";
 }
 

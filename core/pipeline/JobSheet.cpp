@@ -30,9 +30,12 @@ QString scaleText(const FilmSettings& film) {
     return Text::tr("1:1, swell %1 × %2 taken out").arg(plain(film.swellX), plain(film.swellY));
 }
 
-// Of the image and of every setting that it came from; where the project lies plays no part.
+// Of the image and of every setting that it came from; where the project lies plays no part, nor
+// does whether the solver was named or found by "auto": which one it was, the image shows.
 QString jobHash(const Project& project, const Immersion& immersion, const QImage& filmImage) {
-    QJsonObject settings = toJson(project);
+    Project anonymous = project;
+    anonymous.process.solver = ProcessSettings().solver;
+    QJsonObject settings = toJson(anonymous);
     for (const char* key : {"model", "immersions", "name"}) {
         settings.remove(QLatin1String(key));
     }

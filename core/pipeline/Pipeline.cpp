@@ -1,13 +1,14 @@
 #include "pipeline/Pipeline.h"
 
 #include "base/Error.h"
-#include "dip/Coverage.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/SolverChoice.h"
+#include "results/Results.h"
 #include "texture/Chessboard.h"
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <utility>
 
 namespace dipwright {
 namespace {
@@ -23,237 +24,200 @@ constexpr double dipDone = 0.7; // of an immersion
 constexpr double contactDone = 0.8;
 constexpr double textureDone = 0.9;
 
-// Which solver computes is told by the solver itself, and a change from "auto" to its name is none.
-ProcessSettings dipInputs(ProcessSettings process) {
-    process.solver.clear();
-    return process;
+// What all steps of one run are given.
+struct Run {
+    const Project& project;
+    const SolverRegistry& registry;
+    const JobOptions& options;
+    const JobResult* previous; // may be null
+
+    const ImmersionResult* earlier(std::size_t number) const {
+        return previous && number < previous->immersions.size() ? &previous->immersions[number]
+                                                                : nullptr;
+    }
+};
+
+bool hasDipped(const ImmersionResult* earlier, const DipInputs& inputs) {
+    return earlier && earlier->inputs.texture.dip == inputs;
 }
 
-class Job {
-public:
-    Job(const Project& project, const SolverRegistry& registry, const JobOptions& options,
-        const JobResult* previous)
-        : project_(project), registry_(registry), options_(options), previous_(previous) {}
-
-    JobResult run(const Progress& progress) {
-        if (!project_.model) {
-            throw Error(Text::tr("The project has no model, import one first"), project_.name);
-        }
-        result_.project = project_;
-        result_.options = options_;
-        result_.options.observer = nullptr;
-        if (const QString expiry = expiryWarning(project_.profiles.film); !expiry.isEmpty()) {
-            result_.notes.append(expiry);
-        }
-        chooseSolver(options_.solver.isEmpty() ? project_.process.solver : options_.solver);
-        if (sameModel() && previous_->project.fieldResolution == project_.fieldResolution) {
-            result_.field = previous_->field;
-        }
-        const double share = (immersionsDone - fieldDone) / double(project_.immersions.size());
-        for (std::size_t index = 0; index < project_.immersions.size(); ++index) {
-            const double begin = fieldDone + share * double(index);
-            runImmersion(index, progress.part(0, fieldDone), progress.part(begin, begin + share));
-        }
-        result_.coverageTotal = coverageTotal(progress);
-        makeProof(progress.part(immersionsDone, 1));
-        return std::move(result_);
+// Null where no immersion is dipped anew and the earlier result has none.
+std::shared_ptr<const DistanceField> fieldOf(const Run& run, const std::vector<SheetInputs>& inputs,
+                                             const Progress& progress) {
+    const FieldInputs wanted = fieldInputs(run.project);
+    if (run.previous && run.previous->field && run.previous->fieldInputs == wanted) {
+        return run.previous->field;
     }
-
-private:
-    bool sameModel() const { return previous_ && previous_->project.model == project_.model; }
-
-    // The earlier result of this immersion's place, if it is of the same model.
-    const ImmersionResult* earlier(std::size_t index) const {
-        return sameModel() && index < previous_->immersions.size() ? &previous_->immersions[index]
-                                                                   : nullptr;
-    }
-
-    // Where the GPU is not there that a solver needs, the CPU takes over.
-    void chooseSolver(const QString& id) {
-        try {
-            registry_.module(id); // loads it, or throws the reason why it cannot run
-            result_.solver = registry_.info(id);
-        } catch (const Error& error) {
-            const std::optional<SolverInfo> wanted = registry_.found(id);
-            if (!wanted) {
-                throw;
-            }
-            result_.solver = *wanted;
-            if (!fallBackFrom(error)) {
-                throw;
-            }
+    for (std::size_t number = 0; number < inputs.size(); ++number) {
+        if (!hasDipped(run.earlier(number), inputs[number].texture.dip)) {
+            return cachedDistanceField(wanted.model->mesh, wanted.resolution, progress);
         }
     }
+    return nullptr;
+}
 
-    void runImmersion(std::size_t index, const Progress& fieldProgress, const Progress& progress) {
-        const ImmersionResult* old = earlier(index);
-        ImmersionResult now;
-        now.immersion = project_.immersions[index];
-        if (old && old->immersion.rotation == now.immersion.rotation) {
-            now.body = old->body;
-        } else {
-            now.body = std::make_shared<PosedBody>(posedBody(*project_.model, now.immersion));
-        }
-        if (old && sameDip(*old, now)) {
-            now.laid = old->laid;
-            now.coverage = old->coverage;
-            now.registration = old->registration;
-        } else {
-            locate(now, dip(index, now, fieldProgress, progress.part(0, dipDone)),
-                   progress.part(dipDone, contactDone));
-        }
-        if (old && sameTexture(*old, now)) {
-            now.texture = old->texture;
-        } else {
-            now.texture = std::make_shared<ReverseTexture>(
-                texture(now, progress.part(contactDone, textureDone)));
-        }
-        now.sheet = jobSheet(project_, now.immersion, now.texture->image);
-        if (edgeIsOnBody(*now.laid)) {
-            result_.notes.append(Text::tr("%1: the film's edge ends up on the body; take a larger "
-                                          "film, or place the body further from the edge")
-                                     .arg(now.immersion.name));
-        }
-        result_.immersions.push_back(std::move(now));
+std::shared_ptr<const PosedBody> bodyOf(const BodyInputs& inputs, const Immersion& immersion,
+                                        const ImmersionResult* earlier) {
+    if (earlier && earlier->inputs.texture.dip.body == inputs) {
+        return earlier->body;
     }
+    return std::make_shared<const PosedBody>(posedBody(*inputs.model, immersion));
+}
 
-    bool sameDip(const ImmersionResult& old, const ImmersionResult& now) const {
-        return old.body == now.body && old.immersion.offset == now.immersion.offset &&
-               previous_->project.film == project_.film &&
-               previous_->project.fieldResolution == project_.fieldResolution &&
-               dipInputs(previous_->project.process) == dipInputs(project_.process) &&
-               previous_->solver.id == result_.solver.id;
+// Fills in the film on the body and what is measured of it.
+void dip(ImmersionResult& result, const Run& run, std::size_t number, const DistanceField& field,
+         SolverChoice& solver, const Progress& progress) {
+    FilmObserver observer;
+    if (run.options.observer) {
+        observer = [&](const FilmFrame& frame) { run.options.observer(number, frame); };
     }
+    DippedFilm film = withFallback(solver, run.registry, [&](const solver::SolverModule& module) {
+        return simulateDip(*result.body, field, result.immersion, run.project.film,
+                           run.project.process, module, progress.part(0, dipDone), observer);
+    });
+    result.solver = solver.solver;
+    result.solverNotes = std::exchange(solver.notes, {});
 
-    DippedFilm dip(std::size_t index, const ImmersionResult& now, const Progress& fieldProgress,
-                   const Progress& progress) {
-        if (!result_.field) {
-            result_.field =
-                cachedDistanceField(project_.model->mesh, project_.fieldResolution, fieldProgress);
-        }
-        FilmObserver observer;
-        if (options_.observer) {
-            observer = [this, index](const FilmFrame& frame) { options_.observer(index, frame); };
-        }
-        const auto simulate = [&] {
-            return simulateDip(*now.body, *result_.field, now.immersion, project_.film,
-                               project_.process, registry_.module(result_.solver.id), progress,
-                               observer);
-        };
-        try {
-            return simulate();
-        } catch (const Error& error) {
-            if (!fallBackFrom(error)) {
-                throw;
-            }
-            return simulate();
+    const Progress measuring = progress.part(dipDone, contactDone);
+    measuring(0, Text::tr("Finding the film on the body"));
+    result.laid = layFilm(result.body, std::move(film), run.project.process);
+    measuring(0.4, Text::tr("Measuring the coverage"));
+    result.coverage = std::make_shared<const Coverage>(coverage(*result.laid));
+    measuring(0.6, Text::tr("Measuring the registration"));
+    result.registration = registrationError(*result.laid, *result.laid);
+}
+
+QImage chessboardOf(const FilmSettings& film, QSize pixels) {
+    solver::FilmGrid printed = filmGrid(film); // the squares are measured on the sheet
+    printed.width = film.width.value();
+    printed.depth = film.height.value();
+    return chessboard(printed, chessSquare, pixels);
+}
+
+// The picture for the film: the body's texture reversed, or what is to be on it instead.
+ReverseTexture textureOf(const LaidFilm& laid, const TextureInputs& inputs,
+                         const Progress& progress) {
+    const FilmSettings& film = inputs.dip.film;
+    const QSize pixels = sheetPixels(film.width, film.height, inputs.resolution);
+    if (inputs.isReversed()) {
+        return reverseTexture(laid, {pixels, inputs.bleed.value(), inputs.ink}, progress);
+    }
+    ReverseTexture picture;
+    picture.image = inputs.chessboard
+                        ? chessboardOf(film, pixels)
+                        : inputs.filmImage.convertToFormat(QImage::Format_RGBA8888)
+                              .scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    return picture;
+}
+
+ImmersionResult immersionResult(const Run& run, std::size_t number, const SheetInputs& inputs,
+                                const DistanceField* field, SolverChoice& solver,
+                                const Progress& progress) {
+    const ImmersionResult* earlier = run.earlier(number);
+    ImmersionResult now;
+    if (hasDipped(earlier, inputs.texture.dip)) {
+        now = *earlier;
+        now.immersion = run.project.immersions[number];
+    } else {
+        now.immersion = run.project.immersions[number];
+        now.body = bodyOf(inputs.texture.dip.body, now.immersion, earlier);
+        dip(now, run, number, *field, solver, progress);
+    }
+    if (!earlier || earlier->inputs.texture != inputs.texture) {
+        now.texture = std::make_shared<const ReverseTexture>(
+            textureOf(*now.laid, inputs.texture, progress.part(contactDone, textureDone)));
+    }
+    if (!earlier || earlier->inputs != inputs) {
+        now.sheet = jobSheet(run.project, now.immersion, now.texture->image);
+    }
+    now.inputs = inputs;
+    return now;
+}
+
+double coverageTotal(const std::vector<ImmersionResult>& immersions, const Progress& progress) {
+    if (immersions.size() == 1) {
+        return immersions.front().coverage->share;
+    }
+    std::vector<std::shared_ptr<const LaidFilm>> films;
+    for (const ImmersionResult& immersion : immersions) {
+        films.push_back(immersion.laid);
+    }
+    return coverageTogether(films, progress);
+}
+
+bool hasProofOf(const JobResult* previous, const std::vector<ImmersionResult>& immersions) {
+    return previous &&
+           std::equal(immersions.begin(), immersions.end(), previous->immersions.begin(),
+                      previous->immersions.end(),
+                      [](const ImmersionResult& a, const ImmersionResult& b) {
+                          return a.inputs.texture == b.inputs.texture;
+                      });
+}
+
+QImage proofOf(const Run& run, const std::vector<ImmersionResult>& immersions,
+               const Progress& progress) {
+    if (hasProofOf(run.previous, immersions)) {
+        return run.previous->proof;
+    }
+    std::vector<WornFilm> films;
+    for (const ImmersionResult& immersion : immersions) {
+        films.push_back({immersion.laid, immersion.texture->image});
+    }
+    const TextureInputs& inputs = immersions.front().inputs.texture;
+    ProofOptions options;
+    options.compensatedInk = inputs.isReversed() && inputs.ink.compensate;
+    return proofPicture(*run.project.model, films, options, progress);
+}
+
+QStringList notesOf(const JobResult& result) {
+    QStringList notes;
+    if (const QString expiry = expiryWarning(result.project.profiles.film); !expiry.isEmpty()) {
+        notes.append(expiry);
+    }
+    for (const ImmersionResult& immersion : result.immersions) {
+        notes += immersion.solverNotes;
+        if (edgeIsOnBody(*immersion.laid)) {
+            notes.append(Text::tr("%1: the film's edge ends up on the body; take a larger "
+                                  "film, or place the body further from the edge")
+                             .arg(immersion.immersion.name));
         }
     }
-
-    // Puts the best CPU solver in the place of a GPU solver that failed; false if there is none, or
-    // where it was not a GPU solver.
-    bool fallBackFrom(const Error& error) {
-        const QString failed = result_.solver.name;
-        if (result_.solver.deviceKind != QLatin1String("gpu")) {
-            return false;
-        }
-        const std::optional<SolverInfo> best = bestCpuSolver(registry_);
-        if (!best) {
-            return false;
-        }
-        chooseSolver(best->id);
-        result_.notes.append(
-            Text::tr("%1 failed and %2 took over: %3").arg(failed, best->name, error.sentence()));
-        return true;
-    }
-
-    void locate(ImmersionResult& now, DippedFilm film, const Progress& progress) const {
-        progress(0, Text::tr("Finding the film on the body"));
-        now.laid = layFilm(now.body, std::move(film), project_.process);
-        progress(0.4, Text::tr("Measuring the coverage"));
-        now.coverage = std::make_shared<Coverage>(coverage(*now.laid));
-        progress(0.6, Text::tr("Measuring the registration"));
-        now.registration = registrationError(*now.laid, *now.laid);
-    }
-
-    double coverageTotal(const Progress& progress) const {
-        if (result_.immersions.size() == 1) {
-            return result_.immersions.front().coverage->share;
-        }
-        std::vector<std::shared_ptr<const LaidFilm>> films;
-        for (const ImmersionResult& immersion : result_.immersions) {
-            films.push_back(immersion.laid);
-        }
-        return coverageTogether(films, progress);
-    }
-
-    bool sameTexture(const ImmersionResult& old, const ImmersionResult& now) const {
-        const Project& before = previous_->project;
-        return old.laid == now.laid && before.sheet.resolution == project_.sheet.resolution &&
-               before.sheet.bleed == project_.sheet.bleed && before.ink == project_.ink &&
-               previous_->options.chessboard == options_.chessboard &&
-               previous_->options.filmImage == options_.filmImage;
-    }
-
-    ReverseTexture texture(const ImmersionResult& now, const Progress& progress) const {
-        const QSize pixels =
-            sheetPixels(project_.film.width, project_.film.height, project_.sheet.resolution);
-        if (!options_.chessboard && options_.filmImage.isNull()) {
-            return reverseTexture(*now.laid, {pixels, project_.sheet.bleed.value(), project_.ink},
-                                  progress);
-        }
-        ReverseTexture picture;
-        if (options_.chessboard) {
-            solver::FilmGrid printed =
-                now.laid->film().grid; // the squares are measured on the sheet
-            printed.width = project_.film.width.value();
-            printed.depth = project_.film.height.value();
-            picture.image = chessboard(printed, chessSquare, pixels);
-        } else {
-            picture.image = options_.filmImage.convertToFormat(QImage::Format_RGBA8888)
-                                .scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-        }
-        return picture;
-    }
-
-    bool sameProof() const {
-        if (!sameModel() || previous_->immersions.size() != result_.immersions.size()) {
-            return false;
-        }
-        const auto same = [](const ImmersionResult& a, const ImmersionResult& b) {
-            return a.laid == b.laid && a.texture == b.texture;
-        };
-        return std::equal(result_.immersions.begin(), result_.immersions.end(),
-                          previous_->immersions.begin(), same);
-    }
-
-    void makeProof(const Progress& progress) {
-        if (sameProof()) {
-            result_.proof = previous_->proof;
-            return;
-        }
-        std::vector<WornFilm> films;
-        for (const ImmersionResult& now : result_.immersions) {
-            films.push_back({now.laid, now.texture->image});
-        }
-        ProofOptions options;
-        const bool reversed = !options_.chessboard && options_.filmImage.isNull();
-        options.compensatedInk = reversed && project_.ink.compensate;
-        result_.proof = proofPicture(*project_.model, films, options, progress);
-    }
-
-    const Project& project_;
-    const SolverRegistry& registry_;
-    const JobOptions& options_;
-    const JobResult* previous_;
-    JobResult result_;
-};
+    return notes;
+}
 
 } // namespace
 
 JobResult runJob(const Project& project, const SolverRegistry& registry, const JobOptions& options,
                  const JobResult* previous, const Progress& progress) {
-    return Job(project, registry, options, previous).run(progress);
+    if (!project.model) {
+        throw Error(Text::tr("The project has no model, import one first"), project.name);
+    }
+    const Run run{project, registry, options, previous};
+    JobResult result;
+    result.project = project;
+    result.wantedSolver = options.solver.isEmpty() ? project.process.solver : options.solver;
+    SolverChoice solver = chooseSolver(result.wantedSolver, registry);
+    result.chosenSolver = solver.solver.id;
+    result.notes = std::exchange(solver.notes, {});
+
+    std::vector<SheetInputs> inputs;
+    for (std::size_t number = 0; number < project.immersions.size(); ++number) {
+        inputs.push_back(sheetInputs(project, options, number, result.chosenSolver));
+    }
+    result.fieldInputs = fieldInputs(project);
+    result.field = fieldOf(run, inputs, progress.part(0, fieldDone));
+
+    const double share = (immersionsDone - fieldDone) / double(inputs.size());
+    for (std::size_t number = 0; number < inputs.size(); ++number) {
+        const double begin = fieldDone + share * double(number);
+        result.immersions.push_back(immersionResult(run, number, inputs[number], result.field.get(),
+                                                    solver, progress.part(begin, begin + share)));
+    }
+    result.solver = result.immersions.back().solver;
+    result.coverageTotal = coverageTotal(result.immersions, progress);
+    result.proof = proofOf(run, result.immersions, progress.part(immersionsDone, 1));
+    result.notes += notesOf(result);
+    return result;
 }
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-#include "pipeline/Pipeline.h"
+#include "pipeline/Report.h"
 
 #include <QJsonArray>
 

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace dipwright {
 namespace {
@@ -147,16 +148,18 @@ sheetCertainty(const Project& project, const SolverRegistry& registry, const Pro
         throw Error(Text::tr("The project has no model, import one first"), project.name);
     }
     withHalfSpacing(project); // refuses before any work
-    const solver::SolverModule& module =
-        registry.module(chooseSolver(project.process.solver, registry).id);
+    SolverChoice solver = chooseSolver(project.process.solver, registry);
     const auto field = cachedDistanceField(project.model->mesh, project.fieldResolution,
                                            progress.part(0, fieldDone));
     std::vector<ImmersionCertainty> result;
     const double share = (1 - fieldDone) / double(project.immersions.size());
     for (const Immersion& immersion : project.immersions) {
         const double begin = fieldDone + share * double(result.size());
-        result.push_back(
-            certainty(project, immersion, *field, module, progress.part(begin, begin + share)));
+        const Progress part = progress.part(begin, begin + share);
+        result.push_back(withFallback(solver, registry, [&](const solver::SolverModule& module) {
+            return certainty(project, immersion, *field, module, part);
+        }));
+        result.back().notes = std::exchange(solver.notes, {});
     }
     return result;
 }

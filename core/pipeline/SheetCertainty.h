@@ -22,6 +22,7 @@ struct ImmersionCertainty {
     SheetChange halfStep;    // steps half as long
     SheetChange halfSpacing; // film cells half as wide, and steps half as long with them
     QImage map;              // where the film moves in the latter: certaintyMap() in Results.h
+    QStringList notes;       // sentences for the user, where another solver took over
 };
 
 // What a certain sheet moves by at most, 95 % of it, and how much of the body may be painted by one
@@ -33,8 +34,8 @@ inline constexpr double certainPaintedOnce = 0.05; // of the body's surface
 // False where nothing is painted.
 bool isCertain(const ImmersionCertainty& certainty);
 
-// Dips every immersion three times on the project's solver or, where that needs a GPU that is not
-// there, on the best that can run. From any thread; touches no file but the field cache; the maps
+// Dips every immersion three times, all on one solver: the project's or, where that needs a GPU that
+// is missing or fails, the best on the CPU. From any thread; touches no file but the field cache; the maps
 // need a QGuiApplication. Throws Error (no model, no such solver, no contact, a film that cannot
 // have twice the points a side) or Cancelled.
 std::vector<ImmersionCertainty>

@@ -1,7 +1,5 @@
 #include "pipeline/SolverChoice.h"
 
-#include "base/Error.h"
-
 #include <QCoreApplication>
 
 namespace dipwright {
@@ -11,34 +9,48 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-} // namespace
-
-std::optional<SolverInfo> bestCpuSolver(const SolverRegistry& registry) {
+// The CPU solver of the highest priority that can run here, in the place of `solver`, if that needs
+// a GPU.
+std::optional<SolverInfo> cpuInPlaceOf(const SolverInfo& solver, const SolverRegistry& registry) {
     std::optional<SolverInfo> best;
-    for (const SolverInfo& solver : registry.solvers()) {
-        if (solver.available && solver.deviceKind == QLatin1String("cpu") &&
-            (!best || solver.priority > best->priority)) {
-            best = solver;
+    if (solver.deviceKind != QLatin1String("gpu")) {
+        return best;
+    }
+    for (const SolverInfo& candidate : registry.solvers()) {
+        if (candidate.available && candidate.deviceKind == QLatin1String("cpu") &&
+            (!best || candidate.priority > best->priority)) {
+            best = candidate;
         }
     }
     return best;
 }
 
+} // namespace
+
 SolverChoice chooseSolver(const QString& wanted, const SolverRegistry& registry) {
     try {
         registry.module(wanted); // loads it, or throws the reason why it cannot run
-        return {wanted, {}};
+        return {registry.info(wanted), {}};
     } catch (const Error& error) {
-        const std::optional<SolverInfo> solver = registry.found(wanted);
-        const bool needsGpu = solver && solver->deviceKind == QLatin1String("gpu");
-        const std::optional<SolverInfo> other =
-            needsGpu ? bestCpuSolver(registry) : std::optional<SolverInfo>();
+        const std::optional<SolverInfo> missing = registry.found(wanted);
+        const auto other = missing ? cpuInPlaceOf(*missing, registry) : std::nullopt;
         if (!other) {
             throw;
         }
-        return {other->id,
-                Text::tr("The CPU will take over from %1: %2").arg(solver->name, error.sentence())};
+        return {*other,
+                {Text::tr("The CPU takes over from %1: %2").arg(missing->name, error.sentence())}};
     }
+}
+
+bool takeOver(SolverChoice& choice, const SolverRegistry& registry, const Error& error) {
+    const std::optional<SolverInfo> other = cpuInPlaceOf(choice.solver, registry);
+    if (!other) {
+        return false;
+    }
+    choice.notes.append(Text::tr("%1 failed and %2 took over: %3")
+                            .arg(choice.solver.name, other->name, error.sentence()));
+    choice.solver = *other;
+    return true;
 }
 
 } // namespace dipwright

@@ -61,9 +61,7 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     sheetPixels(project.film.width, project.film.height, project.sheet.resolution);
     pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}});
     QStringList warnings;
-    if (const QString note = chooseSolver(project.process.solver, registry).note; !note.isEmpty()) {
-        warnings.append(note);
-    }
+    warnings += chooseSolver(project.process.solver, registry).notes;
     if (!isClosed(project.model->mesh)) {
         warnings.append(Text::tr("The model is not closed, what is inside is guessed"));
     }

@@ -1,9 +1,11 @@
-#include "pipeline/Pipeline.h"
+#include "pipeline/WriteResults.h"
 
 #include "base/Bytes.h"
 #include "base/Error.h"
 #include "base/Png.h"
+#include "pipeline/Report.h"
 #include "pipeline/ResultFolder.h"
+#include "results/Results.h"
 
 #include <QCoreApplication>
 #include <QDir>

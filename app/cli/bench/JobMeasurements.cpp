@@ -5,6 +5,7 @@
 #include "geometry/Shapes.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/Pipeline.h"
+#include "pipeline/WriteResults.h"
 
 #include <QTemporaryDir>
 

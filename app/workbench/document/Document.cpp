@@ -42,30 +42,6 @@ private:
     Project before_, after_;
 };
 
-bool dependsOnChange(Stage stage, std::size_t number, const Project& before, const Project& now) {
-    if (number >= before.immersions.size() || number >= now.immersions.size()) {
-        return true;
-    }
-    // A name stands on the sheet only.
-    const auto posed = [number](const Project& project) {
-        Immersion immersion = project.immersions[number];
-        immersion.name.clear();
-        return immersion;
-    };
-    if (before.model != now.model || before.film != now.film || before.process != now.process ||
-        before.fieldResolution != now.fieldResolution || posed(before) != posed(now)) {
-        return true;
-    }
-    const bool texture = before.ink != now.ink || before.sheet.bleed != now.sheet.bleed ||
-                         before.sheet.resolution != now.sheet.resolution;
-    if (stage != Stage::Dip && texture) {
-        return true;
-    }
-    return stage == Stage::Sheet && (before.sheet != now.sheet || before.name != now.name ||
-                                     before.date != now.date || before.profiles != now.profiles ||
-                                     before.immersions[number].name != now.immersions[number].name);
-}
-
 Document::Document(Project project, const QString& path, QObject* parent)
     : QObject(parent), project_(std::move(project)), path_(path) {
     undoStack_.setUndoLimit(undoLimit);
@@ -116,8 +92,21 @@ void Document::setResult(std::shared_ptr<const JobResult> result) {
 }
 
 bool Document::isFresh(Stage stage, std::size_t number) const {
-    return result_ && number < result_->immersions.size() &&
-           !dependsOnChange(stage, number, result_->project, project_);
+    if (!result_ || number >= result_->immersions.size() || number >= project_.immersions.size()) {
+        return false;
+    }
+    const SheetInputs& then = result_->immersions[number].inputs;
+    const SheetInputs now =
+        sheetInputs(project_, {}, number, solverFor(project_.process.solver, *result_));
+    switch (stage) {
+    case Stage::Dip:
+        return now.texture.dip == then.texture.dip;
+    case Stage::Texture:
+        return now.texture == then.texture;
+    case Stage::Sheet:
+        return now == then;
+    }
+    return false;
 }
 
 Freshness Document::freshness(std::size_t number) const {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/FileLock.h"
-#include "pipeline/Pipeline.h"
+#include "pipeline/JobResult.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -13,10 +13,6 @@ namespace dipwright {
 
 // What can be out of date, each later one including what it depends on.
 enum class Stage { Dip, Texture, Sheet };
-
-// Whether `stage` of immersion `number` would come out different for `now` than it did for
-// `before`.
-bool dependsOnChange(Stage stage, std::size_t number, const Project& before, const Project& now);
 
 // What of an immersion's results fits the project as it is.
 struct Freshness {
@@ -62,7 +58,8 @@ public:
     // The last run's result, which names the project it belongs to; null before the first.
     std::shared_ptr<const JobResult> result() const { return result_; }
     void setResult(std::shared_ptr<const JobResult> result);
-    // Whether there is a result of `stage` for immersion `number` that fits the project as it is.
+    // Whether there is a result of `stage` for immersion `number` that fits the project as it is: a
+    // run would take it over (StepInputs.h).
     bool isFresh(Stage stage, std::size_t number) const;
     Freshness freshness(std::size_t number) const; // of each stage
     bool isFresh() const;                          // everything of every immersion

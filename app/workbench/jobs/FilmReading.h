@@ -2,7 +2,7 @@
 // the cursor by the view, the stretch map and the sheet.
 #pragma once
 
-#include "pipeline/Pipeline.h"
+#include "dip/LaidFilm.h"
 
 #include <optional>
 

@@ -7,6 +7,8 @@
 #include "jobs/FilmTable.h"
 #include "main/WindowActions.h"
 #include "panels/StretchPanel.h"
+#include "pipeline/WriteResults.h"
+#include "results/Results.h"
 #include "session/WriteFiles.h"
 
 #include <QAction>
@@ -111,6 +113,9 @@ void ExportController::showCertainty(const std::vector<ImmersionCertainty>& cert
                                      bool outdated, LengthUnit unit) {
     for (const ImmersionCertainty& one : certainty) {
         messages_.log(certaintyVerdict(one, unit));
+        for (const QString& note : one.notes) {
+            messages_.log(note);
+        }
     }
     auto* dialog = new CertaintyDialog(certainty, outdated, unit, &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);

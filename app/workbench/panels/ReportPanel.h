@@ -2,7 +2,7 @@
 #pragma once
 
 #include "panels/Units.h"
-#include "pipeline/Pipeline.h"
+#include "pipeline/JobResult.h"
 
 #include <QWidget>
 

@@ -4,8 +4,10 @@
 #include "TestFiles.h"
 #include "base/Error.h"
 #include "geometry/Shapes.h"
+#include "pipeline/Report.h"
 #include "pipeline/ResultFolder.h"
 #include "pipeline/ValidateJob.h"
+#include "pipeline/WriteResults.h"
 
 #include <QGuiApplication>
 #include <QJsonArray>
@@ -133,6 +135,37 @@ private slots:
         QVERIFY(result.immersions[1].laid != first_.immersions[1].laid);
     }
 
+    void theSolverThatAutoChoseIsNoChange() {
+        Project job = job_;
+        job.process.solver = QStringLiteral("pbd-cpu");
+        const JobResult named = runJob(job, *registry_, {}, &first_, {});
+        for (std::size_t index = 0; index < 2; ++index) {
+            QVERIFY(named.immersions[index].laid == first_.immersions[index].laid);
+            QVERIFY(named.immersions[index].texture == first_.immersions[index].texture);
+            QCOMPARE(named.immersions[index].sheet.job.hash,
+                     first_.immersions[index].sheet.job.hash);
+        }
+        const JobResult back = runJob(job_, *registry_, {}, &named, {});
+        QVERIFY(back.immersions[0].laid == first_.immersions[0].laid);
+    }
+
+    void anotherSolverDipsAnew() {
+        const PluginFolder folder;
+        QJsonObject description = PluginFolder::description(QStringLiteral("device"));
+        folder.add(QStringLiteral("device"),
+                   QStringLiteral(DIPWRIGHT_PLUGINS "/") +
+                       PluginFolder::moduleName(QStringLiteral("pbd-cpu")));
+        folder.describe(description);
+        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        Project job = job_;
+        job.process.solver = QStringLiteral("device"); // the same module under another name
+        const JobResult result = runJob(job, registry, {}, &first_, {});
+        QCOMPARE(result.solver.id, QStringLiteral("device"));
+        QVERIFY(result.immersions[0].body == first_.immersions[0].body);
+        QVERIFY(result.immersions[0].laid != first_.immersions[0].laid);
+        QVERIFY(result.field == first_.field);
+    }
+
     void anotherNameIsOnTheSheetAlone() {
         Project job = job_;
         job.immersions[0].name = QStringLiteral("Renamed");
@@ -216,6 +249,11 @@ private slots:
         QVERIFY2(result.notes.size() == 1 && result.notes[0].contains("The solver advance"),
                  qPrintable(result.notes.join('\n')));
         QCOMPARE(result.immersions[0].sheet.image, first_.immersions[0].sheet.image);
+        // As long as nothing changes, it is neither tried again nor forgotten who computed.
+        const JobResult again = runJob(job_, registry, {}, &result, {});
+        QVERIFY(again.immersions[1].laid == result.immersions[1].laid);
+        QCOMPARE(again.solver.id, QStringLiteral("pbd-cpu"));
+        QCOMPARE(again.notes, result.notes);
     }
 
     void theCpuTakesOverFromAGpuThatIsNotThere() {
@@ -227,7 +265,7 @@ private slots:
         const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
         Project job = job_;
         job.process.solver = QStringLiteral("device");
-        QVERIFY(validateJob(job, registry).join('\n').contains("The CPU will take over"));
+        QVERIFY(validateJob(job, registry).join('\n').contains("The CPU takes over"));
         const JobResult result = runJob(job, registry, {}, nullptr, {});
         QCOMPARE(result.solver.id, QStringLiteral("pbd-cpu"));
         QCOMPARE(result.notes.size(), 1);

@@ -115,6 +115,8 @@ private slots:
         project.process.solver = QStringLiteral("device");
         const auto certainty = sheetCertainty(project, registry, {});
         QCOMPARE(certainty[0].halfSpacing.distance.mean, coarse_[0].halfSpacing.distance.mean);
+        QVERIFY(certainty[0].notes.join('\n').contains("The CPU takes over"));
+        QVERIFY(coarse_[0].notes.isEmpty());
     }
 
     void mapsAreWritten() {

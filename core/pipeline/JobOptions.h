@@ -1,0 +1,18 @@
+// What a run of the main job is asked for beside its project.
+#pragma once
+
+#include "dip/Dip.h"
+
+#include <QImage>
+
+namespace dipwright {
+
+struct JobOptions {
+    QString solver;          // in place of the project's, or empty
+    QImage filmImage;        // on the film instead of the reverse texture; null: reverse
+    bool chessboard = false; // the built-in chessboard as film image
+    // Called from the working thread with the immersion's number. Has no effect on the result.
+    std::function<void(std::size_t, const FilmFrame&)> observer;
+};
+
+} // namespace dipwright

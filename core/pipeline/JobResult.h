@@ -1,0 +1,45 @@
+// What a run of the main job has come to.
+#pragma once
+
+#include "dip/Coverage.h"
+#include "pipeline/StepInputs.h"
+#include "solver/SolverRegistry.h"
+#include "texture/Registration.h"
+
+namespace dipwright {
+
+// Immutable parts are shared with the results that later runs take them over into.
+struct ImmersionResult {
+    Immersion immersion;
+    SheetInputs inputs; // what all of this was made from
+    std::shared_ptr<const PosedBody> body;
+    SolverInfo solver; // that dipped the film: the chosen one, or one that took over from it
+    QStringList solverNotes; // sentences for the user, where one took over
+    std::shared_ptr<const LaidFilm> laid;
+    std::shared_ptr<const Coverage> coverage;
+    Registration registration;
+    std::shared_ptr<const ReverseTexture> texture;
+    Sheet sheet;
+};
+
+struct JobResult {
+    Project project;                            // what was computed
+    QString wantedSolver, chosenSolver;         // "auto" or an id, and the id that it stood for
+    SolverInfo solver;                          // that dipped the last immersion's film
+    FieldInputs fieldInputs;                    // of `field`
+    std::shared_ptr<const DistanceField> field; // null when no dip needed it
+    std::vector<ImmersionResult> immersions;
+    double coverageTotal = 0; // share of the body's surface that any immersion paints
+    QImage proof;
+    QStringList notes; // sentences for the user: a solver that took over, a film past its date or too
+                       // small
+};
+
+// The id of the solver that a project's `wanted` stands for, as far as `result` tells: the one that
+// was chosen for it when it wanted the same; otherwise `wanted` itself. So "auto" and the id that
+// "auto" came to are one solver.
+inline QString solverFor(const QString& wanted, const JobResult& result) {
+    return wanted == result.wantedSolver ? result.chosenSolver : wanted;
+}
+
+} // namespace dipwright

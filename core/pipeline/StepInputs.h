@@ -1,0 +1,70 @@
+// What each step of the job depends on, one value a step. Whether a step has to be done anew, or a
+// result still fits a project, is decided by comparing these and by nothing else: runJob() takes
+// over what has the same inputs, the workbench marks as out of date what has others.
+//
+// A step's inputs hold those of the steps before it, so that equal inputs mean equal results.
+#pragma once
+
+#include "pipeline/JobOptions.h"
+#include "project/Project.h"
+
+namespace dipwright {
+
+// The body in its pose. Models are equal when they are one object: versions of a project share it.
+struct BodyInputs {
+    std::shared_ptr<const TexturedMesh> model;
+    std::array<Degrees, 3> rotation{};
+    bool operator==(const BodyInputs&) const = default;
+};
+
+// The body's distance field.
+struct FieldInputs {
+    std::shared_ptr<const TexturedMesh> model;
+    int resolution = 0;
+    bool operator==(const FieldInputs&) const = default;
+};
+
+// The film on the body, and what is measured of it there.
+struct DipInputs {
+    BodyInputs body;
+    FieldInputs field;
+    std::array<Millimetres, 2> offset{};
+    FilmSettings film;
+    ProcessSettings process; // its `solver` empty: that may be "auto"
+    QString solver;          // the id of the solver that was chosen
+    bool operator==(const DipInputs&) const = default;
+};
+
+// The picture of the whole film.
+struct TextureInputs {
+    DipInputs dip;
+    DotsPerInch resolution{0};
+    Millimetres bleed{0};
+    InkSettings ink;
+    bool chessboard = false;
+    QImage filmImage;
+    bool isReversed() const { return !chessboard && filmImage.isNull(); }
+    bool operator==(const TextureInputs&) const = default;
+};
+
+// The sheet to print, with its job line.
+struct SheetInputs {
+    TextureInputs texture;
+    QString project, date, immersion; // names
+    SheetSettings settings;
+    ProjectProfiles profiles;
+    QJsonObject unknown; // keys of the project's file; the job's hash is of them too
+    bool operator==(const SheetInputs&) const = default;
+};
+
+// What immersion `number` of `project` needs. `solver`: the id of the one that is chosen, see
+// SolverChoice.h.
+BodyInputs bodyInputs(const Project& project, std::size_t number);
+FieldInputs fieldInputs(const Project& project);
+DipInputs dipInputs(const Project& project, std::size_t number, const QString& solver);
+TextureInputs textureInputs(const Project& project, const JobOptions& options, std::size_t number,
+                            const QString& solver);
+SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::size_t number,
+                        const QString& solver);
+
+} // namespace dipwright

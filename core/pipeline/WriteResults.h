@@ -1,0 +1,18 @@
+// A job's files.
+#pragma once
+
+#include "base/Progress.h"
+#include "pipeline/JobResult.h"
+
+namespace dipwright {
+
+// Writes every file of interfaces.md into `folder`, which is made if it is missing: into a
+// temporary folder first, moved in place at the end, so that nothing half-written stays behind.
+// Earlier results there are replaced, other files are left alone. Throws Error or Cancelled.
+void writeResults(const Project& project, const JobResult& result, const QString& folder,
+                  const Progress& progress);
+
+// Throws Error where writeResults could not write: worth asking before a long job.
+void checkResultFolder(const QString& folder);
+
+} // namespace dipwright
