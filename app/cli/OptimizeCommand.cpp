@@ -69,9 +69,9 @@ public:
         options.candidates = wholeNumberOption(parser, candidatesOption, 6, 2000);
         const Project project = projectArgument(parser);
         const SolverRegistry registry;
-        SolverChoice solver = chooseSolver(
-            parser.isSet(solverOption) ? parser.value(solverOption) : project.process.solver,
-            registry);
+        SolverChoice solver = chooseSolver(parser.isSet(solverOption) ? parser.value(solverOption)
+                                                                      : project.process.solver,
+                                           registry);
         const std::vector<RankedPoses> ranking =
             withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {
                 return searchPoses(project, module, options, console.progress());

@@ -43,11 +43,6 @@ void requireBodyOverFilm(const PosedBody& body, const Immersion& immersion,
     }
 }
 
-// From the pose frame to the world frame when the body has come down by `descent`.
-Eigen::Vector3d poseToWorld(const Immersion& immersion, double descent) {
-    return {immersion.offset[0].value(), startHeight - descent, immersion.offset[1].value()};
-}
-
 // The solver's film and the loop that drives it. Exceptions of the module pass through.
 class Run {
 public:
@@ -144,9 +139,7 @@ solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
     Eigen::Map<RowMajor>(setup.motion.rotation.data()) = body.modelToPose.linear();
     Eigen::Map<Eigen::Vector3d>(setup.motion.start.data()) =
         body.modelToPose.translation() + poseToWorld(immersion, 0);
-    const double depth =
-        process.depth ? process.depth->value() : body.height + process.margin.value();
-    setup.motion.travel = startHeight + depth;
+    setup.motion.travel = dipTravel(process, body);
     setup.motion.speed = process.dipSpeed.value();
 
     setup.settings.lattice = film.lattice;

@@ -21,9 +21,6 @@ struct FilmFrame {
 };
 using FilmObserver = std::function<void(const FilmFrame&)>;
 
-// mm between the body's lowest point and the water before the dip.
-inline constexpr double startHeight = 0.5;
-
 solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process);

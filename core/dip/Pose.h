@@ -2,11 +2,12 @@
 //
 // Pose frame: the body rotated about its bounding box's centre by X, then Y, then Z (fixed axes),
 // that centre at x = z = 0, the lowest point of the rotated body at y = 0. Results are written in
-// this frame. The world frame of the solver differs from it by the immersion's offset on the
-// waterline and by the descent along −Y.
+// this frame. The world frame of the solver, whose waterline is y = 0, differs from it by the
+// immersion's offset on the water and by how far the body has come down (poseToWorld).
 #pragma once
 
 #include "base/Units.h"
+#include "dip/ProcessSettings.h"
 #include "geometry/SurfaceQuery.h"
 #include "model/TexturedMesh.h"
 
@@ -21,6 +22,11 @@ struct Immersion {
     bool operator==(const Immersion&) const = default;
 };
 
+// The rotation by angles about X, then Y, then Z, and such angles for a rotation, to a tenth of a
+// degree.
+Eigen::Matrix3d rotationMatrix(const std::array<Degrees, 3>& angles);
+std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation);
+
 // Model coordinates to the pose frame.
 Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immersion);
 
@@ -33,5 +39,13 @@ struct PosedBody {
     SurfaceQuery query;            // of model.mesh
 };
 PosedBody posedBody(const TexturedMesh& model, const Immersion& immersion);
+
+// mm between the body's lowest point and the water before the dip.
+inline constexpr double startHeight = 0.5;
+// mm that the body comes down in all: from there until its lowest point is at the process's depth
+// or, where that is none, all of the body and a margin are under water.
+double dipTravel(const ProcessSettings& process, const PosedBody& body);
+// The shift from the pose frame to the world when the body has come down by `descent` mm.
+Eigen::Vector3d poseToWorld(const Immersion& immersion, double descent);
 
 } // namespace dipwright

@@ -8,10 +8,8 @@
 namespace dipwright {
 
 Eigen::Vector2f restPosition(const solver::FilmGrid& grid, std::size_t point) {
-    const std::size_t column = point % std::size_t(grid.columns);
-    const std::size_t row = point / std::size_t(grid.columns);
-    return {float(double(column) * grid.spacingX() - grid.width / 2),
-            float(double(row) * grid.spacingZ() - grid.depth / 2)};
+    const auto columns = std::size_t(grid.columns);
+    return {float(grid.restX(int(point % columns))), float(grid.restZ(int(point / columns)))};
 }
 
 std::vector<FilmTriangle> filmTriangles(const solver::FilmGrid& grid) {

@@ -13,7 +13,7 @@ struct ImmersionResult {
     Immersion immersion;
     SheetInputs inputs; // what all of this was made from
     std::shared_ptr<const PosedBody> body;
-    SolverInfo solver; // that dipped the film: the chosen one, or one that took over from it
+    SolverInfo solver;       // that dipped the film: the chosen one, or one that took over from it
     QStringList solverNotes; // sentences for the user, where one took over
     std::shared_ptr<const LaidFilm> laid;
     std::shared_ptr<const Coverage> coverage;
@@ -31,8 +31,8 @@ struct JobResult {
     std::vector<ImmersionResult> immersions;
     double coverageTotal = 0; // share of the body's surface that any immersion paints
     QImage proof;
-    QStringList notes; // sentences for the user: a solver that took over, a film past its date or too
-                       // small
+    QStringList notes; // sentences for the user: a solver that took over, a film past its date or
+                       // too small
 };
 
 // The id of the solver that a project's `wanted` stands for, as far as `result` tells: the one that

@@ -146,12 +146,11 @@ double coverageTotal(const std::vector<ImmersionResult>& immersions, const Progr
 }
 
 bool hasProofOf(const JobResult* previous, const std::vector<ImmersionResult>& immersions) {
-    return previous &&
-           std::equal(immersions.begin(), immersions.end(), previous->immersions.begin(),
-                      previous->immersions.end(),
-                      [](const ImmersionResult& a, const ImmersionResult& b) {
-                          return a.inputs.texture == b.inputs.texture;
-                      });
+    return previous && std::equal(immersions.begin(), immersions.end(),
+                                  previous->immersions.begin(), previous->immersions.end(),
+                                  [](const ImmersionResult& a, const ImmersionResult& b) {
+                                      return a.inputs.texture == b.inputs.texture;
+                                  });
 }
 
 QImage proofOf(const Run& run, const std::vector<ImmersionResult>& immersions,

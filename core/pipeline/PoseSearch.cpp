@@ -72,22 +72,13 @@ int bestTurn(const TriangleMesh& mesh, const Eigen::Matrix3d& rotation,
     return best;
 }
 
-// The angles about X, Y and Z, in that order, that make the rotation.
-std::array<Degrees, 3> anglesOf(const Eigen::Matrix3d& rotation) {
-    const Eigen::Vector3d zyx = rotation.eulerAngles(2, 1, 0);
-    const auto rounded = [](double angle) {
-        return Degrees(std::round(angle * 1800 / pi) / 10 + 0.0);
-    };
-    return {rounded(zyx[2]), rounded(zyx[1]), rounded(zyx[0])};
-}
-
 Immersion immersionFor(const TriangleMesh& mesh, const Eigen::Vector3d& down,
                        const solver::FilmGrid& film) {
     const Eigen::Matrix3d rotation =
         Eigen::Quaterniond::FromTwoVectors(down, -Eigen::Vector3d::UnitY()).toRotationMatrix();
     const double turn = radians(Degrees(bestTurn(mesh, rotation, film)));
     Immersion immersion;
-    immersion.rotation = anglesOf(turnAboutY(turn) * rotation);
+    immersion.rotation = rotationAngles(turnAboutY(turn) * rotation);
     return immersion;
 }
 

@@ -34,10 +34,10 @@ inline constexpr double certainPaintedOnce = 0.05; // of the body's surface
 // False where nothing is painted.
 bool isCertain(const ImmersionCertainty& certainty);
 
-// Dips every immersion three times, all on one solver: the project's or, where that needs a GPU that
-// is missing or fails, the best on the CPU. From any thread; touches no file but the field cache; the maps
-// need a QGuiApplication. Throws Error (no model, no such solver, no contact, a film that cannot
-// have twice the points a side) or Cancelled.
+// Dips every immersion three times, all on one solver: the project's or, where that needs a GPU
+// that is missing or fails, the best on the CPU. From any thread; touches no file but the field
+// cache; the maps need a QGuiApplication. Throws Error (no model, no such solver, no contact, a
+// film that cannot have twice the points a side) or Cancelled.
 std::vector<ImmersionCertainty>
 sheetCertainty(const Project& project, const SolverRegistry& registry, const Progress& progress);
 

@@ -52,9 +52,7 @@ struct DipRun {
     Eigen::Vector2d rest(std::size_t point) const {
         const solver::FilmGrid& film = setup.film;
         const std::size_t columns = std::size_t(film.columns);
-        const std::size_t column = point % columns, row = point / columns;
-        return {-film.width / 2 + double(column) * film.spacingX(),
-                -film.depth / 2 + double(row) * film.spacingZ()};
+        return {film.restX(int(point % columns)), film.restZ(int(point / columns))};
     }
     // With the pole of the body at the origin.
     Eigen::Vector3d onBody(std::size_t point) const {
@@ -92,8 +90,8 @@ void pinRing(solver::DipSetup& setup) {
     setup.pinned.assign(film.pointCount(), 0);
     for (int j = 0; j < film.rows; ++j) {
         for (int i = 0; i < film.columns; ++i) {
-            const double x = -film.width / 2 + i * film.spacingX();
-            const double z = -film.depth / 2 + j * film.spacingZ();
+            const double x = film.restX(i);
+            const double z = film.restZ(j);
             setup.pinned[std::size_t(j) * std::size_t(film.columns) + std::size_t(i)] =
                 x * x + z * z >= ringRadius * ringRadius;
         }

@@ -20,8 +20,7 @@ namespace dipwright {
 namespace {
 
 std::unique_ptr<solver::FilmSolver> makeFilm(const solver::Settings& settings) {
-    if (settings.lattice == solver::Lattice::Isotropic &&
-        settings.support == solver::Support::Water) {
+    if (solver::isProductionFilm(settings.lattice, settings.support)) {
         return cpu::makeProductionFilm();
     }
     return cpu::makePaperFilm();

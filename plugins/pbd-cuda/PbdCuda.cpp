@@ -15,8 +15,7 @@ namespace dipwright {
 namespace {
 
 bool isProduction(const solver::DipSetup& setup) {
-    return setup.settings.lattice == solver::Lattice::Isotropic &&
-           setup.settings.support == solver::Support::Water;
+    return solver::isProductionFilm(setup.settings.lattice, setup.settings.support);
 }
 
 std::unique_ptr<cuda::Dips> makeDips(const cuda::Device& device, cuda::Setups setups) {

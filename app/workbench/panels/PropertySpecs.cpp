@@ -11,8 +11,7 @@ struct Text {
 };
 
 bool isProduction(const Project& project) {
-    return project.film.lattice == solver::Lattice::Isotropic &&
-           project.film.support == solver::Support::Water;
+    return solver::isProductionFilm(project.film.lattice, project.film.support);
 }
 
 bool isPaperModel(const Project& project) {

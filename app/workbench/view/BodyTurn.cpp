@@ -1,23 +1,15 @@
 #include "view/BodyTurn.h"
 
-#include <cmath>
+#include <Eigen/Geometry>
 
 namespace dipwright {
 
 Immersion turned(const Immersion& immersion, int axis, double degrees) {
-    const auto angle = [&](int part) { return radians(immersion.rotation[std::size_t(part)]); };
-    using Eigen::AngleAxisd, Eigen::Vector3d;
-    const Eigen::Matrix3d before =
-        (AngleAxisd(angle(2), Vector3d::UnitZ()) * AngleAxisd(angle(1), Vector3d::UnitY()) *
-         AngleAxisd(angle(0), Vector3d::UnitX()))
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(radians(Degrees(degrees)), Eigen::Vector3d::Unit(axis))
             .toRotationMatrix();
-    const Eigen::Matrix3d after =
-        AngleAxisd(radians(Degrees(degrees)), Vector3d::Unit(axis)).toRotationMatrix() * before;
-    const Vector3d angles = after.eulerAngles(2, 1, 0) * 180 / pi; // about Z, Y, X
     Immersion result = immersion;
-    for (int part = 0; part < 3; ++part) {
-        result.rotation[std::size_t(part)] = Degrees(std::round(angles[2 - part] * 10) / 10);
-    }
+    result.rotation = rotationAngles(turn * rotationMatrix(immersion.rotation));
     return result;
 }
 

@@ -1,6 +1,7 @@
 // The body turned by its rings: a drag is one step to undo.
 #pragma once
 
+#include "dip/Pose.h"
 #include "session/DipSession.h"
 #include "viewport/DipView.h"
 

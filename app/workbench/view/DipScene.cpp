@@ -1,6 +1,8 @@
 #include "view/DipScene.h"
 
+#include "dip/Pose.h"
 #include "look/Theme.h"
+#include "results/Results.h"
 #include "texture/Chessboard.h"
 
 #include <QPainter>
@@ -126,9 +128,7 @@ void DipScene::placeBody(const Immersion& immersion, double descent) {
     }
     descent_ = descent;
     const Eigen::Isometry3d pose = poseTransform(project_.model->mesh, immersion);
-    const Eigen::Translation3d shift(immersion.offset[0].value(), startHeight - descent,
-                                     immersion.offset[1].value());
-    modelToWorld_ = shift * pose;
+    modelToWorld_ = Eigen::Translation3d(poseToWorld(immersion, descent)) * pose;
     view_.setBodyTransform(modelToWorld_);
     const BoundingBox box = boundingBox(project_.model->mesh);
     view_.setRotationRings(rings_ && moment_ == Moment::Setup,
@@ -185,10 +185,7 @@ void DipScene::showEnd() {
     }
     moment_ = Moment::End;
     const ImmersionResult& result = result_->immersions[immersion_];
-    const double depth = result_->project.process.depth
-                             ? result_->project.process.depth->value()
-                             : result.body->height + result_->project.process.margin.value();
-    placeBody(result.immersion, startHeight + depth);
+    placeBody(result.immersion, dipTravel(result_->project.process, *result.body));
     if (filmSource_ != FilmSource(reading_)) {
         const DippedFilm& film = reading_->film();
         FilmShape shape;

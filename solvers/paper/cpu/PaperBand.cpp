@@ -276,9 +276,9 @@ void PaperBand::findContacts(int row, int chunk) {
         }
         float& untouchedUntil = approach.points[std::size_t(lane)];
         if (untouchedUntil <= reached) {
-            const numerics::Vector3<double> world{model_.restX(i) + double(points.x[i]),
+            const numerics::Vector3<double> world{model_.grid.restX(i) + double(points.x[i]),
                                                   points.y[i],
-                                                  model_.restZ(row) + double(points.z[i])};
+                                                  model_.grid.restZ(row) + double(points.z[i])};
             const numerics::Vector3<double> place = pass_.frame.toBody(world);
             const auto sample = numerics::sampleField(model_.field, place);
             if (sample.distance <= model_.settings.contactDistance) {
@@ -295,9 +295,9 @@ void PaperBand::findContacts(int row, int chunk) {
 void PaperBand::adhere(int row, int column, numerics::Vector3<double> place) {
     place = numerics::onLevel(model_.field, place, model_.settings.contactDistance);
     const numerics::Vector3<double> anchor = model_.frameAtStart.toWorld(place);
-    const auto x = float(anchor.x - model_.restX(column));
+    const auto x = float(anchor.x - model_.grid.restX(column));
     const auto y = float(anchor.y);
-    const auto z = float(anchor.z - model_.restZ(row));
+    const auto z = float(anchor.z - model_.grid.restZ(row));
     WorkingRow points = splitsColumns() ? workingRow(unsplit_.data(), model_.stride) : working(row);
     points.x[column] = x;
     points.y[column] = y - float(pass_.descent);

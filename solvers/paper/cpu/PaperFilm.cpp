@@ -210,9 +210,9 @@ FilmPoints PaperFilm::pointsAt(double descent) const {
     for (int row = 0; row < model_.grid.rows; ++row) {
         const StoredRow stored = shared_->film.row(row);
         for (int column = 0; column < model_.grid.columns; ++column) {
-            points.positions.push_back({float(model_.restX(column) + double(stored.x[column])),
+            points.positions.push_back({float(model_.grid.restX(column) + double(stored.x[column])),
                                         stored.y[column] - stored.sinking[column] * float(descent),
-                                        float(model_.restZ(row) + double(stored.z[column]))});
+                                        float(model_.grid.restZ(row) + double(stored.z[column]))});
             points.weights.push_back(stored.weight[column]);
         }
     }
@@ -230,9 +230,9 @@ void PaperFilm::read(std::span<float> positions, std::span<solver::PointState> s
         float* position = &positions[3 * std::size_t(row) * columns];
         for (std::size_t column = 0; column < columns; ++column, position += 3) {
             const bool isAdhered = stored.sinking[column] != 0;
-            position[0] = float(model_.restX(int(column)) + double(stored.x[column]));
+            position[0] = float(model_.grid.restX(int(column)) + double(stored.x[column]));
             position[1] = float(double(stored.y[column]) - (isAdhered ? progress_.descent : 0.0));
-            position[2] = float(model_.restZ(row) + double(stored.z[column]));
+            position[2] = float(model_.grid.restZ(row) + double(stored.z[column]));
             if (!states.empty()) {
                 states[std::size_t(row) * columns + column] =
                     isAdhered ? solver::PointState::Adhered : solver::PointState::Free;

@@ -40,8 +40,6 @@ struct PaperModel {
     AlignedVector<float> borderShare, innerShare, hasRight, columnStiffness;
     double clearanceMargin = 0; // mm: a point farther than this from the body cannot touch it
 
-    double restX(int column) const { return -grid.width / 2 + column * grid.spacingX(); }
-    double restZ(int row) const { return -grid.depth / 2 + row * grid.spacingZ(); }
     bool isBorderRow(int row) const { return row == 0 || row == grid.rows - 1; }
     double stepLength() const { return motion.speed * settings.timeStep; } // mm
 };

@@ -273,8 +273,8 @@ void PaperDips::unpackPoints(std::size_t, const std::byte* stored, const solver:
     for (std::size_t i = 0; i < points.size(); ++i) {
         const StoredPoint& point = points[i];
         const bool isAdhered = point.hold() == Hold::Adhered;
-        const double restX = -film().width / 2 + double(i % film().columns) * film().spacingX();
-        const double restZ = -film().depth / 2 + double(i / film().columns) * film().spacingZ();
+        const double restX = film().restX(int(i % film().columns));
+        const double restZ = film().restZ(int(i / film().columns));
         positions[3 * i] = float(restX + double(point.x));
         positions[3 * i + 1] = float(double(point.y) - (isAdhered ? dipState.descent : 0.0));
         positions[3 * i + 2] = float(restZ + double(point.z));

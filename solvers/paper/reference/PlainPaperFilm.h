@@ -17,8 +17,7 @@ public:
         const solver::FilmGrid& grid = setup.film;
         for (int row = 0; row < grid.rows; ++row) {
             for (int column = 0; column < grid.columns; ++column) {
-                points_.push_back({{-grid.width / 2 + column * grid.spacingX(), 0,
-                                    -grid.depth / 2 + row * grid.spacingZ()}});
+                points_.push_back({{grid.restX(column), 0, grid.restZ(row)}});
                 connect(column, row, column + 1, row, 1);
                 connect(column, row, column, row + 1, 1);
                 if (setup.settings.lattice == solver::Lattice::Isotropic) {

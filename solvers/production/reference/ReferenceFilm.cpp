@@ -12,8 +12,7 @@ namespace {
 class ReferenceFilm final : public solver::FilmSolver {
 public:
     void begin(const solver::DipSetup& setup) override {
-        if (setup.settings.lattice != solver::Lattice::Isotropic ||
-            setup.settings.support != solver::Support::Water) {
+        if (!solver::isProductionFilm(setup.settings.lattice, setup.settings.support)) {
             throw std::runtime_error("the reference film is isotropic and floats on water");
         }
         solver::DipSetup exact = setup;

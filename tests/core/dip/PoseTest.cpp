@@ -4,6 +4,8 @@
 
 #include <QtTest>
 
+#include <cmath>
+
 using namespace dipwright;
 
 namespace {
@@ -38,6 +40,9 @@ private Q_SLOTS:
     void turnsAreAppliedAboutXThenYThenZ();
     void leaningBodyRestsOnItsLowestCorner();
     void offsetDoesNotMoveThePose();
+    void anglesOfARotationGiveItBack_data();
+    void anglesOfARotationGiveItBack();
+    void theWayDownEndsAtTheDepth();
 };
 
 void PoseTest::bodyStandsOnTheWaterPlaneOverTheMiddle() {
@@ -77,6 +82,41 @@ void PoseTest::offsetDoesNotMoveThePose() {
     beside.offset = {Millimetres(40), Millimetres(-25)};
     QVERIFY(
         poseTransform(farBox().mesh, beside).isApprox(poseTransform(farBox().mesh, Immersion{})));
+}
+
+void PoseTest::anglesOfARotationGiveItBack_data() {
+    QTest::addColumn<QVector<double>>("angles");
+    QTest::newRow("none") << QVector<double>{0, 0, 0};
+    QTest::newRow("any") << QVector<double>{31, -57, 12};
+    QTest::newRow("far round") << QVector<double>{-170, 20, 175.5};
+    QTest::newRow("upside down") << QVector<double>{180, 0, 0};
+    // About Y by a quarter turn, X and Z turn about the same axis.
+    QTest::newRow("quarter turn") << QVector<double>{30, 90, 0};
+    QTest::newRow("other quarter turn") << QVector<double>{0, -90, 45};
+}
+
+void PoseTest::anglesOfARotationGiveItBack() {
+    QFETCH(QVector<double>, angles);
+    const Eigen::Matrix3d rotation =
+        rotationMatrix({Degrees(angles[0]), Degrees(angles[1]), Degrees(angles[2])});
+    const std::array<Degrees, 3> back = rotationAngles(rotation);
+    for (const Degrees angle : back) {
+        QVERIFY(std::abs(angle.value() * 10 - std::round(angle.value() * 10)) < 1e-9);
+        QVERIFY(!std::signbit(angle.value()) || angle.value() < 0); // no −0
+    }
+    QVERIFY((rotationMatrix(back) - rotation).norm() < radians(Degrees(0.2)));
+}
+
+void PoseTest::theWayDownEndsAtTheDepth() {
+    const PosedBody body = posedBody(farBox(), Immersion{}); // 20 mm high
+    ProcessSettings process;
+    process.margin = Millimetres(3);
+    QVERIFY(std::abs(dipTravel(process, body) - (startHeight + 20 + 3)) < 1e-4);
+    process.depth = Millimetres(12);
+    Immersion beside;
+    beside.offset = {Millimetres(40), Millimetres(-25)};
+    QVERIFY(isNear(poseToWorld(beside, 0), {40, startHeight, -25}));
+    QVERIFY(isNear(poseToWorld(beside, dipTravel(process, body)), {40, -12, -25}));
 }
 
 QTEST_APPLESS_MAIN(PoseTest)

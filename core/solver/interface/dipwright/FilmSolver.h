@@ -34,6 +34,12 @@ enum class Support : std::uint8_t {
     Water, // a free point stays on the plane y = 0
 };
 
+// Which of the two films this is: the production film, which floats on water and resists shear, or
+// else the paper's.
+constexpr bool isProductionFilm(Lattice lattice, Support support) {
+    return lattice == Lattice::Isotropic && support == Support::Water;
+}
+
 // How the distance constraints of one iteration are relaxed (structural lattice).
 enum class Relaxation : std::uint8_t { Jacobi, GaussSeidel };
 
@@ -51,6 +57,9 @@ struct FilmGrid {
     std::size_t pointCount() const { return std::size_t(columns) * std::size_t(rows); }
     double spacingX() const { return width / (columns - 1); }
     double spacingZ() const { return depth / (rows - 1); }
+    // Where the points of a column and of a row rest, mm.
+    double restX(int column) const { return -width / 2 + column * spacingX(); }
+    double restZ(int row) const { return -depth / 2 + row * spacingZ(); }
 };
 
 // Signed distance of the body, sampled on a uniform grid in body coordinates; not owned, valid
