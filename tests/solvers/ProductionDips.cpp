@@ -29,10 +29,7 @@ Body bodyOf(TriangleMesh mesh) {
     TexturedMesh model;
     model.mesh = std::move(mesh);
     model.materials.resize(1);
-    Body body;
-    body.posed = posedBody(model, Immersion{});
-    body.field = buildDistanceField(model.mesh, 128, {});
-    return body;
+    return {posedBody(model, Immersion{}), buildDistanceField(model.mesh, 128, {})};
 }
 
 solver::DipSetup squareDip(const Body& body, int columns, double depth) {

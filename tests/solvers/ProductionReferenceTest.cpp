@@ -13,10 +13,8 @@ namespace {
 
 Body turtle() {
     const Project project = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw"));
-    Body body;
-    body.posed = posedBody(*project.model, project.immersions.front());
-    body.field = buildDistanceField(project.model->mesh, 128, {});
-    return body;
+    return {posedBody(*project.model, project.immersions.front()),
+            buildDistanceField(project.model->mesh, 128, {})};
 }
 
 } // namespace

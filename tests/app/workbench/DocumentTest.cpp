@@ -178,10 +178,7 @@ private slots:
     void freshnessTellsEachStage() {
         Document document(boxProject());
         QVERIFY(document.freshness(0) == Freshness({false, false, false}));
-        auto result = std::make_shared<JobResult>();
-        result->project = document.project();
-        result->immersions.resize(1);
-        document.setResult(result);
+        document.setResult(resultOf(document.project()));
         QVERIFY(document.freshness(0) == Freshness({true, true, true}));
         document.edit({}, {}, [](Project& project) { project.ink.limit = 1.5; });
         QVERIFY(document.freshness(0) == Freshness({true, false, false}));

@@ -63,7 +63,11 @@ QString writeModel(const QTemporaryDir& folder, double size) {
 std::shared_ptr<JobResult> resultOf(const Project& project) {
     auto result = std::make_shared<JobResult>();
     result->project = project;
-    result->immersions.resize(project.immersions.size());
+    result->wantedSolver = result->chosenSolver = project.process.solver;
+    for (std::size_t number = 0; number < project.immersions.size(); ++number) {
+        result->immersions.emplace_back().inputs =
+            sheetInputs(project, {}, number, result->chosenSolver);
+    }
     return result;
 }
 

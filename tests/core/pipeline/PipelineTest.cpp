@@ -8,6 +8,7 @@
 #include "pipeline/ResultFolder.h"
 #include "pipeline/ValidateJob.h"
 #include "pipeline/WriteResults.h"
+#include "texture/Chessboard.h"
 
 #include <QGuiApplication>
 #include <QJsonArray>
@@ -151,16 +152,13 @@ private slots:
 
     void anotherSolverDipsAnew() {
         const PluginFolder folder;
-        QJsonObject description = PluginFolder::description(QStringLiteral("device"));
-        folder.add(QStringLiteral("device"),
-                   QStringLiteral(DIPWRIGHT_PLUGINS "/") +
-                       PluginFolder::moduleName(QStringLiteral("pbd-cpu")));
-        folder.describe(description);
+        folder.add(QStringLiteral("twin"),
+                   QStringLiteral(DIPWRIGHT_PLUGINS "/") + PluginFolder::moduleName("pbd-cpu"));
         const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
         Project job = job_;
-        job.process.solver = QStringLiteral("device"); // the same module under another name
+        job.process.solver = QStringLiteral("twin"); // the same module under another name
         const JobResult result = runJob(job, registry, {}, &first_, {});
-        QCOMPARE(result.solver.id, QStringLiteral("device"));
+        QCOMPARE(result.solver.id, QStringLiteral("twin"));
         QVERIFY(result.immersions[0].body == first_.immersions[0].body);
         QVERIFY(result.immersions[0].laid != first_.immersions[0].laid);
         QVERIFY(result.field == first_.field);

@@ -1,0 +1,89 @@
+// Who computes, and who takes over from a GPU that is missing or fails.
+#include "pipeline/SolverChoice.h"
+#include "PluginFolder.h"
+
+#include <QtTest>
+
+using namespace dipwright;
+using test::PluginFolder;
+
+namespace {
+
+// The CPU solver's module, described as that of a GPU.
+void addGpu(const PluginFolder& folder, const char* module, const QString& path) {
+    const QString id = QString::fromLatin1(module);
+    folder.add(id, path);
+    QJsonObject description = PluginFolder::description(id);
+    description[QLatin1String("device")] = QStringLiteral("gpu");
+    description[QLatin1String("priority")] = 1000;
+    folder.describe(description);
+}
+
+QString cpuModule() {
+    return QStringLiteral(DIPWRIGHT_PLUGINS "/") + PluginFolder::moduleName("pbd-cpu");
+}
+
+} // namespace
+
+class SolverChoiceTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void autoIsTheIdThatItStandsFor() {
+        const SolverRegistry registry({DIPWRIGHT_PLUGINS});
+        const SolverChoice choice = chooseSolver(QStringLiteral("auto"), registry);
+        QCOMPARE(choice.solver.id, QStringLiteral("pbd-cpu"));
+        QVERIFY(choice.notes.isEmpty());
+        QVERIFY_EXCEPTION_THROWN(chooseSolver(QStringLiteral("no-such"), registry), Error);
+    }
+
+    void theCpuIsChosenForAGpuThatIsNotThere() {
+        const PluginFolder folder;
+        addGpu(folder, "device",
+               QStringLiteral(DIPWRIGHT_BAD_MODULES "/") + PluginFolder::moduleName("device"));
+        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        const SolverChoice choice = chooseSolver(QStringLiteral("device"), registry);
+        QCOMPARE(choice.solver.id, QStringLiteral("pbd-cpu"));
+        QCOMPARE(choice.notes.size(), 1);
+        QVERIFY(choice.notes[0].contains("The CPU takes over"));
+        const SolverRegistry alone({folder.path()});
+        QVERIFY_EXCEPTION_THROWN(chooseSolver(QStringLiteral("device"), alone), Error);
+    }
+
+    void workIsDoneAgainWhereAGpuFails() {
+        const PluginFolder folder;
+        addGpu(folder, "gpu", cpuModule());
+        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        SolverChoice choice = chooseSolver(QStringLiteral("auto"), registry);
+        QCOMPARE(choice.solver.id, QStringLiteral("gpu"));
+        int tried = 0;
+        const auto work = [&](const solver::SolverModule& module) {
+            ++tried;
+            if (&module == &registry.module(QStringLiteral("gpu"))) {
+                throw Error(QStringLiteral("Out of memory"), QStringLiteral("gpu"));
+            }
+            return 7;
+        };
+        QCOMPARE(withFallback(choice, registry, work), 7);
+        QCOMPARE(tried, 2);
+        QCOMPARE(choice.solver.id, QStringLiteral("pbd-cpu"));
+        QVERIFY(choice.notes.size() == 1 && choice.notes[0].contains("Out of memory"));
+        // It stays chosen.
+        QCOMPARE(withFallback(choice, registry, work), 7);
+        QCOMPARE(tried, 3);
+        QCOMPARE(choice.notes.size(), 1);
+    }
+
+    void aCpuThatFailsIsAnError() {
+        const SolverRegistry registry({DIPWRIGHT_PLUGINS});
+        SolverChoice choice = chooseSolver(QStringLiteral("pbd-cpu"), registry);
+        const auto work = [](const solver::SolverModule&) -> int {
+            throw Error(QStringLiteral("No"), QStringLiteral("here"));
+        };
+        QVERIFY_EXCEPTION_THROWN(withFallback(choice, registry, work), Error);
+        QVERIFY(choice.notes.isEmpty());
+    }
+};
+
+QTEST_APPLESS_MAIN(SolverChoiceTest)
+#include "SolverChoiceTest.moc"
