@@ -6,9 +6,10 @@
 
 namespace dipwright {
 
-// Writes every file of interfaces.md into `folder`, which is made if it is missing: into a
-// temporary folder first, moved in place at the end, so that nothing half-written stays behind.
-// Earlier results there are replaced, other files are left alone. Throws Error or Cancelled.
+// Writes every file of docs/files-and-commands.md, "Result files", into `folder`, which is made if
+// it is missing: into a temporary folder first, moved in place at the end, so that nothing
+// half-written stays behind. Earlier results there are replaced, other files are left alone. Throws
+// Error or Cancelled.
 void writeResults(const Project& project, const JobResult& result, const QString& folder,
                   const Progress& progress);
 

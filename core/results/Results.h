@@ -12,7 +12,8 @@
 
 namespace dipwright {
 
-// VTK XML PolyData files as interfaces.md says, in the pose frame: float arrays, compressed.
+// VTK XML PolyData files as docs/files-and-commands.md, "Result files", says, in the pose frame:
+// float arrays, compressed.
 QByteArray filmVtp(const LaidFilm& laid);
 QByteArray bodyVtp(const PosedBody& body, const Coverage& coverage);
 

@@ -5,11 +5,11 @@
 
 namespace dipwright {
 
-// Registration error (film-physics §4): for about 20,000 points spread evenly over the painted
-// surface, the distance on the body between where a texture point should be and where the sheet
-// puts it. The sheet is read where the film `laid` lies over the point, and shows there what the
-// reverse map of the film `planned`, for which the sheet was made, has put there; of a job they are
-// one. Points within two film cells of the painted area's border are left out.
+// Registration error (docs/film-model.md, "Measures"): for about 20,000 points spread evenly over
+// the painted surface, the distance on the body between where a texture point should be and where
+// the sheet puts it. The sheet is read where the film `laid` lies over the point, and shows there
+// what the reverse map of the film `planned`, for which the sheet was made, has put there; of a job
+// they are one. Points within two film cells of the painted area's border are left out.
 struct Registration {
     double mean = 0, percentile95 = 0, maximum = 0; // mm
     std::size_t samples = 0;

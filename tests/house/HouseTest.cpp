@@ -9,6 +9,9 @@ class HouseTest : public QObject {
 private Q_SLOTS:
     void filesNameNoRegistry();
     void filesNameNoMachinePath();
+    void citedDocumentsExist();
+    void linksOfDocumentsLead();
+    void documentsNamePathsThatExist();
 };
 
 namespace {
@@ -63,6 +66,98 @@ void HouseTest::filesNameNoMachinePath() {
                               QStringLiteral("tm") + "p"};
     expectNone(filesThatSay(QRegularExpression(
         QStringLiteral(R"((?<![\w.)}$*-])/(%1)/\w+)").arg(folders.join(QLatin1Char('|'))))));
+}
+
+namespace {
+
+QStringList documents() {
+    return filesIn(QStringLiteral("docs"), {"*.md"}) +
+           filesIn(QStringLiteral("resources/guide"), {"*.md"}) +
+           QStringList{QStringLiteral("README.md")};
+}
+
+QStringList headingsOf(const QString& document) {
+    static const QRegularExpression line(QStringLiteral("^#+ (.+)$"),
+                                         QRegularExpression::MultilineOption);
+    QStringList headings;
+    for (const auto& match : line.globalMatch(textOf(document))) {
+        headings << match.captured(1).trimmed();
+    }
+    return headings;
+}
+
+// What follows the # of a link to the heading.
+QString anchorOf(const QString& heading) {
+    static const QRegularExpression dropped(QStringLiteral(R"([^\w\- ])"),
+                                            QRegularExpression::UseUnicodePropertiesOption);
+    return heading.toLower().remove(dropped).replace(QLatin1Char(' '), QLatin1Char('-'));
+}
+
+bool hasAnchor(const QString& document, const QString& anchor) {
+    const QStringList headings = headingsOf(document);
+    return std::any_of(headings.begin(), headings.end(),
+                       [&](const QString& heading) { return anchorOf(heading) == anchor; });
+}
+
+} // namespace
+
+// A citation is written  docs/PAGE, "Heading"  and may go on in the next line of a comment. (Names
+// of files that a program reads stand in quotes.)
+void HouseTest::citedDocumentsExist() {
+    static const QRegularExpression lineBreak(QStringLiteral(R"(\n\s*(//|#)?\s*)"));
+    static const QRegularExpression citation(
+        QStringLiteral(R"re(([\w./-]+\.md)\b(?!")(?:, "([^"]+)")?)re"));
+    QStringList broken;
+    for (const QString& file : textFiles()) {
+        const QString text = textOf(file).replace(lineBreak, QStringLiteral(" "));
+        if (text.contains(QChar(0xa7))) { // the sign for a section: ours have headings
+            broken << file + QStringLiteral(": a section without its heading");
+        }
+        for (const auto& match : citation.globalMatch(text)) {
+            const QString page = match.captured(1), heading = match.captured(2);
+            const bool isBesideIt = QFileInfo(sourceTree().filePath(file)).dir().exists(page);
+            if (!(sourceTree().exists(page) || isBesideIt) ||
+                !(heading.isEmpty() || headingsOf(page).contains(heading))) {
+                broken << file + QStringLiteral(": ") + match.captured();
+            }
+        }
+    }
+    expectNone(broken);
+}
+
+void HouseTest::linksOfDocumentsLead() {
+    static const QRegularExpression link(QStringLiteral(R"(\]\(([^)#:\s]*)(?:#([^)\s]+))?\))"));
+    QStringList broken;
+    for (const QString& file : documents()) {
+        for (const auto& match : link.globalMatch(textOf(file))) {
+            const QString target = match.captured(1).isEmpty()
+                                       ? file
+                                       : QDir::cleanPath(QFileInfo(file).path() + QLatin1Char('/') +
+                                                         match.captured(1));
+            const QString anchor = match.captured(2);
+            if (!sourceTree().exists(target) || !(anchor.isEmpty() || hasAnchor(target, anchor))) {
+                broken << file + QStringLiteral(": ") + match.captured();
+            }
+        }
+    }
+    expectNone(broken);
+}
+
+// Words in capitals stand for names to be chosen.
+void HouseTest::documentsNamePathsThatExist() {
+    static const QRegularExpression path(QStringLiteral(
+        "`((?:app|core|solvers|plugins|resources|translations|docs|scripts|cmake)/[\\w./+-]+)`"));
+    static const QRegularExpression placeholder(QStringLiteral("(?<![A-Z])(CODE|KIND)(?![A-Z])"));
+    QStringList missing;
+    for (const QString& file : documents()) {
+        for (const auto& match : path.globalMatch(textOf(file))) {
+            const QString name = match.captured(1);
+            if (!placeholder.match(name).hasMatch() && !sourceTree().exists(name)) {
+                missing << file + QStringLiteral(": ") + name;
+            }
+        }
+    }
+    expectNone(missing);
 }
 
 QTEST_GUILESS_MAIN(HouseTest)

@@ -44,7 +44,8 @@ TexturedMesh ball() {
     return model;
 }
 
-// The lower half of the ball wears film that kept its area: R = 2ρ sin(θ/2) (film-physics §3).
+// The lower half of the ball wears film that kept its area: R = 2ρ sin(θ/2) (docs/film-model.md,
+// "Closed forms").
 DippedFilm dippedFilm(const solver::FilmGrid& grid) {
     DippedFilm film;
     film.grid = grid;
