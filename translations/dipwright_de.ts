@@ -1082,8 +1082,8 @@
         <translation>Reißt bei</translation>
     </message>
     <message>
-        <source>The area stretch past which film counts as torn. Torn film is marked and not painted.</source>
-        <translation>Die Flächendehnung, ab der Film als gerissen gilt. Gerissener Film wird markiert und nicht aufgetragen.</translation>
+        <source>How many times its length or its area film can be stretched before it tears. Torn film is marked and not painted.</source>
+        <translation>Um das Wievielfache Länge oder Fläche des Films wachsen können, bevor er reißt. Gerissener Film wird markiert und nicht aufgetragen.</translation>
     </message>
     <message>
         <source>Overhang</source>

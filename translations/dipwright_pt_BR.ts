@@ -1082,8 +1082,8 @@
         <translation>Rasga em</translation>
     </message>
     <message>
-        <source>The area stretch past which film counts as torn. Torn film is marked and not painted.</source>
-        <translation>O estiramento de área a partir do qual o filme conta como rasgado. Filme rasgado é marcado e não pinta.</translation>
+        <source>How many times its length or its area film can be stretched before it tears. Torn film is marked and not painted.</source>
+        <translation>Quantas vezes o comprimento ou a área do filme pode ser esticado antes de rasgar. Filme rasgado é marcado e não pinta.</translation>
     </message>
     <message>
         <source>Overhang</source>

@@ -121,7 +121,7 @@ void declareSettings(QCommandLineParser& parser) {
     parser.addOption({setOption,
                       QStringLiteral("Sets a value by its path in the project file, such as "
                                      "film.points=240x360 or immersions[0].rotation_deg=0;45;0. "
-                                     "May be repeated. The file itself is not changed."),
+                                     "May be repeated. A project that is read stays as it is."),
                       QStringLiteral("PATH=VALUE")});
 }
 

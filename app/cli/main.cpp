@@ -1,4 +1,5 @@
 // dipwright-cli: everything the workbench computes, without a display.
+#include "base/ProgramName.h"
 #include "cli/Command.h"
 
 #include <QGuiApplication>
@@ -149,8 +150,7 @@ int main(int argc, char* argv[]) {
     QLoggingCategory::setFilterRules(
         QStringLiteral("*.debug=false\n*.info=false\n*.warning=false"));
     const QGuiApplication application(argc, argv);
-    QCoreApplication::setApplicationName(QStringLiteral("dipwright"));
-    QCoreApplication::setApplicationVersion(QStringLiteral(DIPWRIGHT_VERSION));
+    dipwright::nameProgram();
     dipwright::cli::Console console;
     return dipwright::cli::guardedRun(QCoreApplication::arguments(), console);
 }

@@ -19,7 +19,7 @@ struct ProcessSettings {
     double contactTravel = 0.25;      // production only: cells the contact line travels in one step
     std::optional<Millimetres> depth; // how far the lowest point goes under; none: all of the body
     Millimetres margin{2};            // farther than fully under
-    double tearStretch = 4;           // area stretch past which film counts as torn
+    double tearStretch = 4;           // length or area stretch past which film is torn
     Degrees overhang{20};             // film holds on faces that turn upwards by no more than this
     QString solver = QStringLiteral("auto");
     bool operator==(const ProcessSettings&) const = default;

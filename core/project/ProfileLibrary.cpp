@@ -2,6 +2,7 @@
 
 #include "base/Bytes.h"
 #include "base/Error.h"
+#include "base/ProgramName.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -19,6 +20,13 @@ struct Text {
 };
 
 constexpr qint64 longestFile = 32 << 20; // bytes; ICC profiles are a megabyte or two
+
+constexpr const char* chosenFolder = "DIPWRIGHT_PROFILE_PATH";
+const QString profilesName = QStringLiteral("/profiles");
+
+bool isChosen() {
+    return !qEnvironmentVariableIsEmpty(chosenFolder);
+}
 
 QString shippedFolder() {
     return QStringLiteral(":/dipwright/profiles");
@@ -56,10 +64,9 @@ void addFolder(std::map<QString, ProfileEntry>& found, ProfileKind kind, const Q
 } // namespace
 
 QString ProfileLibrary::standardFolder() {
-    const QString chosen = qEnvironmentVariable("DIPWRIGHT_PROFILE_PATH");
-    return chosen.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
-                                  QStringLiteral("/profiles")
-                            : chosen;
+    return isChosen()
+               ? qEnvironmentVariable(chosenFolder)
+               : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + profilesName;
 }
 
 ProfileLibrary::ProfileLibrary(const QString& userFolder) : folder_(userFolder) {}
@@ -67,6 +74,9 @@ ProfileLibrary::ProfileLibrary(const QString& userFolder) : folder_(userFolder) 
 std::vector<ProfileEntry> ProfileLibrary::profiles(ProfileKind kind) const {
     std::map<QString, ProfileEntry> found;
     addFolder(found, kind, folder_);
+    if (folder_ == standardFolder() && !isChosen()) {
+        addFolder(found, kind, earlierDataFolder() + profilesName);
+    }
     addFolder(found, kind, shippedFolder());
     std::vector<ProfileEntry> entries;
     entries.reserve(found.size());

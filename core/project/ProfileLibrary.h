@@ -18,7 +18,8 @@ struct ProfileEntry {
 // name.
 class ProfileLibrary {
 public:
-    // DIPWRIGHT_PROFILE_PATH, or "profiles" in the user's folder for program data.
+    // DIPWRIGHT_PROFILE_PATH, or "profiles" in the user's folder for program data. Of the latter,
+    // those are found too that earlier versions of the command line have kept elsewhere.
     static QString standardFolder();
 
     explicit ProfileLibrary(const QString& userFolder = standardFolder());

@@ -1,4 +1,5 @@
 // The workbench: dipwright [FILE.dipw …]
+#include "base/ProgramName.h"
 #include "document/Recovery.h"
 #include "look/Languages.h"
 #include "main/MainWindow.h"
@@ -12,10 +13,8 @@
 int main(int argc, char* argv[]) {
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("dipwright"));
+    dipwright::nameProgram();
     QApplication::setApplicationDisplayName(QStringLiteral("Dipwright"));
-    QApplication::setOrganizationName(QStringLiteral("Dipwright"));
-    QApplication::setApplicationVersion(QStringLiteral(DIPWRIGHT_VERSION));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/dipwright.svg")));
     QApplication::setDesktopFileName(QStringLiteral("dipwright"));
 

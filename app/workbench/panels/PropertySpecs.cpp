@@ -135,8 +135,8 @@ std::vector<PropertySection> processProperties() {
     limits.specs = {
         {.path = QStringLiteral("process.tear_stretch"),
          .label = Text::tr("Tears at"),
-         .help = Text::tr("The area stretch past which film counts as torn. Torn film is marked "
-                          "and not painted."),
+         .help = Text::tr("How many times its length or its area film can be stretched before it "
+                          "tears. Torn film is marked and not painted."),
          .unit = Unit::Ratio},
         {.path = QStringLiteral("process.overhang_deg"),
          .label = Text::tr("Overhang"),

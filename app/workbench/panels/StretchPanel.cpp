@@ -51,6 +51,26 @@ StretchPanel::StretchPanel(QWidget* parent)
       limitBox_(rangeBox(tr("Limit above which film is marked"))),
       isolineTick_(new QCheckBox(tr("Isolines"))), exportButton_(new QToolButton),
       view_(new PictureView), histogram_(new Histogram), summary_(new QLabel) {
+    fillFields();
+    makeExportButton();
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    auto* top = new QHBoxLayout;
+    top->addWidget(quantityBox_, 1);
+    top->addWidget(mapBox_, 1);
+    top->addWidget(exportButton_);
+    layout->addLayout(top);
+    layout->addWidget(view_, 1);
+    layout->addWidget(histogram_);
+    makeScaleRow(*layout);
+    layout->addWidget(summary_);
+
+    connectFields();
+    redraw();
+}
+
+void StretchPanel::fillFields() {
     quantityBox_->setObjectName(QStringLiteral("stretchQuantity"));
     quantityBox_->addItem(tr("Stretch"), int(FilmQuantity::Length));
     quantityBox_->addItem(tr("Area stretch"), int(FilmQuantity::Area));
@@ -86,12 +106,9 @@ StretchPanel::StretchPanel(QWidget* parent)
     view_->setAccessibleName(tr("Stretch map"));
     summary_->setWordWrap(true);
     summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+}
 
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 6, 6, 6);
-    auto* top = new QHBoxLayout;
-    top->addWidget(quantityBox_, 1);
-    top->addWidget(mapBox_, 1);
+void StretchPanel::makeExportButton() {
     exportButton_->setIcon(icon(QStringLiteral("export")));
     exportButton_->setText(tr("Export"));
     exportButton_->setToolTip(tr("Save the map or its numbers"));
@@ -105,13 +122,9 @@ StretchPanel::StretchPanel(QWidget* parent)
     addExport(tr("Table (CSV)…"), QStringLiteral("csv"));
     addExport(tr("Film (VTP)…"), QStringLiteral("vtp"));
     exportButton_->setMenu(menu);
-    top->addWidget(exportButton_);
-    layout->addLayout(top);
-    layout->addWidget(view_, 1);
-    layout->addWidget(histogram_);
-    makeScaleRow(*layout);
-    layout->addWidget(summary_);
+}
 
+void StretchPanel::connectFields() {
     for (QComboBox* box : {quantityBox_, mapBox_}) {
         connect(box, &QComboBox::currentIndexChanged, this, &StretchPanel::redraw);
     }
@@ -126,7 +139,6 @@ StretchPanel::StretchPanel(QWidget* parent)
         emit hovered({float(place.x() - grid.width / 2), float(place.y() - grid.depth / 2)});
     });
     connect(view_, &PictureView::hoverLeft, this, &StretchPanel::hoverLeft);
-    redraw();
 }
 
 void StretchPanel::makeScaleRow(QVBoxLayout& layout) {

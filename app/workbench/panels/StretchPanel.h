@@ -39,6 +39,9 @@ signals:
     void exportAsked(const QString& suffix); // "png", "csv" or "vtp"
 
 private:
+    void fillFields();
+    void makeExportButton();
+    void connectFields();
     void makeScaleRow(QVBoxLayout& layout);
     void redraw();
     QSizeF filmSize() const;

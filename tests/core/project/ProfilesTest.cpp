@@ -2,9 +2,11 @@
 #include "project/ProfileLibrary.h"
 
 #include "base/Error.h"
+#include "base/ProgramName.h"
 #include "project/Project.h"
 
 #include <QJsonArray>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -74,6 +76,7 @@ class ProfilesTest : public QObject {
     ProfileLibrary library_{folder_.path()};
 
 private slots:
+    void findsWhatTheCommandLineKeptElsewhere();
     void filesHoldEverything();
     void programBringsSoundProfiles();
     void usersProfileStandsInForTheProgramsOwn();
@@ -210,6 +213,22 @@ void ProfilesTest::projectRemembersProfilesByContent() {
     profiles["printer"] = profiles["film"];
     wrong["profiles"] = profiles;
     QVERIFY_EXCEPTION_THROWN(fromJson(wrong, QStringLiteral("turtle.dipw")), Error);
+}
+
+// Up to version 0.1 the command line had a folder of its own. A printer calibrated there must not
+// be forgotten: its sheets would come out in the wrong size.
+void ProfilesTest::findsWhatTheCommandLineKeptElsewhere() {
+    QStandardPaths::setTestModeEnabled(true);
+    const auto restore = qScopeGuard([] { QStandardPaths::setTestModeEnabled(false); });
+    nameProgram();
+    const QString earlier = earlierDataFolder() + QStringLiteral("/profiles");
+    const auto clean = qScopeGuard([&] { QDir(earlier).removeRecursively(); });
+    ProfileLibrary(earlier).save(printer());
+    const ProfileLibrary library;
+    const Profile found = library.profile(ProfileKind::Printer, printer().name);
+    QCOMPARE(std::get<PrinterProfile>(found).scaleX, printer().scaleX);
+    library.remove(ProfileKind::Printer, printer().name);
+    QVERIFY(!library.contains(ProfileKind::Printer, printer().name));
 }
 
 QTEST_GUILESS_MAIN(ProfilesTest)

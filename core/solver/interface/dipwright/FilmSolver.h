@@ -101,7 +101,7 @@ struct Settings {
     // less of it on the way there. Past it the film is let go of, and what the body catches
     // (PointState::Trapped) is neither painted nor pulled along.
     double overhang = 0.35;
-    double tearStretch = 4; // film stretched to more than this many times its area tears
+    double tearStretch = 4; // film tears past so many times its length or its area
     int threads = 0;        // 0: all the host has
 };
 
