@@ -2,6 +2,7 @@
 
 #include "common/cpu/RowParallel.h"
 #include "production/formulas/PlaneStress.h"
+#include "production/formulas/TearLaw.h"
 
 namespace dipwright::cpu {
 
@@ -131,14 +132,13 @@ numerics::EdgePair<float> PlaneFilm::edges(int triangle, const PlaneVector& disp
                      second, even != second, 1 / inverseX_, 1 / inverseZ_);
 }
 
-// Whether some free triangle of a row of cells may be torn: neither its larger stretch nor, with
-// λ1 λ2 ≤ (λ1² + λ2²)/2, its area can be past the limit while the sum of squares is small.
+// Whether some free triangle of a row of cells may be torn.
 bool PlaneFilm::mayTear(int row, const PlaneVector& displacement, float limit) const {
     const std::size_t cells = std::size_t(columns_ - 1), first = std::size_t(row) * cells;
     const float most =
         largestSquare(cells, unsigned(row), rowOfPoints(displacement, std::size_t(columns_), row),
                       {moving_[0].data() + first, moving_[1].data() + first}, inverseX_, inverseZ_);
-    return most > std::min(limit * limit, 2 * limit);
+    return numerics::mayBeTorn(most, limit);
 }
 
 void PlaneFilm::setCrossing(std::vector<Crossing> triangles) {

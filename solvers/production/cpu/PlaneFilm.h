@@ -31,9 +31,9 @@ public:
     void setCrossing(std::vector<Crossing> triangles);
 
     // The gradient of the energy at `displacement` (from rest, mm), kept as the point at which
-    // hessian() is taken. Returns the root of the sum of squares of the forces on
-    // horizontal edges, the measure
-    // against which a residual counts as small; triangles without a free corner do not count.
+    // hessian() is taken. Returns the root of the sum of squares of the forces on horizontal edges,
+    // the measure against which a residual counts as small; triangles without a free corner do not
+    // count.
     double gradient(const PlaneVector& displacement, PlaneVector& result);
 
     // The Hessian, made positive semi-definite, times `direction`.

@@ -27,10 +27,12 @@ struct ContactBody {
 // Film is held fast up to so far before the overhang, radians.
 inline constexpr double gripFades = 5 * std::numbers::pi / 180;
 
-// The body of a dip. Its grip fades so that no film is laid past the overhang: where the normal's y
-// is u, the contact line recedes by u of its way along the surface; of film that follows a share g
-// of its unfolding, as much is laid as g − (1 − g) u of film held fast. With g falling linearly in
-// u that is nothing at the overhang if g reaches zero at the `steepestHeld` taken here.
+// The body of a dip. Its grip g, the share of its unfolding that film follows, fades so that no
+// film is laid past the overhang. Let u be the y of the body's normal at the contact line. While
+// the line moves on by 1 along the surface it recedes by u on the water; film that slips by 1 − g
+// of that is laid at the rate g − (1 − g) u, where film held fast is laid at the rate 1. With g
+// falling linearly in u this rate is zero at the overhang if g reaches zero at the `steepestHeld`
+// taken here.
 template <typename Real>
 ContactBody<Real> contactBody(const solver::DipSetup& setup) {
     const double last = std::sin(setup.settings.overhang);

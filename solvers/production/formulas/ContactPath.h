@@ -52,7 +52,7 @@ contactLineBySlope(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
         }
         const Vector3<Real> slope{sample.gradient.x, Real(0), sample.gradient.z};
         const Real square = dot(slope, slope);
-        if (square < Real(leastSlopeSquared)) {
+        if (square < Real(leastPlaneSlopeSquared)) {
             return false;
         }
         Vector3<Real> step = slope * (-excess / square);

@@ -3,8 +3,7 @@
 // It differs from a floating triangle in three ways.
 // 1. It sees its adhered corners unfolded (ContactPath.h), as an offset of its edges.
 // 2. Only its floating part strains. What is laid keeps the strain it was laid with, so that a
-// change
-//    of the triangle's length across the contact line belongs to the floating fraction f of it.
+//    change of the triangle's length across the contact line belongs to its floating fraction f.
 //    With F_whole the gradient of the whole triangle, F_anchor the floating part's at the start of
 //    the step and M the line's normal at rest:  F = F_whole + (1/f − 1)(F_whole − F_anchor) M Mᵀ.
 //    f is taken in the middle of the step: what is laid in it is laid, on the average, with the

@@ -51,7 +51,8 @@ struct Unfolding {
 
 } // namespace detail
 
-// One number or flag a film point or triangle, each the device's own kind of array.
+// What is kept of each film point and triangle, read and written by their numbers. In what kind of
+// array is the device's affair.
 template <typename Film, typename Real = typename Film::Real>
 concept FilmStorage = requires(Film& film, const Film& seen, int i, Vector2<Real> way,
                                Vector3<Real> place, Real value, Matrix2<Real> shape) {
@@ -123,8 +124,8 @@ concept FilmEquilibrium = requires(Film& film, Real drag, Real length, double nu
     // becomes the displacement.
     { film.force(drag) } -> std::same_as<FilmForce>;
     { film.forceAlong(length, drag) } -> std::same_as<FilmForce>;
-    // The Newton step becomes H⁻¹ times the forces last taken, turned round, to a residual of the
-    // third number; the second is that of no step.
+    // Solves H · step = −(the forces last taken) for the Newton step. The second number is the
+    // residual of no step at all, the third the one at which the search may stop.
     film.solveLinear(drag, number, number);
     // Remembers the displacement as where the step starts. Returns the farthest that the whole
     // step moves a point along X or Z, mm.

@@ -8,12 +8,13 @@
 // surface on the way adhere when and where it met it. Where the body turns up it loses its grip,
 // and film follows its unfolding less and less (LaidCorners). Where it turns up too far to hold
 // film at all it releases the film, whose edge then stays where it lay on the water. Film that
-// tears is held where it is, softened, and does not spring back.
+// tears is held where it is on the water: it is soft, and does not spring back.
 #pragma once
 
 #include "production/formulas/Equilibrium.h"
 #include "production/formulas/FilmBackend.h"
 #include "production/formulas/StepLength.h"
+#include "production/formulas/TearLaw.h"
 #include "production/formulas/WaterDrag.h"
 
 #include <cmath>

@@ -54,20 +54,6 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> gradientOf(const EdgePair<Real>& edge
     return Matrix2<Real>{edges.hx, edges.vx, edges.hz, edges.vz} * inverseShape;
 }
 
-// Whether film is stretched to more than `limit` times its length in some direction or its area:
-// then it tears. `edges` of the triangle; the undeformed ones are spacingX and spacingZ long.
-template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline bool isTorn(const EdgePair<Real>& edges, Real spacingX, Real spacingZ,
-                                         Real limit) {
-    const Matrix2<Real> F{edges.hx / spacingX, edges.vx / spacingZ, edges.hz / spacingX,
-                          edges.vz / spacingZ};
-    const Real sum = F.a + F.d, skew = F.c - F.b, difference = F.a - F.d, shear = F.c + F.b;
-    const Real larger =
-        (std::sqrt(sum * sum + skew * skew) + std::sqrt(difference * difference + shear * shear)) /
-        Real(2);
-    return larger > limit || F.a * F.d - F.b * F.c > limit;
-}
-
 // Stress back to forces on the two edges: area · P · inverseShapeᵀ.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline EdgePair<Real>

@@ -10,7 +10,8 @@
 
 namespace dipwright::numerics {
 
-// On a face flatter than this, the step is no shorter.
+// The step grows no shorter on faces flatter than this: horizontal share of the surface's unit
+// normal, 0 flat, 1 vertical.
 inline constexpr double leastSteepness = 0.15;
 
 // Descent in which the contact line travels `travel` mm along a surface of this steepness.

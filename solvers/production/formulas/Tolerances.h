@@ -6,7 +6,7 @@ namespace dipwright::numerics {
 
 // The search for the film's equilibrium (Equilibrium.h). Forces are roots of sums of squares: those
 // left on the free points, and the elastic ones within the film. Which share of the latter may be
-// left is a setting (solver::Settings, residual).
+// left is no constant but a setting, solver::Settings::residual in FilmSolver.h.
 struct NewtonLimits {
     int newtonSteps = 12;            // at most
     int shortenings = 6;             // of one Newton step, by half each, at most
@@ -37,8 +37,10 @@ inline constexpr int contactLineNewtonSteps = 12;  // in the water plane, at mos
 inline constexpr int acrossLineNewtonSteps = 6;    // along a line's normal, at most
 inline constexpr int surfaceNewtonSteps = 3;       // along ∇φ to the surface, at most
 inline constexpr double contactLineReached = 1e-4; // distance left, in cells
-// Of ∇φ in the water plane, of which |∇φ| is 1 nearly everywhere. On flatter places a search stops.
-inline constexpr double leastSlope = 0.02, leastSlopeSquared = 0.0025;
+// The share of ∇φ in the water plane (|∇φ| is 1 nearly everywhere). On flatter places there is no
+// contact line, and a search along a line's normal stops; the search in the plane for a line, which
+// may start far from it, stops at a share whose square is the second number.
+inline constexpr double leastSlope = 0.02, leastPlaneSlopeSquared = 0.0025;
 inline constexpr double leastGradientSquared = 0.04; // |∇φ|²: less is a ridge
 
 } // namespace dipwright::numerics

@@ -94,7 +94,8 @@ struct Settings {
     Relaxation relaxation = Relaxation::Jacobi;
     bool selfContact = false;
     // Isotropic film on water: the travel of the contact line in one step, in cells, and the
-    // residual at which a step counts as in equilibrium (mean force over mean elastic force).
+    // residual at which a step counts as in equilibrium: the forces left on the free points over
+    // the elastic forces in the film, each the root of its sum of squares.
     double contactTravel = 0.5;
     double residual = 1e-4;
     // Film is laid on faces that turn upwards by no more than this, radians from the vertical; ever
