@@ -72,8 +72,8 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
         console.out() << line << '\n';
     }
     project.model = std::make_shared<const TexturedMesh>(imported.model);
-    project.modelSource.source = path;
-    project.modelSource.texture = options.texture;
+    project.modelOrigin.source = path;
+    project.modelOrigin.texture = options.texture;
 }
 
 // A model or picture that the project takes in is not replaced by it.

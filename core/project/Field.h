@@ -1,12 +1,13 @@
-// One value of the project file's schema, declared once: where it stands, what it may be, and how
-// it is got from and set in its owner. Reading, writing, `--set` and the dialogs' limits all use
-// it.
+// One value of a file's schema, of a project's or a profile's, declared once: where it stands, what
+// it may be, and how it is got from and set in its owner. Reading, writing, `--set` and the
+// dialogs' limits all use it.
 #pragma once
 
 #include <QJsonValue>
 #include <QString>
 #include <QStringList>
 #include <functional>
+#include <utility>
 
 namespace dipwright {
 
@@ -31,6 +32,15 @@ struct Field {
     std::function<QJsonValue(const Owner&)> get;
     std::function<void(Owner&, const QJsonValue&)> set;
 };
+
+// Sets a value that keeps the field's rule. What `set` throws passes through; the owner is then as
+// it was.
+template <typename Owner>
+void setField(Owner& owner, const Field<Owner>& field, const QJsonValue& value) {
+    Owner changed = owner;
+    field.set(changed, value);
+    owner = std::move(changed);
+}
 
 // Throws Error naming `path` (with the index of the offending part) and `file`, which may be empty.
 void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& path,

@@ -6,6 +6,8 @@
 #include "project/Field.h"
 
 #include <QJsonArray>
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace dipwright {
@@ -33,6 +35,22 @@ Field<Owner> number(const char* path, double minimum, double maximum, Access acc
             [access](const Owner& owner) { return QJsonValue(plainNumber(access(owner))); },
             [access](Owner& owner, const QJsonValue& value) {
                 access(owner) = Value(value.toDouble());
+            }};
+}
+
+// A number that may be infinite, which is null in the file.
+template <typename Owner = Project, typename Access>
+Field<Owner> numberOrInfinity(const char* path, double minimum, double maximum, Access access) {
+    using Value = ValueOf<Owner, Access>;
+    return {QString::fromLatin1(path),
+            {FieldKind::Number, 1, true, minimum, maximum},
+            [access](const Owner& owner) {
+                const double number = plainNumber(access(owner));
+                return std::isinf(number) ? QJsonValue() : QJsonValue(number);
+            },
+            [access](Owner& owner, const QJsonValue& value) {
+                access(owner) = Value(value.isNull() ? std::numeric_limits<double>::infinity()
+                                                     : value.toDouble());
             }};
 }
 

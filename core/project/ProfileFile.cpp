@@ -85,19 +85,6 @@ const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
     return fields;
 }
 
-Field<FilmProfile> relaxationField() {
-    return {QStringLiteral("relaxation_time_s"),
-            {FieldKind::Number, 1, true, 0, 1e6},
-            [](const FilmProfile& p) {
-                const double seconds = p.relaxationTime.value();
-                return std::isinf(seconds) ? QJsonValue() : QJsonValue(seconds);
-            },
-            [](FilmProfile& p, const QJsonValue& value) {
-                p.relaxationTime = Seconds(value.isNull() ? std::numeric_limits<double>::infinity()
-                                                          : value.toDouble());
-            }};
-}
-
 Field<FilmProfile> expiryField() {
     return {QStringLiteral("expiry"),
             {FieldKind::Text, 1, false, 0, 10},
@@ -122,7 +109,8 @@ const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
             numbers<P>(
                 "swell", 2, 0.5, 2,
                 [](auto& p, int part) -> auto& { return part == 0 ? p.swellX : p.swellY; }),
-            relaxationField(),
+            numberOrInfinity<P>(
+                "relaxation_time_s", 0, 1e6, [](auto& p) -> auto& { return p.relaxationTime; }),
             number<P>(
                 "contact_distance_mm", 0, 10, [](auto& p) -> auto& { return p.contactDistance; }),
             choice<P>(
@@ -243,9 +231,7 @@ void setProfileValue(Profile& profile, const QString& path, const QJsonValue& va
         [&](auto& one) {
             const auto& field = fieldAt(one, path);
             checkValue(field.rule, value, path, {});
-            auto changed = one;
-            field.set(changed, value);
-            one = changed;
+            setField(one, field, value);
         },
         profile);
 }
@@ -254,7 +240,7 @@ void setByPath(Profile& profile, const QString& path, const QString& value) {
     std::visit(
         [&](auto& one) {
             const auto& field = fieldAt(one, path);
-            field.set(one, parseValue(field.rule, value, path));
+            setField(one, field, parseValue(field.rule, value, path));
         },
         profile);
 }

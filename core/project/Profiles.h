@@ -88,7 +88,8 @@ void applyProfile(Project& project, const Profile& profile);
 QString expiryWarning(const std::optional<FilmProfile>& film);
 
 // Sets one value by its path in the file ("scale", "edges.left"), parts of an array joined by x or
-// ;. Throws Error naming the path when it is unknown or out of range.
+// ;. Throws Error naming the path when it is unknown or out of range; the profile is then as it
+// was.
 void setByPath(Profile& profile, const QString& path, const QString& value);
 
 // A profile file: {"format":"dipwright-profile","version":1,"kind":…,"name":…,…}. Unknown keys are

@@ -158,11 +158,11 @@ QStringList siblingPaths(const QString& path) {
 }
 
 template <typename Owner>
-bool setField(Owner& owner, const std::vector<Field<Owner>>& fields, const QString& fieldPath,
-              const QString& path, const QString& text) {
+bool setFieldAt(Owner& owner, const std::vector<Field<Owner>>& fields, const QString& fieldPath,
+                const QString& path, const QString& text) {
     for (const Field<Owner>& field : fields) {
         if (field.path == fieldPath) {
-            field.set(owner, parseValue(field.rule, text, path));
+            setField(owner, field, parseValue(field.rule, text, path));
             return true;
         }
     }
@@ -203,12 +203,12 @@ void setByPath(Project& project, const QString& path, const QString& value) {
                             .arg(project.immersions.size()),
                         path);
         }
-        if (setField(project.immersions[index], immersionFields(), match.captured(2), path,
-                     value)) {
+        if (setFieldAt(project.immersions[index], immersionFields(), match.captured(2), path,
+                       value)) {
             return;
         }
     } else if (!path.startsWith(QLatin1String("model.")) &&
-               setField(project, projectFields(), path, path, value)) {
+               setFieldAt(project, projectFields(), path, path, value)) {
         return;
     }
     throwUnknownPath(path);

@@ -14,12 +14,13 @@
 
 namespace dipwright {
 
-struct ModelSource {
-    QString source;  // where it was imported from, for "reload from disk"
+// Where the model came from.
+struct ModelOrigin {
+    QString source;  // the file it was imported from, for "reload from disk"
     QString texture; // the picture that replaced the model's own, or empty
     double unitMillimetres = 1;
     QByteArray sha256; // of the embedded model, hex
-    bool operator==(const ModelSource&) const = default;
+    bool operator==(const ModelOrigin&) const = default;
 };
 
 struct Project {
@@ -27,7 +28,7 @@ struct Project {
     QString date; // ISO date of creation; stands in the job line
     std::shared_ptr<const TexturedMesh>
         model; // shared between versions of the document, never null in a valid project
-    ModelSource modelSource;
+    ModelOrigin modelOrigin;
     FilmSettings film;
     ProcessSettings process;
     int fieldResolution = 128;                      // body.sdf_resolution
@@ -46,7 +47,8 @@ struct Project {
 void applyPreset(Project& project, const QString& preset);
 
 // Sets one value by its path in the schema ("film.points", "immersions[0].rotation_deg"), parts of
-// an array joined by x or ;. Throws Error naming the path when it is unknown or out of range.
+// an array joined by x or ;. Throws Error naming the path when it is unknown or out of range; the
+// project is then as it was.
 void setByPath(Project& project, const QString& path, const QString& value);
 
 // project.json and back; `fromJson` checks every value's range and throws Error by its path.

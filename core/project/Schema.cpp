@@ -62,19 +62,6 @@ Field<Project> filmPoints() {
             }};
 }
 
-Field<Project> relaxationTime() {
-    return {QStringLiteral("film.relaxation_time_s"),
-            {FieldKind::Number, 1, true, 0, 1e6},
-            [](const Project& project) {
-                const double seconds = project.film.relaxationTime.value();
-                return std::isinf(seconds) ? QJsonValue() : QJsonValue(seconds);
-            },
-            [](Project& project, const QJsonValue& value) {
-                project.film.relaxationTime = Seconds(
-                    value.isNull() ? std::numeric_limits<double>::infinity() : value.toDouble());
-            }};
-}
-
 Field<Project> dipDepth() {
     return {QStringLiteral("process.depth_mm"),
             {FieldKind::Number, 1, true, 0.1, 5000},
@@ -94,21 +81,21 @@ Field<Project> modelHash() {
     return {QStringLiteral("model.sha256"),
             {FieldKind::Text, 1, false, 0, 64},
             [](const Project& project) {
-                return QJsonValue(QString::fromLatin1(project.modelSource.sha256));
+                return QJsonValue(QString::fromLatin1(project.modelOrigin.sha256));
             },
             [](Project& project, const QJsonValue& value) {
-                project.modelSource.sha256 = value.toString().toLatin1();
+                project.modelOrigin.sha256 = value.toString().toLatin1();
             }};
 }
 
 void addModelFields(std::vector<Field<Project>>& fields) {
     fields.push_back(text(
-        "model.source", 4096, [](auto& p) -> auto& { return p.modelSource.source; }));
+        "model.source", 4096, [](auto& p) -> auto& { return p.modelOrigin.source; }));
     fields.push_back(text(
-        "model.texture_source", 4096, [](auto& p) -> auto& { return p.modelSource.texture; }));
+        "model.texture_source", 4096, [](auto& p) -> auto& { return p.modelOrigin.texture; }));
     fields.push_back(number(
         "model.unit_mm", 1e-9, 1e9,
-        [](auto& p) -> auto& { return p.modelSource.unitMillimetres; }));
+        [](auto& p) -> auto& { return p.modelOrigin.unitMillimetres; }));
     fields.push_back(modelHash());
 }
 
@@ -134,7 +121,8 @@ void addFilmFields(std::vector<Field<Project>>& fields) {
     fields.push_back(numbers(
         "film.swell", 2, 0.5, 2,
         [](auto& p, int part) -> auto& { return part == 0 ? p.film.swellX : p.film.swellY; }));
-    fields.push_back(relaxationTime());
+    fields.push_back(numberOrInfinity(
+        "film.relaxation_time_s", 0, 1e6, [](auto& p) -> auto& { return p.film.relaxationTime; }));
     fields.push_back(number(
         "film.contact_distance_mm", 0, 10,
         [](auto& p) -> auto& { return p.film.contactDistance; }));

@@ -230,7 +230,7 @@ void WindowActions::enable(const WindowState& state) {
     }
     filmLook->setEnabled(any);
     save->setEnabled(any && state.document->isModified());
-    reloadModel->setEnabled(any && !state.document->project().modelSource.source.isEmpty());
+    reloadModel->setEnabled(any && !state.document->project().modelOrigin.source.isEmpty());
     addImmersion->setEnabled(any && immersions < 2);
     removeImmersion->setEnabled(immersions > 1);
     run->setEnabled(any && !state.isDipping);

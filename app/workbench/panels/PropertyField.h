@@ -1,5 +1,5 @@
-// One value of the project as an editor: spin boxes, a choice, a tick or a line of text, made from
-// the schema's rule for the value.
+// One value of a project or a profile as an editor: spin boxes, a choice, a tick or a line of text,
+// made from the rule that its schema gives for it.
 #pragma once
 
 #include "panels/Units.h"

@@ -168,9 +168,9 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
         const Eigen::Vector3f size = boundingBox(model.mesh).sizes();
         const QLocale locale;
         QStringList lines{
-            project.modelSource.source.isEmpty()
+            project.modelOrigin.source.isEmpty()
                 ? tr("Embedded in the project")
-                : tr("From %1").arg(QFileInfo(project.modelSource.source).fileName()),
+                : tr("From %1").arg(QFileInfo(project.modelOrigin.source).fileName()),
             tr("%1 × %2 × %3")
                 .arg(shownLength(size.x(), lengthUnit_), shownLength(size.y(), lengthUnit_),
                      shownLength(size.z(), lengthUnit_)),

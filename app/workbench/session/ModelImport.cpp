@@ -19,9 +19,9 @@ QString readingTheModel() {
 void exchangeModel(Project& project, const TexturedMesh& model, const QString& source,
                    const QString& texture) {
     project.model = std::make_shared<const TexturedMesh>(model);
-    project.modelSource.source = source;
-    project.modelSource.texture = texture;
-    project.modelSource.sha256.clear();
+    project.modelOrigin.source = source;
+    project.modelOrigin.texture = texture;
+    project.modelOrigin.sha256.clear();
 }
 
 // The size of the model that is there is kept with its pose: its settings were made for it.
@@ -29,7 +29,7 @@ void importInto(Document& document, const QString& path, const QString& texture,
                 const QString& undoText, JobRunner& jobs, Messages& messages) {
     ImportOptions options;
     options.texture = texture;
-    options.unitMillimetres = document.project().modelSource.unitMillimetres;
+    options.unitMillimetres = document.project().modelOrigin.unitMillimetres;
     if (pose == Pose::Kept) {
         options.longestEdge =
             Millimetres(double(boundingBox(document.project().model->mesh).sizes().maxCoeff()));
@@ -58,9 +58,9 @@ Project newProject(const ImportedModel& imported, const QString& path,
     project.immersions.front().name =
         QCoreApplication::translate("ModelImport", "Immersion %1").arg(1);
     project.model = std::make_shared<const TexturedMesh>(imported.model);
-    project.modelSource.source = path;
-    project.modelSource.texture = options.texture;
-    project.modelSource.unitMillimetres = options.unitMillimetres;
+    project.modelOrigin.source = path;
+    project.modelOrigin.texture = options.texture;
+    project.modelOrigin.unitMillimetres = options.unitMillimetres;
     return project;
 }
 
@@ -77,8 +77,8 @@ std::optional<double> doubtfulLength(const TriangleMesh& mesh) {
 }
 
 void reloadModel(Document& document, JobRunner& jobs, Messages& messages) {
-    const ModelSource& source = document.project().modelSource;
-    importInto(document, source.source, source.texture, Pose::Kept,
+    const ModelOrigin& origin = document.project().modelOrigin;
+    importInto(document, origin.source, origin.texture, Pose::Kept,
                QCoreApplication::translate("ModelImport", "Reload Model"), jobs, messages);
 }
 
@@ -96,7 +96,7 @@ void replaceTexture(Document& document, const QString& path, JobRunner& jobs, Me
         },
         [&document, path, undoText](const TexturedMesh& model) {
             document.edit(undoText, {}, [&](Project& project) {
-                exchangeModel(project, model, project.modelSource.source, path);
+                exchangeModel(project, model, project.modelOrigin.source, path);
             });
         });
 }

@@ -58,7 +58,7 @@ void write(const Sample& sample, const QDir& folder) {
     project.process.overhang = sample.overhang;
     project.model =
         std::make_shared<const TexturedMesh>(importModel(folder.filePath(source), {}, {}).model);
-    project.modelSource.source = source;
+    project.modelOrigin.source = source;
     saveProject(project, folder.filePath(sample.name + QStringLiteral(".dipw")));
 }
 

@@ -183,7 +183,7 @@ private slots:
         const WindowDriver driver(*window_);
         QVERIFY(makeProject());
         window_->document()->edit({}, {}, [](Project& project) {
-            project.modelSource.source = QStringLiteral("/gone/away.obj");
+            project.modelOrigin.source = QStringLiteral("/gone/away.obj");
         });
         QImage picture(32, 32, QImage::Format_RGB32);
         picture.fill(Qt::red);

@@ -3,6 +3,7 @@
 
 #include "base/Error.h"
 #include "base/ProgramName.h"
+#include "project/ProfileFields.h"
 #include "project/Project.h"
 
 #include <QJsonArray>
@@ -85,6 +86,7 @@ private slots:
     void damagedFilesAreRefused();
     void damagedFileDoesNotHideOthers();
     void outOfRangeValuesAreRefusedByPath();
+    void refusedValueLeavesTheProfileAsItWas();
     void projectTakesOverWhatAProfileSays();
     void projectRemembersProfilesByContent();
 };
@@ -182,6 +184,15 @@ void ProfilesTest::outOfRangeValuesAreRefusedByPath() {
     json = toJson(Profile(film()));
     json["expiry"] = "soon";
     QVERIFY(refusal(json).contains("soon"));
+}
+
+void ProfilesTest::refusedValueLeavesTheProfileAsItWas() {
+    const Profile before = film();
+    Profile profile = before;
+    QVERIFY_EXCEPTION_THROWN(setByPath(profile, "expiry", "soon"), Error);
+    QVERIFY(profile == before);
+    QVERIFY_EXCEPTION_THROWN(setProfileValue(profile, "expiry", "soon"), Error);
+    QVERIFY(profile == before);
 }
 
 void ProfilesTest::projectTakesOverWhatAProfileSays() {

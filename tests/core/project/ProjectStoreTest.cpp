@@ -63,9 +63,9 @@ private slots:
     void aProjectComesBackAsItWas() {
         const Project project = loadProject(path("good.dipw"));
         Project expected = sampleProject();
-        expected.modelSource.sha256 = project.modelSource.sha256;
+        expected.modelOrigin.sha256 = project.modelOrigin.sha256;
         QVERIFY(isSame(project, expected));
-        QCOMPARE(project.modelSource.sha256.size(), 64);
+        QCOMPARE(project.modelOrigin.sha256.size(), 64);
         QCOMPARE(project.model->textures.front(), expected.model->textures.front());
     }
 

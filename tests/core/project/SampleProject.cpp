@@ -35,7 +35,7 @@ Project sampleProject() {
     project.name = QStringLiteral("Schildkröte");
     project.date = QStringLiteral("2026-01-31");
     project.model = sampleModel();
-    project.modelSource = {QStringLiteral("box.obj"), QStringLiteral("box.png"), 25.4, "abc"};
+    project.modelOrigin = {QStringLiteral("box.obj"), QStringLiteral("box.png"), 25.4, "abc"};
     project.film.preset = QStringLiteral("custom");
     project.film.width = Millimetres(150);
     project.film.height = Millimetres(200.5);
