@@ -1,6 +1,7 @@
 #include "printing/PrintFile.h"
 
 #include "base/Bytes.h"
+#include "sheet/SheetFiles.h"
 
 namespace dipwright {
 

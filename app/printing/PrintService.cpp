@@ -3,6 +3,8 @@
 #include "base/Bytes.h"
 #include "base/Error.h"
 #include "printing/PrintFile.h"
+#include "sheet/PdfDocument.h"
+#include "sheet/SheetFiles.h"
 #include "sheet/SheetLayout.h"
 #include "sheet/TiledSheet.h"
 

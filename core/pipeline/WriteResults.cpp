@@ -6,6 +6,7 @@
 #include "pipeline/Report.h"
 #include "pipeline/ResultFolder.h"
 #include "results/Results.h"
+#include "sheet/SheetFiles.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -1,6 +1,7 @@
 #include "sheet/PdfDocument.h"
 
 #include "base/Error.h"
+#include "base/Units.h"
 
 #include <QBuffer>
 #include <QColorSpace>

@@ -1,13 +1,14 @@
-// PDF files of pages at true size. Private to this folder.
+// PDF files of pages at true size.
 //
 // Qt draws the pages; qpdf then makes a file of them that is exact and always the same: boxes to a
 // fraction of a point, no scaling in print dialogs, an output intent, and no date or identifier
 // that comes from the clock.
 #pragma once
 
-#include "sheet/Sheet.h"
-
 #include <QByteArray>
+#include <QPainter>
+#include <QSizeF>
+#include <QString>
 #include <functional>
 #include <vector>
 
@@ -25,14 +26,12 @@ struct PdfSettings {
     QString outputName = QStringLiteral("sRGB IEC61966-2.1");
 };
 
-// A sheet in the printer's colours, and how its document is to be written. Throws Error for a
-// colour that PDF pages cannot be written in.
-struct PreparedSheet {
-    Sheet sheet;
-    PdfSettings settings;
-};
-PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction);
-
+// The pages as one file, in the order given, at least one. Same bytes for the same pages. Needs a
+// QGuiApplication.
 QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings);
+
+// A PDF with its pages repeated, one copy after the other. Print systems lose a wish for copies on
+// some of their ways; pages they do not. Takes hardly more room. Throws Error when it is no PDF.
+QByteArray repeatedPdf(const QByteArray& pdf, int copies);
 
 } // namespace dipwright

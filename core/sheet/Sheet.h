@@ -7,7 +7,6 @@
 #include "base/Units.h"
 #include "film/FilmSettings.h"
 
-#include <QIODevice>
 #include <QImage>
 #include <QPainter>
 
@@ -55,9 +54,6 @@ QImage flattened(const QImage& filmImage);
 // Draws the whole page with a painter whose unit is the millimetre and whose origin is the page's
 // upper left corner: used by the PDF, the printer and the preview.
 void paintSheet(QPainter& painter, const Sheet& sheet);
-// PNG of the film with resolution and sRGB profile. Unprinted is white. Throws Error when not
-// writable.
-void writeSheetPng(const Sheet& sheet, QIODevice& device);
 
 // What stands between the sheet and true size and colour on one printer's paper.
 struct PrintCorrection {
@@ -74,20 +70,5 @@ struct PrintCorrection {
 void correctScale(QPainter& painter, QSizeF paper, const PrintCorrection& correction);
 // Draws the page onto the paper, in sRGB.
 void paintCorrectedSheet(QPainter& painter, const Sheet& sheet, const PrintCorrection& correction);
-
-// PDF at true size, the image stored without loss, viewers asked not to scale, with the colour's
-// space as output intent. A colour in CMYK is refused: PDF pages are written in RGB, TIFF takes it.
-// Same bytes for the same sheet. Throws Error when not writable.
-void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
-
-// A PDF with its pages repeated, one copy after the other. Print systems lose a wish for copies on
-// some of their ways; pages they do not. Takes hardly more room. Throws Error when it is no PDF.
-QByteArray repeatedPdf(const QByteArray& pdf, int copies);
-
-// TIFF of the whole page, for raster image processors: RGB, or CMYK where the colour is in CMYK,
-// with resolution and ICC profile, compressed without loss. The film image is moved to whole pixels
-// and not resampled: scales are corrected by the resolutions in X and Y. The page is never turned.
-// Same bytes for the same sheet. Throws Error when not writable.
-void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
 
 } // namespace dipwright

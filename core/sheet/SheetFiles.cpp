@@ -1,9 +1,7 @@
-// The files that a sheet is written to.
-#include "sheet/Sheet.h"
+#include "sheet/SheetFiles.h"
 
 #include "base/Error.h"
 #include "base/Png.h"
-#include "sheet/PdfDocument.h"
 #include "sheet/PrinterColour.h"
 #include "sheet/SheetInk.h"
 

@@ -1,8 +1,8 @@
 #include "sheet/TiledSheet.h"
 
 #include "base/Error.h"
-#include "sheet/PdfDocument.h"
 #include "sheet/PrinterColour.h"
+#include "sheet/SheetFiles.h"
 #include "sheet/SheetInk.h"
 
 #include <QCoreApplication>

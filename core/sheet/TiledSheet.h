@@ -3,6 +3,7 @@
 
 #include "sheet/Sheet.h"
 
+#include <QIODevice>
 #include <QMarginsF>
 #include <vector>
 

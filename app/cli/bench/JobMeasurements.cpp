@@ -6,6 +6,7 @@
 #include "pipeline/JobSheet.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/WriteResults.h"
+#include "sheet/SheetFiles.h"
 
 #include <QTemporaryDir>
 

@@ -10,6 +10,7 @@
 #include "pipeline/WriteResults.h"
 #include "results/Results.h"
 #include "session/WriteFiles.h"
+#include "sheet/SheetFiles.h"
 
 #include <QAction>
 #include <QFileDialog>

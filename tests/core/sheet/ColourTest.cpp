@@ -3,7 +3,7 @@
 
 #include "base/Error.h"
 #include "sheet/PrinterColour.h"
-#include "sheet/Sheet.h"
+#include "sheet/SheetFiles.h"
 
 #include <QBuffer>
 #include <QColorSpace>

@@ -2,6 +2,7 @@
 #include "PaperMeasure.h"
 
 #include "sheet/CalibrationPage.h"
+#include "sheet/SheetFiles.h"
 #include "sheet/TiledSheet.h"
 
 #include "base/Error.h"

@@ -1,7 +1,7 @@
 // The sheet as a user meets it: measured on the finished PDF and PNG with the tools of poppler.
 #include "PaperMeasure.h"
 
-#include "sheet/Sheet.h"
+#include "sheet/SheetFiles.h"
 #include "sheet/SheetLayout.h"
 
 #include "base/Error.h"
