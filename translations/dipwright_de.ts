@@ -2237,10 +2237,6 @@
         <translation>Die Textur %1 wurde neben dem Modell nicht gefunden; stattdessen wird die Farbe ihres Materials verwendet</translation>
     </message>
     <message>
-        <source>The model cannot be read: %1; save it anew, or as OBJ, PLY, STL, glTF or 3MF</source>
-        <translation>Das Modell kann nicht gelesen werden: %1; speichern Sie es neu oder als OBJ, PLY, STL, glTF oder 3MF</translation>
-    </message>
-    <message>
         <source>The model has more than %1 million triangles; reduce it</source>
         <translation>Das Modell hat mehr als %1 Millionen Dreiecke; verkleinern Sie es</translation>
     </message>
@@ -2340,6 +2336,10 @@
         <source>an object holds itself</source>
         <translation>ein Objekt enthält sich selbst</translation>
     </message>
+    <message>
+        <source>The model cannot be read: %1; save it anew, or as %2</source>
+        <translation>Das Modell kann nicht gelesen werden: %1; speichern Sie es neu oder als %2</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::LogPanel</name>
@@ -2407,6 +2407,14 @@
     <message>
         <source>The stored model has format version %1 and this program reads version %2; use a newer program</source>
         <translation>Das gespeicherte Modell hat die Formatversion %1, dieses Programm liest Version %2; verwenden Sie ein neueres Programm</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ModelFormats</name>
+    <message>
+        <source>%1 or %2</source>
+        <extracomment>Names of file formats: &quot;OBJ, PLY, STL, glTF&quot; or &quot;3MF&quot;</extracomment>
+        <translation>%1 oder %2</translation>
     </message>
 </context>
 <context>
@@ -2536,10 +2544,6 @@
         <translation>Rechts</translation>
     </message>
     <message>
-        <source>Choose a file: OBJ, PLY, STL, glTF, 3MF …</source>
-        <translation>Wählen Sie eine Datei: OBJ, PLY, STL, glTF, 3MF …</translation>
-    </message>
-    <message>
         <source>The file of the body that is to be dipped.</source>
         <translation>Die Datei des Körpers, der getaucht werden soll.</translation>
     </message>
@@ -2562,6 +2566,10 @@
     <message>
         <source>Texture</source>
         <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Choose a file: %1 …</source>
+        <translation>Wählen Sie eine Datei: %1 …</translation>
     </message>
 </context>
 <context>
@@ -3748,10 +3756,6 @@ mm</translation>
         <translation>Neues Projekt …</translation>
     </message>
     <message>
-        <source>Start from a textured model: OBJ, PLY, STL, glTF or 3MF.</source>
-        <translation>Beginnen Sie mit einem texturierten Modell: OBJ, PLY, STL, glTF oder 3MF.</translation>
-    </message>
-    <message>
         <source>Open Project…</source>
         <translation>Projekt öffnen …</translation>
     </message>
@@ -3770,6 +3774,10 @@ mm</translation>
     <message>
         <source>Models and projects can also be dropped on the window.</source>
         <translation>Modelle und Projekte können auch auf das Fenster gezogen werden.</translation>
+    </message>
+    <message>
+        <source>Start from a textured model: %1.</source>
+        <translation>Beginnen Sie mit einem texturierten Modell: %1.</translation>
     </message>
 </context>
 <context>

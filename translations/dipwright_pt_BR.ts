@@ -2237,10 +2237,6 @@
         <translation>A textura %1 não foi encontrada ao lado do modelo; usa-se a cor do material</translation>
     </message>
     <message>
-        <source>The model cannot be read: %1; save it anew, or as OBJ, PLY, STL, glTF or 3MF</source>
-        <translation>O modelo não pode ser lido: %1; salve-o de novo ou como OBJ, PLY, STL, glTF ou 3MF</translation>
-    </message>
-    <message>
         <source>The model has more than %1 million triangles; reduce it</source>
         <translation>O modelo tem mais de %1 milhões de triângulos; reduza-o</translation>
     </message>
@@ -2340,6 +2336,10 @@
         <source>an object holds itself</source>
         <translation>um objeto contém a si mesmo</translation>
     </message>
+    <message>
+        <source>The model cannot be read: %1; save it anew, or as %2</source>
+        <translation>O modelo não pode ser lido: %1; salve-o de novo ou como %2</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::LogPanel</name>
@@ -2407,6 +2407,14 @@
     <message>
         <source>The stored model has format version %1 and this program reads version %2; use a newer program</source>
         <translation>O modelo guardado tem a versão de formato %1 e este programa lê a versão %2; use um programa mais novo</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ModelFormats</name>
+    <message>
+        <source>%1 or %2</source>
+        <extracomment>Names of file formats: &quot;OBJ, PLY, STL, glTF&quot; or &quot;3MF&quot;</extracomment>
+        <translation>%1 ou %2</translation>
     </message>
 </context>
 <context>
@@ -2536,10 +2544,6 @@
         <translation>Direita</translation>
     </message>
     <message>
-        <source>Choose a file: OBJ, PLY, STL, glTF, 3MF …</source>
-        <translation>Escolha um arquivo: OBJ, PLY, STL, glTF, 3MF…</translation>
-    </message>
-    <message>
         <source>The file of the body that is to be dipped.</source>
         <translation>O arquivo do corpo a ser mergulhado.</translation>
     </message>
@@ -2562,6 +2566,10 @@
     <message>
         <source>Texture</source>
         <translation>Textura</translation>
+    </message>
+    <message>
+        <source>Choose a file: %1 …</source>
+        <translation>Escolha um arquivo: %1…</translation>
     </message>
 </context>
 <context>
@@ -3748,10 +3756,6 @@ mm</translation>
         <translation>Novo projeto…</translation>
     </message>
     <message>
-        <source>Start from a textured model: OBJ, PLY, STL, glTF or 3MF.</source>
-        <translation>Comece de um modelo texturizado: OBJ, PLY, STL, glTF ou 3MF.</translation>
-    </message>
-    <message>
         <source>Open Project…</source>
         <translation>Abrir projeto…</translation>
     </message>
@@ -3770,6 +3774,10 @@ mm</translation>
     <message>
         <source>Models and projects can also be dropped on the window.</source>
         <translation>Modelos e projetos também podem ser soltos na janela.</translation>
+    </message>
+    <message>
+        <source>Start from a textured model: %1.</source>
+        <translation>Comece de um modelo texturizado: %1.</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 
 #include "model/ImportModel.h"
+#include "model/ModelFormats.h"
 #include "project/ProjectStore.h"
 
 #include <QDate>
@@ -97,7 +98,7 @@ public:
         parser.addPositionalArgument(
             QStringLiteral("OUT.dipw"),
             QStringLiteral("The project to write. A file of that name is replaced."));
-        parser.addOption({modelOption, QStringLiteral("The model: OBJ, PLY, STL, glTF, 3MF …"),
+        parser.addOption({modelOption, QStringLiteral("The model: %1 …").arg(modelFormatNames()),
                           QStringLiteral("FILE")});
         parser.addOption({textureOption, QStringLiteral("A picture in place of the model's own."),
                           QStringLiteral("FILE")});

@@ -4,6 +4,7 @@
 #include "model/ColladaCheck.h"
 #include "model/MeshRepair.h"
 #include "model/ModelFolder.h"
+#include "model/ModelFormats.h"
 #include "model/ModelSource.h"
 #include "model/PlyReader.h"
 #include "model/SceneConversion.h"
@@ -380,8 +381,10 @@ ImportedModel importModel(const QString& path, const ImportOptions& options,
 
 QStringList modelFilePatterns() {
     QStringList patterns;
-    for (const char* format : {"obj", "ply", "stl", "gltf", "glb", "3mf"}) {
-        patterns.push_back(QStringLiteral("*.%1").arg(QLatin1String(format)));
+    for (const ModelFormat& format : modelFormats()) {
+        for (const QString& suffix : format.suffixes) {
+            patterns.push_back(QStringLiteral("*.%1").arg(suffix));
+        }
     }
     aiString others;
     Assimp::Importer().GetExtensionList(others);

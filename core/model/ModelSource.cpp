@@ -1,6 +1,7 @@
 #include "model/ModelSource.h"
 
 #include "base/Error.h"
+#include "model/ModelFormats.h"
 #include "model/Texture.h"
 
 #include <QCoreApplication>
@@ -28,10 +29,9 @@ QImage ModelSource::readPicture(const QString& name, QStringList& warnings) cons
 }
 
 void ModelSource::throwDamaged(const QString& reason) const {
-    throw Error(
-        Text::tr("The model cannot be read: %1; save it anew, or as OBJ, PLY, STL, glTF or 3MF")
-            .arg(reason),
-        path);
+    throw Error(Text::tr("The model cannot be read: %1; save it anew, or as %2")
+                    .arg(reason, anyModelFormat()),
+                path);
 }
 
 void ModelSource::checkTriangleCount(std::size_t count) const {

@@ -1,6 +1,7 @@
 #include "dialogs/NewProjectDialog.h"
 
 #include "look/Icons.h"
+#include "model/ModelFormats.h"
 #include "panels/Units.h"
 #include "project/FilmSizes.h"
 #include "project/ProfileLibrary.h"
@@ -60,7 +61,7 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
     setWindowTitle(tr("New Project"));
     setObjectName(QStringLiteral("newProjectDialog"));
     setMinimumWidth(540);
-    model_->setPlaceholderText(tr("Choose a file: OBJ, PLY, STL, glTF, 3MF …"));
+    model_->setPlaceholderText(tr("Choose a file: %1 …").arg(modelFormatNames()));
     model_->setAccessibleName(tr("Model"));
     texture_->setAccessibleName(tr("Texture"));
     model_->setToolTip(tr("The file of the body that is to be dipped."));

@@ -2,6 +2,7 @@
 
 #include "document/RecentProjects.h"
 #include "look/Icons.h"
+#include "model/ModelFormats.h"
 #include "panels/ShippedNames.h"
 #include "project/Samples.h"
 
@@ -131,7 +132,7 @@ QWidget* StartPage::makeActions() {
         connect(button, &QCommandLinkButton::clicked, this, asked);
         actions->addWidget(button);
     };
-    addButton(tr("New Project…"), tr("Start from a textured model: OBJ, PLY, STL, glTF or 3MF."),
+    addButton(tr("New Project…"), tr("Start from a textured model: %1.").arg(anyModelFormat()),
               QStringLiteral("document-new"), &StartPage::newAsked);
     addButton(tr("Open Project…"), tr("Continue with a project that was saved."),
               QStringLiteral("document-open"), &StartPage::openAsked);

@@ -1,0 +1,44 @@
+#include "model/ModelFormats.h"
+
+#include <QCoreApplication>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ModelFormats)
+};
+
+QStringList names() {
+    QStringList all;
+    for (const ModelFormat& format : modelFormats()) {
+        all.push_back(format.name);
+    }
+    return all;
+}
+
+} // namespace
+
+const std::vector<ModelFormat>& modelFormats() {
+    static const std::vector<ModelFormat> formats{
+        {QStringLiteral("OBJ"), {QStringLiteral("obj")}},
+        {QStringLiteral("PLY"), {QStringLiteral("ply")}},
+        {QStringLiteral("STL"), {QStringLiteral("stl")}},
+        {QStringLiteral("glTF"), {QStringLiteral("gltf"), QStringLiteral("glb")}},
+        {QStringLiteral("3MF"), {QStringLiteral("3mf")}}};
+    return formats;
+}
+
+QString modelFormatNames() {
+    return names().join(QStringLiteral(", "));
+}
+
+QString anyModelFormat() {
+    QStringList all = names();
+    const QString last = all.takeLast();
+    //: Names of file formats: "OBJ, PLY, STL, glTF" or "3MF"
+    return Text::tr("%1 or %2").arg(all.join(QStringLiteral(", ")), last);
+}
+
+} // namespace dipwright
