@@ -33,8 +33,8 @@ enum class Navigation {
 enum class ViewDirection { Front, Back, Left, Right, Top, Bottom, Oblique };
 
 // The topology of the film as drawn; `texture` holds (u to the right, v down the sheet, 0 … 1) a
-// point. A triangle with a side longer than `longestSide` (mm) is torn, or hangs between film that
-// has been let go of and film on the body: it is not drawn.
+// point. A triangle with a side longer than `longestSide` (mm) is not drawn: it is torn, or hangs
+// between film that has been let go of and film on the body.
 struct FilmShape {
     std::vector<Eigen::Vector2f> texture;
     std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -10,6 +10,8 @@
 
 namespace dipwright {
 
+// The defaults of every dip: dipSetup() (Dip.h) always hands the solver each value of these
+// that it asks for, so the solver interface's own defaults, some of which differ, count for no job.
 struct ProcessSettings {
     MillimetresPerSecond dipSpeed{5};
     Seconds timeStep{1.0 / 60}; // paper-2020 only; the production film chooses its own step

@@ -20,6 +20,8 @@ struct FilmEdges {
     bool operator==(const FilmEdges&) const = default;
 };
 
+// The defaults of every film; the solver interface's own, some of which differ, count for no job,
+// as in ProcessSettings.
 struct FilmSettings {
     QString preset = QStringLiteral("A4");
     Millimetres width{210};  // the printed sheet along X

@@ -18,8 +18,8 @@ struct RayHit {
     float distance = std::numeric_limits<float>::infinity(); // in units of the direction's length
 };
 
-// Built once for a mesh, asked often. Copies its own view of the mesh; all queries are const, may
-// run on many threads at once and give the same answer in every run.
+// Built once for a mesh, asked often. Keeps a copy of the mesh, which may go or change afterwards.
+// All queries may run on many threads at once and give the same answer in every run.
 class SurfaceQuery {
 public:
     explicit SurfaceQuery(const TriangleMesh& mesh);

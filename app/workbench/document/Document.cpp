@@ -91,32 +91,32 @@ void Document::setResult(std::shared_ptr<const JobResult> result) {
     emit resultChanged();
 }
 
-bool Document::isFresh(Stage stage, std::size_t number) const {
+bool Document::isFresh(JobStep step, std::size_t number) const {
     if (!result_ || number >= result_->immersions.size() || number >= project_.immersions.size()) {
         return false;
     }
     const SheetInputs& then = result_->immersions[number].inputs;
     const SheetInputs now =
         sheetInputs(project_, {}, number, solverFor(project_.process.solver, *result_));
-    switch (stage) {
-    case Stage::Dip:
+    switch (step) {
+    case JobStep::Dip:
         return now.texture.dip == then.texture.dip;
-    case Stage::Texture:
+    case JobStep::Texture:
         return now.texture == then.texture;
-    case Stage::Sheet:
+    case JobStep::Sheet:
         return now == then;
     }
     return false;
 }
 
 Freshness Document::freshness(std::size_t number) const {
-    return {isFresh(Stage::Dip, number), isFresh(Stage::Texture, number),
-            isFresh(Stage::Sheet, number)};
+    return {isFresh(JobStep::Dip, number), isFresh(JobStep::Texture, number),
+            isFresh(JobStep::Sheet, number)};
 }
 
 bool Document::isFresh() const {
     for (std::size_t number = 0; number < project_.immersions.size(); ++number) {
-        if (!isFresh(Stage::Sheet, number)) {
+        if (!isFresh(JobStep::Sheet, number)) {
             return false;
         }
     }

@@ -11,8 +11,9 @@
 
 namespace dipwright {
 
-// What can be out of date, each later one including what it depends on.
-enum class Stage { Dip, Texture, Sheet };
+// The steps of the job whose results can be out of date, each later one including what it depends
+// on (pipeline/StepInputs.h).
+enum class JobStep { Dip, Texture, Sheet };
 
 // What of an immersion's results fits the project as it is.
 struct Freshness {
@@ -58,10 +59,10 @@ public:
     // The last run's result, which names the project it belongs to; null before the first.
     std::shared_ptr<const JobResult> result() const { return result_; }
     void setResult(std::shared_ptr<const JobResult> result);
-    // Whether there is a result of `stage` for immersion `number` that fits the project as it is: a
-    // run would take it over (StepInputs.h).
-    bool isFresh(Stage stage, std::size_t number) const;
-    Freshness freshness(std::size_t number) const; // of each stage
+    // Whether there is a result of `step` for immersion `number` that fits the project as it is: a
+    // run would take it over.
+    bool isFresh(JobStep step, std::size_t number) const;
+    Freshness freshness(std::size_t number) const; // of each step
     bool isFresh() const;                          // everything of every immersion
 
 signals:

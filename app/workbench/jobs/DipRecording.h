@@ -8,7 +8,8 @@
 
 namespace dipwright {
 
-// A grid of fewer points laid through the film's: every so-manieth column and row, and the last.
+// A coarser grid out of the film's points: every second, every third … column and row, as few as it
+// takes to have about the number of points asked for, and always the last column and row.
 struct ThinnedFilm {
     int columns = 0, rows = 0;
     std::vector<std::uint32_t> points; // index in the film, row by row

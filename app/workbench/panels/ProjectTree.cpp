@@ -101,7 +101,7 @@ void ProjectTree::refresh() {
             item.setText(0, project.name);
         } else if (node.part == ProjectPart::Immersion) {
             item.setText(0, project.immersions[node.immersion].name);
-            const bool fresh = document_->isFresh(Stage::Sheet, node.immersion);
+            const bool fresh = document_->isFresh(JobStep::Sheet, node.immersion);
             const bool any = document_->result() != nullptr;
             item.setIcon(1, icon(fresh ? QStringLiteral("done")
                                  : any ? QStringLiteral("stale")

@@ -21,7 +21,8 @@ public:
     // Runs what is out of date; nothing where nothing is. While jobs run, it is done after them,
     // and a dip that runs on older values is cancelled. `mostPoints`: of the recorded film.
     void run(std::size_t mostPoints);
-    // The dip is over at once, whenever the solver comes to its next step and notices.
+    // Cancels all jobs. A dip that runs is over for the session at once, with stopped(); its job
+    // ends on the worker thread when it next reports its progress.
     void cancel();
     bool isRunning() const { return running_; }
 

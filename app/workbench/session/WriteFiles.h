@@ -1,4 +1,4 @@
-// Files written beside what the user does.
+// Files that are written on the worker thread while the user goes on working.
 #pragma once
 
 #include "jobs/JobRunner.h"

@@ -45,7 +45,7 @@ std::size_t DipPlayback::mostPoints() const {
 void DipPlayback::showProject() {
     const Document& document = *session_.document();
     scene_.setProject(document.project(), session_.immersion());
-    if (!document.isFresh(Stage::Dip, session_.immersion()) && !session_.isRunning()) {
+    if (!document.isFresh(JobStep::Dip, session_.immersion()) && !session_.isRunning()) {
         timeline_.setPosition(0); // the body as it is set up now
     }
     emit momentShown();
@@ -77,7 +77,7 @@ void DipPlayback::showResults() {
     scene_.setResult(reading ? session_.outcome().result : nullptr, reading);
     const QSignalBlocker quiet(&timeline_);
     timeline_.setFrames(recording ? int(recording->size()) : 0);
-    const bool fresh = session_.document()->isFresh(Stage::Dip, session_.immersion());
+    const bool fresh = session_.document()->isFresh(JobStep::Dip, session_.immersion());
     timeline_.setPosition(fresh ? timeline_.frames() : 0);
     showMoment(timeline_.position());
 }

@@ -50,14 +50,17 @@ QImage onBareFilm(const QImage& printed, const solver::FilmGrid& grid) {
     return picture;
 }
 
-// How long film of so many points gets before it tears.
-float tornSide(const solver::FilmGrid& grid, int columns, int rows, double tearStretch) {
+// How long a triangle's side may be for the triangle to be drawn, film of so many points: a quick
+// test for drawing, not the measure of torn film (PrincipalStretch::isTorn). Live frames are drawn
+// while the solver runs, and thinned, so that the triangles drawn are not the film's own; and what
+// hangs between film let go of and film on the body is to be hidden too.
+float longestDrawnSide(const solver::FilmGrid& grid, int columns, int rows, double tearStretch) {
     return float(tearStretch * std::hypot(grid.width / (columns - 1), grid.depth / (rows - 1)));
 }
 
 FilmShape shapeOfGrid(const solver::FilmGrid& grid, const ThinnedFilm& film, double tearStretch) {
     FilmShape shape;
-    shape.longestSide = tornSide(grid, film.columns, film.rows, tearStretch);
+    shape.longestSide = longestDrawnSide(grid, film.columns, film.rows, tearStretch);
     shape.texture.reserve(film.points.size());
     for (const std::uint32_t point : film.points) {
         const Eigen::Vector2f rest = restPosition(grid, point);
@@ -198,8 +201,8 @@ void DipScene::showEnd() {
                              film.positions[point].end());
         }
         shape.triangles = filmTriangles(film.grid);
-        shape.longestSide = tornSide(film.grid, film.grid.columns, film.grid.rows,
-                                     result_->project.process.tearStretch);
+        shape.longestSide = longestDrawnSide(film.grid, film.grid.columns, film.grid.rows,
+                                             result_->project.process.tearStretch);
         if (extent_ == FilmExtent::OnBody) {
             std::size_t kept = 0;
             for (std::size_t t = 0; t < shape.triangles.size(); ++t) {

@@ -261,8 +261,8 @@ private:
         limit->setValue(1.25);
         QCOMPARE(document.project().ink.limit, 1.25);
         QVERIFY(driver.find<QLabel>("staleBanner")->isVisible());
-        QVERIFY(document.isFresh(Stage::Dip, 0));
-        QVERIFY(!document.isFresh(Stage::Sheet, 0));
+        QVERIFY(document.isFresh(JobStep::Dip, 0));
+        QVERIFY(!document.isFresh(JobStep::Sheet, 0));
         driver.trigger("undo");
         QVERIFY(document.project().ink.limit != 1.25);
         QVERIFY(document.isFresh());

@@ -152,9 +152,9 @@ private slots:
         setByPath(now, path, value);
         Document document(now);
         document.setResult(resultOf(before));
-        QTEST(!document.isFresh(Stage::Dip, 0), "dip");
-        QTEST(!document.isFresh(Stage::Texture, 0), "texture");
-        QTEST(!document.isFresh(Stage::Sheet, 0), "sheet");
+        QTEST(!document.isFresh(JobStep::Dip, 0), "dip");
+        QTEST(!document.isFresh(JobStep::Texture, 0), "texture");
+        QTEST(!document.isFresh(JobStep::Sheet, 0), "sheet");
     }
 
     void aSecondImmersionComesFromTheOtherSide() {
@@ -175,7 +175,7 @@ private slots:
         QCOMPARE(document.project().immersions[0].rotation[0].value(), 30);
     }
 
-    void freshnessTellsEachStage() {
+    void freshnessTellsEachStep() {
         Document document(boxProject());
         QVERIFY(document.freshness(0) == Freshness({false, false, false}));
         document.setResult(resultOf(document.project()));
