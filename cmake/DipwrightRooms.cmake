@@ -1,6 +1,6 @@
-# A room is a folder of core, solvers, app or plugins with a target of its own. Its headers are
-# included by their path below core, solvers, app or app/workbench: "film/DippedFilm.h". They are
-# not reached through the source tree, where every room lies beside every other, but through a
+# A room is a folder of core, solvers, app or plugins, or `parallel` below these, with a target of
+# its own. Its headers are included by their path below core, solvers, app or app/workbench:
+# "film/DippedFilm.h", "parallel/ParallelFor.h". They are not reached through the source tree, where every room lies beside every other, but through a
 # folder in the build tree that has, for each header of this one room, a file that includes it:
 #   rooms/TARGET/public/film/DippedFilm.h   for whoever links the target
 #   rooms/TARGET/private/film/Ledger.h      for the room itself, and for tests that say INSIDE TARGET

@@ -177,12 +177,9 @@ void declareThreads(QCommandLineParser& parser) {
                       QStringLiteral("N")});
 }
 
-ThreadLimit::ThreadLimit(const QCommandLineParser& parser) {
-    if (parser.isSet(threadsOption)) {
-        const int threads = wholeNumberOption(parser, threadsOption, 1, mostThreads);
-        control_ = std::make_unique<tbb::global_control>(
-            tbb::global_control::max_allowed_parallelism, std::size_t(threads));
-    }
+ThreadLimit threadLimit(const QCommandLineParser& parser) {
+    return ThreadLimit(
+        parser.isSet(threadsOption) ? wholeNumberOption(parser, threadsOption, 1, mostThreads) : 0);
 }
 
 } // namespace dipwright::cli

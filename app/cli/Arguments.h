@@ -2,10 +2,9 @@
 #pragma once
 
 #include "cli/Command.h"
+#include "parallel/Threads.h"
 #include "pipeline/JobOptions.h"
 #include "project/Project.h"
-
-#include <tbb/global_control.h>
 
 namespace dipwright::cli {
 
@@ -47,12 +46,6 @@ void applyFilmImage(JobOptions& options, const QCommandLineParser& parser);
 
 // --threads N: no more than N threads compute while the object lives.
 void declareThreads(QCommandLineParser& parser);
-class ThreadLimit {
-public:
-    explicit ThreadLimit(const QCommandLineParser& parser);
-
-private:
-    std::unique_ptr<tbb::global_control> control_;
-};
+ThreadLimit threadLimit(const QCommandLineParser& parser);
 
 } // namespace dipwright::cli

@@ -59,7 +59,7 @@ public:
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {
-        const ThreadLimit threads(parser);
+        const ThreadLimit threads = threadLimit(parser);
         if (!parser.isSet(immersionsOption)) {
             throw UsageError(QStringLiteral("Say how many dips to plan with --immersions 1 or 2"),
                              QStringLiteral("--immersions"));

@@ -124,7 +124,7 @@ public:
             listPrinters(console.out());
             return;
         }
-        const ThreadLimit threads(parser);
+        const ThreadLimit threads = threadLimit(parser);
         Project project = projectArgument(parser);
         chooseImmersion(project, parser);
         const PrintTarget target = printTarget(parser);

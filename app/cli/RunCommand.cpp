@@ -62,7 +62,7 @@ public:
             throw UsageError(QStringLiteral("Name the folder for the results with --out DIR"),
                              QStringLiteral("--out"));
         }
-        const ThreadLimit threads(parser);
+        const ThreadLimit threads = threadLimit(parser);
         Project project = projectArgument(parser);
         if (parser.isSet(dpiOption)) {
             setByOption(project, QStringLiteral("sheet.dpi"), parser.value(dpiOption),

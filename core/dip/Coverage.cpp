@@ -3,8 +3,7 @@
 #include "dip/TrappedAir.h"
 #include "dip/TrianglePieces.h"
 #include "geometry/SurfaceSamples.h"
-
-#include <tbb/parallel_for.h>
+#include "parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +25,7 @@ Coverage coverage(const LaidFilm& laid) {
     std::vector<double> painted(mesh.triangles.size(), 0);
     Coverage result;
     result.covered.assign(mesh.triangles.size(), 0);
-    tbb::parallel_for(std::size_t(0), mesh.triangles.size(), [&](std::size_t triangle) {
+    parallelFor(std::size_t(0), mesh.triangles.size(), [&](std::size_t triangle) {
         const double area = triangleArea(mesh, triangle);
         const int pieces =
             int(std::clamp(std::ceil(std::sqrt(area / sampleArea)), 1.0, double(mostPieces)));

@@ -2,8 +2,7 @@
 
 #include "dip/ContactLimit.h"
 #include "geometry/CornerNormals.h"
-
-#include <tbb/parallel_for.h>
+#include "parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +65,7 @@ std::vector<SurfacePoint> locatePoints(const DippedFilm& film, const SurfaceQuer
         vertexNormals(TriangleMesh{film.positions, filmTriangles(film.grid)});
     const float cell = cellSize(film.grid);
     std::vector<SurfacePoint> points(film.positions.size());
-    tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t point) {
+    parallelFor(std::size_t(0), points.size(), [&](std::size_t point) {
         if (film.adhered(point)) {
             points[point] = surfacePoint(film.positions[point], normals[point], query, cell);
         }
@@ -161,7 +160,7 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body,
     const CornerNormals normals = cornerNormals(body.model.mesh);
     const PaintTest test(body, normals, contact.surface, process, cellSize(film.grid));
     contact.painted.resize(triangles.size());
-    tbb::parallel_for(std::size_t(0), triangles.size(), [&](std::size_t triangle) {
+    parallelFor(std::size_t(0), triangles.size(), [&](std::size_t triangle) {
         const bool torn = stretches[triangle].isTorn(process.tearStretch);
         contact.painted[triangle] = !torn && test.isPainted(triangles[triangle]);
     });

@@ -1,8 +1,7 @@
 #include "dip/TrappedAir.h"
 
 #include "dip/TrianglePieces.h"
-
-#include <tbb/parallel_for.h>
+#include "parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +56,7 @@ private:
         const int second = (axis + 1) % 3;
         const int third = (axis + 2) % 3;
         const float length = spacing_ * float(size_[axis] - 1);
-        tbb::parallel_for(0, size_[second], [&](int along) {
+        parallelFor(0, size_[second], [&](int along) {
             for (int across = 0; across < size_[third]; ++across) {
                 Eigen::Vector3i cell = Eigen::Vector3i::Zero();
                 cell[second] = along;

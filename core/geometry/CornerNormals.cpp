@@ -1,9 +1,9 @@
 #include "geometry/CornerNormals.h"
 
 #include "base/Units.h"
+#include "parallel/ParallelFor.h"
 
 #include <cmath>
-#include <tbb/parallel_for.h>
 
 namespace dipwright {
 namespace {
@@ -35,7 +35,7 @@ CornerNormals cornerNormals(const TriangleMesh& mesh) {
         }
     }
     CornerNormals normals(faces.size());
-    tbb::parallel_for(std::size_t(0), faces.size(), [&](std::size_t i) {
+    parallelFor(std::size_t(0), faces.size(), [&](std::size_t i) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t position = mesh.triangles[i][corner];
             Eigen::Vector3f sum = Eigen::Vector3f::Zero();

@@ -2,11 +2,10 @@
 
 #include "base/Error.h"
 #include "geometry/SurfaceQuery.h"
+#include "parallel/ParallelFor.h"
+#include "parallel/ParallelSort.h"
 
 #include <QCoreApplication>
-
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +62,7 @@ public:
 
     void refine(int stride, const CancelSwitch& cancelSwitch) {
         const int planes = (field_.size[2] + stride - 1) / stride;
-        tbb::parallel_for(0, planes, [&](int plane) {
+        parallelFor(0, planes, [&](int plane) {
             cancelSwitch.throwIfCancelled();
             for (int j = 0; j < field_.size[1]; j += stride) {
                 refineRow(j, plane * stride, stride);
@@ -166,7 +165,7 @@ private:
         for (const auto& triangle : body.triangles) {
             addCrossings(axis, triangle, crossings);
         }
-        tbb::parallel_sort(crossings.begin(), crossings.end());
+        parallelSort(crossings.begin(), crossings.end());
         return crossings;
     }
 
@@ -216,7 +215,7 @@ private:
 
     void voteAlong(int axis, const std::vector<Crossing>& crossings) {
         const int rowsAcross = field_.size[(axis + 1) % 3];
-        tbb::parallel_for(0, field_.size[(axis + 2) % 3], [&](int plane) {
+        parallelFor(0, field_.size[(axis + 2) % 3], [&](int plane) {
             const auto before = [](const Crossing& crossing, int row) {
                 return crossing.row < row;
             };
@@ -273,7 +272,7 @@ private:
 };
 
 void applySigns(DistanceField& field, const InsideVotes& votes) {
-    tbb::parallel_for(std::size_t(0), std::size_t(field.size[2]), [&](std::size_t plane) {
+    parallelFor(std::size_t(0), std::size_t(field.size[2]), [&](std::size_t plane) {
         const std::size_t count = sampleIndex(field, 0, 0, 1);
         for (std::size_t sample = plane * count; sample < (plane + 1) * count; ++sample) {
             if (votes.isInside(sample)) {

@@ -3,13 +3,13 @@
 #include "base/Error.h"
 #include "dip/LaidFilm.h"
 #include "geometry/SurfaceSamples.h"
+#include "parallel/ParallelFor.h"
 #include "project/FilmSizes.h"
 
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <tbb/parallel_for.h>
 
 namespace dipwright {
 namespace {
@@ -125,14 +125,14 @@ private:
     void tryPoses(std::size_t begin, std::size_t end) {
         std::vector<std::shared_ptr<const PosedBody>> bodies(end - begin);
         std::vector<solver::BatchItem> items(end - begin);
-        tbb::parallel_for(begin, end, [&](std::size_t index) {
+        parallelFor(begin, end, [&](std::size_t index) {
             const std::size_t item = index - begin;
             bodies[item] =
                 std::make_shared<const PosedBody>(posedBody(*project_.model, poses_[index]));
             items[item].setup = dipSetup(*bodies[item], *field_, poses_[index], film_, process_);
         });
         simulate(items);
-        tbb::parallel_for(begin, end, [&](std::size_t index) {
+        parallelFor(begin, end, [&](std::size_t index) {
             const solver::BatchItem& item = items[index - begin];
             DippedFilm film = dippedFilm(item, poses_[index]);
             if (isStable(film, item.setup.motion.travel)) {

@@ -5,6 +5,7 @@
 #include "dip/Dip.h"
 #include "dip/LaidFilm.h"
 #include "geometry/SurfaceSamples.h"
+#include "parallel/ParallelFor.h"
 #include "pipeline/ResultFolder.h"
 #include "pipeline/SolverChoice.h"
 #include "project/FilmSizes.h"
@@ -12,7 +13,6 @@
 
 #include <QCoreApplication>
 #include <QJsonArray>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
@@ -70,7 +70,7 @@ float moved(const LaidFilm& own, const LaidFilm& finer, const SurfacePoint& plac
 std::vector<float> moved(const LaidFilm& own, const LaidFilm& finer,
                          const std::vector<SurfacePoint>& places) {
     std::vector<float> distances(places.size(), never);
-    tbb::parallel_for(std::size_t(0), places.size(), [&](std::size_t i) {
+    parallelFor(std::size_t(0), places.size(), [&](std::size_t i) {
         if (places[i].isValid()) {
             distances[i] = moved(own, finer, places[i]);
         }

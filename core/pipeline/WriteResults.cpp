@@ -3,6 +3,7 @@
 #include "base/Bytes.h"
 #include "base/Error.h"
 #include "base/Png.h"
+#include "parallel/ParallelFor.h"
 #include "pipeline/Report.h"
 #include "pipeline/ResultFolder.h"
 #include "results/Results.h"
@@ -11,8 +12,6 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QJsonDocument>
-
-#include <tbb/parallel_for_each.h>
 
 #include <functional>
 #include <mutex>
@@ -53,7 +52,8 @@ struct Piece {
 void writeTogether(const std::vector<Piece>& pieces, const Progress& progress) {
     std::mutex mutex;
     std::size_t written = 0;
-    tbb::parallel_for_each(pieces, [&](const Piece& piece) {
+    parallelFor(std::size_t(0), pieces.size(), [&](std::size_t index) {
+        const Piece& piece = pieces[index];
         {
             const std::scoped_lock lock(mutex);
             progress(double(written) / double(pieces.size()), piece.text);

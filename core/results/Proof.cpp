@@ -1,3 +1,4 @@
+#include "parallel/ParallelFor.h"
 #include "results/Results.h"
 
 #include "geometry/CornerNormals.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tbb/parallel_for.h>
 
 namespace dipwright {
 namespace {
@@ -206,7 +206,7 @@ public:
     View(const Scene& scene, const Camera& camera, float span, QSize size)
         : scene_(scene), camera_(camera), span_(span), size_(size),
           centres_(std::size_t(size.width()) * std::size_t(size.height())) {
-        tbb::parallel_for(0, size.height(), [&](int y) {
+        parallelFor(0, size.height(), [&](int y) {
             for (int x = 0; x < size.width(); ++x) {
                 centres_[index(x, y)] = encoded(sample(float(x) + 0.5f, float(y) + 0.5f));
             }
@@ -276,7 +276,7 @@ void traceView(QImage& picture, const QRect& tile, const Scene& scene, const Cam
     const View view(scene, camera, span, tile.size());
     uchar* bits = picture.bits();
     const qsizetype stride = picture.bytesPerLine();
-    tbb::parallel_for(0, tile.height(), [&](int y) {
+    parallelFor(0, tile.height(), [&](int y) {
         if (progress.cancelSwitch.isCancelled()) {
             return;
         }

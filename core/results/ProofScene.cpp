@@ -1,9 +1,10 @@
 #include "results/ProofScene.h"
 
+#include "parallel/ParallelFor.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tbb/parallel_for.h>
 
 namespace dipwright {
 namespace {
@@ -48,7 +49,7 @@ SkyLight::SkyLight(const TriangleMesh& mesh, const SurfaceQuery& query)
     // Fine meshes have many positions to share the noise of few rays.
     const auto rays = int(std::clamp<std::size_t>(4'000'000 / mesh.positions.size(), 12, 96));
     const std::vector<Eigen::Vector3f> overBody = hemisphere(rays);
-    tbb::parallel_for(std::size_t(0), body_.size(), [&](std::size_t i) {
+    parallelFor(std::size_t(0), body_.size(), [&](std::size_t i) {
         body_[i] = openShare(query, mesh.positions[i], normals[i], overBody, 0.4f * size);
     });
 
@@ -57,7 +58,7 @@ SkyLight::SkyLight(const TriangleMesh& mesh, const SurfaceQuery& query)
     tableOrigin_ = centre - Eigen::Vector2f::Constant(1.2f * size);
     tableSpacing_ = 2.4f * size / tableCells;
     const std::vector<Eigen::Vector3f> overTable = hemisphere(192);
-    tbb::parallel_for(std::size_t(0), table_.size(), [&](std::size_t i) {
+    parallelFor(std::size_t(0), table_.size(), [&](std::size_t i) {
         const auto row = float(i / (tableCells + 1));
         const auto column = float(i % (tableCells + 1));
         const Eigen::Vector3f place(tableOrigin_.x() + column * tableSpacing_, tableHeight_,

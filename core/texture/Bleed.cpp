@@ -1,7 +1,6 @@
 #include "texture/Bleed.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +20,8 @@ class ColumnDistances {
 public:
     ColumnDistances(const QImage& image, int radius)
         : width_(image.width()), down_(std::size_t(image.width()) * std::size_t(image.height())) {
-        tbb::parallel_for(tbb::blocked_range<int>(0, width_, 256), [&](const auto& columns) {
-            sweep(image, columns.begin(), columns.end(), radius);
-        });
+        parallelForPieces(0, width_, 256,
+                          [&](int begin, int end) { sweep(image, begin, end, radius); });
     }
     const std::int16_t* row(int row) const {
         return &down_[std::size_t(row) * std::size_t(width_)];
@@ -107,7 +105,7 @@ void continueColour(QImage& image, double radius) {
     const ColumnDistances distances(image, int(within));
     auto* pixels = reinterpret_cast<std::uint32_t*>(image.bits());
     const auto stride = image.bytesPerLine() / std::ptrdiff_t(sizeof(std::uint32_t));
-    tbb::parallel_for(0, image.height(), [&, width = image.width()](int row) {
+    parallelFor(0, image.height(), [&, width = image.width()](int row) {
         continueRow(pixels + row * stride, stride, width, distances.row(row), within);
     });
 }

@@ -1,6 +1,6 @@
 #include "texture/ChartMap.h"
 
-#include <tbb/parallel_for.h>
+#include "parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +93,7 @@ ChartMap::ChartMap(const TexturedMesh& model, int texture)
             inBand[std::size_t(at)].push_back(triangle);
         }
     }
-    tbb::parallel_for(0, bands, [&](int band) {
+    parallelFor(0, bands, [&](int band) {
         fillRows(model, inBand[std::size_t(band)], band * bandRows,
                  std::min(height_, (band + 1) * bandRows));
     });
@@ -131,7 +131,7 @@ void ChartMap::findBlocks() {
     blockColumns_ = (width_ + blockSize - 1) / blockSize;
     const int blockRows = (height_ + blockSize - 1) / blockSize;
     block_.resize(std::size_t(blockColumns_) * std::size_t(blockRows));
-    tbb::parallel_for(0, blockRows, [&](int blockRow) {
+    parallelFor(0, blockRows, [&](int blockRow) {
         for (int blockColumn = 0; blockColumn < blockColumns_; ++blockColumn) {
             const auto texel = [&](int row, int column) {
                 return owner_[std::size_t(row) * std::size_t(width_) + std::size_t(column)];

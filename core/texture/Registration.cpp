@@ -1,9 +1,8 @@
 #include "texture/Registration.h"
 
 #include "geometry/SurfaceSamples.h"
+#include "parallel/ParallelFor.h"
 #include "texture/ReverseMap.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +89,7 @@ Registration registrationError(const LaidFilm& planned, const LaidFilm& laid) {
     const ReverseMap map(planned);
     constexpr float leftOut = -1;
     std::vector<float> errors(samples.size(), leftOut);
-    tbb::parallel_for(std::size_t(0), samples.size(), [&](std::size_t sample) {
+    parallelFor(std::size_t(0), samples.size(), [&](std::size_t sample) {
         const std::optional<FilmPlace> place = laid.place(samples[sample]);
         if (place && inside[place->triangle / 2]) {
             errors[sample] =

@@ -1,7 +1,6 @@
 #include "texture/ReverseMap.h"
 
 #include <Eigen/LU>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "texture/ReverseTexture.h"
 
 #include "base/Error.h"
+#include "parallel/ParallelFor.h"
 #include "texture/Bleed.h"
 #include "texture/BodyColours.h"
 #include "texture/ReverseMap.h"
@@ -8,7 +9,6 @@
 #include <QCoreApplication>
 
 #include <Eigen/LU>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -283,7 +283,7 @@ ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions&
     const FilmPainter painter(laid, map, options, result.image);
     const solver::FilmGrid& grid = laid.film().grid;
     std::vector<double> shortfall(std::size_t(grid.rows - 1), 0);
-    tbb::parallel_for(0, grid.rows - 1, [&](int row) {
+    parallelFor(0, grid.rows - 1, [&](int row) {
         progress.cancelSwitch.throwIfCancelled();
         shortfall[std::size_t(row)] = painter.paintCells(row);
     });

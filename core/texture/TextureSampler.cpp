@@ -1,7 +1,8 @@
 #include "texture/TextureSampler.h"
 
+#include "parallel/ParallelFor.h"
+
 #include <Eigen/SVD>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +96,7 @@ TextureSampler::Level TextureSampler::halved(const Level& level) const {
     const std::vector<Cover> rows = halvingCovers(level.height);
     Level half{int(columns.size()), int(rows.size()), {}};
     half.texels.resize(columns.size() * rows.size());
-    tbb::parallel_for(std::size_t(0), rows.size(), [&](std::size_t row) {
+    parallelFor(std::size_t(0), rows.size(), [&](std::size_t row) {
         for (std::size_t column = 0; column < columns.size(); ++column) {
             const Cover& across = columns[column];
             LinearColour sum = LinearColour::Zero();

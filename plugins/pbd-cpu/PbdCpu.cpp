@@ -3,12 +3,11 @@
 #include "measuring/cpu/CpuCeiling.h"
 #include "measuring/cpu/CpuName.h"
 #include "paper/cpu/PaperFilm.h"
+#include "parallel/ParallelFor.h"
+#include "parallel/Threads.h"
 #include "production/cpu/ProductionFilm.h"
 
 #include <dipwright/FilmSolver.h>
-
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
 
 #include <atomic>
 #include <mutex>
@@ -85,7 +84,7 @@ void simulate(solver::BatchItem& item, Cancellation& cancelled) {
 class PbdCpu : public solver::SolverModule {
 public:
     PbdCpu()
-        : device_(std::to_string(tbb::info::default_concurrency()) + " × " + cpuName() + ", " +
+        : device_(std::to_string(coreCount()) + " × " + cpuName() + ", " +
                   cpu::paperFilmInstructionSet()) {}
 
     const char* unavailableReason() const override { return nullptr; }
@@ -96,8 +95,8 @@ public:
     bool runBatch(std::span<solver::BatchItem> items, solver::CancelFunction cancelled,
                   void* context) const override {
         Cancellation cancellation(cancelled, context);
-        tbb::parallel_for(std::size_t(0), items.size(),
-                          [&](std::size_t index) { simulate(items[index], cancellation); });
+        parallelFor(std::size_t(0), items.size(),
+                    [&](std::size_t index) { simulate(items[index], cancellation); });
         return !cancellation.isCancelled();
     }
     std::optional<solver::Ceiling> measuredCeiling() const override { return cpuCeiling(); }

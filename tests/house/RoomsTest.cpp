@@ -36,7 +36,7 @@ struct Room {
     QStringList handedOn;       // those of them that its users see as well
     QStringList includeFolders; // where its own sources and its users' look for headers
     bool hasUsers = false;      // it is a library, not a program or a plugin
-    // "core", "solvers", "plugins" or "app"
+    // "parallel", "core", "solvers", "plugins" or "app"
     QString storey() const { return folders.front().section(QLatin1Char('/'), 0, 0); }
 };
 
@@ -271,6 +271,7 @@ private Q_SLOTS:
     void solversAndPluginsIncludeNeitherQtNorVtk();
     void widgetsStayWithThoseWhoLinkThem();
     void vtkStaysInItsFolders();
+    void tbbStaysInItsFolder();
 };
 
 void RoomsTest::everyFolderIsOneRoom() {
@@ -280,7 +281,7 @@ void RoomsTest::everyFolderIsOneRoom() {
         roomFolders << room.folders;
     }
     QStringList folders;
-    for (const char* storey : {"core", "solvers", "plugins", "app"}) {
+    for (const char* storey : {"parallel", "core", "solvers", "plugins", "app"}) {
         for (const QString& file :
              filesIn(QLatin1String(storey), {"*.h", "*.cpp", "*.cu", "*.cuh"})) {
             folders << file.section(QLatin1Char('/'), 0, -2);
@@ -302,7 +303,7 @@ void RoomsTest::roomsAreReachedThroughTheirTargets() {
 }
 
 void RoomsTest::noIncludeClimbsOutOfItsFolder() {
-    for (const char* storey : {"core", "solvers", "plugins", "app"}) {
+    for (const char* storey : {"parallel", "core", "solvers", "plugins", "app"}) {
         expectNone(offenders(QLatin1String(storey), [](const Include& include) {
             return include.target.contains(QLatin1String("..")) ||
                    QDir::isAbsolutePath(include.target);
@@ -338,13 +339,14 @@ void RoomsTest::roomsHandOnWhatTheirHeadersInclude() {
     }));
 }
 
-// app → core → the solvers' interface ← solvers ← plugins, and within each only what is declared
-// earlier: core's order stands in core/CMakeLists.txt.
+// app → core → the solvers' interface ← solvers ← plugins, `parallel` below all of them, and within
+// each only what is declared earlier: core's order stands in core/CMakeLists.txt.
 void RoomsTest::roomsLinkOnlyWhatIsBelow() {
-    const std::map<QString, QStringList> storeys{{"core", {"core"}},
-                                                 {"solvers", {"solvers"}},
-                                                 {"plugins", {"solvers"}},
-                                                 {"app", {"core", "app"}}};
+    const std::map<QString, QStringList> storeys{{"parallel", {}},
+                                                 {"core", {"core", "parallel"}},
+                                                 {"solvers", {"solvers", "parallel"}},
+                                                 {"plugins", {"solvers", "parallel"}},
+                                                 {"app", {"core", "app", "parallel"}}};
     QStringList below;
     expectNone(complaints([&](const Room& room) {
         QStringList allowed{solverInterface};
@@ -374,7 +376,7 @@ void RoomsTest::headersThatSayTheyArePrivateAre() {
 }
 
 void RoomsTest::solversAndPluginsIncludeNeitherQtNorVtk() {
-    for (const char* storey : {"solvers", "plugins"}) {
+    for (const char* storey : {"parallel", "solvers", "plugins"}) {
         expectNone(offenders(QLatin1String(storey), [](const Include& include) {
             return isQt(include) || isVtk(include);
         }));
@@ -411,6 +413,16 @@ void RoomsTest::vtkStaysInItsFolders() {
     expectNone(offenders(QStringLiteral("app"), [&](const Include& include) {
         return isVtk(include) && !lives(include, "app/viewport/");
     }));
+}
+
+// Elsewhere the thread sanitizer would not see what a loop's threads hand each other.
+void RoomsTest::tbbStaysInItsFolder() {
+    for (const char* folder : {"core", "solvers", "plugins", "app", "resources", "tests"}) {
+        expectNone(offenders(QLatin1String(folder), [](const Include& include) {
+            return include.target.startsWith(QLatin1String("tbb/")) ||
+                   include.target.startsWith(QLatin1String("oneapi/"));
+        }));
+    }
 }
 
 QTEST_GUILESS_MAIN(RoomsTest)

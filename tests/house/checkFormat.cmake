@@ -1,5 +1,6 @@
 # Fails where clang-format would lay out a source file otherwise than it stands.
 file(GLOB_RECURSE sources
+    ${SOURCE_FOLDER}/parallel/*.h ${SOURCE_FOLDER}/parallel/*.cpp
     ${SOURCE_FOLDER}/app/*.h ${SOURCE_FOLDER}/app/*.cpp
     ${SOURCE_FOLDER}/core/*.h ${SOURCE_FOLDER}/core/*.cpp
     ${SOURCE_FOLDER}/solvers/*.h ${SOURCE_FOLDER}/solvers/*.cpp ${SOURCE_FOLDER}/solvers/*.cu

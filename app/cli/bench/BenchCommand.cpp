@@ -130,7 +130,7 @@ public:
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {
-        const ThreadLimit threads(parser);
+        const ThreadLimit threads = threadLimit(parser);
         const int rows = wholeNumberOption(parser, rowsOption, 1, tableOneRows);
         const int runs = wholeNumberOption(parser, runsOption, 1, 1000);
         const QStringList parts = chosenParts(parser);

@@ -2,9 +2,7 @@
 #pragma once
 
 #include "common/cpu/FlushDenormals.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <vector>
@@ -22,13 +20,12 @@ void forRowBands(int rows, int columns, const Work& work) {
         return;
     }
     const int bands = (rows + rowsPerBand - 1) / rowsPerBand;
-    tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1),
-                      [&](const tbb::blocked_range<int>& range) {
-                          const FlushDenormals flush;
-                          for (int band = range.begin(); band != range.end(); ++band) {
-                              work(band * rowsPerBand, std::min(rows, (band + 1) * rowsPerBand));
-                          }
-                      });
+    parallelForPieces(0, bands, 1, [&](int first, int last) {
+        const FlushDenormals flush;
+        for (int band = first; band < last; ++band) {
+            work(band * rowsPerBand, std::min(rows, (band + 1) * rowsPerBand));
+        }
+    });
 }
 
 // The sum of sumOfRow(row) over all rows, always added in the same order.

@@ -63,9 +63,8 @@ HWY_AFTER_NAMESPACE();
 
 #include "measuring/LeastSeconds.h"
 #include "measuring/cpu/CpuCeiling.h"
-
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include "parallel/ParallelFor.h"
+#include "parallel/Threads.h"
 
 #include <vector>
 
@@ -81,16 +80,13 @@ constexpr std::size_t floatsAtOnce = std::size_t(1) << 20;
 constexpr std::size_t pieces = 32; // 128 MiB an array
 
 double measuredFlops() {
-    const int threads = tbb::this_task_arena::max_concurrency();
+    const int threads = loopThreads();
     std::vector<double> flops(std::size_t(threads), 0.0);
     std::vector<float> sinks(std::size_t(threads), 0.0f);
     const double seconds = numerics::leastSeconds([&] {
-        tbb::parallel_for(
-            std::size_t(0), flops.size(),
-            [&](std::size_t thread) {
-                flops[thread] = HWY_DYNAMIC_DISPATCH(multiplyAdd)(rounds, &sinks[thread]);
-            },
-            tbb::simple_partitioner());
+        parallelForEvenly(std::size_t(0), flops.size(), [&](std::size_t thread) {
+            flops[thread] = HWY_DYNAMIC_DISPATCH(multiplyAdd)(rounds, &sinks[thread]);
+        });
     });
     double sum = 0;
     for (const double each : flops) {
@@ -102,7 +98,7 @@ double measuredFlops() {
 double measuredBytes() {
     std::vector<float> a(pieces * floatsAtOnce), b(a.size(), 1.0f), c(a.size(), 2.0f);
     const double seconds = numerics::leastSeconds([&] {
-        tbb::parallel_for(std::size_t(0), pieces, [&](std::size_t piece) {
+        parallelFor(std::size_t(0), pieces, [&](std::size_t piece) {
             const std::size_t first = piece * floatsAtOnce;
             HWY_DYNAMIC_DISPATCH(triad)(&a[first], &b[first], &c[first], floatsAtOnce);
         });

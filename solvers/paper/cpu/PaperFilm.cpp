@@ -4,10 +4,8 @@
 #include "common/cpu/FlushDenormals.h"
 #include "paper/cpu/PaperBand.h"
 #include "paper/cpu/SelfContact.h"
-
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include "parallel/ParallelFor.h"
+#include "parallel/Threads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +49,7 @@ private:
     std::unique_ptr<SharedFilm> shared_;
     std::vector<PaperBand> bands_;
     std::unique_ptr<SelfContact> selfContact_;
-    std::unique_ptr<tbb::task_arena> arena_;
+    std::unique_ptr<ThreadTeam> team_;
     solver::DipState progress_;
 };
 
@@ -62,9 +60,8 @@ void PaperFilm::begin(const solver::DipSetup& setup) {
             "this solver has no isotropic film on water");
     bands_.clear();
     model_ = PaperModel(setup, kernels_);
-    const int threads =
-        setup.settings.threads > 0 ? setup.settings.threads : tbb::info::default_concurrency();
-    arena_ = std::make_unique<tbb::task_arena>(std::min(threads, tbb::info::default_concurrency()));
+    const int threads = setup.settings.threads > 0 ? setup.settings.threads : coreCount();
+    team_ = std::make_unique<ThreadTeam>(std::min(threads, coreCount()));
     layFlat(setup.pinned);
     cutIntoBands(threads);
     selfContact_ = setup.settings.selfContact ? std::make_unique<SelfContact>(setup.film) : nullptr;
@@ -106,8 +103,8 @@ void PaperFilm::cutIntoBands(int threads) {
 }
 
 solver::DipState PaperFilm::advance(int maximumSteps) {
-    require(arena_ != nullptr, "the dip has not begun");
-    arena_->execute([&] {
+    require(team_ != nullptr, "the dip has not begun");
+    team_->run([&] {
         for (int i = 0; i < maximumSteps && !progress_.finished; ++i) {
             step();
         }
@@ -198,7 +195,7 @@ void PaperFilm::pass(const PaperPass& pass) {
     if (bands_.size() == 1) {
         run(0);
     } else {
-        tbb::parallel_for(std::size_t(0), bands_.size(), run, tbb::static_partitioner());
+        parallelForEvenly(std::size_t(0), bands_.size(), run);
     }
     shared_->read = 1 - shared_->read;
 }

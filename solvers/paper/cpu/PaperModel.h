@@ -4,19 +4,15 @@
 
 #include "common/BodyFrame.h"
 #include "common/FieldSampling.h"
+#include "paper/cpu/AlignedVector.h"
 #include "paper/cpu/PaperKernels.h"
 
 #include <dipwright/FilmSolver.h>
-
-#include <tbb/cache_aligned_allocator.h>
 
 #include <cstring>
 #include <vector>
 
 namespace dipwright::cpu {
-
-template <typename Value>
-using AlignedVector = std::vector<Value, tbb::cache_aligned_allocator<Value>>;
 
 // The constants of a dip.
 struct PaperModel {

@@ -3,12 +3,10 @@
 // threads.
 #pragma once
 
+#include "parallel/ParallelFor.h"
 #include "production/cpu/PlaneFilm.h"
 #include "production/cpu/PlaneMultigrid.h"
 #include "production/formulas/HostFilm.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -95,10 +93,9 @@ numerics::LineState<float> CpuBackend::findCrossing(const Crosses& crosses, cons
     const std::vector<int> triangles = crossingTriangles(crosses);
     std::vector<PlaneFilm::Crossing> crossing(triangles.size());
     std::vector<float> steepness(triangles.size());
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, triangles.size(), trianglesAtOnce),
-        [&](const tbb::blocked_range<std::size_t>& range) {
-            for (std::size_t i = range.begin(); i != range.end(); ++i) {
+    parallelForPieces(
+        std::size_t(0), triangles.size(), trianglesAtOnce, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
                 const auto unfolded =
                     unfold(triangles[i],
                            numerics::triangleCorners(model().columns, std::size_t(triangles[i])));

@@ -1,9 +1,8 @@
 #include "production/cpu/ProductionFilm.h"
 
 #include "common/SetupLimits.h"
+#include "parallel/Threads.h"
 #include "production/cpu/CpuBackend.h"
-
-#include <tbb/task_arena.h>
 
 #include <optional>
 
@@ -16,13 +15,14 @@ public:
     void begin(const solver::DipSetup& setup) override {
         numerics::requireValid(setup);
         film_.reset();
-        arena_.emplace(setup.settings.threads > 0 ? setup.settings.threads
-                                                  : int(tbb::task_arena::automatic));
+        team_.emplace(setup.settings.threads);
         film_.emplace(setup);
     }
 
     solver::DipState advance(int maximumSteps) override {
-        return arena_->execute([&] { return numerics::advance(*film_, maximumSteps); });
+        solver::DipState state;
+        team_->run([&] { state = numerics::advance(*film_, maximumSteps); });
+        return state;
     }
 
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    std::optional<tbb::task_arena> arena_;
+    std::optional<ThreadTeam> team_;
     std::optional<CpuBackend> film_;
 };
 

@@ -3,10 +3,9 @@
 #include "base/Error.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
+#include "parallel/Threads.h"
 
 #include <QtTest>
-
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <functional>
@@ -234,8 +233,8 @@ void DistanceFieldTest::turnedTrianglesDoNotTurnTheSign() {
 
 void DistanceFieldTest::resultDoesNotDependOnThreads() {
     const TriangleMesh body = ellipsoidMesh({35, 20, 50}, 60, 120);
-    const auto build = [&](std::size_t threads) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const auto build = [&](int threads) {
+        const ThreadLimit limit(threads);
         return buildDistanceField(body, 96, Progress()).distance;
     };
     const auto alone = build(1);

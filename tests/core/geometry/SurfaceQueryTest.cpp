@@ -2,10 +2,9 @@
 #include "geometry/SurfaceQuery.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
+#include "parallel/ParallelFor.h"
 
 #include <QtTest>
-
-#include <tbb/parallel_for.h>
 
 #include <cmath>
 #include <random>
@@ -196,8 +195,8 @@ void SurfaceQueryTest::answersAreTheSameFromManyThreads() {
         alone.push_back(query.closest(place));
     }
     std::vector<ClosestPoint> together(places.size());
-    tbb::parallel_for(std::size_t(0), places.size(),
-                      [&](std::size_t i) { together[i] = query.closest(places[i]); });
+    parallelFor(std::size_t(0), places.size(),
+                [&](std::size_t i) { together[i] = query.closest(places[i]); });
     QVERIFY(std::equal(alone.begin(), alone.end(), together.begin(), isSame));
 }
 

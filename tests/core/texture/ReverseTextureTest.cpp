@@ -3,10 +3,10 @@
 #include "DippedByHand.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
+#include "parallel/Threads.h"
 #include "texture/LinearLight.h"
 
 #include <QtTest>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <functional>
@@ -304,7 +304,7 @@ void ReverseTextureTest::sameBytesOnOneThreadAndOnMany() {
     const TexturedMesh model = test::globe(radius, 60, 120, drawn(waves, {300, 200}));
     const DippedFilm film = test::viscousOnSphere(test::a4Grid(), radius, 1.8);
     const ReverseTexture many = reversed(model, film, uncompensated());
-    const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
+    const ThreadLimit oneThread(1);
     const ReverseTexture one = reversed(model, film, uncompensated());
     QVERIFY(one.image == many.image);
     QCOMPARE(one.seamTriangles, many.seamTriangles);

@@ -1,0 +1,30 @@
+// Arrays that begin with a cache line.
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace dipwright::cpu {
+
+template <typename Value>
+struct AlignedAllocator {
+    using value_type = Value;
+    static constexpr std::align_val_t alignment{128}; // lines are fetched in pairs
+
+    AlignedAllocator() = default;
+    template <typename Other>
+    AlignedAllocator(const AlignedAllocator<Other>&) {}
+
+    Value* allocate(std::size_t count) {
+        return static_cast<Value*>(::operator new(count * sizeof(Value), alignment));
+    }
+    void deallocate(Value* values, std::size_t) { ::operator delete(values, alignment); }
+
+    bool operator==(const AlignedAllocator&) const = default;
+};
+
+template <typename Value>
+using AlignedVector = std::vector<Value, AlignedAllocator<Value>>;
+
+} // namespace dipwright::cpu

@@ -1,0 +1,140 @@
+// Loops, sorting and teams of threads.
+#include "parallel/ParallelFor.h"
+#include "parallel/ParallelSort.h"
+#include "parallel/Threads.h"
+
+#include <QtTest>
+
+#include <atomic>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+using namespace dipwright;
+
+class ParallelTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everyIndexIsVisitedOnce();
+    void piecesAreAllOfTheRange();
+    void emptyLoopsDoNothing();
+    void loopsMayStandInLoops();
+    void anExceptionReachesTheCaller();
+    void sortedAsByOneThread_data();
+    void sortedAsByOneThread();
+    void aLimitHoldsWhileItLives();
+    void aTeamDoesItsWorkBeforeItReturns();
+    void aTeamHandsOnWhatItsWorkThrows();
+};
+
+void ParallelTest::everyIndexIsVisitedOnce() {
+    std::vector<int> visits(10'000, 0);
+    parallelFor(3, 10'000, [&](int index) { ++visits[std::size_t(index)]; });
+    parallelForEvenly(std::size_t(3), visits.size(), [&](std::size_t index) { ++visits[index]; });
+    QCOMPARE(std::count(visits.begin(), visits.end(), 0), 3);
+    QCOMPARE(std::count(visits.begin(), visits.end(), 2), 9'997);
+}
+
+void ParallelTest::piecesAreAllOfTheRange() {
+    std::vector<int> visits(10'000, 0);
+    parallelForPieces(0, 10'000, 64, [&](int first, int last) {
+        for (int index = first; index < last; ++index) {
+            ++visits[std::size_t(index)];
+        }
+    });
+    QCOMPARE(std::count(visits.begin(), visits.end(), 1), 10'000);
+}
+
+void ParallelTest::emptyLoopsDoNothing() {
+    std::atomic<int> calls = 0;
+    const auto count = [&](int) { ++calls; };
+    parallelFor(0, 0, count);
+    parallelFor(0, -1, count);
+    parallelForEvenly(5, 5, count);
+    QCOMPARE(int(calls), 0);
+}
+
+void ParallelTest::loopsMayStandInLoops() {
+    std::vector<int> sums(100, 0);
+    parallelFor(0, 100, [&](int outer) {
+        std::vector<int> squares(1000);
+        parallelFor(0, 1000, [&](int inner) { squares[std::size_t(inner)] = outer * inner; });
+        sums[std::size_t(outer)] = std::accumulate(squares.begin(), squares.end(), 0);
+    });
+    for (int outer = 0; outer < 100; ++outer) {
+        QCOMPARE(sums[std::size_t(outer)], outer * 499'500);
+    }
+}
+
+void ParallelTest::anExceptionReachesTheCaller() {
+    try {
+        parallelFor(0, 1000, [](int index) {
+            if (index % 10 == 7) {
+                throw std::runtime_error("index " + std::to_string(index));
+            }
+        });
+        QFAIL("nothing was thrown");
+    } catch (const std::runtime_error& error) {
+        QVERIFY(QByteArray(error.what()).endsWith('7'));
+    }
+}
+
+void ParallelTest::sortedAsByOneThread_data() {
+    QTest::addColumn<int>("size");
+    for (const int size : {0, 1, 8191, 8192, 8193, 100'000}) {
+        QTest::addRow("%d", size) << size;
+    }
+}
+
+void ParallelTest::sortedAsByOneThread() {
+    QFETCH(int, size);
+    std::mt19937 random(1);
+    std::vector<unsigned> numbers(static_cast<std::size_t>(size));
+    std::generate(numbers.begin(), numbers.end(), [&] { return random() % 5000; });
+    std::vector<unsigned> expected = numbers;
+    std::sort(expected.begin(), expected.end());
+    parallelSort(numbers.begin(), numbers.end());
+    QVERIFY(numbers == expected);
+}
+
+void ParallelTest::aLimitHoldsWhileItLives() {
+    const auto mostAtOnce = [] {
+        std::atomic<int> now = 0, most = 0;
+        parallelFor(0, 1000, [&](int) {
+            const int together = ++now;
+            int before = most;
+            while (before < together && !most.compare_exchange_weak(before, together)) {
+            }
+            --now;
+        });
+        return int(most);
+    };
+    {
+        const ThreadLimit limit(1);
+        QCOMPARE(mostAtOnce(), 1);
+    }
+    const ThreadLimit none(0);
+    QVERIFY(mostAtOnce() <= coreCount());
+}
+
+void ParallelTest::aTeamDoesItsWorkBeforeItReturns() {
+    ThreadTeam team(2);
+    std::vector<int> squares(1000);
+    int threads = 0;
+    team.run([&] {
+        threads = loopThreads();
+        parallelFor(0, 1000, [&](int index) { squares[std::size_t(index)] = index * index; });
+    });
+    QCOMPARE(threads, 2);
+    QCOMPARE(squares.back(), 998'001);
+}
+
+void ParallelTest::aTeamHandsOnWhatItsWorkThrows() {
+    ThreadTeam team(1);
+    QVERIFY_EXCEPTION_THROWN(team.run([] { throw std::runtime_error("work"); }),
+                             std::runtime_error);
+}
+
+QTEST_APPLESS_MAIN(ParallelTest)
+#include "ParallelTest.moc"
