@@ -359,6 +359,10 @@
         <source>The picture cannot be stored as PNG: %1</source>
         <translation>Das Bild kann nicht als PNG gespeichert werden: %1</translation>
     </message>
+    <message>
+        <source>The picture cannot be stored as PNG, it is empty or too large for this computer&apos;s memory</source>
+        <translation>Das Bild kann nicht als PNG gespeichert werden, es ist leer oder zu groß für den Speicher dieses Rechners</translation>
+    </message>
 </context>
 <context>
     <name>PoseSearch</name>

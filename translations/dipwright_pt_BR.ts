@@ -359,6 +359,10 @@
         <source>The picture cannot be stored as PNG: %1</source>
         <translation>A imagem não pode ser guardada como PNG: %1</translation>
     </message>
+    <message>
+        <source>The picture cannot be stored as PNG, it is empty or too large for this computer&apos;s memory</source>
+        <translation>A imagem não pode ser guardada como PNG, está vazia ou é grande demais para a memória deste computador</translation>
+    </message>
 </context>
 <context>
     <name>PoseSearch</name>

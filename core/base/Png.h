@@ -8,14 +8,10 @@ class QIODevice;
 
 namespace dipwright {
 
-// Fast: half the time of Small, half again as many bytes.
-enum class PngPacking { Small, Fast };
-
-// Throws Error with Qt's reason where the picture cannot be packed or `device` takes no more;
-// `where` is what the user knows the picture by.
-void writePng(const QImage& image, QIODevice& device, const QString& where,
-              PngPacking packing = PngPacking::Small);
-QByteArray pngBytes(const QImage& image, const QString& where,
-                    PngPacking packing = PngPacking::Small);
+// With eight bits a channel, colour space and resolution. Packed on all cores, the same bytes in
+// every run. Throws Error where there is no picture or no memory for it, or where `device` takes no
+// more; `where` is what the user knows the picture by.
+void writePng(const QImage& image, QIODevice& device, const QString& where);
+QByteArray pngBytes(const QImage& image, const QString& where);
 
 } // namespace dipwright

@@ -171,7 +171,7 @@ QByteArray writeModel(const TexturedMesh& model) {
         stream << quint64(material.colour.rgba64()) << qint32(material.texture);
     }
     for (const QImage& texture : model.textures) {
-        stream << pngBytes(texture, Text::tr("a texture of the model"), PngPacking::Fast);
+        stream << pngBytes(texture, Text::tr("a texture of the model"));
     }
     return bytes;
 }

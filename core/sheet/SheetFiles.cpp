@@ -119,7 +119,7 @@ void writeSheetPng(const Sheet& sheet, QIODevice& device) {
         int(std::lround(pixelsPerMillimetre(sheet.settings.resolution) * 1000));
     image.setDotsPerMeterX(dotsPerMetre);
     image.setDotsPerMeterY(dotsPerMetre);
-    writePng(image, device, QStringLiteral("sheet.png"), PngPacking::Fast);
+    writePng(image, device, QStringLiteral("sheet.png"));
 }
 
 PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction) {
