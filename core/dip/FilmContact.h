@@ -28,8 +28,11 @@ struct FilmContact {
         return painted[triangle] != 0 || limits.contains(triangle);
     }
     bool reaches(std::uint32_t triangle, const Eigen::Vector3f& weights) const {
+        if (painted[triangle] != 0) {
+            return true;
+        }
         const auto limit = limits.find(triangle);
-        return limit == limits.end() ? painted[triangle] != 0 : weights.dot(limit->second) >= 0;
+        return limit != limits.end() && weights.dot(limit->second) >= 0;
     }
 };
 

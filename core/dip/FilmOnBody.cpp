@@ -34,12 +34,22 @@ TriangleMesh paintedMesh(const FilmContact& contact, const std::vector<FilmTrian
     return painted;
 }
 
+std::vector<Eigen::Vector3f> triangleNormals(const TriangleMesh& mesh) {
+    std::vector<Eigen::Vector3f> normals;
+    normals.reserve(mesh.triangles.size());
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        normals.push_back(triangleNormal(mesh, triangle));
+    }
+    return normals;
+}
+
 } // namespace
 
 FilmOnBody::FilmOnBody(const solver::FilmGrid& grid, const std::vector<FilmTriangle>& triangles,
                        const FilmContact& contact, const TriangleMesh& body)
     : grid_(grid), contact_(contact), body_(body), filmTriangle_(reachedTriangles(contact)),
-      painted_(paintedMesh(contact, triangles, filmTriangle_)), opposite_(oppositeEdges(painted_)),
+      painted_(paintedMesh(contact, triangles, filmTriangle_)), bodyNormals_(triangleNormals(body)),
+      paintedNormals_(triangleNormals(painted_)), opposite_(oppositeEdges(painted_)),
       isBorderPoint_(painted_.positions.size(), 0), query_(painted_),
       reach_(float(std::max(grid.spacingX(), grid.spacingZ()))) {
     for (std::size_t edge = 0; edge < opposite_.size(); ++edge) {
@@ -51,7 +61,7 @@ FilmOnBody::FilmOnBody(const solver::FilmGrid& grid, const std::vector<FilmTrian
 }
 
 bool FilmOnBody::fits(const SurfacePoint& onFilm, const Eigen::Vector3f& outward) const {
-    return onFilm.isValid() && triangleNormal(painted_, onFilm.triangle).dot(outward) < otherSide;
+    return onFilm.isValid() && paintedNormals_[onFilm.triangle].dot(outward) < otherSide;
 }
 
 bool FilmOnBody::isOnBorder(const SurfacePoint& onFilm) const {
@@ -92,7 +102,7 @@ ClosestPoint FilmOnBody::filmOver(const Eigen::Vector3f& place,
 
 std::optional<FilmPlace> FilmOnBody::place(const SurfacePoint& point) const {
     const Eigen::Vector3f onBody = position(body_, point);
-    const Eigen::Vector3f outward = triangleNormal(body_, point.triangle);
+    const Eigen::Vector3f& outward = bodyNormals_[point.triangle];
     const ClosestPoint found = filmOver(onBody, outward);
     if (!found.point.isValid()) {
         return std::nullopt;

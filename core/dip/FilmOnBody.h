@@ -29,6 +29,7 @@ private:
     const TriangleMesh& body_;
     std::vector<std::uint32_t> filmTriangle_; // of each painted triangle
     TriangleMesh painted_;
+    std::vector<Eigen::Vector3f> bodyNormals_, paintedNormals_; // a triangle each
     std::vector<std::uint32_t> opposite_;     // by painted edge: noEdge at the border
     std::vector<std::uint8_t> isBorderPoint_; // a film point each
     SurfaceQuery query_;                      // of painted_

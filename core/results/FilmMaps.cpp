@@ -1,5 +1,7 @@
 #include "results/Results.h"
 
+#include "parallel/ParallelFor.h"
+
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLocale>
@@ -156,8 +158,9 @@ QImage filmPicture(const FilmValues& film, const solver::FilmGrid& grid, const S
     const auto row = [&](int y) { return (y + 0.5) / size.height() * (grid.rows - 1); };
     const int reach = std::max(1, size.height() / 1000); // of the line, to each side
     QImage picture(size, QImage::Format_RGB32);
-    for (int y = 0; y < size.height(); ++y) {
-        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
+    uchar* bits = picture.bits();
+    parallelFor(0, size.height(), [&, stride = picture.bytesPerLine()](int y) {
+        auto* line = reinterpret_cast<QRgb*>(bits + y * stride);
         for (int x = 0; x < size.width(); ++x) {
             const bool painted = film.isPainted(column(x), row(y));
             const bool border = painted && !(film.isPainted(column(x - reach), row(y)) &&
@@ -170,7 +173,7 @@ QImage filmPicture(const FilmValues& film, const solver::FilmGrid& grid, const S
                                     : colours[std::size_t(std::lround(255 * scale.share(value)))];
             line[x] = border ? ink.rgb() : painted ? colour : faded(colour);
         }
-    }
+    });
     return picture;
 }
 

@@ -205,17 +205,20 @@ class View {
 public:
     View(const Scene& scene, const Camera& camera, float span, QSize size)
         : scene_(scene), camera_(camera), span_(span), size_(size),
-          centres_(std::size_t(size.width()) * std::size_t(size.height())) {
+          centres_(std::size_t(size.width()) * std::size_t(size.height())),
+          shown_(centres_.size()) {
         parallelFor(0, size.height(), [&](int y) {
             for (int x = 0; x < size.width(); ++x) {
-                centres_[index(x, y)] = encoded(sample(float(x) + 0.5f, float(y) + 0.5f));
+                const std::size_t at = index(x, y);
+                centres_[at] = sample(float(x) + 0.5f, float(y) + 0.5f);
+                shown_[at] = encoded(centres_[at]);
             }
         });
     }
 
     using Pixel = std::array<std::uint8_t, 3>;
     Pixel pixel(int x, int y) const {
-        return isEven(x, y) ? centres_[index(x, y)] : encoded(meanLight(x, y));
+        return isEven(x, y) ? shown_[index(x, y)] : encoded(meanLight(x, y));
     }
 
 private:
@@ -240,18 +243,20 @@ private:
         LinearColour sum = LinearColour::Zero();
         for (int j = 0; j < samplesAcross; ++j) {
             for (int i = 0; i < samplesAcross; ++i) {
-                sum += sample(float(x) + (float(i) + 0.5f) / samplesAcross,
-                              float(y) + (float(j) + 0.5f) / samplesAcross);
+                const bool isCentre = 2 * i + 1 == samplesAcross && 2 * j + 1 == samplesAcross;
+                sum += isCentre ? centres_[index(x, y)]
+                                : sample(float(x) + (float(i) + 0.5f) / samplesAcross,
+                                         float(y) + (float(j) + 0.5f) / samplesAcross);
             }
         }
         return sum / float(samplesAcross * samplesAcross);
     }
 
     bool isEven(int x, int y) const {
-        const Pixel& centre = centres_[index(x, y)];
+        const Pixel& centre = shown_[index(x, y)];
         for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size_.height() - 1); ++j) {
             for (int i = std::max(x - 1, 0); i <= std::min(x + 1, size_.width() - 1); ++i) {
-                const Pixel& other = centres_[index(i, j)];
+                const Pixel& other = shown_[index(i, j)];
                 for (std::size_t channel = 0; channel < 3; ++channel) {
                     if (std::abs(int(centre[channel]) - int(other[channel])) > unseenStep) {
                         return false;
@@ -268,7 +273,8 @@ private:
     const Camera& camera_;
     float span_;
     QSize size_;
-    std::vector<Pixel> centres_; // the light in the pixels' middles
+    std::vector<LinearColour> centres_; // the light in the pixels' middles
+    std::vector<Pixel> shown_;          // the same as a picture has it
 };
 
 void traceView(QImage& picture, const QRect& tile, const Scene& scene, const Camera& camera,
