@@ -1426,10 +1426,6 @@
         <translation>Seine Beschreibung ist kein gültiges JSON: %1</translation>
     </message>
     <message>
-        <source>It was built for solver interface %1, and this program has %2</source>
-        <translation>Er wurde für die Löserschnittstelle %1 gebaut, dieses Programm hat %2</translation>
-    </message>
-    <message>
         <source>Its description is not one of a solver</source>
         <translation>Seine Beschreibung ist nicht die eines Lösers</translation>
     </message>
@@ -1466,10 +1462,6 @@
         <translation>Sein Modul ist beim Start mit einer unbekannten Ausnahme gescheitert</translation>
     </message>
     <message>
-        <source>Its module does not fit this program&apos;s solver interface</source>
-        <translation>Sein Modul passt nicht zur Löserschnittstelle dieses Programms</translation>
-    </message>
-    <message>
         <source>no plugin was found</source>
         <translation>kein Plugin wurde gefunden</translation>
     </message>
@@ -1484,6 +1476,14 @@
     <message>
         <source>This solver cannot be used: %1</source>
         <translation>Dieser Löser kann nicht verwendet werden: %1</translation>
+    </message>
+    <message>
+        <source>It was built for solver interface %1, and this program has %2; get it for this version of the program, or build it anew</source>
+        <translation>Er wurde für die Löserschnittstelle %1 gebaut, und dieses Programm hat %2; besorgen Sie ihn für diese Version des Programms, oder bauen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>Its module does not fit this program&apos;s solver interface %1, whatever its description says; build it anew</source>
+        <translation>Sein Modul passt nicht zur Löserschnittstelle %1 dieses Programms, was auch immer seine Beschreibung sagt; bauen Sie es neu</translation>
     </message>
 </context>
 <context>

@@ -1426,10 +1426,6 @@
         <translation>Sua descrição não é JSON válido: %1</translation>
     </message>
     <message>
-        <source>It was built for solver interface %1, and this program has %2</source>
-        <translation>Foi feito para a interface de solucionador %1, e este programa tem a %2</translation>
-    </message>
-    <message>
         <source>Its description is not one of a solver</source>
         <translation>Sua descrição não é a de um solucionador</translation>
     </message>
@@ -1466,10 +1462,6 @@
         <translation>Seu módulo falhou ao iniciar com uma exceção desconhecida</translation>
     </message>
     <message>
-        <source>Its module does not fit this program&apos;s solver interface</source>
-        <translation>Seu módulo não serve à interface de solucionador deste programa</translation>
-    </message>
-    <message>
         <source>no plugin was found</source>
         <translation>nenhum plugin foi encontrado</translation>
     </message>
@@ -1484,6 +1476,14 @@
     <message>
         <source>This solver cannot be used: %1</source>
         <translation>Este solucionador não pode ser usado: %1</translation>
+    </message>
+    <message>
+        <source>It was built for solver interface %1, and this program has %2; get it for this version of the program, or build it anew</source>
+        <translation>Ele foi feito para a interface de solucionador %1, e este programa tem a %2; obtenha-o para esta versão do programa ou compile-o de novo</translation>
+    </message>
+    <message>
+        <source>Its module does not fit this program&apos;s solver interface %1, whatever its description says; build it anew</source>
+        <translation>O módulo dele não corresponde à interface de solucionador %1 deste programa, seja o que for que diga a descrição; compile-o de novo</translation>
     </message>
 </context>
 <context>

@@ -23,8 +23,7 @@ public:
     LimitFinder(const DippedFilm& film, const PosedBody& body, const CornerNormals& normals,
                 const ProcessSettings& process, FilmContact& contact)
         : film_(film), mesh_(body.model.mesh), normals_(normals), query_(body.query),
-          contact_(contact), cell_(float(std::max(film.grid.spacingX(), film.grid.spacingZ()))),
-          triangles_(filmTriangles(film.grid)),
+          contact_(contact), triangles_(filmTriangles(film.grid)),
           steepest_(float(std::sin(radians(process.overhang)))), mostStretch_(process.tearStretch),
           state_(film.positions.size(), Reach::None) {}
 
@@ -67,7 +66,7 @@ private:
         }
         for (const auto& [point, place] : continued) {
             contact_.places[point] = place;
-            const bool held = isHeld(place, film_.positions[point].y());
+            const bool held = isHeld(place, point);
             state_[point] = held ? Reach::Held : Reach::Past;
         }
     }
@@ -182,9 +181,7 @@ private:
     float shareOnBody(std::uint32_t from, std::uint32_t past) const {
         const Eigen::Vector3f& start = contact_.places[from];
         const Eigen::Vector3f way = contact_.places[past] - start;
-        const auto holds = [&](float share) {
-            return isHeld(start + share * way, film_.positions[past].y());
-        };
+        const auto holds = [&](float share) { return isHeld(start + share * way, past); };
         float held = 0;
         float lost = 1;
         for (int place = 1; place <= triedPlaces; ++place) {
@@ -201,9 +198,10 @@ private:
         return std::clamp(held, leastShare, 1 - leastShare);
     }
 
-    // Whether the body holds film at this place; the water stands at `water`.
-    bool isHeld(const Eigen::Vector3f& place, float water) const {
-        const ClosestPoint under = query_.closest(place, offBody * cell_);
+    // Whether the body holds film at this place, where the film would go on to a point.
+    bool isHeld(const Eigen::Vector3f& place, std::uint32_t point) const {
+        const float water = film_.positions[point].y();
+        const ClosestPoint under = query_.closest(place, offBody * cellOfPoint(film_.grid, point));
         return under.point.isValid() && position(mesh_, under.point).y() <= water &&
                normal(under.point).y() <= steepest_;
     }
@@ -214,7 +212,6 @@ private:
     const CornerNormals& normals_;
     const SurfaceQuery& query_;
     FilmContact& contact_;
-    float cell_;
     std::vector<FilmTriangle> triangles_;
     float steepest_;
     double mostStretch_;

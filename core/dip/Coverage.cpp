@@ -21,7 +21,7 @@ constexpr int samplesOfBody = 40'000;
 Coverage coverage(const LaidFilm& laid) {
     const TriangleMesh& mesh = laid.body().model.mesh;
     const solver::FilmGrid& grid = laid.film().grid;
-    const double sampleArea = grid.spacingX() * grid.spacingZ() / samplesPerFilmCell;
+    const double sampleArea = grid.leastSpacingX() * grid.leastSpacingZ() / samplesPerFilmCell;
     std::vector<double> painted(mesh.triangles.size(), 0);
     Coverage result;
     result.covered.assign(mesh.triangles.size(), 0);

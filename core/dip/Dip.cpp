@@ -46,8 +46,8 @@ void requireBodyOverFilm(const PosedBody& body, const Immersion& immersion,
 // The solver's film and the loop that drives it. Exceptions of the module pass through.
 class Run {
 public:
-    Run(solver::DipSetup setup, const solver::SolverModule& module)
-        : dip_{std::move(setup), {}, {}, 0}, solver_(module.create()) {
+    Run(solver::DipSetup setup, const solver::SolverModule& module) : solver_(module.create()) {
+        dip_.setup = std::move(setup);
         dip_.positions.resize(3 * dip_.setup.film.pointCount());
         dip_.states.resize(dip_.setup.film.pointCount());
     }
@@ -62,8 +62,10 @@ public:
             }
             advance();
         }
-        dip_.finish(state_.steps,
-                    [&](auto positions, auto states) { solver_->read(positions, states); });
+        dip_.finish(state_, [&](auto positions, auto states, auto marks) {
+            solver_->read(positions, states);
+            solver_->readMarks(marks);
+        });
         if (observer) {
             observer({dip_.positions, dip_.states, state_.descent, state_.steps});
         }
@@ -162,7 +164,9 @@ DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion) 
     film.grid = dip.setup.film;
     film.isotropic = dip.setup.settings.lattice == solver::Lattice::Isotropic;
     film.states = dip.states;
+    film.marks = dip.marks;
     film.steps = dip.steps;
+    film.equilibrium = dip.equilibrium;
     const Eigen::Vector3d shift = poseToWorld(immersion, dip.setup.motion.travel);
     film.positions.reserve(dip.states.size());
     for (std::size_t point = 0; point < dip.states.size(); ++point) {

@@ -43,6 +43,14 @@ std::vector<Eigen::Vector3f> triangleNormals(const TriangleMesh& mesh) {
     return normals;
 }
 
+float largestCell(const solver::FilmGrid& grid, const std::vector<std::uint32_t>& triangles) {
+    float largest = 0;
+    for (const std::uint32_t triangle : triangles) {
+        largest = std::max(largest, cellOfTriangle(grid, triangle));
+    }
+    return largest;
+}
+
 } // namespace
 
 FilmOnBody::FilmOnBody(const solver::FilmGrid& grid, const std::vector<FilmTriangle>& triangles,
@@ -51,7 +59,7 @@ FilmOnBody::FilmOnBody(const solver::FilmGrid& grid, const std::vector<FilmTrian
       painted_(paintedMesh(contact, triangles, filmTriangle_)), bodyNormals_(triangleNormals(body)),
       paintedNormals_(triangleNormals(painted_)), opposite_(oppositeEdges(painted_)),
       isBorderPoint_(painted_.positions.size(), 0), query_(painted_),
-      reach_(float(std::max(grid.spacingX(), grid.spacingZ()))) {
+      reach_(largestCell(grid, filmTriangle_)) {
     for (std::size_t edge = 0; edge < opposite_.size(); ++edge) {
         if (opposite_[edge] == noEdge) {
             isBorderPoint_[painted_.triangles[edge / 3][edge % 3]] = 1;
@@ -60,8 +68,15 @@ FilmOnBody::FilmOnBody(const solver::FilmGrid& grid, const std::vector<FilmTrian
     }
 }
 
-bool FilmOnBody::fits(const SurfacePoint& onFilm, const Eigen::Vector3f& outward) const {
-    return onFilm.isValid() && paintedNormals_[onFilm.triangle].dot(outward) < otherSide;
+float FilmOnBody::cell(const SurfacePoint& onFilm) const {
+    return cellOfTriangle(grid_, filmTriangle_[onFilm.triangle]);
+}
+
+// Whether film found at a distance from a place lies over it.
+bool FilmOnBody::fits(const SurfacePoint& onFilm, float distance,
+                      const Eigen::Vector3f& outward) const {
+    return onFilm.isValid() && distance <= cell(onFilm) &&
+           paintedNormals_[onFilm.triangle].dot(outward) < otherSide;
 }
 
 bool FilmOnBody::isOnBorder(const SurfacePoint& onFilm) const {
@@ -81,23 +96,24 @@ bool FilmOnBody::isOnBorder(const SurfacePoint& onFilm) const {
 bool FilmOnBody::isBeyondBorder(const SurfacePoint& onFilm, const Eigen::Vector3f& offset,
                                 const Eigen::Vector3f& outward) const {
     const float sideways = (offset - offset.dot(outward) * outward).norm();
-    return sideways > 0.02f * reach_ && isOnBorder(onFilm);
+    return sideways > 0.02f * cell(onFilm) && isOnBorder(onFilm);
 }
 
 // The film on the side of the body where `place` is.
 ClosestPoint FilmOnBody::filmOver(const Eigen::Vector3f& place,
                                   const Eigen::Vector3f& outward) const {
     ClosestPoint nearest = query_.closest(place, reach_);
-    if (fits(nearest.point, outward)) {
+    if (fits(nearest.point, nearest.distance, outward)) {
         return nearest;
     }
     const RayHit above = query_.hit(place, outward, reach_);
     const RayHit below = query_.hit(place, -outward, reach_);
-    if (fits(above.point, outward) &&
-        (above.distance <= below.distance || !fits(below.point, outward))) {
+    const bool isAbove = fits(above.point, above.distance, outward);
+    const bool isBelow = fits(below.point, below.distance, outward);
+    if (isAbove && (above.distance <= below.distance || !isBelow)) {
         return {above.point, above.distance};
     }
-    return fits(below.point, outward) ? ClosestPoint{below.point, below.distance} : ClosestPoint{};
+    return isBelow ? ClosestPoint{below.point, below.distance} : ClosestPoint{};
 }
 
 std::optional<FilmPlace> FilmOnBody::place(const SurfacePoint& point) const {
@@ -108,7 +124,7 @@ std::optional<FilmPlace> FilmOnBody::place(const SurfacePoint& point) const {
         return std::nullopt;
     }
     const Eigen::Vector3f offset = onBody - position(painted_, found.point);
-    const bool deepInAHollow = offset.dot(outward) < -float(touchedHollow) * reach_;
+    const bool deepInAHollow = offset.dot(outward) < -float(touchedHollow) * cell(found.point);
     if (deepInAHollow || isBeyondBorder(found.point, offset, outward)) {
         return std::nullopt;
     }

@@ -18,7 +18,8 @@ public:
     std::optional<FilmPlace> place(const SurfacePoint& point) const;
 
 private:
-    bool fits(const SurfacePoint& onFilm, const Eigen::Vector3f& outward) const;
+    float cell(const SurfacePoint& onFilm) const; // the film's, mm
+    bool fits(const SurfacePoint& onFilm, float distance, const Eigen::Vector3f& outward) const;
     bool isOnBorder(const SurfacePoint& onFilm) const;
     bool isBeyondBorder(const SurfacePoint& onFilm, const Eigen::Vector3f& offset,
                         const Eigen::Vector3f& outward) const;
@@ -33,7 +34,7 @@ private:
     std::vector<std::uint32_t> opposite_;     // by painted edge: noEdge at the border
     std::vector<std::uint8_t> isBorderPoint_; // a film point each
     SurfaceQuery query_;                      // of painted_
-    float reach_;                             // a film cell, mm
+    float reach_;                             // the largest film cell that is painted, mm
 };
 
 } // namespace dipwright

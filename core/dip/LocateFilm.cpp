@@ -22,10 +22,6 @@ constexpr float flat = 1e-3f;
 constexpr float turnedAway = 0.1f;    // film against the face it lies on
 constexpr float foldedAcross = -0.9f; // two faces under one film triangle
 
-float cellSize(const solver::FilmGrid& grid) {
-    return float(std::max(grid.spacingX(), grid.spacingZ()));
-}
-
 // The solver has found that the point touches, be it at a contact distance.
 SurfacePoint surfacePoint(const Eigen::Vector3f& position, const Eigen::Vector3f& filmNormal,
                           const SurfaceQuery& query, float cell) {
@@ -57,17 +53,17 @@ SurfacePoint filledPoint(const DippedFilm& film, const PosedBody& body,
         }
         middle += position(body.model.mesh, located[neighbour]) / 4;
     }
-    return body.query.closest(middle, cellSize(film.grid)).point;
+    return body.query.closest(middle, cellOfPoint(film.grid, point)).point;
 }
 
 std::vector<SurfacePoint> locatePoints(const DippedFilm& film, const SurfaceQuery& query) {
     const std::vector<Eigen::Vector3f> normals =
         vertexNormals(TriangleMesh{film.positions, filmTriangles(film.grid)});
-    const float cell = cellSize(film.grid);
     std::vector<SurfacePoint> points(film.positions.size());
     parallelFor(std::size_t(0), points.size(), [&](std::size_t point) {
         if (film.adhered(point)) {
-            points[point] = surfacePoint(film.positions[point], normals[point], query, cell);
+            points[point] = surfacePoint(film.positions[point], normals[point], query,
+                                         cellOfPoint(film.grid, point));
         }
     });
     return points;
@@ -76,15 +72,15 @@ std::vector<SurfacePoint> locatePoints(const DippedFilm& film, const SurfaceQuer
 class PaintTest {
 public:
     PaintTest(const PosedBody& body, const CornerNormals& normals,
-              const std::vector<SurfacePoint>& surface, const ProcessSettings& process, float cell)
+              const std::vector<SurfacePoint>& surface, const ProcessSettings& process)
         : mesh_(body.model.mesh), normals_(normals), query_(body.query), surface_(surface),
-          steepest_(float(std::sin(radians(process.overhang)))),
-          deepest_(float(touchedHollow) * cell) {}
+          steepest_(float(std::sin(radians(process.overhang)))) {}
 
-    bool isPainted(const FilmTriangle& triangle) const {
+    // `cell`: the side of the triangle's cell.
+    bool isPainted(const FilmTriangle& triangle, float cell) const {
         return std::all_of(triangle.begin(), triangle.end(),
                            [&](std::uint32_t point) { return surface_[point].isValid(); }) &&
-               !isFoldedAcross(triangle) && isOnSurface(triangle);
+               !isFoldedAcross(triangle) && isOnSurface(triangle, float(touchedHollow) * cell);
     }
 
 private:
@@ -98,7 +94,7 @@ private:
                normals[1].dot(normals[2]) < foldedAcross ||
                normals[2].dot(normals[0]) < foldedAcross;
     }
-    bool isOnSurface(const FilmTriangle& triangle) const {
+    bool isOnSurface(const FilmTriangle& triangle, float deepest) const {
         const Eigen::Vector3f a = position(mesh_, surface_[triangle[0]]);
         const Eigen::Vector3f b = position(mesh_, surface_[triangle[1]]);
         const Eigen::Vector3f c = position(mesh_, surface_[triangle[2]]);
@@ -116,19 +112,19 @@ private:
         const Eigen::Vector3f outward = triangleNormal(mesh_, under.point.triangle);
         return outward.dot(intoBody) < -turnedAway &&
                normalAt(normals_, under.point).y() <= steepest_ &&
-               !spansHollow((a + b + c) / 3, intoBody, longest) &&
-               !spansHollow((a + b) / 2, intoBody, (b - a).norm()) &&
-               !spansHollow((b + c) / 2, intoBody, (c - b).norm()) &&
-               !spansHollow((c + a) / 2, intoBody, (a - c).norm());
+               !spansHollow((a + b + c) / 3, intoBody, longest, deepest) &&
+               !spansHollow((a + b) / 2, intoBody, (b - a).norm(), deepest) &&
+               !spansHollow((b + c) / 2, intoBody, (c - b).norm(), deepest) &&
+               !spansHollow((c + a) / 2, intoBody, (a - c).norm(), deepest);
     }
     // Whether a place of the film between two or three that are on the body, `length` apart, is
-    // not.
-    bool spansHollow(const Eigen::Vector3f& place, const Eigen::Vector3f& intoBody,
-                     float length) const {
+    // not: it is farther off than a share of that, or than `deepest`.
+    bool spansHollow(const Eigen::Vector3f& place, const Eigen::Vector3f& intoBody, float length,
+                     float deepest) const {
         const ClosestPoint under = query_.closest(place, length);
         const bool outside =
             under.point.isValid() && (position(mesh_, under.point) - place).dot(intoBody) > 0;
-        return outside && under.distance > std::min(spannedHollow * length, deepest_);
+        return outside && under.distance > std::min(spannedHollow * length, deepest);
     }
 
     const TriangleMesh& mesh_;
@@ -136,7 +132,6 @@ private:
     const SurfaceQuery& query_;
     const std::vector<SurfacePoint>& surface_;
     float steepest_;
-    float deepest_;
 };
 
 } // namespace
@@ -158,11 +153,12 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body,
     const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
     const std::vector<PrincipalStretch> stretches = principalStretches(film);
     const CornerNormals normals = cornerNormals(body.model.mesh);
-    const PaintTest test(body, normals, contact.surface, process, cellSize(film.grid));
+    const PaintTest test(body, normals, contact.surface, process);
     contact.painted.resize(triangles.size());
     parallelFor(std::size_t(0), triangles.size(), [&](std::size_t triangle) {
         const bool torn = stretches[triangle].isTorn(process.tearStretch);
-        contact.painted[triangle] = !torn && test.isPainted(triangles[triangle]);
+        contact.painted[triangle] =
+            !torn && test.isPainted(triangles[triangle], cellOfTriangle(film.grid, triangle));
     });
     contact.places = film.positions;
     for (std::size_t point = 0; point < contact.places.size(); ++point) {

@@ -123,18 +123,20 @@ Wrinkling wrinkling(const solver::FilmGrid& grid, const std::vector<FilmTriangle
     result.pointStretches =
         meanOfTriangles(triangles, stretches, contact,
                         [](const PrincipalStretch& stretch) { return stretch.smaller; });
-    std::size_t painted = 0, wrinkled = 0;
+    // In triangles of the first one's size, which makes whole numbers of an even film's.
+    const double unit = restArea(grid, 0);
+    double painted = 0, wrinkled = 0;
     for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
         if (contact.painted[triangle]) {
             const float smaller = stretches[triangle].smaller;
-            ++painted;
-            wrinkled += smaller < wrinkledBelow ? 1 : 0;
+            const double size = restArea(grid, triangle) / unit;
+            painted += size;
+            wrinkled += smaller < wrinkledBelow ? size : 0;
             result.least = std::min(result.least, double(smaller));
         }
     }
-    const double triangleArea = grid.spacingX() * grid.spacingZ() / 2;
-    result.area = double(wrinkled) * triangleArea;
-    result.share = painted > 0 ? double(wrinkled) / double(painted) : 0;
+    result.area = wrinkled * unit;
+    result.share = painted > 0 ? wrinkled / painted : 0;
     return result;
 }
 

@@ -34,6 +34,55 @@ std::vector<FilmTriangle> filmTriangles(const solver::FilmGrid& grid) {
     return triangles;
 }
 
+namespace {
+
+struct Cell {
+    int column = 0, row = 0;
+};
+
+Cell cellOf(const solver::FilmGrid& grid, std::size_t triangle) {
+    const std::size_t cell = triangle / 2, columns = std::size_t(grid.columns) - 1;
+    return {int(cell % columns), int(cell / columns)};
+}
+
+double lineAt(const std::vector<double>& places, int count, double length, double share) {
+    if (places.empty()) {
+        return share * (count - 1);
+    }
+    const double place = (share - 0.5) * length;
+    const auto next = std::upper_bound(places.begin() + 1, places.end() - 1, place);
+    const double before = *(next - 1);
+    return double(next - 1 - places.begin()) + (place - before) / (*next - before);
+}
+
+} // namespace
+
+double restArea(const solver::FilmGrid& grid, std::size_t triangle) {
+    const Cell cell = cellOf(grid, triangle);
+    return grid.spacingX(cell.column) * grid.spacingZ(cell.row) / 2;
+}
+
+float cellOfTriangle(const solver::FilmGrid& grid, std::size_t triangle) {
+    const Cell cell = cellOf(grid, triangle);
+    return float(std::max(grid.spacingX(cell.column), grid.spacingZ(cell.row)));
+}
+
+float cellOfPoint(const solver::FilmGrid& grid, std::size_t point) {
+    const int column = int(point % std::size_t(grid.columns));
+    const int row = int(point / std::size_t(grid.columns));
+    return float(std::max(
+        {grid.spacingX(std::max(column - 1, 0)), grid.spacingX(std::min(column, grid.columns - 2)),
+         grid.spacingZ(std::max(row - 1, 0)), grid.spacingZ(std::min(row, grid.rows - 2))}));
+}
+
+double columnAt(const solver::FilmGrid& grid, double share) {
+    return lineAt(grid.columnPlaces, grid.columns, grid.width, share);
+}
+
+double rowAt(const solver::FilmGrid& grid, double share) {
+    return lineAt(grid.rowPlaces, grid.rows, grid.depth, share);
+}
+
 std::size_t constraintCount(const solver::FilmGrid& grid, bool isotropic) {
     const auto columns = std::size_t(grid.columns);
     const auto rows = std::size_t(grid.rows);
@@ -80,12 +129,13 @@ std::vector<float> constraintStretches(const DippedFilm& film) {
     };
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t column = 0; column + 1 < columns; ++column) {
-            add(row * columns + column, row * columns + column + 1, film.grid.spacingX());
+            add(row * columns + column, row * columns + column + 1,
+                film.grid.spacingX(int(column)));
         }
     }
     for (std::size_t row = 0; row + 1 < rows; ++row) {
         for (std::size_t column = 0; column < columns; ++column) {
-            add(row * columns + column, (row + 1) * columns + column, film.grid.spacingZ());
+            add(row * columns + column, (row + 1) * columns + column, film.grid.spacingZ(int(row)));
         }
     }
     return stretches;

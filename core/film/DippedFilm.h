@@ -18,7 +18,9 @@ struct DippedFilm {
     bool isotropic = true; // the lattice, which says which constraints there are
     std::vector<Eigen::Vector3f> positions;
     std::vector<solver::PointState> states;
+    std::vector<std::uint8_t> marks; // solver::PointMark bits
     std::int64_t steps = 0;
+    solver::EquilibriumAccount equilibrium;
     double wallSeconds = 0; // of the solver alone
 
     bool adhered(std::size_t point) const { return states[point] == solver::PointState::Adhered; }
@@ -32,6 +34,17 @@ Eigen::Vector2f restPosition(const solver::FilmGrid& grid, std::size_t point);
 // Two triangles a cell, cut as FilmSolver.h says; cell (i, j) owns triangles 2·(j·(columns−1)+i)
 // and the next one. Wound counterclockwise seen from above (+Y).
 std::vector<FilmTriangle> filmTriangles(const solver::FilmGrid& grid);
+// Of a film triangle, flat, mm².
+double restArea(const solver::FilmGrid& grid, std::size_t triangle);
+// The longer side of the cell that a film triangle is in, and of the largest cell that a point
+// belongs to, mm: what lengths near there are small or large against.
+float cellOfTriangle(const solver::FilmGrid& grid, std::size_t triangle);
+float cellOfPoint(const solver::FilmGrid& grid, std::size_t point);
+// A place of the flat film in cells from its left and its upper edge, `share` of its width or depth
+// from there: the column or row before it, and the share of the way to the next. Past the film its
+// last cells go on.
+double columnAt(const solver::FilmGrid& grid, double share);
+double rowAt(const solver::FilmGrid& grid, double share);
 // The number of distance constraints: columns·(rows−1) + rows·(columns−1), and two a cell more for
 // an isotropic lattice (docs/film-model.md, "The paper's model").
 std::size_t constraintCount(const solver::FilmGrid& grid, bool isotropic);

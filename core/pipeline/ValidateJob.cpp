@@ -39,13 +39,13 @@ void checkImmersion(const Project& project, const Immersion& immersion, QStringL
     if (!film.contains(body)) {
         warnings.append(Text::tr("%1: the body reaches past the film's edge").arg(immersion.name));
     }
-    if (body.sizes().maxCoeff() < grid.spacingX()) {
+    if (body.sizes().maxCoeff() < grid.leastSpacingX()) {
         throw Error(
             Text::tr("The body is smaller than the film's cells; give the film more points, "
                      "or check the model's unit"),
             immersion.name);
     }
-    if (body.sizes().minCoeff() < cellsAcrossBody * grid.spacingX()) {
+    if (body.sizes().minCoeff() < cellsAcrossBody * grid.leastSpacingX()) {
         warnings.append(Text::tr("%1: the film's cells are coarse for this body, give the film "
                                  "more points")
                             .arg(immersion.name));

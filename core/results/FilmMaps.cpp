@@ -154,8 +154,8 @@ QRgb faded(QRgb colour) {
 QImage filmPicture(const FilmValues& film, const solver::FilmGrid& grid, const Scale& scale,
                    QSize size) {
     const std::array<QRgb, 256> colours = colourTable(scale);
-    const auto column = [&](int x) { return (x + 0.5) / size.width() * (grid.columns - 1); };
-    const auto row = [&](int y) { return (y + 0.5) / size.height() * (grid.rows - 1); };
+    const auto column = [&](int x) { return columnAt(grid, (x + 0.5) / size.width()); };
+    const auto row = [&](int y) { return rowAt(grid, (y + 0.5) / size.height()); };
     const int reach = std::max(1, size.height() / 1000); // of the line, to each side
     QImage picture(size, QImage::Format_RGB32);
     uchar* bits = picture.bits();

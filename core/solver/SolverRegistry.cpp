@@ -70,9 +70,11 @@ QJsonObject readJson(const QString& path) {
 void requireInterfaceVersion(const QJsonObject& metadata) {
     const int version = metadata[QLatin1String("interface")].toInt(-1);
     if (version != solver::interfaceVersion) {
-        throw Refusal(Text::tr("It was built for solver interface %1, and this program has %2")
-                          .arg(version)
-                          .arg(solver::interfaceVersion));
+        throw Refusal(
+            Text::tr("It was built for solver interface %1, and this program has %2; get it for "
+                     "this version of the program, or build it anew")
+                .arg(version)
+                .arg(solver::interfaceVersion));
     }
 }
 
@@ -148,7 +150,9 @@ const solver::SolverModule* loadModule(SolverInfo& info) {
     const solver::SolverModule* module =
         guarded([entry] { return entry(solver::interfaceVersion); });
     if (!module) {
-        throw Refusal(Text::tr("Its module does not fit this program's solver interface"));
+        throw Refusal(Text::tr("Its module does not fit this program's solver interface %1, "
+                               "whatever its description says; build it anew")
+                          .arg(solver::interfaceVersion));
     }
     if (const char* reason = guarded([module] { return module->unavailableReason(); })) {
         throw Refusal(QString::fromUtf8(reason));

@@ -46,11 +46,12 @@ std::vector<std::uint8_t> cellsWellInside(const solver::FilmGrid& grid,
 }
 
 double paintedArea(const LaidFilm& laid) {
-    const solver::FilmGrid& grid = laid.film().grid;
-    const double restArea = grid.spacingX() * grid.spacingZ() / 2;
     double area = 0;
-    for (const float stretch : laid.painted().areas) {
-        area += double(stretch) * restArea;
+    for (std::size_t triangle = 0; triangle < laid.triangles().size(); ++triangle) {
+        if (laid.contact().painted[triangle]) {
+            area +=
+                double(laid.stretches()[triangle].area()) * restArea(laid.film().grid, triangle);
+        }
     }
     return area;
 }

@@ -83,7 +83,7 @@ void ReverseMap::markSeams(const LaidFilm& laid) {
         return;
     }
     const solver::FilmGrid& grid = laid.film().grid;
-    const double step = std::min(grid.spacingX(), grid.spacingZ()) / seamSamplesPerCell;
+    const double step = grid.leastSpacing() / seamSamplesPerCell;
     for (const std::uint32_t edge : seamEdges) {
         const std::uint32_t triangle = edge / 3;
         const int from = int(edge % 3);

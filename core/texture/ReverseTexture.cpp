@@ -34,10 +34,12 @@ struct CellPlaces {
     std::vector<float> share;    // a pixel each: 0 … 1 along its cell
     std::vector<int> firstPixel; // a cell each, and one more: the first pixel of the next
 
-    CellPlaces(int pixels, int cells) {
+    // `cellAt`: columnAt() or rowAt() of the film's grid.
+    CellPlaces(const solver::FilmGrid& grid, int pixels, int cells,
+               double (*cellAt)(const solver::FilmGrid&, double)) {
         share.reserve(std::size_t(pixels));
         for (int pixel = 0; pixel < pixels; ++pixel) {
-            const double place = (pixel + 0.5) * cells / pixels;
+            const double place = cellAt(grid, (pixel + 0.5) / pixels);
             const int cell = std::min(int(place), cells - 1);
             share.push_back(float(place - cell));
             firstPixel.resize(std::max(firstPixel.size(), std::size_t(cell) + 1), pixel);
@@ -51,8 +53,9 @@ public:
     FilmPainter(const LaidFilm& laid, const ReverseMap& map, const ReverseTextureOptions& options,
                 QImage& image)
         : laid_(laid), grid_(laid.film().grid), model_(laid.body().model), map_(map),
-          colours_(model_), ink_(options.ink), columns_(image.width(), grid_.columns - 1),
-          rows_(image.height(), grid_.rows - 1),
+          colours_(model_), ink_(options.ink),
+          columns_(grid_, image.width(), grid_.columns - 1, columnAt),
+          rows_(grid_, image.height(), grid_.rows - 1, rowAt),
           pixelSize_(float(grid_.width / image.width()), float(grid_.depth / image.height())),
           bits_(image.bits()), stride_(image.bytesPerLine()) {}
 

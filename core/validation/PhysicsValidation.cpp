@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "base/Units.h"
+#include "film/DippedFilm.h"
 #include "geometry/DistanceField.h"
 #include "geometry/Shapes.h"
 
@@ -363,8 +364,8 @@ PhysicsResult compareTurned(const solver::SolverModule& module, const PhysicsOpt
             return Eigen::Vector2d(cosine * x - sine * z, sine * x + cosine * z);
         };
         const Eigen::Vector2d rest = back(turned.rest(point).x(), turned.rest(point).y());
-        const double column = (rest.x() + film.width / 2) / film.spacingX();
-        const double row = (rest.y() + film.depth / 2) / film.spacingZ();
+        const double column = columnAt(film, rest.x() / film.width + 0.5);
+        const double row = rowAt(film, rest.y() / film.depth + 0.5);
         const std::size_t corner = std::size_t(row) * columns + std::size_t(column);
         if (!straight.adhered(corner) || !straight.adhered(corner + 1) ||
             !straight.adhered(corner + columns) || !straight.adhered(corner + columns + 1)) {

@@ -36,6 +36,7 @@ public:
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
         begun().read(positions, states);
     }
+    void readMarks(std::span<std::uint8_t> marks) const override { begun().readMarks(marks); }
 
 private:
     solver::FilmSolver& begun() const {
@@ -78,7 +79,10 @@ void simulate(solver::BatchItem& item, Cancellation& cancelled) {
         }
         state = film.advance(stepsBetweenQuestions);
     }
-    item.finish(state.steps, [&](auto positions, auto states) { film.read(positions, states); });
+    item.finish(state, [&](auto positions, auto states, auto marks) {
+        film.read(positions, states);
+        film.readMarks(marks);
+    });
 }
 
 class PbdCpu : public solver::SolverModule {

@@ -137,8 +137,9 @@ bool PbdCuda::runTogether(std::span<solver::BatchItem> items, solver::CancelFunc
         }
     }
     for (std::size_t dip = 0; dip < items.size(); ++dip) {
-        items[dip].finish(dips->state(dip).steps,
-                          [&](auto positions, auto states) { dips->read(dip, positions, states); });
+        items[dip].finish(dips->state(dip), [&](auto positions, auto states, auto) {
+            dips->read(dip, positions, states);
+        });
     }
     return true;
 }

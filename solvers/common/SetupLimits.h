@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace dipwright::numerics {
 
@@ -21,7 +22,37 @@ inline bool isPositive(double value) {
     return std::isfinite(value) && value > 0 && value < 1e6;
 }
 
+// Of the columns or the rows of a film.
+inline bool areLines(const std::vector<double>& places, int count, double length) {
+    if (places.empty()) {
+        return true;
+    }
+    bool isAscending = places.size() == std::size_t(count);
+    for (std::size_t line = 1; isAscending && line < places.size(); ++line) {
+        isAscending = places[line] > places[line - 1];
+    }
+    return isAscending && places.front() == -length / 2 && places.back() == length / 2;
+}
+
 } // namespace detail
+
+// Of a solver whose film is evenly spaced.
+inline void requireEven(const solver::FilmGrid& film) {
+    detail::require(film.isEven(), "this film has to have evenly spaced points: give it a number "
+                                   "of points, not a size of its cells");
+}
+
+// Of a solver whose film does not grow.
+inline void requireNoGrowth(const solver::Settings& settings) {
+    detail::require(settings.growthRate == 0 || settings.growthLimit == 0,
+                    "this film cannot grow while it floats: set its growth to 0");
+}
+
+// Of a solver whose film gathers at the usual stretch only.
+inline void requireUsualGathering(const solver::Settings& settings) {
+    detail::require(settings.gatheringStretch == solver::Settings().gatheringStretch,
+                    "this film gathers below a mean stretch of 0.8 only");
+}
 
 // Throws std::invalid_argument with a sentence unless the numbers of `setup` make a dip.
 inline void requireValid(const solver::DipSetup& setup) {
@@ -33,6 +64,9 @@ inline void requireValid(const solver::DipSetup& setup) {
     require(film.columns >= 2 && film.rows >= 2 && film.columns <= 20000 && film.rows <= 20000,
             "the film needs 2 to 20,000 points along each edge");
     require(isPositive(film.width) && isPositive(film.depth), "the film's size has to be positive");
+    require(detail::areLines(film.columnPlaces, film.columns, film.width) &&
+                detail::areLines(film.rowPlaces, film.rows, film.depth),
+            "the film's columns and rows have to be in order, from one edge to the other");
     require(field.distance && std::min({field.size[0], field.size[1], field.size[2]}) >= 2 &&
                 isPositive(field.spacing),
             "the body's distance field is empty");
@@ -46,6 +80,13 @@ inline void requireValid(const solver::DipSetup& setup) {
             "the contact line's travel in one step has to be positive");
     require(std::isfinite(settings.contactDistance) && settings.contactDistance >= 0,
             "the contact distance cannot be negative");
+    require(isPositive(settings.gripFade) && settings.gripFade <= 1,
+            "the grip has to fade over more than 0 and up to 1 radian");
+    require(settings.gatheringStretch > 0.6 && settings.gatheringStretch <= 1,
+            "film gathers below a mean stretch between 0.6 and 1");
+    require(std::isfinite(settings.growthRate) && settings.growthRate >= 0 &&
+                std::isfinite(settings.growthLimit) && settings.growthLimit >= 0,
+            "the film's growth cannot be negative");
     require(settings.threads >= 0, "the number of threads cannot be negative");
     require(setup.pinned.empty() || setup.pinned.size() == film.pointCount(),
             "the film's pinned points do not match its points");

@@ -269,7 +269,7 @@ void CudaFilmTest::batchGivesWhatSingleDipsGive() {
         for (const double offset : {0.0, 11.0}) {
             solver::DipSetup setup = coarseDip(body, preset, depth);
             setup.motion.start[0] += offset;
-            items.push_back({setup, {}, {}, 0});
+            items.emplace_back().setup = setup;
         }
     }
     QVERIFY(registry_.module(QStringLiteral("pbd-cuda")).runBatch(items, nullptr, nullptr));
@@ -283,7 +283,8 @@ void CudaFilmTest::batchGivesWhatSingleDipsGive() {
 
 void CudaFilmTest::batchStopsWhenCancelled() {
     const Body body = bodyNamed(QStringLiteral("sphere"));
-    std::vector<solver::BatchItem> items(2, {wholeDip(body, paper), {}, {}, 0});
+    std::vector<solver::BatchItem> items(2);
+    items[0].setup = items[1].setup = wholeDip(body, paper);
     int questions = 0;
     const auto cancelledLater = [](void* context) { return ++*static_cast<int*>(context) > 2; };
     QVERIFY(

@@ -70,13 +70,16 @@ namespace {
 #define DIPWRIGHT_BAD_NAME dipwrightSolverModule
 #endif
 
-extern "C" DIPWRIGHT_EXPORT const solver::SolverModule* DIPWRIGHT_BAD_NAME(int) {
+extern "C" DIPWRIGHT_EXPORT const solver::SolverModule*
+DIPWRIGHT_BAD_NAME([[maybe_unused]] int hostInterfaceVersion) {
 #if defined(DIPWRIGHT_BAD_ENTRY)
     throw std::runtime_error("not today");
 #elif defined(DIPWRIGHT_BAD_ENTRY_UNKNOWN)
     throw 42;
-#elif defined(DIPWRIGHT_BAD_NULL)
-    return nullptr;
+#elif defined(DIPWRIGHT_BAD_OLD)
+    if (hostInterfaceVersion != 2) { // as a module does that was built for version 2
+        return nullptr;
+    }
 #elif defined(DIPWRIGHT_BAD_ABORT)
     std::abort();
 #endif

@@ -65,6 +65,7 @@ private slots:
     void aGoodModuleIsAvailable();
     void badModulesAreListedWithTheirReason_data();
     void badModulesAreListedWithTheirReason();
+    void aModuleOfAnotherInterfaceIsNotEvenLoaded_data();
     void aModuleOfAnotherInterfaceIsNotEvenLoaded();
     void automaticChoiceLeavesThemOut();
     void failuresInADipReachTheUser_data();
@@ -92,7 +93,7 @@ void BadModulesTest::badModulesAreListedWithTheirReason_data() {
     QTest::addColumn<QString>("reasonPart");
     QTest::newRow("entry") << "not today";
     QTest::newRow("entry-unknown") << "unknown exception";
-    QTest::newRow("null") << "does not fit";
+    QTest::newRow("old") << "does not fit this program's solver interface 3";
     QTest::newRow("name") << "no entry point";
     QTest::newRow("device") << "There is no such device here";
     QTest::newRow("question") << "do not ask";
@@ -116,15 +117,26 @@ void BadModulesTest::badModulesAreListedWithTheirReason() {
     }
 }
 
+void BadModulesTest::aModuleOfAnotherInterfaceIsNotEvenLoaded_data() {
+    QTest::addColumn<int>("version");
+    QTest::newRow("older") << 2;
+    QTest::newRow("newer") << solver::interfaceVersion + 1;
+}
+
 void BadModulesTest::aModuleOfAnotherInterfaceIsNotEvenLoaded() {
+    QFETCH(int, version);
     const PluginFolder folder;
     folder.add(QStringLiteral("load"), builtModule(QStringLiteral("load"))); // aborts when loaded
     QJsonObject description = PluginFolder::description(QStringLiteral("load"));
-    description[QStringLiteral("interface")] = solver::interfaceVersion + 1;
+    description[QStringLiteral("interface")] = version;
     folder.describe(description);
     const auto solvers = SolverRegistry({folder.path()}).solvers();
     QCOMPARE(solvers.size(), std::size_t(1));
-    QVERIFY(solvers.front().reason.contains(QLatin1String("interface")));
+    QVERIFY(!solvers.front().available);
+    QCOMPARE(solvers.front().reason,
+             QStringLiteral("It was built for solver interface %1, and this program has 3; get it "
+                            "for this version of the program, or build it anew")
+                 .arg(version));
 }
 
 void BadModulesTest::automaticChoiceLeavesThemOut() {

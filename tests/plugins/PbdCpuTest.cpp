@@ -85,7 +85,7 @@ void PbdCpuTest::batchGivesWhatSingleDipsGive() {
     const solver::SolverModule& module = registry_.module(id);
     std::vector<solver::BatchItem> items;
     for (const solver::DipSetup& setup : dips(body)) {
-        items.push_back({setup, {}, {}, 0});
+        items.emplace_back().setup = setup;
     }
     QVERIFY(module.runBatch(items, nullptr, nullptr));
     for (const solver::BatchItem& item : items) {
@@ -101,7 +101,7 @@ void PbdCpuTest::batchStopsWhenCancelled() {
     const SampledBody body = sphere(35, 64);
     std::vector<solver::BatchItem> items;
     for (const solver::DipSetup& setup : dips(body)) {
-        items.push_back({setup, {}, {}, 0});
+        items.emplace_back().setup = setup;
     }
     int questions = 0;
     const auto cancelledAfterSome = [](void* context) { return ++*static_cast<int*>(context) > 5; };

@@ -39,12 +39,12 @@ double largestStretch(const Ending& end, const solver::FilmGrid& grid) {
             const auto point = pointIndex(grid, column, row);
             if (column + 1 < grid.columns) {
                 largest = std::max(largest, length(end.position(point + 1) - end.position(point)) /
-                                                grid.spacingX());
+                                                grid.spacingX(0));
             }
             if (row + 1 < grid.rows) {
                 const auto below = point + std::size_t(grid.columns);
                 largest = std::max(largest, length(end.position(below) - end.position(point)) /
-                                                grid.spacingZ());
+                                                grid.spacingZ(0));
             }
         }
     }
@@ -87,9 +87,9 @@ void PaperFilmTest::nothingMovesBeforeContact() {
     for (int row = 0; row < setup.film.rows; ++row) {
         for (int column = 0; column < setup.film.columns; ++column) {
             const auto place = end.position(pointIndex(setup.film, column, row));
-            QCOMPARE(float(place.x), float(-105 + column * setup.film.spacingX()));
+            QCOMPARE(float(place.x), float(-105 + column * setup.film.spacingX(0)));
             QCOMPARE(float(place.y), 0.0f);
-            QCOMPARE(float(place.z), float(-148.5 + row * setup.film.spacingZ()));
+            QCOMPARE(float(place.z), float(-148.5 + row * setup.film.spacingZ(0)));
         }
     }
 }
@@ -252,7 +252,7 @@ void PaperFilmTest::selfContactKeepsPointsApart() {
     // The film closes behind a small sphere that goes deep.
     const SampledBody body = sphere(20, 48);
     auto setup = paperDip(body, -20, 42, 59, 120);
-    const double kept = std::min(setup.film.spacingX(), setup.film.spacingZ()) / 2;
+    const double kept = std::min(setup.film.spacingX(0), setup.film.spacingZ(0)) / 2;
     const auto nearest = [&](const Ending& end) {
         double smallest = std::numeric_limits<double>::infinity();
         for (std::size_t a = 0; a < end.states.size(); ++a) {

@@ -76,8 +76,8 @@ FilmReading::FilmReading(std::shared_ptr<const LaidFilm> laid)
 
 std::optional<FilmReadingPoint> FilmReading::at(const Eigen::Vector2f& rest) const {
     const solver::FilmGrid& grid = film().grid;
-    const double across = (rest.x() + grid.width / 2) / grid.spacingX();
-    const double down = (rest.y() + grid.depth / 2) / grid.spacingZ();
+    const double across = columnAt(grid, double(rest.x()) / grid.width + 0.5);
+    const double down = rowAt(grid, double(rest.y()) / grid.depth + 0.5);
     if (across < 0 || down < 0 || across > grid.columns - 1 || down > grid.rows - 1) {
         return std::nullopt;
     }

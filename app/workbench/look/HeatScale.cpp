@@ -1,5 +1,6 @@
 #include "look/HeatScale.h"
 
+#include "film/DippedFilm.h"
 #include "results/Results.h"
 
 #include <algorithm>
@@ -28,11 +29,13 @@ struct Place {
     float past;
 };
 
-std::vector<Place> placesOf(int pixels, int values) {
+// `lineAt`: columnAt() or rowAt() of the film's grid, which has so many.
+std::vector<Place> placesOf(const solver::FilmGrid& film, int pixels, int count,
+                            double (*lineAt)(const solver::FilmGrid&, double)) {
     std::vector<Place> places;
     for (int pixel = 0; pixel < pixels; ++pixel) {
-        const double along = (pixel + 0.5) / pixels * (values - 1);
-        const int before = std::min(int(along), values - 2);
+        const double along = lineAt(film, (pixel + 0.5) / pixels);
+        const int before = std::min(int(along), count - 2);
         places.push_back({before, float(along - before)});
     }
     return places;
@@ -61,19 +64,19 @@ HeatScale automaticScale(const HeatScale& scale, const std::vector<float>& value
     return automatic;
 }
 
-QImage heatPicture(const std::vector<float>& values, int columns, int rows, QSize pixels,
+QImage heatPicture(const std::vector<float>& values, const solver::FilmGrid& film, QSize pixels,
                    const HeatScale& scale) {
     const std::vector<QRgb> table = colourTable(scale.map);
     const float low = float(scale.low);
     const float perValue = float((tableSize - 1) / std::max(1e-9, scale.high - scale.low));
     const float limit = scale.limit ? float(*scale.limit) : std::numeric_limits<float>::infinity();
-    const std::vector<Place> across = placesOf(pixels.width(), columns);
-    const std::vector<Place> down = placesOf(pixels.height(), rows);
+    const std::vector<Place> across = placesOf(film, pixels.width(), film.columns, columnAt);
+    const std::vector<Place> down = placesOf(film, pixels.height(), film.rows, rowAt);
     QImage picture(pixels, QImage::Format_RGB32);
     for (int y = 0; y < pixels.height(); ++y) {
         const auto [row, v] = down[std::size_t(y)];
-        const float* upper = &values[std::size_t(row) * std::size_t(columns)];
-        const float* lower = upper + columns;
+        const float* upper = &values[std::size_t(row) * std::size_t(film.columns)];
+        const float* lower = upper + film.columns;
         auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
         for (const auto& [column, u] : across) {
             const float above = std::lerp(upper[column], upper[column + 1], u);
@@ -86,12 +89,14 @@ QImage heatPicture(const std::vector<float>& values, int columns, int rows, QSiz
     return picture;
 }
 
-QList<QLineF> isolines(const std::vector<float>& values, int columns, int rows, QSizeF size,
+QList<QLineF> isolines(const std::vector<float>& values, const solver::FilmGrid& film,
                        double step) {
     QList<QLineF> lines;
-    const double cellWidth = size.width() / (columns - 1), cellHeight = size.height() / (rows - 1);
+    const int columns = film.columns, rows = film.rows;
     for (int row = 0; row + 1 < rows; ++row) {
+        const double top = film.restZ(row) + film.depth / 2, height = film.spacingZ(row);
         for (int column = 0; column + 1 < columns; ++column) {
+            const double left = film.restX(column) + film.width / 2, width = film.spacingX(column);
             const std::size_t first = std::size_t(row) * std::size_t(columns) + std::size_t(column);
             // Round the cell: upper left, upper right, lower right, lower left.
             const std::array<double, 4> corner{values[first], values[first + 1],
@@ -109,8 +114,8 @@ QList<QLineF> isolines(const std::vector<float>& values, int columns, int rows, 
                     if ((from < 0) != (to < 0)) {
                         const double share = from / (from - to);
                         crossings[count++] = {
-                            (column + std::lerp(place[side][0], place[next][0], share)) * cellWidth,
-                            (row + std::lerp(place[side][1], place[next][1], share)) * cellHeight};
+                            left + std::lerp(place[side][0], place[next][0], share) * width,
+                            top + std::lerp(place[side][1], place[next][1], share) * height};
                     }
                 }
                 for (std::size_t pair = 0; pair + 1 < count; pair += 2) {

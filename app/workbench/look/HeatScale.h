@@ -1,6 +1,8 @@
 // How numbers become colours: a named map over a range, and a mark for what is over a limit.
 #pragma once
 
+#include <dipwright/FilmSolver.h>
+
 #include <QColor>
 #include <QImage>
 #include <QLineF>
@@ -23,13 +25,12 @@ struct HeatScale {
 // From the first to the 99th percentile, rounded outwards to steps of 0.01.
 HeatScale automaticScale(const HeatScale& scale, const std::vector<float>& values);
 
-// A grid of values, row by row, as a picture of `pixels`, interpolated between the points.
-QImage heatPicture(const std::vector<float>& values, int columns, int rows, QSize pixels,
+// A value a film point as a picture of the film of `pixels`, interpolated between the points.
+QImage heatPicture(const std::vector<float>& values, const solver::FilmGrid& film, QSize pixels,
                    const HeatScale& scale);
 
-// Lines of equal value at multiples of `step`, by marching squares; in the millimetres of a picture
-// of the grid of `size`.
-QList<QLineF> isolines(const std::vector<float>& values, int columns, int rows, QSizeF size,
-                       double step);
+// Lines of equal value at multiples of `step`, by marching squares; mm from the film's upper left
+// corner.
+QList<QLineF> isolines(const std::vector<float>& values, const solver::FilmGrid& film, double step);
 
 } // namespace dipwright

@@ -211,17 +211,14 @@ QSizeF StretchPanel::filmSize() const {
 QImage StretchPanel::heatMap(double longestEdge) const {
     const solver::FilmGrid& grid = reading_->film().grid;
     const double pixels = longestEdge / std::max(grid.width, grid.depth);
-    return heatPicture(reading_->values(quantity()), grid.columns, grid.rows,
-                       (filmSize() * pixels).toSize(), scale_);
+    return heatPicture(reading_->values(quantity()), grid, (filmSize() * pixels).toSize(), scale_);
 }
 
 QList<QLineF> StretchPanel::shownIsolines() const {
     if (!isolineTick_->isChecked()) {
         return {};
     }
-    const solver::FilmGrid& grid = reading_->film().grid;
-    return isolines(reading_->values(quantity()), grid.columns, grid.rows, filmSize(),
-                    isolineStep(scale_));
+    return isolines(reading_->values(quantity()), reading_->film().grid, isolineStep(scale_));
 }
 
 QImage StretchPanel::picture() const {

@@ -50,17 +50,27 @@ QImage onBareFilm(const QImage& printed, const solver::FilmGrid& grid) {
     return picture;
 }
 
-// How long a triangle's side may be for the triangle to be drawn, film of so many points: a quick
-// test for drawing, not the measure of torn film (PrincipalStretch::isTorn). Live frames are drawn
-// while the solver runs, and thinned, so that the triangles drawn are not the film's own; and what
-// hangs between film let go of and film on the body is to be hidden too.
-float longestDrawnSide(const solver::FilmGrid& grid, int columns, int rows, double tearStretch) {
-    return float(tearStretch * std::hypot(grid.width / (columns - 1), grid.depth / (rows - 1)));
+// How long a triangle's side may be for the triangle to be drawn: a quick test for drawing, not the
+// measure of torn film (PrincipalStretch::isTorn). Live frames are drawn while the solver runs, and
+// thinned, so that the triangles drawn are not the film's own; and what hangs between film let go
+// of and film on the body is to be hidden too.
+float longestDrawnSide(const solver::FilmGrid& grid, const ThinnedFilm& film, double tearStretch) {
+    const auto rest = [&](int column, int row) {
+        return restPosition(grid, film.points[std::size_t(row * film.columns + column)]);
+    };
+    Eigen::Vector2f largest = Eigen::Vector2f::Zero();
+    for (int column = 1; column < film.columns; ++column) {
+        largest.x() = std::max(largest.x(), rest(column, 0).x() - rest(column - 1, 0).x());
+    }
+    for (int row = 1; row < film.rows; ++row) {
+        largest.y() = std::max(largest.y(), rest(0, row).y() - rest(0, row - 1).y());
+    }
+    return float(tearStretch) * largest.norm();
 }
 
 FilmShape shapeOfGrid(const solver::FilmGrid& grid, const ThinnedFilm& film, double tearStretch) {
     FilmShape shape;
-    shape.longestSide = longestDrawnSide(grid, film.columns, film.rows, tearStretch);
+    shape.longestSide = longestDrawnSide(grid, film, tearStretch);
     shape.texture.reserve(film.points.size());
     for (const std::uint32_t point : film.points) {
         const Eigen::Vector2f rest = restPosition(grid, point);
@@ -201,7 +211,7 @@ void DipScene::showEnd() {
                              film.positions[point].end());
         }
         shape.triangles = filmTriangles(film.grid);
-        shape.longestSide = longestDrawnSide(film.grid, film.grid.columns, film.grid.rows,
+        shape.longestSide = longestDrawnSide(film.grid, thinFilm(film.grid, film.grid.pointCount()),
                                              result_->project.process.tearStretch);
         if (extent_ == FilmExtent::OnBody) {
             std::size_t kept = 0;

@@ -78,8 +78,7 @@ private:
     Vector rest(std::size_t point) const {
         const FilmGrid& film = setup_.film;
         const auto columns = std::size_t(film.columns);
-        return {double(point % columns) * film.spacingX() - film.width / 2, 0,
-                double(point / columns) * film.spacingZ() - film.depth / 2};
+        return {film.restX(int(point % columns)), 0, film.restZ(int(point / columns))};
     }
 
     // From the world, where the film floats, to the body's own coordinates.
@@ -121,8 +120,10 @@ public:
                 }
                 state = film.advance(16);
             }
-            item.finish(state.steps,
-                        [&](auto positions, auto states) { film.read(positions, states); });
+            item.finish(state, [&](auto positions, auto states, auto marks) {
+                film.read(positions, states);
+                film.readMarks(marks);
+            });
         }
         return true;
     }

@@ -55,6 +55,8 @@ private:
 
 void PaperFilm::begin(const solver::DipSetup& setup) {
     numerics::requireValid(setup);
+    numerics::requireEven(setup.film);
+    numerics::requireNoGrowth(setup.settings);
     require(setup.settings.lattice == solver::Lattice::Structural ||
                 setup.settings.support == solver::Support::None,
             "this solver has no isotropic film on water");

@@ -33,7 +33,7 @@ PaperModel::PaperModel(const solver::DipSetup& setup, PaperKernels usedKernels)
       stride((chunks + 3) / 2 * 2 * chunkColumns),
       hasDiagonals(settings.lattice == solver::Lattice::Isotropic),
       vertical(settings.support == solver::Support::Water ? 0.0f : 1.0f) {
-    const double x = grid.spacingX(), z = grid.spacingZ();
+    const double x = grid.spacingX(0), z = grid.spacingZ(0);
     rest = {float(x), float(z), float(std::hypot(x, z))};
     for (auto* columns : {&borderShare, &innerShare, &hasRight, &columnStiffness}) {
         columns->assign(std::size_t(stride), 0.0f);

@@ -89,7 +89,7 @@ std::vector<ContactPush> summedByPoint(std::vector<ContactPush> pushes) {
 } // namespace
 
 SelfContact::SelfContact(const solver::FilmGrid& grid)
-    : grid_(grid), distance_(float(std::min(grid.spacingX(), grid.spacingZ()) / 2)) {}
+    : grid_(grid), distance_(float(std::min(grid.spacingX(0), grid.spacingZ(0)) / 2)) {}
 
 bool SelfContact::areGridNeighbours(std::uint32_t a, std::uint32_t b) const {
     const auto columns = std::uint32_t(grid_.columns);

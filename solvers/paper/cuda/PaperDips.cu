@@ -56,7 +56,7 @@ float share(int alongX, int alongZ, bool withDiagonals) {
 
 PaperModel paperModel(const solver::DipSetup& setup, const PaperTiles& tiles) {
     const solver::FilmGrid& film = setup.film;
-    const double x = film.spacingX(), z = film.spacingZ();
+    const double x = film.spacingX(0), z = film.spacingZ(0);
     PaperModel model;
     model.columns = film.columns;
     model.rows = film.rows;
@@ -103,6 +103,8 @@ int stepsOf(const solver::DipSetup& setup, double stepLength) {
 
 void requireKnown(const solver::DipSetup& setup) {
     numerics::requireValid(setup);
+    numerics::requireEven(setup.film);
+    numerics::requireNoGrowth(setup.settings);
     if (setup.settings.relaxation != solver::Relaxation::Jacobi || setup.settings.selfContact) {
         throw std::invalid_argument(
             "the GPU relaxes the paper's film by Jacobi sweeps and does not keep it from meeting "

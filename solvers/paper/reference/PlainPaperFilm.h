@@ -62,7 +62,7 @@ private:
         const bool isIsotropic = setup_.settings.lattice == solver::Lattice::Isotropic;
         constraints_.push_back(
             {std::size_t(rowA * grid.columns + columnA), std::size_t(rowB * grid.columns + columnB),
-             std::hypot((columnB - columnA) * grid.spacingX(), (rowB - rowA) * grid.spacingZ()),
+             std::hypot((columnB - columnA) * grid.spacingX(0), (rowB - rowA) * grid.spacingZ(0)),
              isIsotropic && isOnBorder ? 0.5 : stiffness});
     }
 

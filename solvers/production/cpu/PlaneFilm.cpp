@@ -74,8 +74,9 @@ RowOfPoints rowOfPoints(const PlaneVector& v, std::size_t width, int j) {
 } // namespace
 
 PlaneFilm::PlaneFilm(const solver::FilmGrid& grid)
-    : columns_(grid.columns), rows_(grid.rows), inverseX_(float(1 / grid.spacingX())),
-      inverseZ_(float(1 / grid.spacingZ())), area_(float(grid.spacingX() * grid.spacingZ() / 2)) {
+    : columns_(grid.columns), rows_(grid.rows), inverseX_(float(1 / grid.spacingX(0))),
+      inverseZ_(float(1 / grid.spacingZ(0))),
+      area_(float(grid.spacingX(0) * grid.spacingZ(0) / 2)) {
     const std::size_t cells = std::size_t(columns_ - 1) * std::size_t(rows_ - 1);
     for (States& state : state_) {
         state.cosine.assign(cells, 1.f);

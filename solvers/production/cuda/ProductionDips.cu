@@ -235,6 +235,9 @@ ProductionDips::ProductionDips(const Device& device, Setups setups)
       levels_((use(device), device), model_, blocksPerDip_) {
     for (const solver::DipSetup* setup : setups) {
         numerics::requireValid(*setup);
+        numerics::requireEven(setup->film);
+        numerics::requireNoGrowth(setup->settings);
+        numerics::requireUsualGathering(setup->settings);
     }
     ProductionDip dip;
     const std::size_t bytes = placeArrays(dip, model_, levels_.pointCount(), nullptr);
@@ -260,7 +263,7 @@ void ProductionDips::layFlat(const solver::DipSetup& setup, const ProductionDip&
         free[point] = setup.pinned[point] ? 0.0f : 1.0f;
     }
     upload(dip.free, free);
-    const float4 shape{float(1 / film().spacingX()), 0, 0, float(1 / film().spacingZ())};
+    const float4 shape{float(1 / film().spacingX(0)), 0, 0, float(1 / film().spacingZ(0))};
     upload(dip.inverseShape,
            std::vector<float4>(2 * std::size_t(film().columns - 1) * std::size_t(film().rows - 1),
                                shape));

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace dipwright::numerics {
 
@@ -24,9 +23,6 @@ struct ContactBody {
     Real firmlyHeld{}, steepestHeld{};
 };
 
-// Film is held fast up to so far before the overhang, radians.
-inline constexpr double gripFades = 5 * std::numbers::pi / 180;
-
 // The body of a dip. Its grip g, the share of its unfolding that film follows, fades so that no
 // film is laid past the overhang. Let u be the y of the body's normal at the contact line. While
 // the line moves on by 1 along the surface it recedes by u on the water; film that slips by 1 − g
@@ -36,7 +32,7 @@ inline constexpr double gripFades = 5 * std::numbers::pi / 180;
 template <typename Real>
 ContactBody<Real> contactBody(const solver::DipSetup& setup) {
     const double last = std::sin(setup.settings.overhang);
-    const double firmly = std::sin(setup.settings.overhang - gripFades);
+    const double firmly = std::sin(setup.settings.overhang - setup.settings.gripFade);
     return {fieldGrid<Real>(setup.field), setup.motion, Real(setup.settings.contactDistance),
             Real(firmly), Real(last + std::max(last, 0.0) * (last - firmly))};
 }

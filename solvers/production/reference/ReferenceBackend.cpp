@@ -26,7 +26,7 @@ std::array<std::size_t, 4> endsOf(const Triangle& triangle) {
 
 ReferenceBackend::ReferenceBackend(const solver::DipSetup& setup) : HostFilm(setup) {
     const solver::FilmGrid& grid = setup.film;
-    const Matrix2<double> rest{1 / grid.spacingX(), 0, 0, 1 / grid.spacingZ()};
+    const Matrix2<double> rest{1 / grid.spacingX(0), 0, 0, 1 / grid.spacingZ(0)};
     for (int row = 0; row + 1 < grid.rows; ++row) {
         for (int column = 0; column + 1 < grid.columns; ++column) {
             const std::size_t lowerLeft =

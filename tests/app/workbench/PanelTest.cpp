@@ -146,7 +146,7 @@ private slots:
     void theHeatPictureShowsColumnsAcrossAndRowsDown() {
         const HeatScale scale{.map = QStringLiteral("grey"), .low = 0, .high = 3};
         // Two columns, two rows: 0 1 / 2 3.
-        const QImage picture = heatPicture({0, 1, 2, 3}, 2, 2, {40, 60}, scale);
+        const QImage picture = heatPicture({0, 1, 2, 3}, {2, 2, 40, 60}, {40, 60}, scale);
         QCOMPARE(picture.size(), QSize(40, 60));
         QVERIFY(qGray(picture.pixel(39, 0)) > qGray(picture.pixel(0, 0)));
         QVERIFY(qGray(picture.pixel(0, 59)) > qGray(picture.pixel(39, 0)));
@@ -159,7 +159,7 @@ private slots:
                 values.push_back(float(column));
             }
         }
-        const QList<QLineF> lines = isolines(values, 11, 11, {100, 200}, 2.5);
+        const QList<QLineF> lines = isolines(values, {11, 11, 100, 200}, 2.5);
         QVERIFY(!lines.isEmpty());
         for (const QLineF& line : lines) {
             QVERIFY(std::abs(line.x1() - line.x2()) < 1e-9);

@@ -20,6 +20,15 @@ Corners cornersOf(const TriangleMesh& mesh, std::size_t triangle) {
     return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
 }
 
+std::vector<double> gradedPlaces(double length, int count) {
+    std::vector<double> places;
+    for (int line = 0; line < count; ++line) {
+        const double along = (2.0 * line - (count - 1)) / (count - 1); // −1 … 1
+        places.push_back(length / 2 * (along * (1 + along * along / 2) / 1.5));
+    }
+    return places;
+}
+
 TexturedMesh modelWith(const TriangleMesh& mesh, const QImage& picture) {
     TexturedMesh model = plainModel(mesh, QColor(200, 200, 200));
     model.materials[0].texture = 0;
@@ -31,6 +40,13 @@ TexturedMesh modelWith(const TriangleMesh& mesh, const QImage& picture) {
 
 solver::FilmGrid a4Grid(int columns, int rows) {
     return {columns, rows, 210, 297};
+}
+
+solver::FilmGrid gradedA4Grid(int columns, int rows) {
+    solver::FilmGrid grid = a4Grid(columns, rows);
+    grid.columnPlaces = gradedPlaces(grid.width, columns);
+    grid.rowPlaces = gradedPlaces(grid.depth, rows);
+    return grid;
 }
 
 PosedBody posed(const TexturedMesh& model) {

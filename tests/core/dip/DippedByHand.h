@@ -8,6 +8,8 @@
 namespace dipwright::test {
 
 solver::FilmGrid a4Grid(int columns = 120, int rows = 170);
+// Its lines half as far apart in the middle as at the edges, and a little more.
+solver::FilmGrid gradedA4Grid(int columns = 120, int rows = 170);
 
 // A body of one plain colour, in the pose frame of an immersion as modelled.
 PosedBody posed(const TexturedMesh& model);

@@ -80,6 +80,8 @@ private Q_SLOTS:
     void paintEndsEvenlyWhereTheBodyTurnsUp_data();
     void paintEndsEvenlyWhereTheBodyTurnsUp();
     void placeGivesTheFlatFilmBack();
+    void gradedFilmIsReadBackAsAnEvenOne();
+    void gradedFilmEndsAndCoversAsAnEvenOne();
     void placeEndsWhereThePaintEnds();
     void placeTellsTheSidesOfAThinPlateApart();
     void sameResultTwice();
@@ -139,7 +141,7 @@ void FilmContactTest::tornFilmIsNotPainted() {
     DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
     // Drawn sideways on the bottom: the cells to its left grow to 2.5 times their area.
     const std::size_t point = middlePoint(film.grid);
-    film.positions[point].x() += 1.5f * float(film.grid.spacingX());
+    film.positions[point].x() += 1.5f * float(film.grid.spacingX(0));
     ProcessSettings process;
     process.tearStretch = 2;
     const Located box(boxMesh({60, 30, 60}), film, process);
@@ -210,7 +212,7 @@ void FilmContactTest::filmAcrossAHollowIsNotPainted() {
 void FilmContactTest::coverageOfABoxIsItsBottom() {
     // As large as 34 film points, so that the film's cells end where the bottom does.
     const solver::FilmGrid grid = test::a4Grid();
-    const Eigen::Vector3d size(33 * grid.spacingX(), 30, 33 * grid.spacingZ());
+    const Eigen::Vector3d size(33 * grid.spacingX(0), 30, 33 * grid.spacingZ(0));
     const Located box(boxMesh(size), test::flatUnderBox(grid, size + Eigen::Vector3d(0.1, 0, 0.1)));
     const Coverage cover = coverage(*box.laid);
     const double bottom = size.x() * size.z();
@@ -322,11 +324,50 @@ void FilmContactTest::placeGivesTheFlatFilmBack() {
     QVERIFY(found > 10000);
 }
 
+void FilmContactTest::gradedFilmIsReadBackAsAnEvenOne() {
+    const Eigen::Vector3d size(60, 30, 60);
+    for (const solver::FilmGrid& grid : {test::a4Grid(), test::gradedA4Grid()}) {
+        const Located box(boxMesh(size), test::flatUnderBox(grid, size));
+        for (float x = -27; x <= 27; x += 1.7f) {
+            for (float z = -27; z <= 27; z += 1.3f) {
+                const std::optional<FilmPlace> place = box.placeAt({x, 0, z});
+                QVERIFY(place);
+                QVERIFY((place->rest - Eigen::Vector2f(x, z)).norm() < 2e-5f);
+                Eigen::Vector2f rest = Eigen::Vector2f::Zero();
+                const Eigen::Vector3f weights = box.laid->weights(*place);
+                for (int corner = 0; corner < 3; ++corner) {
+                    const auto point = box.laid->triangles()[place->triangle][std::size_t(corner)];
+                    rest += weights[corner] * restPosition(grid, point);
+                }
+                QVERIFY((rest - place->rest).norm() < 2e-5f);
+            }
+        }
+    }
+}
+
+void FilmContactTest::gradedFilmEndsAndCoversAsAnEvenOne() {
+    const Located even(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.8));
+    const Located graded(ball(), test::viscousOnSphere(test::gradedA4Grid(), ballRadius, 1.8));
+    for (float angle = 0.05f; angle < 1.7f; angle += 0.05f) {
+        for (float turn = 0; turn < 6.2f; turn += 0.3f) {
+            const Eigen::Vector3f at(float(ballRadius) * std::sin(angle) * std::cos(turn),
+                                     float(ballRadius) * (1 - std::cos(angle)),
+                                     float(ballRadius) * std::sin(angle) * std::sin(turn));
+            const auto one = even.placeAt(at), other = graded.placeAt(at);
+            QVERIFY(one && other);
+            // Both interpolate over flat triangles, the graded film's smaller here.
+            QVERIFY((one->rest - other->rest).norm() < 0.03f);
+        }
+    }
+    const double evenArea = coverage(*even.laid).paintedArea;
+    QVERIFY(std::abs(coverage(*graded.laid).paintedArea / evenArea - 1) < 0.003);
+}
+
 void FilmContactTest::placeEndsWhereThePaintEnds() {
     const Located box(boxMesh({60, 30, 60}), test::flatUnderBox(test::a4Grid(), {30, 30, 30}));
     const auto covers = [&](float x, float z) { return box.placeAt({x, 0, z}).has_value(); };
     // Eighteen points of each row are on the bottom, 17 cells between them.
-    const auto end = float(8.5 * box.film.grid.spacingX());
+    const auto end = float(8.5 * box.film.grid.spacingX(0));
     QVERIFY(covers(end - 0.05f, 3));
     QVERIFY(covers(-end + 0.05f, -3));
     QVERIFY(!covers(end + 0.1f, 3));

@@ -12,7 +12,12 @@ using namespace dipwright;
 
 namespace {
 
-constexpr solver::FilmGrid smallGrid{7, 5, 60, 40};
+const solver::FilmGrid smallGrid{7, 5, 60, 40};
+
+// Its cells are from 5 to 20 mm wide and 8 or 12 mm long.
+solver::FilmGrid gradedGrid() {
+    return {7, 5, 60, 40, {-30, -25, -20, -10, 0, 10, 30}, {-20, -8, 0, 12, 20}};
+}
 
 // The flat film moved by a linear map of its plane into space.
 DippedFilm mapped(const solver::FilmGrid& grid, const Eigen::Matrix<float, 3, 2>& map) {
@@ -39,6 +44,8 @@ private Q_SLOTS:
     void noPinnedEdgeNeedsNoBytes();
     void pinnedEdgesHoldTheirPoints();
     void pointsRestRoundTheMiddle();
+    void gradedFilmRestsOnItsLines();
+    void gradedFilmIsMeasuredAsAnEvenOne();
     void trianglesCoverTheFilmFacingUp();
     void cellsAreCutInTurns();
     void constraintsMatchThePapersTable_data();
@@ -85,6 +92,52 @@ void FilmTest::pointsRestRoundTheMiddle() {
     QCOMPARE(restPosition(smallGrid, 7), Eigen::Vector2f(-30, -10));
     QCOMPARE(restPosition(smallGrid, 17), Eigen::Vector2f(0, 0));
     QCOMPARE(restPosition(smallGrid, 34), Eigen::Vector2f(30, 20));
+}
+
+void FilmTest::gradedFilmRestsOnItsLines() {
+    const solver::FilmGrid grid = gradedGrid();
+    QVERIFY(!grid.isEven() && smallGrid.isEven());
+    QCOMPARE(grid.restX(1), -25.0);
+    QCOMPARE(grid.restZ(3), 12.0);
+    QCOMPARE(grid.spacingX(0), 5.0);
+    QCOMPARE(grid.spacingX(5), 20.0);
+    QCOMPARE(grid.spacingZ(3), 8.0);
+    QCOMPARE(grid.leastSpacingX(), 5.0);
+    QCOMPARE(grid.leastSpacingZ(), 8.0);
+    QCOMPARE(grid.leastSpacing(), 5.0);
+    QCOMPARE(smallGrid.leastSpacing(), 10.0);
+    QCOMPARE(restPosition(grid, 7 * 3 + 1), Eigen::Vector2f(-25, 12));
+    for (int column = 0; column < grid.columns; ++column) {
+        QVERIFY(isNear(columnAt(grid, grid.restX(column) / 60 + 0.5), column, 1e-12));
+    }
+    for (int row = 0; row < grid.rows; ++row) {
+        QVERIFY(isNear(rowAt(grid, grid.restZ(row) / 40 + 0.5), row, 1e-12));
+    }
+    QCOMPARE(columnAt(grid, 50.0 / 60), 5.5); // in the middle of the last, wide cell
+    QCOMPARE(columnAt(grid, -5.0 / 60), -1.0);
+    QCOMPARE(columnAt(smallGrid, 50.0 / 60), 5.0);
+    QCOMPARE(cellOfTriangle(grid, 2 * (6 + 5)), 20.f);
+    QCOMPARE(cellOfTriangle(grid, 2 * (6 + 1)), 8.f);
+    QCOMPARE(cellOfPoint(grid, 7 + 5), 20.f);
+    QCOMPARE(cellOfPoint(grid, 7 + 1), 12.f);
+}
+
+void FilmTest::gradedFilmIsMeasuredAsAnEvenOne() {
+    Eigen::Matrix<float, 3, 2> map;
+    map << 1.5f, 0, 0, 0, 0, 0.5f;
+    const DippedFilm film = mapped(gradedGrid(), map);
+    for (const PrincipalStretch& stretch : principalStretches(film)) {
+        QVERIFY(isNear(stretch.larger, 1.5) && isNear(stretch.smaller, 0.5));
+    }
+    const std::vector<float> stretches = constraintStretches(film);
+    for (std::size_t constraint = 0; constraint < stretches.size(); ++constraint) {
+        QVERIFY(isNear(stretches[constraint], constraint < 5 * 6 ? 1.5 : 0.5));
+    }
+    double area = 0;
+    for (std::size_t triangle = 0; triangle < filmTriangles(film.grid).size(); ++triangle) {
+        area += restArea(film.grid, triangle);
+    }
+    QCOMPARE(area, 60.0 * 40);
 }
 
 void FilmTest::trianglesCoverTheFilmFacingUp() {

@@ -87,6 +87,7 @@ class ReverseTextureTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void flatFaceGivesThePictureBack_data();
     void flatFaceGivesThePictureBack();
     void letterStandsMirroredInItsPlace();
     void globeShowsItsMapEverywhere();
@@ -103,11 +104,18 @@ private Q_SLOTS:
     void cancellingThrows();
 };
 
+void ReverseTextureTest::flatFaceGivesThePictureBack_data() {
+    QTest::addColumn<bool>("graded");
+    QTest::newRow("even film") << false;
+    QTest::newRow("graded film") << true;
+}
+
 void ReverseTextureTest::flatFaceGivesThePictureBack() {
+    QFETCH(bool, graded);
+    const solver::FilmGrid grid = graded ? test::gradedA4Grid() : test::a4Grid();
     const QImage picture = drawn(waves, {512, 512});
-    const ReverseTexture texture =
-        reversed(test::boxWithPicture(boxSize, picture),
-                 test::flatUnderBox(test::a4Grid(), boxSize), uncompensated());
+    const ReverseTexture texture = reversed(test::boxWithPicture(boxSize, picture),
+                                            test::flatUnderBox(grid, boxSize), uncompensated());
     QCOMPARE(texture.seamTriangles, std::size_t(0));
     QCOMPARE(texture.shortfallArea, 0.0);
     int compared = 0;
@@ -250,7 +258,7 @@ void ReverseTextureTest::textureWithoutCoordinatesIsTheColour() {
 void ReverseTextureTest::nothingIsPrintedBeyondTheBleed() {
     const TexturedMesh model = test::plainModel(boxMesh(boxSize), QColor(10, 200, 30));
     const DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize);
-    const Eigen::Vector2d painted(16.5 * film.grid.spacingX(), 16.5 * film.grid.spacingZ());
+    const Eigen::Vector2d painted(16.5 * film.grid.spacingX(0), 16.5 * film.grid.spacingZ(0));
     for (const double bleed : {0.0, 2.0, 5.0}) {
         ReverseTextureOptions options = uncompensated();
         options.bleed = bleed;
@@ -296,7 +304,7 @@ void ReverseTextureTest::colourThatCannotBeHadIsReported() {
     const ReverseTexture texture =
         reversed(test::plainModel(boxMesh(boxSize), QColor(0, 0, 0)), film, options);
     // All of the painted bottom: 28 × 28 points' cells, drawn out.
-    const double painted = 27 * 27 * film.grid.spacingX() * film.grid.spacingZ() * 1.44;
+    const double painted = 27 * 27 * film.grid.spacingX(0) * film.grid.spacingZ(0) * 1.44;
     QVERIFY(std::abs(texture.shortfallArea - painted) < 0.01 * painted);
 }
 

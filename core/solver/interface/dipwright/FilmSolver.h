@@ -9,10 +9,12 @@
 // the object can then only be destroyed or begun anew.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,7 +22,7 @@
 namespace dipwright::solver {
 
 // Raised whenever anything in this folder changes in a way that an older module would not survive.
-inline constexpr int interfaceVersion = 2;
+inline constexpr int interfaceVersion = 3;
 
 // Which constraints hold the film together.
 enum class Lattice : std::uint8_t {
@@ -45,21 +47,51 @@ enum class Relaxation : std::uint8_t { Jacobi, GaussSeidel };
 
 // The flat film before the dip: columns × rows points, columns along +X, rows along +Z, centred on
 // the origin in the plane y = 0. Point (column i, row j) has index j·columns + i and rests at
-// (−width/2 + i·width/(columns−1), 0, −depth/2 + j·depth/(rows−1)).
-// Each cell is cut into two triangles along the diagonal (i, j)–(i+1, j+1) where i + j is even and
-// (i+1, j)–(i, j+1) where it is odd.
+// (restX(i), 0, restZ(j)). The lines need not be evenly spaced: a graded film is fine under the
+// body and coarse towards its edge. Each cell is cut into two triangles along the diagonal (i,
+// j)–(i+1, j+1) where i + j is even and (i+1, j)–(i, j+1) where it is odd.
 struct FilmGrid {
     int columns = 0;
     int rows = 0;
     double width = 0; // mm along X, swell included
     double depth = 0; // mm along Z, swell included
+    // Where the columns rest along X and the rows along Z, mm: ascending, one each, the first at
+    // −width/2 or −depth/2 and the last at width/2 or depth/2. Empty: evenly spaced.
+    std::vector<double> columnPlaces = {};
+    std::vector<double> rowPlaces = {};
+
+    bool operator==(const FilmGrid&) const = default;
 
     std::size_t pointCount() const { return std::size_t(columns) * std::size_t(rows); }
-    double spacingX() const { return width / (columns - 1); }
-    double spacingZ() const { return depth / (rows - 1); }
+    bool isEven() const { return columnPlaces.empty() && rowPlaces.empty(); }
     // Where the points of a column and of a row rest, mm.
-    double restX(int column) const { return -width / 2 + column * spacingX(); }
-    double restZ(int row) const { return -depth / 2 + row * spacingZ(); }
+    double restX(int column) const { return rest(columnPlaces, columns, width, column); }
+    double restZ(int row) const { return rest(rowPlaces, rows, depth, row); }
+    // mm from a column or row, that is not the last, to the next: the size of the cells between.
+    double spacingX(int column) const { return spacing(columnPlaces, columns, width, column); }
+    double spacingZ(int row) const { return spacing(rowPlaces, rows, depth, row); }
+    // The finest cells' sides, mm.
+    double leastSpacingX() const { return leastSpacing(columnPlaces, columns, width); }
+    double leastSpacingZ() const { return leastSpacing(rowPlaces, rows, depth); }
+    double leastSpacing() const { return std::min(leastSpacingX(), leastSpacingZ()); }
+
+private:
+    using Places = std::vector<double>;
+    static double rest(const Places& places, int count, double length, int line) {
+        return places.empty() ? -length / 2 + line * (length / (count - 1))
+                              : places[std::size_t(line)];
+    }
+    static double spacing(const Places& places, int count, double length, int line) {
+        return places.empty() ? length / (count - 1)
+                              : places[std::size_t(line) + 1] - places[std::size_t(line)];
+    }
+    static double leastSpacing(const Places& places, int count, double length) {
+        double least = spacing(places, count, length, 0);
+        for (int line = 1; line + 1 < int(places.size()); ++line) {
+            least = std::min(least, spacing(places, count, length, line));
+        }
+        return least;
+    }
 };
 
 // Signed distance of the body, sampled on a uniform grid in body coordinates; not owned, valid
@@ -98,12 +130,24 @@ struct Settings {
     // the elastic forces in the film, each the root of its sum of squares.
     double contactTravel = 0.5;
     double residual = 1e-4;
-    // Film is laid on faces that turn upwards by no more than this, radians from the vertical; ever
-    // less of it on the way there. Past it the film is let go of, and what the body catches
-    // (PointState::Trapped) is neither painted nor pulled along.
+    // Laws of what film does, isotropic film on water only (docs/film-model.md, "Constants of
+    // ours"). Film is laid on faces that turn upwards by no more than this, radians from the
+    // vertical; ever less of it on the way there. Past it the film is let go of, and what the body
+    // catches (PointState::Trapped) is neither painted nor pulled along.
     double overhang = 0.35;
+    // Film is held fast up to so far before the overhang, radians; from there on the grip fades.
+    double gripFade = 5 * std::numbers::pi / 180;
     double tearStretch = 4; // film tears past so many times its length or its area
-    int threads = 0;        // 0: all the host has
+    // Film pushed together to a mean stretch, (λ1 + λ2)/2, below this gathers; 2/3 … 1.
+    double gatheringStretch = 0.8;
+    // Film that floats grows alike along X and Z: t seconds after the dip began its rest shape is
+    // 1 + limit·(1 − exp(−rate·t/limit)) times as long. What is laid grows no more. Rate in 1/s,
+    // limit a share of its length; no growth where one of them is 0.
+    double growthRate = 0;
+    double growthLimit = 0;
+    int threads = 0; // 0: all the host has
+
+    bool operator==(const Settings&) const = default;
 };
 
 // Everything a dip needs. `pinned` has one byte a point (non-zero: held where it rests, as by a
@@ -116,11 +160,20 @@ struct DipSetup {
     std::vector<std::uint8_t> pinned;
 };
 
+// How well the steps of a dip so far have ended in equilibrium, of a film that seeks it; all zero
+// of any other.
+struct EquilibriumAccount {
+    std::int64_t stepsWithout = 0;     // ended with more force left than Settings::residual
+    double worstForceLeft = 0;         // of those: the most, over the elastic forces in the film
+    std::int64_t linearIterations = 0; // of the linear solver, in all steps
+};
+
 // How far a dip has come.
 struct DipState {
     std::int64_t steps = 0; // done so far
     double descent = 0;     // mm the body has come down
     bool finished = false;  // descent has reached the travel
+    EquilibriumAccount equilibrium = {};
 };
 
 // What has become of one film point.
@@ -129,6 +182,19 @@ enum class PointState : std::uint8_t {
     Adhered = 1, // it has met the surface and moves with the body
     Trapped = 2, // caught by a face that it cannot hold to; carried along, not painted
 };
+
+// Bits that say of a film point that it lies where a law without measurement behind it, or a lack
+// of equilibrium, has put it. A point may have none or several; they stay once they are set.
+enum class PointMark : std::uint8_t {
+    Torn = 1,  // held because its film tore
+    LetGo = 2, // of film that was released at an overhang
+    Unbalanced =
+        4, // held, or left with more force than Settings::residual, for want of equilibrium
+};
+
+constexpr bool has(std::uint8_t marks, PointMark mark) {
+    return (marks & std::uint8_t(mark)) != 0;
+}
 
 class FilmSolver {
 public:
@@ -144,6 +210,11 @@ public:
     // World positions (x, y, z per point, film order) and states of all points as they are now.
     // `positions` holds 3·pointCount floats, `states` pointCount or is empty.
     virtual void read(std::span<float> positions, std::span<PointState> states) const = 0;
+
+    // The PointMark bits of all points as they are now; `marks` holds pointCount.
+    virtual void readMarks(std::span<std::uint8_t> marks) const {
+        std::fill(marks.begin(), marks.end(), std::uint8_t(0));
+    }
 
     // The film for display, without holding up a device that computes beside the host. True: the
     // arrays are filled as by read(), with the film as it was after whole steps, and `shown`, on
@@ -161,15 +232,21 @@ struct BatchItem {
     DipSetup setup;
     std::vector<float> positions; // filled: 3·pointCount, world frame at the end
     std::vector<PointState> states;
+    std::vector<std::uint8_t> marks; // PointMark bits
     std::int64_t steps = 0;
+    EquilibriumAccount equilibrium;
 
-    // Fills in the end of a dip of so many steps; read(positions, states) as FilmSolver::read.
+    // Fills in the end of a dip. read(positions, states, marks) is to do as FilmSolver::read and
+    // readMarks; the marks are none before it.
     template <typename Read>
-    void finish(std::int64_t stepsOfDip, const Read& read) {
+    void finish(const DipState& end, const Read& read) {
         positions.resize(3 * setup.film.pointCount());
         states.resize(setup.film.pointCount());
-        steps = stepsOfDip;
-        read(std::span<float>(positions), std::span<PointState>(states));
+        marks.assign(setup.film.pointCount(), 0);
+        steps = end.steps;
+        equilibrium = end.equilibrium;
+        read(std::span<float>(positions), std::span<PointState>(states),
+             std::span<std::uint8_t>(marks));
     }
 };
 
