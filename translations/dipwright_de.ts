@@ -293,14 +293,6 @@
         <translation>Film auf dem Körper wird gesucht</translation>
     </message>
     <message>
-        <source>Measuring the coverage</source>
-        <translation>Abdeckung wird gemessen</translation>
-    </message>
-    <message>
-        <source>Measuring the registration</source>
-        <translation>Passgenauigkeit wird gemessen</translation>
-    </message>
-    <message>
         <source>The body does not meet the film; move it over the film or choose a larger film</source>
         <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film oder wählen Sie einen größeren Film</translation>
     </message>
@@ -351,6 +343,18 @@
     <message>
         <source>The body is smaller than the film&apos;s cells; give the film more points, or check the model&apos;s unit</source>
         <translation>Der Körper ist kleiner als die Zellen des Films; geben Sie dem Film mehr Punkte oder prüfen Sie die Einheit des Modells</translation>
+    </message>
+    <message>
+        <source>Making the sheets</source>
+        <translation>Bögen werden angelegt</translation>
+    </message>
+    <message>
+        <source>Writing the proof</source>
+        <translation>Vorschau wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Bericht wird geschrieben</translation>
     </message>
 </context>
 <context>

@@ -293,14 +293,6 @@
         <translation>Localizando o filme no corpo</translation>
     </message>
     <message>
-        <source>Measuring the coverage</source>
-        <translation>Medindo a cobertura</translation>
-    </message>
-    <message>
-        <source>Measuring the registration</source>
-        <translation>Medindo o registro</translation>
-    </message>
-    <message>
         <source>The body does not meet the film; move it over the film or choose a larger film</source>
         <translation>O corpo não encontra o filme; mova-o sobre o filme ou escolha um filme maior</translation>
     </message>
@@ -351,6 +343,18 @@
     <message>
         <source>The body is smaller than the film&apos;s cells; give the film more points, or check the model&apos;s unit</source>
         <translation>O corpo é menor que as células do filme; dê mais pontos ao filme ou verifique a unidade do modelo</translation>
+    </message>
+    <message>
+        <source>Making the sheets</source>
+        <translation>Criando as folhas</translation>
+    </message>
+    <message>
+        <source>Writing the proof</source>
+        <translation>Gravando a prova</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Gravando o relatório</translation>
     </message>
 </context>
 <context>

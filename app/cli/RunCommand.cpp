@@ -71,11 +71,9 @@ public:
         JobOptions options;
         options.solver = parser.value(solverOption);
         applyFilmImage(options, parser);
-        checkResultFolder(folder); // better now than after the work
         const SolverRegistry registry;
-        const Progress progress = console.progress();
-        const JobResult result = runJob(project, registry, options, nullptr, progress.part(0, 0.9));
-        writeResults(project, result, folder, progress.part(0.9, 1));
+        const JobResult result =
+            runAndWrite(project, registry, options, folder, console.progress());
         printSummary(result, console.out());
         console.out() << QStringLiteral("Wrote %1\n").arg(folder);
     }

@@ -43,6 +43,8 @@ struct Progress {
             report(share, text);
         }
     }
+    // Cancelled together with this piece, and reports nothing: for what goes on beside it.
+    Progress silent() const { return {nullptr, cancelSwitch}; }
     // The part from `begin` to `end` of this piece as a piece of its own.
     Progress part(double begin, double end) const {
         Progress inner{nullptr, cancelSwitch};

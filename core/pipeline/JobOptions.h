@@ -7,12 +7,17 @@
 
 namespace dipwright {
 
+struct ImmersionResult;
+
 struct JobOptions {
     QString solver;          // in place of the project's, or empty
     QImage filmImage;        // on the film instead of the reverse texture; null: reverse
     bool chessboard = false; // the built-in chessboard as film image
     // Called from the working thread with the immersion's number. Has no effect on the result.
     std::function<void(std::size_t, const FilmFrame&)> observer;
+    // Called with an immersion's number and result as soon as its sheet is made, from any thread
+    // and while others may still be dipped.
+    std::function<void(std::size_t, const ImmersionResult&)> finished;
 };
 
 } // namespace dipwright

@@ -1,6 +1,7 @@
 #include "pipeline/Pipeline.h"
 
 #include "base/Error.h"
+#include "parallel/Tasks.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/SolverChoice.h"
 #include "results/Results.h"
@@ -19,10 +20,8 @@ struct Text {
 
 // Shares of the time of a job, roughly as measured on a film of 120 × 170 points.
 constexpr double fieldDone = 0.1;
-constexpr double immersionsDone = 0.85;
-constexpr double dipDone = 0.7; // of an immersion
-constexpr double contactDone = 0.8;
-constexpr double textureDone = 0.9;
+constexpr double dipsDone = 0.7;
+constexpr double sheetsDone = 0.85;
 
 // What all steps of one run are given.
 struct Run {
@@ -64,7 +63,7 @@ std::shared_ptr<const PosedBody> bodyOf(const BodyInputs& inputs, const Immersio
     return std::make_shared<const PosedBody>(posedBody(*inputs.model, immersion));
 }
 
-// Fills in the film on the body and what is measured of it.
+// Fills in the film on the body.
 void dip(ImmersionResult& result, const Run& run, std::size_t number, const DistanceField& field,
          SolverChoice& solver, const Progress& progress) {
     FilmObserver observer;
@@ -73,17 +72,16 @@ void dip(ImmersionResult& result, const Run& run, std::size_t number, const Dist
     }
     DippedFilm film = withFallback(solver, run.registry, [&](const solver::SolverModule& module) {
         return simulateDip(*result.body, field, result.immersion, run.project.film,
-                           run.project.process, module, progress.part(0, dipDone), observer);
+                           run.project.process, module, progress, observer);
     });
     result.solver = solver.solver;
     result.solverNotes = std::exchange(solver.notes, {});
-
-    const Progress measuring = progress.part(dipDone, contactDone);
-    measuring(0, Text::tr("Finding the film on the body"));
+    progress(1, Text::tr("Finding the film on the body"));
     result.laid = layFilm(result.body, std::move(film), run.project.process);
-    measuring(0.4, Text::tr("Measuring the coverage"));
+}
+
+void measure(ImmersionResult& result) {
     result.coverage = std::make_shared<const Coverage>(coverage(*result.laid));
-    measuring(0.6, Text::tr("Measuring the registration"));
     result.registration = registrationError(*result.laid, *result.laid);
 }
 
@@ -110,7 +108,8 @@ ReverseTexture textureOf(const LaidFilm& laid, const TextureInputs& inputs,
     return picture;
 }
 
-ImmersionResult immersionResult(const Run& run, std::size_t number, const SheetInputs& inputs,
+// The first part of an immersion's work: up to the film on the body.
+ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetInputs& inputs,
                                 const DistanceField* field, SolverChoice& solver,
                                 const Progress& progress) {
     const ImmersionResult* earlier = run.earlier(number);
@@ -123,15 +122,50 @@ ImmersionResult immersionResult(const Run& run, std::size_t number, const SheetI
         now.body = bodyOf(inputs.texture.dip.body, now.immersion, earlier);
         dip(now, run, number, *field, solver, progress);
     }
-    if (!earlier || earlier->inputs.texture != inputs.texture) {
-        now.texture = std::make_shared<const ReverseTexture>(
-            textureOf(*now.laid, inputs.texture, progress.part(contactDone, textureDone)));
-    }
-    if (!earlier || earlier->inputs != inputs) {
-        now.sheet = jobSheet(run.project, now.immersion, now.texture->image);
-    }
     now.inputs = inputs;
     return now;
+}
+
+// The rest of it: what is measured of the film, and its sheet.
+void finish(ImmersionResult& now, const Run& run, std::size_t number, const Progress& progress) {
+    const ImmersionResult* earlier = run.earlier(number);
+    Tasks beside;
+    if (!hasDipped(earlier, now.inputs.texture.dip)) {
+        beside.run([&] { measure(now); });
+    }
+    if (!earlier || earlier->inputs.texture != now.inputs.texture) {
+        now.texture = std::make_shared<const ReverseTexture>(
+            textureOf(*now.laid, now.inputs.texture, progress));
+    }
+    if (!earlier || earlier->inputs != now.inputs) {
+        now.sheet = jobSheet(run.project, now.immersion, now.texture->image);
+    }
+    beside.wait();
+    if (run.options.finished) {
+        run.options.finished(number, now);
+    }
+}
+
+// A film is finished beside the next dip, for which the solver has little to do with the processor
+// or does not use all of it.
+std::vector<ImmersionResult> immersionResults(const Run& run,
+                                              const std::vector<SheetInputs>& inputs,
+                                              const DistanceField* field, SolverChoice& solver,
+                                              const Progress& progress) {
+    std::vector<ImmersionResult> results(inputs.size());
+    Tasks finishing;
+    const double share = dipsDone / double(inputs.size());
+    for (std::size_t number = 0; number < inputs.size(); ++number) {
+        const double begin = share * double(number);
+        undisturbed([&] {
+            results[number] = dippedImmersion(run, number, inputs[number], field, solver,
+                                              progress.part(begin, begin + share));
+        });
+        finishing.run([&, number] { finish(results[number], run, number, progress.silent()); });
+    }
+    progress(dipsDone, Text::tr("Making the sheets"));
+    finishing.wait();
+    return results;
 }
 
 double coverageTotal(const std::vector<ImmersionResult>& immersions, const Progress& progress) {
@@ -206,15 +240,11 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     result.fieldInputs = fieldInputs(project);
     result.field = fieldOf(run, inputs, progress.part(0, fieldDone));
 
-    const double share = (immersionsDone - fieldDone) / double(inputs.size());
-    for (std::size_t number = 0; number < inputs.size(); ++number) {
-        const double begin = fieldDone + share * double(number);
-        result.immersions.push_back(immersionResult(run, number, inputs[number], result.field.get(),
-                                                    solver, progress.part(begin, begin + share)));
-    }
+    result.immersions = immersionResults(run, inputs, result.field.get(), solver,
+                                         progress.part(fieldDone, sheetsDone));
     result.solver = result.immersions.back().solver;
     result.coverageTotal = coverageTotal(result.immersions, progress);
-    result.proof = proofOf(run, result.immersions, progress.part(immersionsDone, 1));
+    result.proof = proofOf(run, result.immersions, progress.part(sheetsDone, 1));
     result.notes += notesOf(result);
     return result;
 }

@@ -3,7 +3,8 @@
 #include "base/Bytes.h"
 #include "base/Error.h"
 #include "base/Png.h"
-#include "parallel/ParallelFor.h"
+#include "parallel/Tasks.h"
+#include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
 #include "pipeline/ResultFolder.h"
 #include "results/Results.h"
@@ -52,16 +53,19 @@ struct Piece {
 void writeTogether(const std::vector<Piece>& pieces, const Progress& progress) {
     std::mutex mutex;
     std::size_t written = 0;
-    parallelFor(std::size_t(0), pieces.size(), [&](std::size_t index) {
-        const Piece& piece = pieces[index];
-        {
+    Tasks writing;
+    for (const Piece& piece : pieces) {
+        writing.run([&] {
+            {
+                const std::scoped_lock lock(mutex);
+                progress(double(written) / double(pieces.size()), piece.text);
+            }
+            piece.write();
             const std::scoped_lock lock(mutex);
-            progress(double(written) / double(pieces.size()), piece.text);
-        }
-        piece.write();
-        const std::scoped_lock lock(mutex);
-        ++written;
-    });
+            ++written;
+        });
+    }
+    writing.wait();
 }
 
 void addSheet(std::vector<Piece>& pieces, const ImmersionResult& result, const QString& prefix,
@@ -99,6 +103,35 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
                       }});
 }
 
+// The files of one immersion, `number` from 0. Keeps references to all but the number.
+std::vector<Piece> immersionPieces(const ImmersionResult& result, std::size_t number,
+                                   const ResultFolder& folder) {
+    const QString prefix = immersionFolder(int(number) + 1) + QLatin1Char('/');
+    std::vector<Piece> pieces;
+    addSheet(pieces, result, prefix, folder);
+    addFilm(pieces, result, prefix, folder);
+    return pieces;
+}
+
+// The files of the whole job.
+std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
+                             const ResultFolder& folder) {
+    return {{Text::tr("Writing the proof"),
+             [&] {
+                 const QString proof = QStringLiteral("proof.png");
+                 folder.write(proof, pngBytes(result.proof, proof));
+             }},
+            {Text::tr("Writing the report"), [&] {
+                 folder.write(QStringLiteral("report.json"),
+                              QJsonDocument(report(project, result)).toJson());
+             }}};
+}
+
+void commit(ResultFolder& folder, const Progress& progress) {
+    progress(1, Text::tr("Moving the results in place"));
+    folder.commit(resultFiles());
+}
+
 } // namespace
 
 void checkResultFolder(const QString& folder) {
@@ -109,19 +142,32 @@ void checkResultFolder(const QString& folder) {
 void writeResults(const Project& project, const JobResult& result, const QString& folder,
                   const Progress& progress) {
     ResultFolder results(folder);
-    std::vector<Piece> pieces;
-    int number = 0;
-    for (const ImmersionResult& immersion : result.immersions) {
-        const QString prefix = immersionFolder(++number) + QLatin1Char('/');
-        addSheet(pieces, immersion, prefix, results);
-        addFilm(pieces, immersion, prefix, results);
+    std::vector<Piece> pieces = jobPieces(project, result, results);
+    for (std::size_t number = 0; number < result.immersions.size(); ++number) {
+        for (Piece& piece : immersionPieces(result.immersions[number], number, results)) {
+            pieces.push_back(std::move(piece));
+        }
     }
     writeTogether(pieces, progress);
-    const QString proof = QStringLiteral("proof.png");
-    results.write(proof, pngBytes(result.proof, proof));
-    results.write(QStringLiteral("report.json"), QJsonDocument(report(project, result)).toJson());
-    progress(1, Text::tr("Moving the results in place"));
-    results.commit(resultFiles());
+    commit(results, progress);
+}
+
+JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
+                      const JobOptions& options, const QString& folder, const Progress& progress) {
+    checkResultFolder(folder);
+    ResultFolder results(folder);
+    Tasks writing;
+    JobOptions watched = options;
+    watched.finished = [&](std::size_t number, const ImmersionResult& immersion) {
+        writing.run([&, number, immersion] {
+            writeTogether(immersionPieces(immersion, number, results), progress.silent());
+        });
+    };
+    const JobResult result = runJob(project, registry, watched, nullptr, progress.part(0, 0.95));
+    writeTogether(jobPieces(project, result, results), progress.part(0.95, 1));
+    writing.wait();
+    commit(results, progress);
+    return result;
 }
 
 } // namespace dipwright

@@ -13,6 +13,11 @@ namespace dipwright {
 void writeResults(const Project& project, const JobResult& result, const QString& folder,
                   const Progress& progress);
 
+// Runs the job (runJob) and writes its results (writeResults) in one: the files of one immersion
+// while the next is dipped. A folder that cannot be written is found out before the job.
+JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
+                      const JobOptions& options, const QString& folder, const Progress& progress);
+
 // Throws Error where writeResults could not write: worth asking before a long job.
 void checkResultFolder(const QString& folder);
 

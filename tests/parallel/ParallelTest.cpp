@@ -1,6 +1,7 @@
-// Loops, sorting and teams of threads.
+// Loops, sorting, tasks and teams of threads.
 #include "parallel/ParallelFor.h"
 #include "parallel/ParallelSort.h"
+#include "parallel/Tasks.h"
 #include "parallel/Threads.h"
 
 #include <QtTest>
@@ -9,6 +10,7 @@
 #include <numeric>
 #include <random>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 using namespace dipwright;
@@ -23,6 +25,10 @@ private Q_SLOTS:
     void anExceptionReachesTheCaller();
     void sortedAsByOneThread_data();
     void sortedAsByOneThread();
+    void tasksMayBeginTasksAndLoops();
+    void aTaskThatThrowsDoesNotBreakOffTheOthers();
+    void tasksThatNobodyWaitsForEndAll();
+    void undisturbedWorkTakesUpNoTask();
     void aLimitHoldsWhileItLives();
     void aTeamDoesItsWorkBeforeItReturns();
     void aTeamHandsOnWhatItsWorkThrows();
@@ -96,6 +102,81 @@ void ParallelTest::sortedAsByOneThread() {
     std::sort(expected.begin(), expected.end());
     parallelSort(numbers.begin(), numbers.end());
     QVERIFY(numbers == expected);
+}
+
+void ParallelTest::tasksMayBeginTasksAndLoops() {
+    std::vector<int> sums(20, 0);
+    Tasks tasks;
+    for (std::size_t number = 0; number < sums.size(); ++number) {
+        tasks.run([&, number] {
+            tasks.run([&, number] {
+                std::vector<int> ones(1000, 0);
+                parallelFor(std::size_t(0), ones.size(), [&](std::size_t i) { ones[i] = 1; });
+                sums[number] = std::accumulate(ones.begin(), ones.end(), 0);
+            });
+        });
+    }
+    tasks.wait();
+    QCOMPARE(std::count(sums.begin(), sums.end(), 1000), 20);
+    tasks.wait(); // for nothing
+    tasks.run([&] { sums[0] = 1; });
+    tasks.wait();
+    QCOMPARE(sums[0], 1);
+}
+
+void ParallelTest::aTaskThatThrowsDoesNotBreakOffTheOthers() {
+    Tasks tasks;
+    std::atomic<int> begun = 0, ended = 0;
+    for (int task = 0; task < 50; ++task) {
+        tasks.run([&, task] {
+            if (task == 10) {
+                throw std::runtime_error("ten");
+            }
+            ++begun;
+            std::atomic<int> loops = 0;
+            parallelFor(0, 10'000, [&](int) { ++loops; });
+            ended += loops == 10'000 ? 1 : 0;
+        });
+    }
+    QVERIFY_EXCEPTION_THROWN(tasks.wait(), std::runtime_error);
+    QCOMPARE(int(ended), int(begun));
+    tasks.wait(); // it is thrown once
+}
+
+void ParallelTest::tasksThatNobodyWaitsForEndAll() {
+    std::atomic<int> begun = 0, ended = 0;
+    {
+        Tasks tasks;
+        for (int task = 0; task < 50; ++task) {
+            tasks.run([&] {
+                ++begun;
+                parallelFor(0, 1000, [](int) {});
+                ++ended;
+            });
+        }
+    }
+    QCOMPARE(int(ended), int(begun));
+}
+
+void ParallelTest::undisturbedWorkTakesUpNoTask() {
+    const auto here = std::this_thread::get_id();
+    bool isUndisturbed = false;
+    std::atomic<int> disturbances = 0;
+    Tasks tasks;
+    for (int task = 0; task < 200; ++task) {
+        tasks.run([&] {
+            if (std::this_thread::get_id() == here && isUndisturbed) {
+                ++disturbances;
+            }
+        });
+    }
+    undisturbed([&] {
+        isUndisturbed = true;
+        parallelFor(0, 10'000, [](int) {});
+        isUndisturbed = false;
+    });
+    tasks.wait();
+    QCOMPARE(int(disturbances), 0);
 }
 
 void ParallelTest::aLimitHoldsWhileItLives() {

@@ -124,9 +124,8 @@ std::vector<TimedRow> measureRun(const BenchSolver& solver, const Progress& prog
                         folder.path());
         }
         const Progress part = progress.part(done, done + 1.0 / solver.runs);
-        const JobResult result =
-            runJob(turtle, solver.registry, options, nullptr, part.part(0, 0.9));
-        writeResults(turtle, result, folder.filePath(QStringLiteral("results")), part.part(0.9, 1));
+        runAndWrite(turtle, solver.registry, options, folder.filePath(QStringLiteral("results")),
+                    part);
         done += 1.0 / solver.runs;
     });
     const int immersions = int(turtle.immersions.size());

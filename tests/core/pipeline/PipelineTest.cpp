@@ -380,6 +380,43 @@ private slots:
         QCOMPARE(filesBelow(home.path()), QStringList("immersion-1"));
     }
 
+    void writtenWhileItRunsAJobIsTheSame() {
+        QTemporaryDir home;
+        writeResults(job_, first_, home.filePath("after"), {});
+        const JobResult result = runAndWrite(job_, *registry_, {}, home.filePath("during"), {});
+        QCOMPARE(result.proof, first_.proof);
+        const QStringList files = filesBelow(home.filePath("after"));
+        QCOMPARE(filesBelow(home.filePath("during")), files);
+        for (const QString& name : files) {
+            const QByteArray during = bytesOf(home.filePath("during/" + name));
+            QVERIFY(!during.isEmpty());
+            if (name.endsWith(".png") || name.endsWith(".vtp")) { // the others say when
+                QVERIFY2(during == bytesOf(home.filePath("after/" + name)), qPrintable(name));
+            }
+        }
+    }
+
+    void aJobThatFailsWhileItIsWrittenLeavesNothing_data() {
+        QTest::addColumn<double>("cancelled"); // at this share of the work
+        for (const double share : {0.05, 0.3, 0.6, 0.9, 0.97}) {
+            QTest::newRow(qPrintable(QString::number(share))) << share;
+        }
+    }
+    void aJobThatFailsWhileItIsWrittenLeavesNothing() {
+        QFETCH(double, cancelled);
+        QTemporaryDir home;
+        Progress progress;
+        CancelSwitch cancelSwitch = progress.cancelSwitch;
+        progress.report = [&](double share, const QString&) {
+            if (share >= cancelled) {
+                cancelSwitch.cancel();
+            }
+        };
+        QVERIFY_EXCEPTION_THROWN(
+            runAndWrite(job_, *registry_, {}, home.filePath("results"), progress), Cancelled);
+        QVERIFY(QDir(home.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
+    }
+
     void aJobThatFailsLeavesEarlierResultsAlone() {
         QTemporaryDir home;
         writeResults(job_, first_, home.path(), {});

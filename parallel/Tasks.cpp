@@ -1,0 +1,73 @@
+#include "parallel/Tasks.h"
+
+#include "parallel/ForkAndJoin.h"
+
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+
+#include <exception>
+#include <list>
+#include <mutex>
+
+namespace dipwright {
+
+// An exception that reached TBB would break off the loops of the other tasks half-way.
+struct Tasks::Group {
+    tbb::task_group group;
+    std::mutex mutex;
+    std::list<parallel::ForkAndJoin> forks; // a task each
+    std::exception_ptr failure;
+    bool isGivenUp = false; // what has not begun is left out
+
+    const parallel::ForkAndJoin& fork() {
+        const std::scoped_lock lock(mutex);
+        return forks.emplace_back();
+    }
+    bool isWanted() {
+        const std::scoped_lock lock(mutex);
+        return !isGivenUp;
+    }
+    void giveUp(std::exception_ptr reason) {
+        const std::scoped_lock lock(mutex);
+        isGivenUp = true;
+        failure = failure ? failure : std::move(reason);
+    }
+};
+
+Tasks::Tasks() : group_(new Group) {}
+
+Tasks::~Tasks() {
+    group_->giveUp(nullptr);
+    group_->group.wait();
+}
+
+void Tasks::run(std::function<void()> task) {
+    Group& group = *group_;
+    const parallel::ForkAndJoin& fork = group.fork();
+    group.group.run([&group, &fork, task = std::move(task)] {
+        const parallel::ForkAndJoin::Piece piece(fork);
+        if (!group.isWanted()) {
+            return;
+        }
+        try {
+            task();
+        } catch (...) {
+            group.giveUp(std::current_exception());
+        }
+    });
+}
+
+void Tasks::wait() {
+    group_->group.wait();
+    group_->forks.clear();
+    group_->isGivenUp = false;
+    if (const std::exception_ptr failure = std::exchange(group_->failure, nullptr)) {
+        std::rethrow_exception(failure);
+    }
+}
+
+void undisturbed(const std::function<void()>& work) {
+    tbb::this_task_arena::isolate(work);
+}
+
+} // namespace dipwright
