@@ -356,6 +356,13 @@
         <source>Writing the report</source>
         <translation>Bericht wird geschrieben</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n step(s) ended without equilibrium, with forces left of up to %2 % of those in the film; see how certain the sheet is</source>
+        <translation>
+            <numerusform>%1: %n Schritt endete ohne Gleichgewicht, mit übrigen Kräften bis zu %2 % von denen in der Folie; prüfen Sie, wie verlässlich der Bogen ist</numerusform>
+            <numerusform>%1: %n Schritte endeten ohne Gleichgewicht, mit übrigen Kräften bis zu %2 % von denen in der Folie; prüfen Sie, wie verlässlich der Bogen ist</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Png</name>
@@ -671,6 +678,62 @@
     <message>
         <source>Whether a barrier in the tank holds this side of the film.</source>
         <translation>Ob eine Barriere im Becken diese Seite des Films hält.</translation>
+    </message>
+    <message>
+        <source>Advanced: laws without measurement</source>
+        <translation>Erweitert: Gesetze ohne Messung</translation>
+    </message>
+    <message>
+        <source>Overhang</source>
+        <translation>Überhang</translation>
+    </message>
+    <message>
+        <source>The film holds on faces that turn upwards by no more than this.</source>
+        <translation>Die Folie hält auf Flächen, die sich um nicht mehr als dies nach oben wenden.</translation>
+    </message>
+    <message>
+        <source>As in the project</source>
+        <translation>Wie im Projekt</translation>
+    </message>
+    <message>
+        <source>Grip fades over</source>
+        <translation>Halt schwindet über</translation>
+    </message>
+    <message>
+        <source>So far before the overhang the body begins to lose its grip on the film.</source>
+        <translation>So weit vor dem Überhang beginnt der Körper, die Folie loszulassen.</translation>
+    </message>
+    <message>
+        <source>Tears at</source>
+        <translation>Reißt bei</translation>
+    </message>
+    <message>
+        <source>How many times its length or its area the film can be stretched before it tears.</source>
+        <translation>Auf das Wievielfache ihrer Länge oder Fläche die Folie gedehnt werden kann, bevor sie reißt.</translation>
+    </message>
+    <message>
+        <source>Gathers below</source>
+        <translation>Rafft sich unter</translation>
+    </message>
+    <message>
+        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more.</source>
+        <translation>Folie, die unter diese mittlere Dehnung zusammengeschoben wird, rafft sich und leistet kaum noch Widerstand.</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Wachstum</translation>
+    </message>
+    <message>
+        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin.</source>
+        <translation>Wie schnell die Folie weiterwächst, während sie schwimmt, in einer Sekunde und zu Beginn des Tauchgangs.</translation>
+    </message>
+    <message>
+        <source>Grows by at most</source>
+        <translation>Wächst höchstens um</translation>
+    </message>
+    <message>
+        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
+        <translation>Um wie viel länger als zu Beginn des Tauchgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
     </message>
 </context>
 <context>
@@ -1249,6 +1312,42 @@
         <source>The highest optical density that can be printed. Where more would be needed, the colour falls short and the report says so.</source>
         <translation>Die höchste optische Dichte, die gedruckt werden kann. Wo mehr nötig wäre, reicht die Farbe nicht, und der Bericht sagt es.</translation>
     </message>
+    <message>
+        <source>Growth</source>
+        <translation>Wachstum</translation>
+    </message>
+    <message>
+        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
+        <translation>Wie schnell die Folie weiterwächst, während sie schwimmt, in einer Sekunde und zu Beginn des Tauchgangs. Was am Körper liegt, wächst nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Grows by at most</source>
+        <translation>Wächst höchstens um</translation>
+    </message>
+    <message>
+        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
+        <translation>Um wie viel länger als zu Beginn des Tauchgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
+    </message>
+    <message>
+        <source>Advanced: laws without measurement</source>
+        <translation>Erweitert: Gesetze ohne Messung</translation>
+    </message>
+    <message>
+        <source>Grip fades over</source>
+        <translation>Halt schwindet über</translation>
+    </message>
+    <message>
+        <source>So far before the overhang the body begins to lose its grip on the film. A guess: no film was measured.</source>
+        <translation>So weit vor dem Überhang beginnt der Körper, die Folie loszulassen. Eine Annahme: Keine Folie wurde gemessen.</translation>
+    </message>
+    <message>
+        <source>Gathers below</source>
+        <translation>Rafft sich unter</translation>
+    </message>
+    <message>
+        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
+        <translation>Folie, die unter diese mittlere Dehnung zusammengeschoben wird, rafft sich und leistet kaum noch Widerstand. Eine Annahme: Keine Folie wurde gemessen.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -1307,6 +1406,10 @@
     <message>
         <source>Steps</source>
         <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Steps without equilibrium</source>
+        <translation>Schritte ohne Gleichgewicht</translation>
     </message>
 </context>
 <context>
@@ -1527,6 +1630,14 @@
     <message>
         <source> D</source>
         <translation> D</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> %/s</source>
+        <translation> %/s</translation>
     </message>
 </context>
 <context>

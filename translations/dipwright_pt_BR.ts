@@ -356,6 +356,13 @@
         <source>Writing the report</source>
         <translation>Gravando o relatório</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n step(s) ended without equilibrium, with forces left of up to %2 % of those in the film; see how certain the sheet is</source>
+        <translation>
+            <numerusform>%1: %n passo terminou sem equilíbrio, com forças restantes de até %2 % das que há no filme; verifique quão confiável é a folha</numerusform>
+            <numerusform>%1: %n passos terminaram sem equilíbrio, com forças restantes de até %2 % das que há no filme; verifique quão confiável é a folha</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Png</name>
@@ -671,6 +678,62 @@
     <message>
         <source>Whether a barrier in the tank holds this side of the film.</source>
         <translation>Se uma barreira no tanque prende este lado do filme.</translation>
+    </message>
+    <message>
+        <source>Advanced: laws without measurement</source>
+        <translation>Avançado: leis sem medição</translation>
+    </message>
+    <message>
+        <source>Overhang</source>
+        <translation>Ressalto</translation>
+    </message>
+    <message>
+        <source>The film holds on faces that turn upwards by no more than this.</source>
+        <translation>O filme adere a faces que se voltam para cima não mais do que isto.</translation>
+    </message>
+    <message>
+        <source>As in the project</source>
+        <translation>Como no projeto</translation>
+    </message>
+    <message>
+        <source>Grip fades over</source>
+        <translation>Aderência diminui ao longo de</translation>
+    </message>
+    <message>
+        <source>So far before the overhang the body begins to lose its grip on the film.</source>
+        <translation>A essa distância antes do ressalto o corpo começa a perder a aderência ao filme.</translation>
+    </message>
+    <message>
+        <source>Tears at</source>
+        <translation>Rasga em</translation>
+    </message>
+    <message>
+        <source>How many times its length or its area the film can be stretched before it tears.</source>
+        <translation>Quantas vezes o seu comprimento ou a sua área o filme pode ser estirado antes de rasgar.</translation>
+    </message>
+    <message>
+        <source>Gathers below</source>
+        <translation>Franze abaixo de</translation>
+    </message>
+    <message>
+        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more.</source>
+        <translation>O filme comprimido abaixo deste estiramento médio franze e quase já não resiste.</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Crescimento</translation>
+    </message>
+    <message>
+        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin.</source>
+        <translation>Com que rapidez o filme continua a crescer enquanto flutua, por segundo e no início da imersão.</translation>
+    </message>
+    <message>
+        <source>Grows by at most</source>
+        <translation>Cresce no máximo</translation>
+    </message>
+    <message>
+        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
+        <translation>Quanto mais comprido do que no início da imersão o filme flutuante fica no fim. Com 0 não cresce.</translation>
     </message>
 </context>
 <context>
@@ -1249,6 +1312,42 @@
         <source>The highest optical density that can be printed. Where more would be needed, the colour falls short and the report says so.</source>
         <translation>A maior densidade óptica que pode ser impressa. Onde seria preciso mais, a cor fica aquém e o relatório avisa.</translation>
     </message>
+    <message>
+        <source>Growth</source>
+        <translation>Crescimento</translation>
+    </message>
+    <message>
+        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
+        <translation>Com que rapidez o filme continua a crescer enquanto flutua, por segundo e no início da imersão. O que está sobre o corpo já não cresce.</translation>
+    </message>
+    <message>
+        <source>Grows by at most</source>
+        <translation>Cresce no máximo</translation>
+    </message>
+    <message>
+        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
+        <translation>Quanto mais comprido do que no início da imersão o filme flutuante fica no fim. Com 0 não cresce.</translation>
+    </message>
+    <message>
+        <source>Advanced: laws without measurement</source>
+        <translation>Avançado: leis sem medição</translation>
+    </message>
+    <message>
+        <source>Grip fades over</source>
+        <translation>Aderência diminui ao longo de</translation>
+    </message>
+    <message>
+        <source>So far before the overhang the body begins to lose its grip on the film. A guess: no film was measured.</source>
+        <translation>A essa distância antes do ressalto o corpo começa a perder a aderência ao filme. Uma suposição: nenhum filme foi medido.</translation>
+    </message>
+    <message>
+        <source>Gathers below</source>
+        <translation>Franze abaixo de</translation>
+    </message>
+    <message>
+        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
+        <translation>O filme comprimido abaixo deste estiramento médio franze e quase já não resiste. Uma suposição: nenhum filme foi medido.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -1307,6 +1406,10 @@
     <message>
         <source>Steps</source>
         <translation>Passos</translation>
+    </message>
+    <message>
+        <source>Steps without equilibrium</source>
+        <translation>Passos sem equilíbrio</translation>
     </message>
 </context>
 <context>
@@ -1527,6 +1630,14 @@
     <message>
         <source> D</source>
         <translation> D</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> %/s</source>
+        <translation> %/s</translation>
     </message>
 </context>
 <context>

@@ -154,7 +154,11 @@ solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
     setup.settings.selfContact = process.selfContact;
     setup.settings.contactTravel = process.contactTravel;
     setup.settings.overhang = radians(process.overhang);
+    setup.settings.gripFade = radians(film.gripFade);
     setup.settings.tearStretch = process.tearStretch;
+    setup.settings.gatheringStretch = film.gatheringStretch;
+    setup.settings.growthRate = film.growthRate;
+    setup.settings.growthLimit = film.growthLimit;
     setup.pinned = pinnedPoints(film);
     return setup;
 }

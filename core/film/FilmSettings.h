@@ -36,6 +36,12 @@ struct FilmSettings {
     Seconds relaxationTime{
         std::numeric_limits<double>::infinity()}; // infinity: elastic, 0: viscous
     Millimetres contactDistance{0};
+    // What the film does besides, production film only (docs/film-model.md, "Constants of ours";
+    // for the overhang and the tear see ProcessSettings).
+    double growthRate = 0;         // of its length, 1/s: how fast it grows while it floats …
+    double growthLimit = 0;        // … and by how much in the end, a share of its length
+    Degrees gripFade{5};           // before the overhang: from there on it is held ever less
+    double gatheringStretch = 0.8; // mean stretch below which it gathers
     bool operator==(const FilmSettings&) const = default;
 };
 

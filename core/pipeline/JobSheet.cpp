@@ -30,12 +30,39 @@ QString scaleText(const FilmSettings& film) {
     return Text::tr("1:1, swell %1 × %2 taken out").arg(plain(film.swellX), plain(film.swellY));
 }
 
+// What is known of a film, in a project or in a profile, without what sheets were made before there
+// was: those values count only where they are not the `usual` ones, so that an old project keeps
+// its job.
+QJsonObject withoutLater(QJsonObject film, const QJsonObject& usual) {
+    for (const char* key : {"growth_per_s", "growth_limit", "grip_fade_deg", "gathering_stretch",
+                            "overhang_deg", "tear_stretch"}) {
+        const QLatin1String name(key);
+        if (film.value(name) == usual.value(name)) {
+            film.remove(name);
+        }
+    }
+    return film;
+}
+
+QJsonObject withoutLater(QJsonObject settings) {
+    const QString film = QStringLiteral("film"), profiles = QStringLiteral("profiles");
+    const QJsonObject usual = toJson(Project()).value(film).toObject();
+    settings.insert(film, withoutLater(settings.value(film).toObject(), usual));
+    QJsonObject used = settings.value(profiles).toObject();
+    if (used.contains(film)) {
+        used.insert(film,
+                    withoutLater(used.value(film).toObject(), toJson(Profile(FilmProfile()))));
+        settings.insert(profiles, used);
+    }
+    return settings;
+}
+
 // Of the image and of every setting that it came from; where the project lies plays no part, nor
 // does whether the solver was named or found by "auto": which one it was, the image shows.
 QString jobHash(const Project& project, const Immersion& immersion, const QImage& filmImage) {
     Project anonymous = project;
     anonymous.process.solver = ProcessSettings().solver;
-    QJsonObject settings = toJson(anonymous);
+    QJsonObject settings = withoutLater(toJson(anonymous));
     for (const char* key : {"model", "immersions", "name"}) {
         settings.remove(QLatin1String(key));
     }

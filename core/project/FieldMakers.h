@@ -14,6 +14,13 @@ namespace dipwright {
 
 struct Project;
 
+// What a film may be said to do, in a project as in a profile.
+inline constexpr double mostGrowthRate = 1; // 1/s
+inline constexpr double mostGrowth = 1;
+inline constexpr double leastGripFade = 0.1, mostGripFade = 45; // degrees
+// Gathered to below 2/3 the plane film has no equilibrium of its own; at 1 nothing keeps it flat.
+inline constexpr double leastGathering = 0.67, mostGathering = 0.98;
+
 inline double plainNumber(double number) {
     return number;
 }
@@ -51,6 +58,24 @@ Field<Owner> numberOrInfinity(const char* path, double minimum, double maximum, 
             [access](Owner& owner, const QJsonValue& value) {
                 access(owner) = Value(value.isNull() ? std::numeric_limits<double>::infinity()
                                                      : value.toDouble());
+            }};
+}
+
+// A number that there may be none of, which is null in the file.
+template <typename Owner = Project, typename Access>
+Field<Owner> numberOrNone(const char* path, double minimum, double maximum, Access access) {
+    using Value = typename ValueOf<Owner, Access>::value_type;
+    return {QString::fromLatin1(path),
+            {FieldKind::Number, 1, true, minimum, maximum},
+            [access](const Owner& owner) {
+                const auto& number = access(owner);
+                return number ? QJsonValue(plainNumber(*number)) : QJsonValue();
+            },
+            [access](Owner& owner, const QJsonValue& value) {
+                access(owner).reset();
+                if (!value.isNull()) {
+                    access(owner) = Value(value.toDouble());
+                }
             }};
 }
 

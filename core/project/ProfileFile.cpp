@@ -113,6 +113,20 @@ const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
                 "relaxation_time_s", 0, 1e6, [](auto& p) -> auto& { return p.relaxationTime; }),
             number<P>(
                 "contact_distance_mm", 0, 10, [](auto& p) -> auto& { return p.contactDistance; }),
+            number<P>(
+                "growth_per_s", 0, mostGrowthRate, [](auto& p) -> auto& { return p.growthRate; }),
+            number<P>(
+                "growth_limit", 0, mostGrowth, [](auto& p) -> auto& { return p.growthLimit; }),
+            numberOrNone<P>(
+                "overhang_deg", 0, 90, [](auto& p) -> auto& { return p.overhang; }),
+            number<P>(
+                "grip_fade_deg", leastGripFade, mostGripFade,
+                [](auto& p) -> auto& { return p.gripFade; }),
+            numberOrNone<P>(
+                "tear_stretch", 1, 100, [](auto& p) -> auto& { return p.tearStretch; }),
+            number<P>(
+                "gathering_stretch", leastGathering, mostGathering,
+                [](auto& p) -> auto& { return p.gatheringStretch; }),
             choice<P>(
                 "feed", {QStringLiteral("short edge first"), QStringLiteral("long edge first")},
                 [](auto& p) -> auto& { return p.feed; }),

@@ -31,6 +31,12 @@ void apply(Project& project, const FilmProfile& film) {
     project.film.relaxationTime = film.relaxationTime;
     project.film.edges = film.edges;
     project.film.contactDistance = film.contactDistance;
+    project.film.growthRate = film.growthRate;
+    project.film.growthLimit = film.growthLimit;
+    project.film.gripFade = film.gripFade;
+    project.film.gatheringStretch = film.gatheringStretch;
+    project.process.overhang = film.overhang.value_or(project.process.overhang);
+    project.process.tearStretch = film.tearStretch.value_or(project.process.tearStretch);
     project.profiles.film = film;
 }
 

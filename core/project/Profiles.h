@@ -42,6 +42,12 @@ struct FilmProfile {
     Seconds relaxationTime{std::numeric_limits<double>::infinity()}; // infinity: elastic
     FilmEdges edges;
     Millimetres contactDistance{0};
+    double growthRate = 0, growthLimit = 0; // as in FilmSettings
+    Degrees gripFade{5};
+    double gatheringStretch = 0.8;
+    // None: as the project has them.
+    std::optional<Degrees> overhang;
+    std::optional<double> tearStretch;
     FeedDirection feed = FeedDirection::ShortEdgeFirst;
     Seconds soakTime{60};      // on the water before the activator
     Seconds activatorTime{10}; // from the activator to the dip
@@ -80,8 +86,8 @@ struct ProjectProfiles {
 };
 
 struct Project;
-// Takes a profile over into a project, content and effect: a film's size, swell, relaxation, edges
-// and contact distance; a printer's resolution and ink limit; a tank's barriers.
+// Takes a profile over into a project, content and effect: all that a film's profile
+// says of the film; a printer's resolution and ink limit; a tank's barriers.
 void applyProfile(Project& project, const Profile& profile);
 
 // A sentence where the film has expired by today, else empty.

@@ -181,6 +181,7 @@ void applyPreset(Project& project, const QString& preset) {
         project.film.support = solver::Support::None;
         project.film.relaxationTime = Seconds(std::numeric_limits<double>::infinity());
         project.film.edges = {};
+        project.film.growthRate = 0;
     } else {
         throw Error(Text::tr("There is no preset %1, use production or paper-2020").arg(preset),
                     QStringLiteral("preset"));

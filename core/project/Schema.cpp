@@ -62,21 +62,6 @@ Field<Project> filmPoints() {
             }};
 }
 
-Field<Project> dipDepth() {
-    return {QStringLiteral("process.depth_mm"),
-            {FieldKind::Number, 1, true, 0.1, 5000},
-            [](const Project& project) {
-                const auto& depth = project.process.depth;
-                return depth ? QJsonValue(depth->value()) : QJsonValue();
-            },
-            [](Project& project, const QJsonValue& value) {
-                project.process.depth.reset();
-                if (!value.isNull()) {
-                    project.process.depth = Millimetres(value.toDouble());
-                }
-            }};
-}
-
 Field<Project> modelHash() {
     return {QStringLiteral("model.sha256"),
             {FieldKind::Text, 1, false, 0, 64},
@@ -126,6 +111,17 @@ void addFilmFields(std::vector<Field<Project>>& fields) {
     fields.push_back(number(
         "film.contact_distance_mm", 0, 10,
         [](auto& p) -> auto& { return p.film.contactDistance; }));
+    fields.push_back(number(
+        "film.growth_per_s", 0, mostGrowthRate,
+        [](auto& p) -> auto& { return p.film.growthRate; }));
+    fields.push_back(number(
+        "film.growth_limit", 0, mostGrowth, [](auto& p) -> auto& { return p.film.growthLimit; }));
+    fields.push_back(number(
+        "film.grip_fade_deg", leastGripFade, mostGripFade,
+        [](auto& p) -> auto& { return p.film.gripFade; }));
+    fields.push_back(number(
+        "film.gathering_stretch", leastGathering, mostGathering,
+        [](auto& p) -> auto& { return p.film.gatheringStretch; }));
 }
 
 void addProcessFields(std::vector<Field<Project>>& fields) {
@@ -143,7 +139,8 @@ void addProcessFields(std::vector<Field<Project>>& fields) {
     fields.push_back(number(
         "process.contact_travel_cells", 0.001, 1,
         [](auto& p) -> auto& { return p.process.contactTravel; }));
-    fields.push_back(dipDepth());
+    fields.push_back(numberOrNone(
+        "process.depth_mm", 0.1, 5000, [](auto& p) -> auto& { return p.process.depth; }));
     fields.push_back(number(
         "process.margin_mm", 0, 100, [](auto& p) -> auto& { return p.process.margin; }));
     fields.push_back(number(

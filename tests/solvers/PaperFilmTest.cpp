@@ -302,6 +302,20 @@ void PaperFilmTest::refusesWhatMakesNoDip() {
     QVERIFY(refused([](auto& setup) { setup.settings.timeStep = -1; }));
     QVERIFY(refused([](auto& setup) { setup.settings.iterations = 0; }));
     QVERIFY(refused([](auto& setup) { setup.pinned.resize(3); }));
+    QVERIFY(refused([](auto& setup) { // lines of its own
+        solver::FilmGrid& film = setup.film;
+        for (int column = 0; column < film.columns; ++column) {
+            film.columnPlaces.push_back(film.width * (double(column) / (film.columns - 1) - 0.5));
+        }
+    }));
+    QVERIFY(refused([](auto& setup) { setup.film.rowPlaces = {0, 1}; }));
+    QVERIFY(refused([](auto& setup) { setup.settings.gripFade = 0; }));
+    QVERIFY(refused([](auto& setup) { setup.settings.gatheringStretch = 0.5; }));
+    QVERIFY(refused([](auto& setup) { setup.settings.growthLimit = -0.1; }));
+    QVERIFY(refused([](auto& setup) {
+        setup.settings.growthRate = 0.01;
+        setup.settings.growthLimit = 0.2;
+    }));
     QVERIFY(refused([](auto& setup) {
         setup.settings.lattice = solver::Lattice::Isotropic;
         setup.settings.support = solver::Support::Water;

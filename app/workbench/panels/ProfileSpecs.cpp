@@ -75,6 +75,35 @@ std::vector<PropertySection> printerSections() {
     return {size, colour};
 }
 
+PropertySection filmLaws() {
+    PropertySection laws{Text::tr("Advanced: laws without measurement"), {}};
+    laws.specs = {
+        {.path = QStringLiteral("overhang_deg"),
+         .label = Text::tr("Overhang"),
+         .help = Text::tr("The film holds on faces that turn upwards by no more than this."),
+         .unit = Unit::Angle,
+         .absent = Text::tr("As in the project"),
+         .whenPresent = 20},
+        {.path = QStringLiteral("grip_fade_deg"),
+         .label = Text::tr("Grip fades over"),
+         .help = Text::tr("So far before the overhang the body begins to lose its grip on the "
+                          "film."),
+         .unit = Unit::Angle},
+        {.path = QStringLiteral("tear_stretch"),
+         .label = Text::tr("Tears at"),
+         .help = Text::tr("How many times its length or its area the film can be stretched before "
+                          "it tears."),
+         .unit = Unit::Ratio,
+         .absent = Text::tr("As in the project"),
+         .whenPresent = 4},
+        {.path = QStringLiteral("gathering_stretch"),
+         .label = Text::tr("Gathers below"),
+         .help = Text::tr("Film pushed together to a mean stretch below this gathers, and hardly "
+                          "resists any more."),
+         .unit = Unit::Ratio}};
+    return laws;
+}
+
 std::vector<PropertySection> filmSections() {
     PropertySection film{{}, {nameSpec()}};
     film.specs.push_back({.path = QStringLiteral("size_mm"),
@@ -110,6 +139,16 @@ std::vector<PropertySection> filmSections() {
          .unit = Unit::Time,
          .absent = Text::tr("Elastic"),
          .whenPresent = 5},
+        {.path = QStringLiteral("growth_per_s"),
+         .label = Text::tr("Growth"),
+         .help = Text::tr("How fast the film goes on growing while it floats, in a second of the "
+                          "dip and at its begin."),
+         .unit = Unit::ShareRate},
+        {.path = QStringLiteral("growth_limit"),
+         .label = Text::tr("Grows by at most"),
+         .help = Text::tr("How much longer than at the begin of the dip the floating film becomes "
+                          "in the end. At 0 it does not grow."),
+         .unit = Unit::Share},
         {.path = QStringLiteral("contact_distance_mm"),
          .label = Text::tr("Contact distance"),
          .help = Text::tr("The distance from the body at which the film begins to adhere."),
@@ -126,7 +165,8 @@ std::vector<PropertySection> filmSections() {
             water,
             {Text::tr("Sides"),
              sides("edges", Text::tr("Whether this side of the film floats freely or is held by a "
-                                     "barrier."))}};
+                                     "barrier."))},
+            filmLaws()};
 }
 
 std::vector<PropertySection> tankSections() {

@@ -87,6 +87,18 @@ std::vector<PropertySection> filmProperties() {
          .absent = Text::tr("Elastic"),
          .whenPresent = 1,
          .relevant = isProduction},
+        {.path = QStringLiteral("film.growth_per_s"),
+         .label = Text::tr("Growth"),
+         .help = Text::tr("How fast the film goes on growing while it floats, in a second of the "
+                          "dip and at its begin. What is on the body grows no more."),
+         .unit = Unit::ShareRate,
+         .relevant = isProduction},
+        {.path = QStringLiteral("film.growth_limit"),
+         .label = Text::tr("Grows by at most"),
+         .help = Text::tr("How much longer than at the begin of the dip the floating film becomes "
+                          "in the end. At 0 it does not grow."),
+         .unit = Unit::Share,
+         .relevant = isProduction},
         {.path = QStringLiteral("film.contact_distance_mm"),
          .label = Text::tr("Contact distance"),
          .help = Text::tr("How near a film point has to come to the surface to touch it."),
@@ -108,7 +120,22 @@ std::vector<PropertySection> filmProperties() {
     edges.specs = {
         edge("film.edges.left", Text::tr("Left")), edge("film.edges.right", Text::tr("Right")),
         edge("film.edges.top", Text::tr("Top")), edge("film.edges.bottom", Text::tr("Bottom"))};
-    return {printed, material, edges};
+
+    PropertySection laws{Text::tr("Advanced: laws without measurement"), {}};
+    laws.specs = {
+        {.path = QStringLiteral("film.grip_fade_deg"),
+         .label = Text::tr("Grip fades over"),
+         .help = Text::tr("So far before the overhang the body begins to lose its grip on the "
+                          "film. A guess: no film was measured."),
+         .unit = Unit::Angle,
+         .relevant = isProduction},
+        {.path = QStringLiteral("film.gathering_stretch"),
+         .label = Text::tr("Gathers below"),
+         .help = Text::tr("Film pushed together to a mean stretch below this gathers, and hardly "
+                          "resists any more. A guess: no film was measured."),
+         .unit = Unit::Ratio,
+         .relevant = isProduction}};
+    return {printed, material, edges, laws};
 }
 
 std::vector<PropertySection> processProperties() {

@@ -73,6 +73,8 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
               Text::tr("%1 mm²").arg(number(result.coverage->trappedAirArea, 0)));
     table.row(Text::tr("Simulated in"), Text::tr("%1 s").arg(number(film.wallSeconds, 2)));
     table.row(Text::tr("Steps"), locale.toString(qlonglong(film.steps)));
+    table.row(Text::tr("Steps without equilibrium"),
+              locale.toString(qlonglong(film.equilibrium.stepsWithout)));
     return heading(result.immersion.name) + table.html();
 }
 

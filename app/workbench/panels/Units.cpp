@@ -13,6 +13,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Units)
 };
 
+bool isShare(Unit unit) {
+    return unit == Unit::Share || unit == Unit::ShareRate;
+}
+
 bool isLength(Unit unit) {
     return unit == Unit::Length || unit == Unit::Speed;
 }
@@ -20,7 +24,9 @@ bool isLength(Unit unit) {
 } // namespace
 
 double shownPerStored(Unit unit, LengthUnit length) {
-    return isLength(unit) && length == LengthUnit::Inch ? 1 / millimetresPerInch : 1;
+    return isShare(unit)                                  ? 100
+           : isLength(unit) && length == LengthUnit::Inch ? 1 / millimetresPerInch
+                                                          : 1;
 }
 
 QString unitSuffix(Unit unit, LengthUnit length) {
@@ -42,6 +48,10 @@ QString unitSuffix(Unit unit, LengthUnit length) {
         return Text::tr(" D");
     case Unit::Ratio:
         return QStringLiteral(" ×");
+    case Unit::Share:
+        return Text::tr(" %");
+    case Unit::ShareRate:
+        return Text::tr(" %/s");
     case Unit::None:
         break;
     }
@@ -62,8 +72,10 @@ int unitDecimals(Unit unit, LengthUnit length) {
         return 0;
     case Unit::Ratio:
     case Unit::Cells:
+    case Unit::ShareRate:
         return 3;
     case Unit::Density:
+    case Unit::Share:
         return 2;
     case Unit::None:
         break;

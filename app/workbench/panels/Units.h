@@ -5,7 +5,19 @@
 
 namespace dipwright {
 
-enum class Unit { None, Length, Speed, Time, Angle, Resolution, Ratio, Cells, Density };
+enum class Unit {
+    None,
+    Length,
+    Speed,
+    Time,
+    Angle,
+    Resolution,
+    Ratio,
+    Cells,
+    Density,
+    Share,
+    ShareRate
+};
 
 // The factor from a project's value to the one shown.
 double shownPerStored(Unit unit, LengthUnit length);

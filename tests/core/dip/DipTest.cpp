@@ -24,6 +24,8 @@ struct Script {
     int advanced = 0;
     int asked = 0; // to advance
     bool showsLate = false;
+    solver::EquilibriumAccount equilibrium;
+    std::uint8_t mark = 0; // of the first point
     solver::DipSetup setup;
 };
 
@@ -45,7 +47,8 @@ public:
             ++done_;
             ++script_.advanced;
         }
-        return {done_, script_.setup.motion.travel * done_ / script_.steps, done_ == script_.steps};
+        return {done_, script_.setup.motion.travel * done_ / script_.steps, done_ == script_.steps,
+                script_.equilibrium};
     }
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
         const solver::FilmGrid& grid = script_.setup.film;
@@ -62,6 +65,10 @@ public:
         }
     }
 
+    void readMarks(std::span<std::uint8_t> marks) const override {
+        FilmSolver::readMarks(marks);
+        marks[0] = script_.mark;
+    }
     bool peek(std::span<float> positions, std::span<solver::PointState> states,
               solver::DipState& shown) override {
         if (!script_.showsLate) {
@@ -133,6 +140,7 @@ private Q_SLOTS:
     void setupGoesUnderByTheMarginOrToTheDepth();
     void setupCarriesTheFilm();
     void resultIsInThePoseFrame();
+    void resultSaysWhatIsToBeDoubted();
     void batchedDipEndsInThePoseFrameToo();
     void progressGrowsToTheEnd();
     void observerSeesTheLastFrame();
@@ -180,6 +188,10 @@ void DipTest::setupCarriesTheFilm() {
     dip.film.edges.topPinned = true;
     dip.film.relaxationTime = Seconds(0);
     dip.film.contactDistance = Millimetres(0.25);
+    dip.film.growthRate = 0.004;
+    dip.film.growthLimit = 0.2;
+    dip.film.gripFade = Degrees(9);
+    dip.film.gatheringStretch = 0.75;
     const auto setup = dipSetup(dip.body, dip.field, dip.immersion, dip.film, dip.process);
     QCOMPARE(setup.film.width, 262.5);
     QCOMPARE(setup.pinned.size(), setup.film.pointCount());
@@ -187,6 +199,15 @@ void DipTest::setupCarriesTheFilm() {
     QCOMPARE(int(setup.pinned.back()), 0);
     QCOMPARE(setup.settings.relaxationTime, 0.0);
     QCOMPARE(setup.settings.contactDistance, 0.25);
+    QCOMPARE(setup.settings.growthRate, 0.004);
+    QCOMPARE(setup.settings.growthLimit, 0.2);
+    QCOMPARE(setup.settings.gripFade, pi / 20);
+    QCOMPARE(setup.settings.gatheringStretch, 0.75);
+    // What nobody has said anything about is what the solvers take for it.
+    const auto usual = dipSetup(dip.body, dip.field, dip.immersion, {}, {});
+    QCOMPARE(usual.settings.gripFade, solver::Settings().gripFade);
+    QCOMPARE(usual.settings.gatheringStretch, solver::Settings().gatheringStretch);
+    QCOMPARE(usual.settings.growthLimit, 0.0);
 }
 
 void DipTest::resultIsInThePoseFrame() {
@@ -201,6 +222,24 @@ void DipTest::resultIsInThePoseFrame() {
     QVERIFY((film.positions[5] - Eigen::Vector3f(rest.x() - 12, 42, rest.y() + 7)).norm() < 1e-3f);
     QVERIFY(film.adhered(film.grid.pointCount() / 2));
     QVERIFY(!film.adhered(0));
+}
+
+void DipTest::resultSaysWhatIsToBeDoubted() {
+    Dip dip;
+    Script script;
+    const DippedFilm sure = dip.run(script);
+    QCOMPARE(sure.equilibrium.stepsWithout, std::int64_t(0));
+    QCOMPARE(std::ranges::count(sure.marks, 0), std::ptrdiff_t(sure.grid.pointCount()));
+    script.equilibrium = {3, 0.25, 900};
+    script.mark = std::uint8_t(solver::PointMark::LetGo) | std::uint8_t(solver::PointMark::Torn);
+    const DippedFilm film = dip.run(script);
+    QCOMPARE(film.equilibrium.stepsWithout, std::int64_t(3));
+    QCOMPARE(film.equilibrium.worstForceLeft, 0.25);
+    QCOMPARE(film.equilibrium.linearIterations, std::int64_t(900));
+    QVERIFY(has(film.marks[0], solver::PointMark::LetGo));
+    QVERIFY(has(film.marks[0], solver::PointMark::Torn));
+    QVERIFY(!has(film.marks[0], solver::PointMark::Unbalanced));
+    QCOMPARE(int(film.marks[1]), 0);
 }
 
 void DipTest::batchedDipEndsInThePoseFrameToo() {

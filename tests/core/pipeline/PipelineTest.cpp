@@ -319,6 +319,8 @@ private slots:
         QCOMPARE(immersion["name"].toString(), QStringLiteral("Turned"));
         QCOMPARE(immersion["film"].toObject()["points"].toInt(), 31 * 31);
         QCOMPARE(immersion["film"].toObject()["constraints"].toInt(), 2 * 31 * 30 + 2 * 30 * 30);
+        QCOMPARE(immersion["equilibrium"].toObject().keys(),
+                 QStringList({"linear_iterations", "steps_without", "worst_force_left"}));
         const ImmersionResult& result = first_.immersions[1];
         qint64 adhered = 0;
         for (std::size_t point = 0; point < result.laid->film().states.size(); ++point) {

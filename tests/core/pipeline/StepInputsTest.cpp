@@ -39,6 +39,8 @@ private slots:
         row("body.sdf_resolution", "256", "field dip texture sheet");
         row("film.swell", "1.1x1.1", "dip texture sheet");
         row("film.points", "40x60", "dip texture sheet");
+        row("film.growth_limit", "0.2", "dip texture sheet");
+        row("film.gathering_stretch", "0.75", "dip texture sheet");
         row("process.overhang_deg", "30", "dip texture sheet");
         row("process.depth_mm", "12", "dip texture sheet");
         row("process.solver", "pbd-cuda", ""); // the id that was chosen tells

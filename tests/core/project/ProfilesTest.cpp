@@ -40,6 +40,11 @@ FilmProfile film() {
     profile.relaxationTime = Seconds(4);
     profile.edges.leftPinned = profile.edges.topPinned = true;
     profile.contactDistance = Millimetres(0.1);
+    profile.growthRate = 0.004;
+    profile.growthLimit = 0.2;
+    profile.gripFade = Degrees(7);
+    profile.gatheringStretch = 0.7;
+    profile.tearStretch = 3;
     profile.feed = FeedDirection::LongEdgeFirst;
     profile.soakTime = Seconds(75);
     profile.activatorTime = Seconds(8);
@@ -182,6 +187,12 @@ void ProfilesTest::outOfRangeValuesAreRefusedByPath() {
     json["name"] = "  ";
     QVERIFY(refusal(json).contains("name"));
     json = toJson(Profile(film()));
+    json["gathering_stretch"] = 0.5;
+    QVERIFY(refusal(json).contains("gathering_stretch"));
+    json = toJson(Profile(film()));
+    json["growth_limit"] = 2;
+    QVERIFY(refusal(json).contains("growth_limit"));
+    json = toJson(Profile(film()));
     json["expiry"] = "soon";
     QVERIFY(refusal(json).contains("soon"));
 }
@@ -197,12 +208,19 @@ void ProfilesTest::refusedValueLeavesTheProfileAsItWas() {
 
 void ProfilesTest::projectTakesOverWhatAProfileSays() {
     Project project;
+    project.process.overhang = Degrees(25);
     applyProfile(project, film());
     QCOMPARE(project.film.width.value(), 297.0);
     QCOMPARE(project.film.preset, QString("A3"));
     QCOMPARE(project.film.swellY, 1.06);
     QCOMPARE(project.film.relaxationTime.value(), 4.0);
     QVERIFY(project.film.edges.leftPinned);
+    QCOMPARE(project.film.growthRate, 0.004);
+    QCOMPARE(project.film.growthLimit, 0.2);
+    QCOMPARE(project.film.gripFade.value(), 7.0);
+    QCOMPARE(project.film.gatheringStretch, 0.7);
+    QCOMPARE(project.process.tearStretch, 3.0);
+    QCOMPARE(project.process.overhang.value(), 25.0); // of which the profile says nothing
     applyProfile(project, printer());
     QCOMPARE(project.sheet.resolution.value(), 600.0);
     QCOMPARE(project.ink.limit, 1.7);

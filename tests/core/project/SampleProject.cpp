@@ -48,6 +48,10 @@ Project sampleProject() {
     project.film.swellY = 1.03;
     project.film.relaxationTime = Seconds(0);
     project.film.contactDistance = Millimetres(0.25);
+    project.film.growthRate = 0.004;
+    project.film.growthLimit = 0.2;
+    project.film.gripFade = Degrees(8);
+    project.film.gatheringStretch = 0.75;
     project.process.dipSpeed = MillimetresPerSecond(7.5);
     project.process.timeStep = Seconds(0.01);
     project.process.iterations = 9;
