@@ -17,7 +17,7 @@ const QString plotOption = QStringLiteral("plot");
 const QStringList allParts{QStringLiteral("steps"),      QStringLiteral("dips"),
                            QStringLiteral("large-dips"), QStringLiteral("sweep"),
                            QStringLiteral("field"),      QStringLiteral("texture"),
-                           QStringLiteral("run")};
+                           QStringLiteral("parts"),      QStringLiteral("run")};
 const QStringList usualParts{QStringLiteral("steps"), QStringLiteral("dips")};
 
 constexpr int tableOneRows = 8;
@@ -91,6 +91,8 @@ BenchReport measured(const BenchSolver& solver, const QStringList& parts, int ro
             const std::vector<int> resolutions =
                 isQuick ? std::vector<int>{100} : std::vector<int>{300, 600};
             report.sheets = measureSheets(solver, resolutions, partProgress);
+        } else if (part == QLatin1String("parts")) {
+            report.runParts = measureParts(solver, partProgress);
         } else {
             report.wholeRuns = measureRun(solver, partProgress);
         }
@@ -118,8 +120,9 @@ public:
             {partsOption,
              QStringLiteral("What to measure, joined by commas: steps (Table I), dips (of 20,400 "
                             "points), large-dips (of 110,880), sweep (Figure 7), field (building "
-                            "it), texture (with the sheet), run (the whole job), or all; steps "
-                            "and dips without this option."),
+                            "it), texture (with the sheet), parts (what a job does beside "
+                            "the dip), run (the whole job), or all; steps and dips without this "
+                            "option."),
              QStringLiteral("LIST")});
         parser.addOption({quickOption, QStringLiteral("Only the coarsest fields and sheets.")});
         parser.addOption({plotOption,

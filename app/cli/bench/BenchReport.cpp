@@ -111,6 +111,7 @@ QJsonObject toJson(const BenchReport& report) {
     json["dips"] = secondsJson(report.dips);
     json["fields"] = secondsJson(report.fields);
     json["sheets"] = secondsJson(report.sheets);
+    json["parts_of_a_run"] = secondsJson(report.runParts);
     json["runs_of_the_turtle"] = secondsJson(report.wholeRuns);
     return json;
 }
@@ -132,6 +133,7 @@ void print(const BenchReport& report, QTextStream& out) {
     printSeconds(QStringLiteral("Whole dips of the sphere"), report.dips, out);
     printSeconds(QStringLiteral("Building the distance field of a sphere"), report.fields, out);
     printSeconds(QStringLiteral("The turtle's sheet"), report.sheets, out);
+    printSeconds(QStringLiteral("What a run does beside the dip"), report.runParts, out);
     printSeconds(QStringLiteral("The whole job"), report.wholeRuns, out);
 }
 

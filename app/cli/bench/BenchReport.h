@@ -14,7 +14,7 @@ struct BenchReport {
     int runs = 1;
     std::optional<solver::Ceiling> ceiling; // where the solver can measure its device
     std::vector<StepRow> tableOne, fieldSweep;
-    std::vector<TimedRow> dips, fields, sheets, wholeRuns;
+    std::vector<TimedRow> dips, fields, sheets, runParts, wholeRuns;
 };
 
 QJsonObject toJson(const BenchReport& report);

@@ -2,10 +2,12 @@
 
 #include "base/Bytes.h"
 #include "base/Error.h"
+#include "base/Png.h"
 #include "geometry/Shapes.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/WriteResults.h"
+#include "results/Results.h"
 #include "sheet/SheetFiles.h"
 
 #include <QTemporaryDir>
@@ -20,20 +22,23 @@ constexpr int fieldSphereSegments = 158;
 // What computing the sheet again takes, once the dip is there.
 class DippedTurtle {
 public:
-    DippedTurtle(const BenchSolver& solver, const Progress& progress)
+    DippedTurtle(const BenchSolver& solver, std::size_t immersions, const Progress& progress)
         : project_(BenchBodies::turtle()) {
-        project_.immersions.resize(1);
+        project_.immersions.resize(immersions);
         JobOptions options;
         options.solver = solver.id;
         job_ = runJob(project_, solver.registry, options, nullptr, progress);
     }
 
+    const Project& project() const { return project_; }
+    const JobResult& job() const { return job_; }
+    const ImmersionResult& immersion() const { return job_.immersions.front(); }
+
     ReverseTexture texture(double dpi) const {
-        const ImmersionResult& dipped = job_.immersions.front();
         const QSize pixels =
             sheetPixels(project_.film.width, project_.film.height, DotsPerInch(dpi));
-        return reverseTexture(*dipped.laid, {pixels, project_.sheet.bleed.value(), project_.ink},
-                              {});
+        return reverseTexture(*immersion().laid,
+                              {pixels, project_.sheet.bleed.value(), project_.ink}, {});
     }
 
     Sheet sheet(double dpi) const {
@@ -90,7 +95,7 @@ std::vector<TimedRow> measureFields(int runs, int finest, const Progress& progre
 
 std::vector<TimedRow> measureSheets(const BenchSolver& solver, const std::vector<int>& resolutions,
                                     const Progress& progress) {
-    const DippedTurtle turtle(solver, progress.part(0, 0.5));
+    const DippedTurtle turtle(solver, 1, progress.part(0, 0.5));
     std::vector<TimedRow> results;
     for (const int dpi : resolutions) {
         progress(0.5 + 0.5 * double(results.size()) / (3 * double(resolutions.size())),
@@ -107,6 +112,53 @@ std::vector<TimedRow> measureSheets(const BenchSolver& solver, const std::vector
         results.push_back(
             sheetRow(QStringLiteral("sheet as PDF"), dpi,
                      timedWrite([&](QIODevice& device) { writeSheetPdf(sheet, device); })));
+    }
+    return results;
+}
+
+std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& progress) {
+    const DippedTurtle turtle(solver, 2, progress.part(0, 0.5));
+    const Project& project = turtle.project();
+    const TexturedMesh& model = *project.model;
+    const ImmersionResult& dipped = turtle.immersion();
+    const LaidFilm& laid = *dipped.laid;
+    std::vector<std::shared_ptr<const LaidFilm>> films;
+    std::vector<WornFilm> worn;
+    for (const ImmersionResult& immersion : turtle.job().immersions) {
+        films.push_back(immersion.laid);
+        worn.push_back({immersion.laid, immersion.texture->image});
+    }
+    constexpr int mapEdge = 1600;
+    const QString nowhere;
+    const std::vector<std::pair<QString, std::function<void()>>> parts{
+        {QStringLiteral("finding the solvers"), [] { SolverRegistry().solvers(); }},
+        {QStringLiteral("reading the project"), [] { BenchBodies::turtle(); }},
+        {QStringLiteral("distance field"),
+         [&] { buildDistanceField(model.mesh, project.fieldResolution, {}); }},
+        {QStringLiteral("body in its pose"), [&] { posedBody(model, dipped.immersion); }},
+        {QStringLiteral("film on the body"),
+         [&] { layFilm(dipped.body, laid.film(), project.process); }},
+        {QStringLiteral("coverage"), [&] { coverage(laid); }},
+        {QStringLiteral("coverage by both immersions"), [&] { coverageTogether(films, {}); }},
+        {QStringLiteral("registration"), [&] { registrationError(laid, laid); }},
+        {QStringLiteral("reverse texture"),
+         [&] { turtle.texture(project.sheet.resolution.value()); }},
+        {QStringLiteral("sheet and its job number"),
+         [&] { jobSheet(project, dipped.immersion, dipped.texture->image); }},
+        {QStringLiteral("sheet as PNG"),
+         [&] { bytesOf([&](QIODevice& device) { writeSheetPng(dipped.sheet, device); }); }},
+        {QStringLiteral("sheet as PDF"),
+         [&] { bytesOf([&](QIODevice& device) { writeSheetPdf(dipped.sheet, device); }); }},
+        {QStringLiteral("map of the stretch as PNG"),
+         [&] { pngBytes(stretchMap(laid, mapEdge), nowhere); }},
+        {QStringLiteral("film as VTK file"), [&] { filmVtp(laid); }},
+        {QStringLiteral("body as VTK file"), [&] { bodyVtp(*dipped.body, *dipped.coverage); }},
+        {QStringLiteral("proof"), [&] { proofPicture(model, worn, {}, {}); }},
+        {QStringLiteral("proof as PNG"), [&] { pngBytes(turtle.job().proof, nowhere); }}};
+    std::vector<TimedRow> results;
+    for (const auto& [name, work] : parts) {
+        progress(0.5 + 0.5 * double(results.size()) / double(parts.size()), name);
+        results.push_back({name, {{"part", name}}, timed(solver.runs, work)});
     }
     return results;
 }

@@ -44,7 +44,8 @@ public:
         Immersion immersion;
     };
     const Body& body(const QString& name);
-    // The project of the sample turtle. Throws Error where the samples are not installed.
+    // The sample turtle's project, and its file. Throws Error where the samples are not installed.
+    static QString turtleFile();
     static Project turtle();
 
 private:
@@ -78,6 +79,9 @@ std::vector<TimedRow> measureFields(int runs, int finest, const Progress& progre
 // The turtle's first immersion once dipped: its reverse texture and the sheet as PNG and PDF.
 std::vector<TimedRow> measureSheets(const BenchSolver& solver, const std::vector<int>& resolutions,
                                     const Progress& progress);
+// What `run` does with the turtle beside the dip, piece by piece: what depends on an immersion for
+// the first one.
+std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& progress);
 // The command `run` on the turtle from the project to the files, the field built each time.
 std::vector<TimedRow> measureRun(const BenchSolver& solver, const Progress& progress);
 

@@ -119,15 +119,19 @@ const BenchBodies::Body& BenchBodies::body(const QString& name) {
     return known != bodies_.end() ? known->second : bodies_.emplace(name, made(name)).first->second;
 }
 
-Project BenchBodies::turtle() {
+QString BenchBodies::turtleFile() {
     for (const QString& path : sampleProjects()) {
         if (path.endsWith(QLatin1String("/turtle.dipw"))) {
-            return loadProject(path);
+            return path;
         }
     }
     throw Error(QStringLiteral("The sample projects are missing; install them beside the program, "
                                "or measure steps, dips and fields only"),
                 QStringLiteral("turtle.dipw"));
+}
+
+Project BenchBodies::turtle() {
+    return loadProject(turtleFile());
 }
 
 std::vector<StepRow> measureTableOne(const BenchSolver& solver, BenchBodies& bodies, int rows,
