@@ -345,10 +345,6 @@
         <translation>Der Körper ist kleiner als die Zellen des Films; geben Sie dem Film mehr Punkte oder prüfen Sie die Einheit des Modells</translation>
     </message>
     <message>
-        <source>Making the sheets</source>
-        <translation>Bögen werden angelegt</translation>
-    </message>
-    <message>
         <source>Writing the proof</source>
         <translation>Vorschau wird geschrieben</translation>
     </message>
@@ -362,6 +358,10 @@
             <numerusform>%1: %n Schritt endete ohne Gleichgewicht, mit übrigen Kräften bis zu %2 % von denen in der Folie; prüfen Sie, wie verlässlich der Bogen ist</numerusform>
             <numerusform>%1: %n Schritte endeten ohne Gleichgewicht, mit übrigen Kräften bis zu %2 % von denen in der Folie; prüfen Sie, wie verlässlich der Bogen ist</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Reversing the texture</source>
+        <translation>Textur wird umgekehrt</translation>
     </message>
 </context>
 <context>

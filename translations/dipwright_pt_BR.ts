@@ -345,10 +345,6 @@
         <translation>O corpo é menor que as células do filme; dê mais pontos ao filme ou verifique a unidade do modelo</translation>
     </message>
     <message>
-        <source>Making the sheets</source>
-        <translation>Criando as folhas</translation>
-    </message>
-    <message>
         <source>Writing the proof</source>
         <translation>Gravando a prova</translation>
     </message>
@@ -362,6 +358,10 @@
             <numerusform>%1: %n passo terminou sem equilíbrio, com forças restantes de até %2 % das que há no filme; verifique quão confiável é a folha</numerusform>
             <numerusform>%1: %n passos terminaram sem equilíbrio, com forças restantes de até %2 % das que há no filme; verifique quão confiável é a folha</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Reversing the texture</source>
+        <translation>Revertendo a textura</translation>
     </message>
 </context>
 <context>

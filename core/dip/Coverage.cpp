@@ -47,13 +47,14 @@ double coverageTogether(const std::vector<std::shared_ptr<const LaidFilm>>& film
                         const Progress& progress) {
     const TriangleMesh& mesh = films.front()->body().model.mesh;
     const std::vector<SurfacePoint> samples = evenSamples(mesh, surfaceArea(mesh) / samplesOfBody);
-    const auto painted =
-        std::count_if(samples.begin(), samples.end(), [&](const SurfacePoint& sample) {
-            progress.cancelSwitch.throwIfCancelled();
-            return std::any_of(films.begin(), films.end(),
-                               [&](const auto& laid) { return laid->place(sample).has_value(); });
+    std::vector<std::uint8_t> painted(samples.size());
+    parallelFor(std::size_t(0), samples.size(), [&](std::size_t sample) {
+        progress.cancelSwitch.throwIfCancelled();
+        painted[sample] = std::any_of(films.begin(), films.end(), [&](const auto& laid) {
+            return laid->place(samples[sample]).has_value();
         });
-    return double(painted) / double(samples.size());
+    });
+    return double(std::count(painted.begin(), painted.end(), 1)) / double(samples.size());
 }
 
 } // namespace dipwright

@@ -1,5 +1,7 @@
 #include "dip/FilmOnBody.h"
 
+#include "parallel/ParallelFor.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,6 +53,22 @@ float largestCell(const solver::FilmGrid& grid, const std::vector<std::uint32_t>
     return largest;
 }
 
+// Whether any of what is queried is within `reach` of a triangle of the body, or a little farther.
+std::vector<std::uint8_t> nearTriangles(const TriangleMesh& body, const SurfaceQuery& query,
+                                        float reach) {
+    std::vector<std::uint8_t> isNear(body.triangles.size());
+    parallelFor(std::size_t(0), isNear.size(), [&](std::size_t triangle) {
+        const auto& [a, b, c] = body.triangles[triangle];
+        const Eigen::Vector3f middle =
+            (body.positions[a] + body.positions[b] + body.positions[c]) / 3;
+        const float radius =
+            std::max({(body.positions[a] - middle).norm(), (body.positions[b] - middle).norm(),
+                      (body.positions[c] - middle).norm()});
+        isNear[triangle] = query.closest(middle, 1.01f * (reach + radius)).point.isValid();
+    });
+    return isNear;
+}
+
 } // namespace
 
 FilmOnBody::FilmOnBody(const solver::FilmGrid& grid, const std::vector<FilmTriangle>& triangles,
@@ -59,7 +77,7 @@ FilmOnBody::FilmOnBody(const solver::FilmGrid& grid, const std::vector<FilmTrian
       painted_(paintedMesh(contact, triangles, filmTriangle_)), bodyNormals_(triangleNormals(body)),
       paintedNormals_(triangleNormals(painted_)), opposite_(oppositeEdges(painted_)),
       isBorderPoint_(painted_.positions.size(), 0), query_(painted_),
-      reach_(largestCell(grid, filmTriangle_)) {
+      reach_(largestCell(grid, filmTriangle_)), isNear_(nearTriangles(body, query_, reach_)) {
     for (std::size_t edge = 0; edge < opposite_.size(); ++edge) {
         if (opposite_[edge] == noEdge) {
             isBorderPoint_[painted_.triangles[edge / 3][edge % 3]] = 1;
@@ -117,6 +135,9 @@ ClosestPoint FilmOnBody::filmOver(const Eigen::Vector3f& place,
 }
 
 std::optional<FilmPlace> FilmOnBody::place(const SurfacePoint& point) const {
+    if (!isNear_[point.triangle]) {
+        return std::nullopt;
+    }
     const Eigen::Vector3f onBody = position(body_, point);
     const Eigen::Vector3f& outward = bodyNormals_[point.triangle];
     const ClosestPoint found = filmOver(onBody, outward);

@@ -35,6 +35,7 @@ private:
     std::vector<std::uint8_t> isBorderPoint_; // a film point each
     SurfaceQuery query_;                      // of painted_
     float reach_;                             // the largest film cell that is painted, mm
+    std::vector<std::uint8_t> isNear_;        // a body triangle each: film is within its reach
 };
 
 } // namespace dipwright

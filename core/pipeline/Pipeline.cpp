@@ -20,8 +20,8 @@ struct Text {
 
 // Shares of the time of a job, roughly as measured on a film of 120 × 170 points.
 constexpr double fieldDone = 0.1;
-constexpr double dipsDone = 0.7;
-constexpr double sheetsDone = 0.85;
+constexpr double dipsDone = 0.7; // of what follows the field
+constexpr double picturesDone = 0.8;
 
 // What all steps of one run are given.
 struct Run {
@@ -126,46 +126,28 @@ ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetI
     return now;
 }
 
-// The rest of it: what is measured of the film, and its sheet.
-void finish(ImmersionResult& now, const Run& run, std::size_t number, const Progress& progress) {
-    const ImmersionResult* earlier = run.earlier(number);
-    Tasks beside;
-    if (!hasDipped(earlier, now.inputs.texture.dip)) {
-        beside.run([&] { measure(now); });
-    }
+// The second: the picture that the film wears.
+void paint(ImmersionResult& now, const ImmersionResult* earlier, const Progress& progress) {
     if (!earlier || earlier->inputs.texture != now.inputs.texture) {
         now.texture = std::make_shared<const ReverseTexture>(
             textureOf(*now.laid, now.inputs.texture, progress));
     }
+}
+
+// The rest: what is measured of the film, and its sheet.
+void finish(ImmersionResult& now, const Run& run, std::size_t number) {
+    const ImmersionResult* earlier = run.earlier(number);
+    Tasks measuring;
+    if (!hasDipped(earlier, now.inputs.texture.dip)) {
+        measuring.run([&] { measure(now); });
+    }
     if (!earlier || earlier->inputs != now.inputs) {
         now.sheet = jobSheet(run.project, now.immersion, now.texture->image);
     }
-    beside.wait();
+    measuring.wait();
     if (run.options.finished) {
         run.options.finished(number, now);
     }
-}
-
-// A film is finished beside the next dip, for which the solver has little to do with the processor
-// or does not use all of it.
-std::vector<ImmersionResult> immersionResults(const Run& run,
-                                              const std::vector<SheetInputs>& inputs,
-                                              const DistanceField* field, SolverChoice& solver,
-                                              const Progress& progress) {
-    std::vector<ImmersionResult> results(inputs.size());
-    Tasks finishing;
-    const double share = dipsDone / double(inputs.size());
-    for (std::size_t number = 0; number < inputs.size(); ++number) {
-        const double begin = share * double(number);
-        undisturbed([&] {
-            results[number] = dippedImmersion(run, number, inputs[number], field, solver,
-                                              progress.part(begin, begin + share));
-        });
-        finishing.run([&, number] { finish(results[number], run, number, progress.silent()); });
-    }
-    progress(dipsDone, Text::tr("Making the sheets"));
-    finishing.wait();
-    return results;
 }
 
 double coverageTotal(const std::vector<ImmersionResult>& immersions, const Progress& progress) {
@@ -200,6 +182,34 @@ QImage proofOf(const Run& run, const std::vector<ImmersionResult>& immersions,
     ProofOptions options;
     options.compensatedInk = inputs.isReversed() && inputs.ink.compensate;
     return proofPicture(*run.project.model, films, options, progress);
+}
+
+// Fills in the immersions and what is told of them together. One film is dipped after the other;
+// what follows a dip goes on beside the next one, for which the solver does not need, or cannot
+// use, all of the processor. The proof waits for the pictures and for no sheet.
+void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInputs>& inputs,
+                   SolverChoice& solver, const Progress& progress) {
+    std::vector<ImmersionResult>& immersions = result.immersions;
+    immersions.resize(inputs.size());
+    Tasks sheets;
+    Tasks pictures; // each begins a sheet
+    const double share = dipsDone / double(inputs.size());
+    for (std::size_t number = 0; number < inputs.size(); ++number) {
+        const double begin = share * double(number);
+        undisturbed([&] {
+            immersions[number] = dippedImmersion(run, number, inputs[number], result.field.get(),
+                                                 solver, progress.part(begin, begin + share));
+        });
+        pictures.run([&, number] {
+            paint(immersions[number], run.earlier(number), progress.silent());
+            sheets.run([&, number] { finish(immersions[number], run, number); });
+        });
+    }
+    progress(dipsDone, Text::tr("Reversing the texture"));
+    pictures.wait();
+    undisturbed([&] { result.proof = proofOf(run, immersions, progress.part(picturesDone, 1)); });
+    sheets.wait();
+    result.coverageTotal = coverageTotal(immersions, progress);
 }
 
 QStringList notesOf(const JobResult& result) {
@@ -248,11 +258,8 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     result.fieldInputs = fieldInputs(project);
     result.field = fieldOf(run, inputs, progress.part(0, fieldDone));
 
-    result.immersions = immersionResults(run, inputs, result.field.get(), solver,
-                                         progress.part(fieldDone, sheetsDone));
+    runImmersions(result, run, inputs, solver, progress.part(fieldDone, 1));
     result.solver = result.immersions.back().solver;
-    result.coverageTotal = coverageTotal(result.immersions, progress);
-    result.proof = proofOf(run, result.immersions, progress.part(sheetsDone, 1));
     result.notes += notesOf(result);
     return result;
 }

@@ -72,21 +72,22 @@ public:
         : laid_(worn.laid), picture_(worn.image, worn.laid->film().grid),
           ink_({compensatedInk, InkSettings().limit}), compensatedInk_(compensatedInk) {}
 
-    // Lays this film's colour over `under`.
-    LinearColour over(const LinearColour& under, const SurfacePoint& point) const {
+    // Lays this film's colour over what under() says is under it; not asked where none shows.
+    template <typename Under>
+    LinearColour over(const SurfacePoint& point, const Under& under) const {
         const std::optional<FilmPlace> place = laid_->place(point);
         if (!place) {
-            return under;
+            return under();
         }
         const FilmPicture::Paint paint = picture_.at(place->rest);
         if (paint.cover <= 0) {
-            return under;
+            return under();
         }
         LinearColour colour = paint.colour / paint.cover;
         if (compensatedInk_) {
             colour = ink_.shown(colour, areaStretch(*place));
         }
-        return (1 - paint.cover) * under + paint.cover * colour;
+        return paint.cover == 1 ? colour : (1 - paint.cover) * under() + paint.cover * colour;
     }
 
 private:
@@ -163,10 +164,7 @@ public:
 
 private:
     LinearColour bodyLight(const SurfacePoint& point, const Ray& ray, const Camera& camera) const {
-        LinearColour colour = bareBody;
-        for (const auto& film : films_) {
-            colour = film->over(colour, point);
-        }
+        const LinearColour colour = colourUnder(films_.size(), point);
         Eigen::Vector3f normal = normalAt(normals_, point);
         if (normal.dot(ray.direction) > 0) {
             normal = -normal;
@@ -179,6 +177,13 @@ private:
         const Eigen::Vector3f halfway = (lamp - ray.direction).normalized();
         const float gloss = 0.05f * std::pow(std::max(0.0f, normal.dot(halfway)), 60.0f);
         return colour * (0.5f * facing + 0.56f * room) + gloss;
+    }
+
+    // The colour of the body wearing the first `count` films.
+    LinearColour colourUnder(std::size_t count, const SurfacePoint& point) const {
+        return count == 0
+                   ? bareBody
+                   : films_[count - 1]->over(point, [&] { return colourUnder(count - 1, point); });
     }
 
     LinearColour tableLight(const Ray& ray) const {
