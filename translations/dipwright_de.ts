@@ -93,6 +93,10 @@
         <source>The body does not meet the film; move it over the film, choose a larger film, or give the film more points</source>
         <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film, wählen Sie einen größeren Film oder geben Sie dem Film mehr Punkte</translation>
     </message>
+    <message>
+        <source>With these cells the film would have %1 million points, and it may have %2; give it larger cells</source>
+        <translation>Mit diesen Zellen hätte die Folie %1 Millionen Punkte, und sie darf %2 haben; geben Sie ihr größere Zellen</translation>
+    </message>
 </context>
 <context>
     <name>DipJob</name>
@@ -103,6 +107,17 @@
     <message>
         <source>Preparing the views</source>
         <translation>Ansichten werden vorbereitet</translation>
+    </message>
+</context>
+<context>
+    <name>FilmFacts</name>
+    <message>
+        <source>%1: cells of %2 over the body, %3 × %4 points</source>
+        <translation>%1: Zellen von %2 über dem Körper, %3 × %4 Punkte</translation>
+    </message>
+    <message>
+        <source>%1, about %2 s a dip</source>
+        <translation>%1, etwa %2 s je Tauchgang</translation>
     </message>
 </context>
 <context>
@@ -1347,6 +1362,30 @@
     <message>
         <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
         <translation>Folie, die unter diese mittlere Dehnung zusammengeschoben wird, rafft sich und leistet kaum noch Widerstand. Eine Annahme: Keine Folie wurde gemessen.</translation>
+    </message>
+    <message>
+        <source>How fine the simulated film is. Automatic chooses the size of its cells from the body&apos;s narrow parts and its pose: fine where the body comes down, coarse towards the film&apos;s edges.</source>
+        <translation>Wie fein die simulierte Folie ist. „Automatisch“ wählt die Größe ihrer Zellen nach den schmalen Stellen des Körpers und seiner Lage: fein, wo der Körper eintaucht, grob zu den Rändern der Folie hin.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Size of the cells</source>
+        <translation>Größe der Zellen</translation>
+    </message>
+    <message>
+        <source>Number of points</source>
+        <translation>Anzahl der Punkte</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>The side of the simulated film&apos;s cells where the body comes down. Smaller cells show finer detail and take longer.</source>
+        <translation>Die Seite der Zellen der simulierten Folie dort, wo der Körper eintaucht. Kleinere Zellen zeigen feinere Einzelheiten und dauern länger.</translation>
     </message>
 </context>
 <context>

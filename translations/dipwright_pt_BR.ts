@@ -93,6 +93,10 @@
         <source>The body does not meet the film; move it over the film, choose a larger film, or give the film more points</source>
         <translation>O corpo não encontra o filme; mova-o sobre o filme, escolha um filme maior ou dê mais pontos ao filme</translation>
     </message>
+    <message>
+        <source>With these cells the film would have %1 million points, and it may have %2; give it larger cells</source>
+        <translation>Com estas células o filme teria %1 milhões de pontos, e pode ter %2; dê-lhe células maiores</translation>
+    </message>
 </context>
 <context>
     <name>DipJob</name>
@@ -103,6 +107,17 @@
     <message>
         <source>Preparing the views</source>
         <translation>Preparando as vistas</translation>
+    </message>
+</context>
+<context>
+    <name>FilmFacts</name>
+    <message>
+        <source>%1: cells of %2 over the body, %3 × %4 points</source>
+        <translation>%1: células de %2 sobre o corpo, %3 × %4 pontos</translation>
+    </message>
+    <message>
+        <source>%1, about %2 s a dip</source>
+        <translation>%1, cerca de %2 s por imersão</translation>
     </message>
 </context>
 <context>
@@ -1347,6 +1362,30 @@
     <message>
         <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
         <translation>O filme comprimido abaixo deste estiramento médio franze e quase já não resiste. Uma suposição: nenhum filme foi medido.</translation>
+    </message>
+    <message>
+        <source>How fine the simulated film is. Automatic chooses the size of its cells from the body&apos;s narrow parts and its pose: fine where the body comes down, coarse towards the film&apos;s edges.</source>
+        <translation>Quão fino é o filme simulado. “Automática” escolhe o tamanho das células segundo as partes estreitas do corpo e a sua posição: finas onde o corpo desce, grossas em direção às bordas do filme.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automática</translation>
+    </message>
+    <message>
+        <source>Size of the cells</source>
+        <translation>Tamanho das células</translation>
+    </message>
+    <message>
+        <source>Number of points</source>
+        <translation>Número de pontos</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Células</translation>
+    </message>
+    <message>
+        <source>The side of the simulated film&apos;s cells where the body comes down. Smaller cells show finer detail and take longer.</source>
+        <translation>O lado das células do filme simulado onde o corpo desce. Células menores mostram detalhes mais finos e demoram mais.</translation>
     </message>
 </context>
 <context>

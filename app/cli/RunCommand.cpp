@@ -22,7 +22,8 @@ void printSummary(const JobResult& result, QTextStream& out) {
     }
     for (const ImmersionResult& immersion : result.immersions) {
         const DippedFilm& film = immersion.laid->film();
-        out << QStringLiteral("%1: %2 × %3 points, %4 steps in %5 s, %6 % of the body covered, "
+        out << QStringLiteral("%1: %2 × %3 points, cells of %9 mm over the body, %4 steps in %5 s, "
+                              "%6 % of the body covered, "
                               "registration %7 mm on average, %8 mm for 95 %\n")
                    .arg(immersion.immersion.name)
                    .arg(film.grid.columns)
@@ -30,7 +31,8 @@ void printSummary(const JobResult& result, QTextStream& out) {
                    .arg(film.steps)
                    .arg(number(film.wallSeconds, 2), number(100 * immersion.coverage->share, 1),
                         number(immersion.registration.mean, 3),
-                        number(immersion.registration.percentile95, 3));
+                        number(immersion.registration.percentile95, 3),
+                        number(film.grid.leastSpacing(), 2));
     }
     out << QStringLiteral("Covered altogether: %1 %\n").arg(number(100 * result.coverageTotal, 1));
 }

@@ -1,6 +1,7 @@
 #include "dip/Dip.h"
 
 #include "base/Error.h"
+#include "dip/FilmUnderBody.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -67,7 +68,7 @@ public:
             solver_->readMarks(marks);
         });
         if (observer) {
-            observer({dip_.positions, dip_.states, state_.descent, state_.steps});
+            observer({dip_.setup.film, dip_.positions, dip_.states, state_.descent, state_.steps});
         }
         progress(1, Text::tr("Dipping"));
     }
@@ -104,7 +105,7 @@ private:
         solver::DipState shown = state_;
         const bool hasArrived = solver_->peek(dip_.positions, dip_.states, shown);
         if (hasArrived) {
-            observer({dip_.positions, dip_.states, shown.descent, shown.steps});
+            observer({dip_.setup.film, dip_.positions, dip_.states, shown.descent, shown.steps});
         }
         return hasArrived;
     }
@@ -131,7 +132,8 @@ solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process) {
     solver::DipSetup setup;
-    setup.film = filmGrid(film);
+    setup.film = isGraded(film) ? filmUnderBody(film, undersideOf(body, process), immersion.offset)
+                                : filmGrid(film);
     setup.field.distance = field.distance.data();
     setup.field.size = field.size;
     setup.field.spacing = field.spacing;
@@ -159,7 +161,7 @@ solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
     setup.settings.gatheringStretch = film.gatheringStretch;
     setup.settings.growthRate = film.growthRate;
     setup.settings.growthLimit = film.growthLimit;
-    setup.pinned = pinnedPoints(film);
+    setup.pinned = pinnedPoints(film.edges, setup.film);
     return setup;
 }
 

@@ -14,6 +14,7 @@ namespace dipwright {
 
 // Film points in the world frame while a dip runs, for display. Valid during the call only.
 struct FilmFrame {
+    const solver::FilmGrid& grid;
     std::span<const float> positions; // x, y, z a point; world frame, waterline y = 0
     std::span<const solver::PointState> states;
     double descent = 0; // mm; the body's lowest point is at startHeight − descent

@@ -20,14 +20,26 @@ struct FilmEdges {
     bool operator==(const FilmEdges&) const = default;
 };
 
+inline constexpr int maximumFilmGrid = 4'000'000; // points that a film may have
+
+// How many points a film has.
+enum class FilmResolution : std::uint8_t {
+    Points,    // columns × rows, evenly spaced
+    Automatic, // as many as the body in its pose needs, graded (dip/FilmUnderBody.h)
+    Cell,      // graded, with cells of a given size over the body
+};
+
 // The defaults of every film; the solver interface's own, some of which differ, count for no job,
 // as in ProcessSettings.
 struct FilmSettings {
     QString preset = QStringLiteral("A4");
     Millimetres width{210};  // the printed sheet along X
     Millimetres height{297}; // the printed sheet along Z
-    int columns = 120;
-    int rows = 170;
+    FilmResolution resolution = FilmResolution::Points;
+    int columns = 120;     // FilmResolution::Points, and always of the paper's film
+    int rows = 170;        // as are these
+    Millimetres cell{1};   // FilmResolution::Cell: over the body, of the floating film
+    double refinement = 1; // so many times as many cells along both edges; not the user's
     solver::Lattice lattice = solver::Lattice::Isotropic;
     solver::Support support = solver::Support::Water;
     FilmEdges edges;
@@ -45,9 +57,9 @@ struct FilmSettings {
     bool operator==(const FilmSettings&) const = default;
 };
 
-// The floating film: the printed sheet grown by the swell.
+// The floating film, evenly spaced: the printed sheet grown by the swell.
 solver::FilmGrid filmGrid(const FilmSettings& settings);
-// One byte a point, empty when all edges are free.
-std::vector<std::uint8_t> pinnedPoints(const FilmSettings& settings);
+// One byte a point of `grid`, empty when all edges are free.
+std::vector<std::uint8_t> pinnedPoints(const FilmEdges& edges, const solver::FilmGrid& grid);
 
 } // namespace dipwright

@@ -35,7 +35,7 @@ QString scaleText(const FilmSettings& film) {
 // its job.
 QJsonObject withoutLater(QJsonObject film, const QJsonObject& usual) {
     for (const char* key : {"growth_per_s", "growth_limit", "grip_fade_deg", "gathering_stretch",
-                            "overhang_deg", "tear_stretch"}) {
+                            "overhang_deg", "tear_stretch", "resolution", "cell_mm"}) {
         const QLatin1String name(key);
         if (film.value(name) == usual.value(name)) {
             film.remove(name);

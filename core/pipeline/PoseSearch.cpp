@@ -1,6 +1,7 @@
 #include "pipeline/PoseSearch.h"
 
 #include "base/Error.h"
+#include "dip/FilmUnderBody.h"
 #include "dip/LaidFilm.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
@@ -85,7 +86,9 @@ Immersion immersionFor(const TriangleMesh& mesh, const Eigen::Vector3d& down,
 // The same film with cells as large as the search can do with.
 FilmSettings coarseFilm(FilmSettings film, const TriangleMesh& mesh) {
     const double body = boundingBox(mesh).sizes().maxCoeff();
-    const double spacing = std::max(film.width.value() / (film.columns - 1), body / cellsAlongBody);
+    const double own = isGraded(film) ? 0 : film.width.value() / (film.columns - 1);
+    const double spacing = std::max(own, body / cellsAlongBody);
+    film.resolution = FilmResolution::Points;
     const auto points = [&](Millimetres length) {
         return std::clamp(int(std::lround(length.value() / spacing)) + 1, minimumFilmPoints,
                           maximumFilmPoints);

@@ -15,6 +15,7 @@ QJsonObject toJson(const Distribution& distribution) {
 QJsonObject filmJson(const DippedFilm& film) {
     return {{"columns", film.grid.columns},
             {"rows", film.grid.rows},
+            {"cell_mm", film.grid.leastSpacing()},
             {"points", qint64(film.grid.pointCount())},
             {"constraints", qint64(constraintCount(film.grid, film.isotropic))}};
 }

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "base/Png.h"
 #include "dip/Dip.h"
+#include "dip/FilmUnderBody.h"
 #include "dip/LaidFilm.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
@@ -45,13 +46,13 @@ Project withHalfStep(Project project) {
 // The production film's steps follow its cells by themselves: they are given in cells.
 Project withHalfSpacing(Project project) {
     FilmSettings& film = project.film;
-    film.columns = 2 * film.columns - 1;
-    film.rows = 2 * film.rows - 1;
-    if (!mayHavePoints(film.columns, film.rows)) {
+    film.refinement *= 2;
+    if (const solver::FilmGrid finer = filmGrid(film);
+        !isGraded(film) && !mayHavePoints(finer.columns, finer.rows)) {
         throw Error(Text::tr("The film is too fine to be compared with one of %1 × %2 points, set "
                              "half as many for the comparison")
-                        .arg(film.columns)
-                        .arg(film.rows),
+                        .arg(finer.columns)
+                        .arg(finer.rows),
                     QStringLiteral("film.points"));
     }
     project.process.timeStep = Seconds(project.process.timeStep.value() / 2);

@@ -1,6 +1,7 @@
 #include "pipeline/ValidateJob.h"
 
 #include "base/Error.h"
+#include "dip/FilmUnderBody.h"
 #include "pipeline/SolverChoice.h"
 
 #include <QCoreApplication>
@@ -38,6 +39,9 @@ void checkImmersion(const Project& project, const Immersion& immersion, QStringL
     }
     if (!film.contains(body)) {
         warnings.append(Text::tr("%1: the body reaches past the film's edge").arg(immersion.name));
+    }
+    if (isGraded(project.film)) {
+        return; // its cells are made for the body
     }
     if (body.sizes().maxCoeff() < grid.leastSpacingX()) {
         throw Error(

@@ -8,10 +8,9 @@
 
 namespace dipwright {
 
-inline constexpr int minimumFilmPoints = 8;       // a side
-inline constexpr int maximumFilmPoints = 2048;    // a side
-inline constexpr int maximumFilmGrid = 4'000'000; // altogether
-bool mayHavePoints(int columns, int rows);        // no more than that
+inline constexpr int minimumFilmPoints = 8;    // a side
+inline constexpr int maximumFilmPoints = 2048; // a side
+bool mayHavePoints(int columns, int rows);     // no more than that, and than maximumFilmGrid
 
 // "A5", "A4", "A3", "Letter" …; upright.
 QStringList filmSizeNames();

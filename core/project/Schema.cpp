@@ -59,6 +59,17 @@ Field<Project> filmPoints() {
                 }
                 project.film.columns = columns;
                 project.film.rows = rows;
+                project.film.resolution = FilmResolution::Points;
+            }};
+}
+
+Field<Project> filmCell() {
+    return {QStringLiteral("film.cell_mm"),
+            {FieldKind::Number, 1, false, 0.1, 20},
+            [](const Project& project) { return QJsonValue(project.film.cell.value()); },
+            [](Project& project, const QJsonValue& value) {
+                project.film.cell = Millimetres(value.toDouble());
+                project.film.resolution = FilmResolution::Cell;
             }};
 }
 
@@ -89,6 +100,11 @@ void addFilmFields(std::vector<Field<Project>>& fields) {
     fields.push_back(filmPreset());
     fields.push_back(filmSizeField());
     fields.push_back(filmPoints());
+    fields.push_back(filmCell());
+    fields.push_back(choice(
+        "film.resolution",
+        {QStringLiteral("points"), QStringLiteral("automatic"), QStringLiteral("cell")},
+        [](auto& p) -> auto& { return p.film.resolution; }));
     fields.push_back(choice(
         "film.lattice", {QStringLiteral("structural"), QStringLiteral("isotropic")},
         [](auto& p) -> auto& { return p.film.lattice; }));

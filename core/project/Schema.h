@@ -12,7 +12,7 @@ namespace dipwright {
 inline constexpr int projectVersion = 1;
 
 // In the order in which a file is read: a film's preset comes before its size, its size before its
-// points, as each sets what follows.
+// points, its points and its cell before which of them counts, as each sets what follows.
 const std::vector<Field<Project>>& projectFields();
 const std::vector<Field<Immersion>>& immersionFields();
 

@@ -20,8 +20,7 @@ constexpr double dipDone = 0.95;
 DipRecordings makeRecordings(const Project& project, std::size_t mostPoints) {
     DipRecordings recordings;
     for (const Immersion& immersion : project.immersions) {
-        recordings.push_back(std::make_shared<DipRecording>(immersion, filmGrid(project.film),
-                                                            mostPoints, mostFrames));
+        recordings.push_back(std::make_shared<DipRecording>(immersion, mostPoints, mostFrames));
     }
     return recordings;
 }

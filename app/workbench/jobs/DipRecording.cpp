@@ -33,12 +33,15 @@ ThinnedFilm thinFilm(const solver::FilmGrid& grid, std::size_t mostPoints) {
     return film;
 }
 
-DipRecording::DipRecording(const Immersion& immersion, const solver::FilmGrid& grid,
-                           std::size_t mostPoints, std::size_t mostFrames)
-    : immersion_(immersion), grid_(grid), film_(thinFilm(grid, mostPoints)),
-      mostFrames_(mostFrames) {}
+DipRecording::DipRecording(const Immersion& immersion, std::size_t mostPoints,
+                           std::size_t mostFrames)
+    : immersion_(immersion), mostPoints_(mostPoints), mostFrames_(mostFrames) {}
 
 void DipRecording::add(const FilmFrame& frame) {
+    if (added_ == 0) { // nobody reads the film yet
+        grid_ = frame.grid;
+        film_ = thinFilm(grid_, mostPoints_);
+    }
     auto recorded = std::make_shared<RecordedFrame>();
     recorded->descent = frame.descent;
     recorded->positions.reserve(film_.points.size() * 3);

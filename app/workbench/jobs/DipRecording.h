@@ -25,10 +25,10 @@ struct RecordedFrame {
 class DipRecording {
 public:
     // Keeps at most about `mostFrames` evenly spread frames, always with the newest.
-    DipRecording(const Immersion& immersion, const solver::FilmGrid& grid, std::size_t mostPoints,
-                 std::size_t mostFrames);
+    DipRecording(const Immersion& immersion, std::size_t mostPoints, std::size_t mostFrames);
 
     const Immersion& immersion() const { return immersion_; }
+    // Of its frames; once there is one, they stay as they are.
     const ThinnedFilm& film() const { return film_; }
     const solver::FilmGrid& grid() const { return grid_; }
 
@@ -41,9 +41,9 @@ private:
     void thinOut();
 
     const Immersion immersion_;
-    const solver::FilmGrid grid_;
-    const ThinnedFilm film_;
-    const std::size_t mostFrames_;
+    const std::size_t mostPoints_, mostFrames_;
+    solver::FilmGrid grid_;
+    ThinnedFilm film_;
     mutable std::mutex mutex_;
     std::vector<std::shared_ptr<const RecordedFrame>> frames_;
     std::size_t added_ = 0;

@@ -70,6 +70,7 @@ void PropertyPanel::rebuild() {
                        tr("A film that was measured once: size, swell, relaxation and sides."));
             addProfile(*form, ProfileKind::Tank, tr("Tank profile"),
                        tr("A tank: its barriers hold the film's sides."));
+            addFilmFacts(*form);
         } else if (node_.part == ProjectPart::Sheet) {
             addProfile(*form, ProfileKind::Printer, tr("Printer profile"),
                        tr("A printer that was measured once: its scale, margins, colours, ink "
@@ -201,6 +202,18 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
               &PropertyPanel::replaceModelAsked);
     addButton(QStringLiteral("texture"), tr("Replace Texture…"),
               tr("Puts another picture on the model."), &PropertyPanel::replaceTextureAsked);
+}
+
+void PropertyPanel::addFilmFacts(QFormLayout& form) {
+    auto* facts = new QLabel;
+    facts->setObjectName(QStringLiteral("filmFacts"));
+    facts->setWordWrap(true);
+    facts->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    form.addRow(facts);
+    refreshers_.push_back([this, facts] {
+        facts->setText(
+            filmFacts_.text(document_->project(), document_->result().get(), lengthUnit_));
+    });
 }
 
 void PropertyPanel::addPreset(QFormLayout& form) {

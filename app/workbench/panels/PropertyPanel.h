@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/Document.h"
+#include "panels/FilmFacts.h"
 #include "panels/ProjectTree.h"
 #include "panels/PropertyField.h"
 #include "project/ProfileLibrary.h"
@@ -35,6 +36,7 @@ private:
     void addHeading(QFormLayout& form, const QString& text);
     void addField(QFormLayout& form, const PropertySpec& spec);
     void addModelFacts(QFormLayout& form);
+    void addFilmFacts(QFormLayout& form);
     void addPreset(QFormLayout& form);
     void addSolver(QFormLayout& form);
     void addProfile(QFormLayout& form, ProfileKind kind, const QString& name, const QString& help);
@@ -43,6 +45,7 @@ private:
 
     const SolverRegistry& registry_;
     ProfileLibrary profiles_;
+    FilmFacts filmFacts_;
     Document* document_ = nullptr;
     LengthUnit lengthUnit_ = LengthUnit::Millimetre;
     ProjectNode node_;

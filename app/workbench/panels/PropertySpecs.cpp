@@ -64,11 +64,32 @@ std::vector<PropertySection> filmProperties() {
          .help = Text::tr("Width and height of the printed film. The grid keeps its spacing."),
          .unit = Unit::Length,
          .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
+        {.path = QStringLiteral("film.resolution"),
+         .label = Text::tr("Resolution"),
+         .help = Text::tr("How fine the simulated film is. Automatic chooses the size of its cells "
+                          "from the body's narrow parts and its pose: fine where the body comes "
+                          "down, coarse towards the film's edges."),
+         .words = {{QStringLiteral("automatic"), Text::tr("Automatic")},
+                   {QStringLiteral("cell"), Text::tr("Size of the cells")},
+                   {QStringLiteral("points"), Text::tr("Number of points")}},
+         .relevant = isProduction},
+        {.path = QStringLiteral("film.cell_mm"),
+         .label = Text::tr("Cells"),
+         .help = Text::tr("The side of the simulated film's cells where the body comes down. "
+                          "Smaller cells show finer detail and take longer."),
+         .unit = Unit::Length,
+         .relevant =
+             [](const Project& project) {
+                 return isProduction(project) && project.film.resolution == FilmResolution::Cell;
+             }},
         {.path = QStringLiteral("film.points"),
          .label = Text::tr("Points"),
          .help = Text::tr("Points of the simulated film across and down. More points show finer "
                           "detail and take longer."),
-         .parts = {Text::tr("W", "width"), Text::tr("H", "height")}}};
+         .parts = {Text::tr("W", "width"), Text::tr("H", "height")},
+         .relevant = [](const Project& project) {
+             return isPaperModel(project) || project.film.resolution == FilmResolution::Points;
+         }}};
 
     PropertySection material{Text::tr("Behaviour on the water"), {}};
     material.specs = {

@@ -47,8 +47,10 @@ private:
     std::function<void(const Progress&)> work_;
 };
 
+const solver::FilmGrid recordedGrid{8, 8, 100, 100};
+
 FilmFrame frameAt(std::vector<float>& positions, double descent) {
-    return {positions, {}, descent, std::int64_t(descent)};
+    return {recordedGrid, positions, {}, descent, std::int64_t(descent)};
 }
 
 } // namespace
@@ -164,9 +166,8 @@ private slots:
     }
 
     void aLongRecordingStaysShortAndKeepsItsEnds() {
-        const solver::FilmGrid grid{8, 8, 100, 100};
         std::vector<float> positions(8 * 8 * 3, 0);
-        DipRecording recording({}, grid, 1000, 50);
+        DipRecording recording({}, 1000, 50);
         for (int number = 0; number < 1234; ++number) {
             positions[1] = float(number);
             recording.add(frameAt(positions, number));

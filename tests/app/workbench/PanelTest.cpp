@@ -1,8 +1,10 @@
 // The panels by themselves: fields, heat scale, isolines and the picture view.
 #include "Contrast.h"
 #include "document/ProjectValue.h"
+#include "geometry/Shapes.h"
 #include "look/HeatScale.h"
 #include "look/Theme.h"
+#include "panels/FilmFacts.h"
 #include "panels/PictureView.h"
 #include "panels/PropertyField.h"
 #include "panels/PropertySpecs.h"
@@ -165,6 +167,42 @@ private slots:
             QVERIFY(std::abs(line.x1() - line.x2()) < 1e-9);
             QVERIFY(std::abs(std::remainder(line.x1(), 25)) < 1e-9); // a value of 2.5 is at 25 mm
         }
+    }
+
+    void isolinesFollowTheLinesOfAGradedFilm() {
+        const solver::FilmGrid film{4, 2, 100, 50, {-50, -40, 10, 50}, {-25, 25}};
+        std::vector<float> values;
+        for (int row = 0; row < film.rows; ++row) {
+            for (int column = 0; column < film.columns; ++column) {
+                values.push_back(float(film.restX(column) + 50));
+            }
+        }
+        const QList<QLineF> lines = isolines(values, film, 30);
+        QVERIFY(!lines.isEmpty());
+        for (const QLineF& line : lines) {
+            QVERIFY(std::abs(std::remainder(line.x1(), 30)) < 1e-4);
+        }
+        const HeatScale scale{.map = QStringLiteral("grey"), .low = 0, .high = 100};
+        const QImage picture = heatPicture(values, film, {100, 50}, scale);
+        for (int x = 0; x < 100; ++x) {
+            QVERIFY(std::abs(qGray(picture.pixel(x, 20)) - qGray(scale.colour(x + 0.5))) <= 1);
+        }
+    }
+
+    void theFilmsCellsAreTold() {
+        Project project;
+        auto model = std::make_shared<TexturedMesh>();
+        model->mesh = boxMesh({60, 40, 60});
+        project.model = model;
+        FilmFacts facts;
+        QVERIFY(facts.text(project, nullptr, LengthUnit::Millimetre).contains("120 × 170 points"));
+        project.film.resolution = FilmResolution::Cell;
+        project.film.cell = Millimetres(1.5);
+        const QString graded = facts.text(project, nullptr, LengthUnit::Millimetre);
+        QVERIFY2(graded.startsWith("Immersion: cells of 1.4"), qPrintable(graded));
+        project.film.cell = Millimetres(0.05); // more points than a film may have
+        QVERIFY2(facts.text(project, nullptr, LengthUnit::Millimetre).contains("larger cells"),
+                 qPrintable(facts.text(project, nullptr, LengthUnit::Millimetre)));
     }
 
     void automaticRangeHoldsNearlyAllValues() {

@@ -145,6 +145,7 @@ private Q_SLOTS:
     void progressGrowsToTheEnd();
     void observerSeesTheLastFrame();
     void observerSeesLateFramesAsOfTheirSteps();
+    void gradedFilmIsDippedAsItIs();
     void cancellingStopsWithTheNextSteps();
     void failingSolverIsAnError();
     void unstableFilmIsAnError();
@@ -309,6 +310,20 @@ void DipTest::observerSeesLateFramesAsOfTheirSteps() {
     QVERIFY(steps.size() >= 2);
     QCOMPARE(steps.front(), std::int64_t(0));
     QCOMPARE(steps.back(), std::int64_t(50));
+}
+
+void DipTest::gradedFilmIsDippedAsItIs() {
+    Dip dip;
+    dip.film.resolution = FilmResolution::Cell;
+    dip.film.cell = Millimetres(4);
+    dip.film.edges.bottomPinned = true;
+    Script script;
+    const DippedFilm film =
+        dip.run(script, [&](const FilmFrame& frame) { QCOMPARE(frame.grid, script.setup.film); });
+    QVERIFY(!film.grid.isEven());
+    QCOMPARE(film.grid, script.setup.film);
+    QCOMPARE(film.positions.size(), film.grid.pointCount());
+    QCOMPARE(std::ranges::count(script.setup.pinned, 1), std::ptrdiff_t(film.grid.columns));
 }
 
 void DipTest::cancellingStopsWithTheNextSteps() {

@@ -70,7 +70,7 @@ void FilmTest::swellGrowsThePrintedSheet() {
 }
 
 void FilmTest::noPinnedEdgeNeedsNoBytes() {
-    QVERIFY(pinnedPoints(FilmSettings{}).empty());
+    QVERIFY(pinnedPoints({}, filmGrid({})).empty());
 }
 
 void FilmTest::pinnedEdgesHoldTheirPoints() {
@@ -80,10 +80,10 @@ void FilmTest::pinnedEdgesHoldTheirPoints() {
     settings.edges.leftPinned = true;
     settings.edges.bottomPinned = true;
     const std::vector<std::uint8_t> expected = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
-    QVERIFY(pinnedPoints(settings) == expected);
+    QVERIFY(pinnedPoints(settings.edges, filmGrid(settings)) == expected);
     settings.edges = {false, true, true, false};
     const std::vector<std::uint8_t> others = {1, 1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-    QVERIFY(pinnedPoints(settings) == others);
+    QVERIFY(pinnedPoints(settings.edges, filmGrid(settings)) == others);
 }
 
 void FilmTest::pointsRestRoundTheMiddle() {

@@ -211,9 +211,37 @@ private slots:
             }
             Project project = sampleProject();
             setByPath(project, field.path, parts.join(QLatin1Char('x')));
-            QVERIFY2(project == sampleProject() || toJson(project) == toJson(sampleProject()),
+            Project expected = sampleProject();
+            if (field.path == QLatin1String("film.cell_mm")) { // it is what counts from now on
+                expected.film.resolution = FilmResolution::Cell;
+            }
+            QVERIFY2(project == expected || toJson(project) == toJson(expected),
                      qPrintable(field.path));
         }
+    }
+
+    void pointsOrCellsCountAsWasSaidLast() {
+        Project project = sampleProject();
+        setByPath(project, "film.resolution", "automatic");
+        QVERIFY(project.film.resolution == FilmResolution::Automatic);
+        setByPath(project, "film.points", "240x360");
+        QVERIFY(project.film.resolution == FilmResolution::Points);
+        setByPath(project, "film.cell_mm", "0.75");
+        QVERIFY(project.film.resolution == FilmResolution::Cell);
+        for (const FilmResolution resolution :
+             {FilmResolution::Points, FilmResolution::Automatic, FilmResolution::Cell}) {
+            project.film.resolution = resolution;
+            const Project read = fromJson(toJson(project), "x");
+            QVERIFY(read.film.resolution == resolution);
+            QCOMPARE(read.film.columns, 240);
+            QCOMPARE(read.film.cell.value(), 0.75);
+        }
+        QJsonObject old = toJson(project);
+        QJsonObject film = old["film"].toObject();
+        film.remove("resolution");
+        film.remove("cell_mm");
+        old["film"] = film;
+        QVERIFY(fromJson(old, "x").film.resolution == FilmResolution::Points);
     }
 
     void aWrongSettingIsRefusedByName_data() {

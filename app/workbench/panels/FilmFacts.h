@@ -1,0 +1,23 @@
+// How fine the film of each immersion will be, and about how long its dip will take.
+#pragma once
+
+#include "document/Preferences.h"
+#include "geometry/SurfaceQuery.h"
+#include "pipeline/JobResult.h"
+
+#include <memory>
+
+namespace dipwright {
+
+class FilmFacts {
+public:
+    // A line an immersion. The time is told from `result`, the last run's, which may be null: work
+    // grows with the points and with the steps, which grow as the cells get smaller.
+    QString text(const Project& project, const JobResult* result, LengthUnit unit);
+
+private:
+    std::shared_ptr<const TexturedMesh> model_; // of which `query_` is
+    std::unique_ptr<const SurfaceQuery> query_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,146 @@
+#include "dip/FilmUnderBody.h"
+
+#include "base/Error.h"
+#include "film/FilmLines.h"
+#include "geometry/SurfaceSamples.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Dip)
+};
+
+// A film needs so many cells across the body's narrow parts: across all but the narrowest tenth of
+// the surface that it meets.
+constexpr double cellsAcross = 8;
+constexpr double narrowestShare = 0.1;
+// And so many along the longest edge of what it comes down on, no matter how thick that is.
+constexpr double leastCellsAlong = 60;
+constexpr double mostCellsAlong = 150;
+constexpr double mostPoints = 500'000;
+constexpr int fewestLines = 8;
+constexpr double wantedSamples = 4'000;
+constexpr float steepest = 0.01f;   // faces that turn down by less stand upright
+constexpr double cellsOfMargin = 4; // past what the film is expected to be drawn in
+
+// How far from beyond its shadow film is drawn onto the body: as if the film that the faces have
+// more than their shadow came evenly from all round a disc of that size.
+double drawIn(const Underside& underside) {
+    const double round = 2 * std::sqrt(pi * underside.shadowArea);
+    return round > 0 ? (underside.area - underside.shadowArea) / round : 0;
+}
+
+double narrowest(std::vector<float> thickness) {
+    if (thickness.empty()) {
+        return 0;
+    }
+    const auto nth = thickness.begin() + std::ptrdiff_t(narrowestShare * double(thickness.size()));
+    std::nth_element(thickness.begin(), nth, thickness.end());
+    return double(*nth);
+}
+
+// How much of the body goes under water, mm from its lowest point.
+double wetHeight(const TriangleMesh& mesh, const Eigen::Isometry3f& toPose,
+                 const ProcessSettings& process) {
+    if (process.depth) {
+        return process.depth->value();
+    }
+    float highest = 0;
+    for (const Eigen::Vector3f& place : mesh.positions) {
+        highest = std::max(highest, (toPose * place).y());
+    }
+    return double(highest);
+}
+
+} // namespace
+
+Underside undersideOf(const TriangleMesh& mesh, const SurfaceQuery& query,
+                      const Eigen::Isometry3d& toPose, const ProcessSettings& process) {
+    const Eigen::Isometry3f pose = toPose.cast<float>();
+    const Eigen::Vector3f down = pose.linear().transpose() * -Eigen::Vector3f::UnitY();
+    const auto deepest = float(wetHeight(mesh, pose, process));
+    const double perSample = surfaceArea(mesh) / wantedSamples;
+    const float clear = 1e-4f * boundingBox(mesh).diagonal().norm(); // of the face itself
+    Underside underside;
+    for (const Eigen::Vector3f& position : mesh.positions) {
+        const Eigen::Vector3f place = pose * position;
+        if (place.y() <= deepest) {
+            underside.shadow.extend(Eigen::Vector2d(place.x(), place.z()));
+        }
+    }
+    std::vector<float> thickness;
+    for (const SurfacePoint& sample : evenSamples(mesh, perSample)) {
+        const Eigen::Vector3f place = position(mesh, sample);
+        const Eigen::Vector3f outward = triangleNormal(mesh, sample.triangle);
+        if ((pose * place).y() > deepest || !(outward.dot(down) > steepest) ||
+            query.hit(place + clear * outward, down).point.isValid()) {
+            continue;
+        }
+        underside.area += perSample;
+        underside.shadowArea += perSample * double(outward.dot(down));
+        const RayHit through = query.hit(place - clear * outward, -outward);
+        if (through.point.isValid()) {
+            thickness.push_back(through.distance);
+        }
+    }
+    underside.thickness = narrowest(std::move(thickness));
+    return underside;
+}
+
+Underside undersideOf(const PosedBody& body, const ProcessSettings& process) {
+    return undersideOf(body.model.mesh, body.query, Eigen::Isometry3d::Identity(), process);
+}
+
+Millimetres automaticCell(const Underside& underside, const FilmSettings& film) {
+    const double longest = underside.shadow.isEmpty() ? 0 : underside.shadow.sizes().maxCoeff();
+    const double coarsest = longest / leastCellsAlong;
+    const double wanted = underside.thickness > 0 ? underside.thickness / cellsAcross : coarsest;
+    const solver::FilmGrid whole = filmGrid(film);
+    const double affordable = std::sqrt(whole.width * whole.depth / mostPoints);
+    return Millimetres(
+        std::max(std::clamp(wanted, longest / mostCellsAlong, coarsest), affordable));
+}
+
+bool isGraded(const FilmSettings& film) {
+    return film.resolution != FilmResolution::Points &&
+           solver::isProductionFilm(film.lattice, film.support);
+}
+
+solver::FilmGrid filmUnderBody(const FilmSettings& film, const Underside& underside,
+                               const std::array<Millimetres, 2>& offset) {
+    solver::FilmGrid grid = filmGrid(film);
+    if (!isGraded(film)) {
+        return grid;
+    }
+    const double cell = film.resolution == FilmResolution::Cell
+                            ? film.cell.value()
+                            : automaticCell(underside, film).value();
+    const double margin = drawIn(underside) + cellsOfMargin * cell;
+    const auto lines = [&](int axis, double length) {
+        const double middle = offset[std::size_t(axis)].value();
+        return gradedLines(length, underside.shadow.min()[axis] + middle - margin,
+                           underside.shadow.max()[axis] + middle + margin, cell, film.refinement,
+                           fewestLines);
+    };
+    grid.columnPlaces = lines(0, grid.width);
+    grid.rowPlaces = lines(1, grid.depth);
+    grid.columns = int(grid.columnPlaces.size());
+    grid.rows = int(grid.rowPlaces.size());
+    if (grid.pointCount() > maximumFilmGrid) {
+        throw Error(Text::tr("With these cells the film would have %1 million points, and it may "
+                             "have %2; give it larger cells")
+                        .arg(double(grid.pointCount()) / 1e6, 0, 'f', 1)
+                        .arg(maximumFilmGrid / 1'000'000),
+                    QStringLiteral("film.cell_mm"));
+    }
+    return grid;
+}
+
+} // namespace dipwright

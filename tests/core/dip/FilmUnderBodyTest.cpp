@@ -1,0 +1,136 @@
+// How fine a film is made for a body and its pose.
+#include "dip/FilmUnderBody.h"
+
+#include "DippedByHand.h"
+#include "base/Error.h"
+#include "film/FilmLines.h"
+#include "geometry/Shapes.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace dipwright;
+
+namespace {
+
+FilmSettings filmOf(FilmResolution resolution) {
+    FilmSettings film;
+    film.resolution = resolution;
+    return film;
+}
+
+Underside undersideOf(const TriangleMesh& mesh, const Immersion& immersion = {}) {
+    return undersideOf(posedBody(test::plainModel(mesh, Qt::red), immersion), {});
+}
+
+Underside ball() {
+    return undersideOf(sphereMesh(35, 60, 120));
+}
+
+double cellFor(const Underside& underside) {
+    return automaticCell(underside, filmOf(FilmResolution::Automatic)).value();
+}
+
+// The largest cells of the film between two places, along X.
+double coarsest(const solver::FilmGrid& grid, double from, double to) {
+    double largest = 0;
+    for (int column = 0; column + 1 < grid.columns; ++column) {
+        if (grid.restX(column + 1) > from && grid.restX(column) < to) {
+            largest = std::max(largest, grid.spacingX(column));
+        }
+    }
+    return largest;
+}
+
+} // namespace
+
+class FilmUnderBodyTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void thinPartsAskForFinerCells();
+    void onlyWhatComesDownOnTheFilmCounts();
+    void filmIsFineUnderTheBodyAndWhatItDrawsIn();
+    void filmGoesWithTheBody();
+    void aCellThatIsGivenIsKept();
+    void cellsTooSmallForTheFilmAreRefused();
+    void pointsThatAreGivenAreKept();
+    void thePapersFilmStaysEven();
+};
+
+void FilmUnderBodyTest::thinPartsAskForFinerCells() {
+    const double thick = cellFor(undersideOf(boxMesh({60, 40, 60})));
+    const double thin = cellFor(undersideOf(boxMesh({60, 4, 60})));
+    QVERIFY(thick <= 1.0 + 1e-9); // so many along the body, whatever its thickness
+    QVERIFY(thin < 0.6 * thick);
+    QVERIFY(thin > 0.2);
+}
+
+void FilmUnderBodyTest::onlyWhatComesDownOnTheFilmCounts() {
+    // Lying flat a plate shows its thickness; standing on its edge, its sides do not come down on
+    // the film.
+    Immersion upright;
+    upright.rotation[0] = Degrees(90);
+    const TriangleMesh plate = boxMesh({60, 4, 60});
+    QVERIFY(cellFor(undersideOf(plate)) < 0.6 * cellFor(undersideOf(plate, upright)));
+    // Asked of the model as it is modelled, the answer is the same.
+    const Underside asked =
+        undersideOf(plate, SurfaceQuery(plate), poseTransform(plate, upright), {});
+    QVERIFY(std::abs(cellFor(asked) / cellFor(undersideOf(plate, upright)) - 1) < 1e-4);
+}
+
+void FilmUnderBodyTest::filmIsFineUnderTheBodyAndWhatItDrawsIn() {
+    const Underside under = ball();
+    const FilmSettings film = filmOf(FilmResolution::Automatic);
+    const double cell = automaticCell(under, film).value();
+    const solver::FilmGrid grid = filmUnderBody(film, under, {});
+    QVERIFY(!grid.isEven());
+    QCOMPARE(grid.width, 210.0);
+    // Viscous film is drawn in from up to 35·√2 at the equator.
+    QVERIFY(coarsest(grid, -49.5, 49.5) <= cell * (1 + 1e-9));
+    QVERIFY(coarsest(grid, -105, 105) > 1.5 * cell);
+    QVERIFY(double(grid.pointCount()) < 0.6 * (210 / cell) * (297 / cell));
+}
+
+void FilmUnderBodyTest::filmGoesWithTheBody() {
+    const Underside under = undersideOf(sphereMesh(20, 60, 120));
+    const FilmSettings film = filmOf(FilmResolution::Automatic);
+    const double cell = automaticCell(under, film).value();
+    const solver::FilmGrid grid = filmUnderBody(film, under, {Millimetres(50), Millimetres(0)});
+    QVERIFY(coarsest(grid, 30, 70) <= cell * (1 + 1e-9));
+    QVERIFY(coarsest(grid, -60, -30) > 2 * cell);
+}
+
+void FilmUnderBodyTest::aCellThatIsGivenIsKept() {
+    FilmSettings film = filmOf(FilmResolution::Cell);
+    film.cell = Millimetres(1.3);
+    const solver::FilmGrid grid = filmUnderBody(film, ball(), {});
+    QVERIFY(grid.leastSpacing() <= 1.3 && grid.leastSpacing() > 1.2);
+    film.refinement = 0.5;
+    const solver::FilmGrid half = filmUnderBody(film, ball(), {});
+    QCOMPARE(half.columns, grid.columns / 2 + 1);
+    QCOMPARE(half.rows, grid.rows / 2 + 1);
+}
+
+void FilmUnderBodyTest::cellsTooSmallForTheFilmAreRefused() {
+    FilmSettings film = filmOf(FilmResolution::Cell);
+    film.cell = Millimetres(0.05);
+    QVERIFY_EXCEPTION_THROWN(filmUnderBody(film, ball(), {}), Error);
+}
+
+void FilmUnderBodyTest::pointsThatAreGivenAreKept() {
+    const FilmSettings film = filmOf(FilmResolution::Points);
+    QCOMPARE(filmUnderBody(film, ball(), {}), filmGrid(film));
+}
+
+void FilmUnderBodyTest::thePapersFilmStaysEven() {
+    FilmSettings film = filmOf(FilmResolution::Automatic);
+    film.lattice = solver::Lattice::Structural;
+    film.support = solver::Support::None;
+    QVERIFY(filmUnderBody(film, ball(), {}).isEven());
+}
+
+QTEST_APPLESS_MAIN(FilmUnderBodyTest)
+#include "FilmUnderBodyTest.moc"
