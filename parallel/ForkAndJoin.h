@@ -1,7 +1,7 @@
 // Tells the thread sanitizer that what was written before a fork is seen by its pieces, and what
 // these write after the join, but not what one piece writes by another. The sanitizer cannot see it
-// by itself: TBB's library is not built with it. In other builds there is nothing of this.
-// Private to this folder.
+// by itself: the libraries by which threads meet are not built with it. In other builds there is
+// nothing of this. For sources that are declared by dipwright_threads_meet_in() only.
 #pragma once
 
 #ifdef DIPWRIGHT_THREAD_SANITIZER

@@ -1,6 +1,7 @@
 #include "DipView.h"
 
 #include "ViewScene.h"
+#include "base/HandOver.h"
 
 #include <QLabel>
 #include <QMouseEvent>
@@ -64,17 +65,16 @@ DipView::DipView(QWidget* parent) : QWidget(parent), state_(std::make_unique<Sta
     s.drawer.moveToThread(&s.thread);
     s.thread.setObjectName(QStringLiteral("view"));
     s.thread.start();
-    QMetaObject::invokeMethod(&s.drawer, [this, &s] {
+    handOver(s.drawer, [this, &s] {
         s.scene = std::make_unique<ViewScene>(
-            s.window, [this] { QMetaObject::invokeMethod(this, &DipView::requestPicture); });
+            s.window, [this] { handOver(*this, [this] { requestPicture(); }); });
     });
 }
 
 DipView::~DipView() {
     State& s = *state_;
     if (isUsable()) {
-        QMetaObject::invokeMethod(
-            &s.drawer, [&s] { s.scene.reset(); }, Qt::BlockingQueuedConnection);
+        handOverAndWait(s.drawer, [&s] { s.scene.reset(); });
         s.thread.quit();
         s.thread.wait();
     }
@@ -99,8 +99,7 @@ bool DipView::isSoftwareRendered() const {
 
 void DipView::change(std::function<void(ViewScene&)> what) {
     if (isUsable()) {
-        QMetaObject::invokeMethod(&state_->drawer,
-                                  [s = state_.get(), what = std::move(what)] { what(*s->scene); });
+        handOver(state_->drawer, [s = state_.get(), what = std::move(what)] { what(*s->scene); });
         requestPicture();
     }
 }
@@ -212,8 +211,8 @@ void DipView::requestPicture() {
 void DipView::draw() {
     State& s = *state_;
     s.drawing = true;
-    QMetaObject::invokeMethod(&s.drawer, [this, &s] {
-        QMetaObject::invokeMethod(this, [this, picture = s.scene->draw()] {
+    handOver(s.drawer, [this, &s] {
+        handOver(*this, [this, picture = s.scene->draw()] {
             state_->drawing = false;
             take(picture);
         });
@@ -233,9 +232,7 @@ QImage DipView::picture() {
         return {};
     }
     ViewPicture picture;
-    QMetaObject::invokeMethod(
-        &state_->drawer, [this, &picture] { picture = state_->scene->draw(); },
-        Qt::BlockingQueuedConnection);
+    handOverAndWait(state_->drawer, [this, &picture] { picture = state_->scene->draw(); });
     take(picture);
     return picture.image;
 }
@@ -277,8 +274,7 @@ void DipView::updateSize() {
 
 void DipView::sendMouse(const ViewMouse& mouse) {
     if (isUsable()) {
-        QMetaObject::invokeMethod(&state_->drawer,
-                                  [s = state_.get(), mouse] { s->scene->mouse(mouse); });
+        handOver(state_->drawer, [s = state_.get(), mouse] { s->scene->mouse(mouse); });
     }
 }
 

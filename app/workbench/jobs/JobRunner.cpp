@@ -1,5 +1,7 @@
 #include "jobs/JobRunner.h"
 
+#include "base/HandOver.h"
+
 namespace dipwright {
 
 JobRunner::JobRunner(QObject* parent) : QObject(parent), worker_([this] { work(); }) {}
@@ -54,7 +56,7 @@ void JobRunner::work() {
 }
 
 void JobRunner::run(const Entry& entry) {
-    QMetaObject::invokeMethod(this, [this, title = entry.job->title()] { emit started(title); });
+    handOver(*this, [this, title = entry.job->title()] { emit started(title); });
     bool cancelled = false;
     std::exception_ptr failure;
     try {
@@ -67,7 +69,7 @@ void JobRunner::run(const Entry& entry) {
     } catch (...) {
         failure = std::current_exception();
     }
-    QMetaObject::invokeMethod(this, [this, job = entry.job, cancelled, failure] {
+    handOver(*this, [this, job = entry.job, cancelled, failure] {
         --unfinished_;
         job->finalize(cancelled, failure);
         if (unfinished_ == 0) {
@@ -83,7 +85,7 @@ void JobRunner::report(double share, const QString& text) {
     text_ = text;
     if (!reportPending_) {
         reportPending_ = true;
-        QMetaObject::invokeMethod(this, &JobRunner::deliverReport);
+        handOver(*this, [this] { deliverReport(); });
     }
 }
 

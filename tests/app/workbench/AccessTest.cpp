@@ -1,6 +1,7 @@
 // Everything that can be operated has a name that a screen reader says, can be reached by keyboard,
 // and can be read: in all windows and dialogs, in both themes.
 #include "Contrast.h"
+#include "Patience.h"
 #include "WindowDriver.h"
 #include "dialogs/CalibrationDialog.h"
 #include "dialogs/GuideWindow.h"
@@ -199,7 +200,7 @@ private:
         });
         timer.start(10);
         ask();
-        QTRY_VERIFY2_WITH_TIMEOUT(checked, name, 60'000);
+        QTRY_VERIFY2_WITH_TIMEOUT(checked, name, patience());
     }
     void check(QWidget& window) {
         QTest::qWait(0); // layouts

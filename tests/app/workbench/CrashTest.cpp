@@ -2,6 +2,7 @@
 //
 // Run with --edit FOLDER MODEL, this program is the one that gets killed: it edits an untitled
 // project and says so when its recovery copy is on the disk.
+#include "Patience.h"
 #include "WindowDriver.h"
 #include "document/Recovery.h"
 #include "project/ProjectStore.h"
@@ -61,14 +62,14 @@ private slots:
                      {QStringLiteral("--edit"), folder.path(), model});
         QVERIFY(editor.waitForStarted());
         QByteArray said;
-        while (!said.contains("kept") && editor.waitForReadyRead(120'000)) {
+        while (!said.contains("kept") && editor.waitForReadyRead(patience())) {
             said += editor.readAllStandardOutput();
         }
         QVERIFY(said.contains("kept"));
         // While it lives, its copy is its own.
         QVERIFY(findRecoveredDocuments(folder.path()).empty());
         editor.kill();
-        QVERIFY(editor.waitForFinished());
+        QVERIFY(editor.waitForFinished(patience()));
         QCOMPARE(editor.exitStatus(), QProcess::CrashExit);
 
         Workbench workbench(folder.path());

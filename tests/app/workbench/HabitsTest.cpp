@@ -1,5 +1,6 @@
 // The small habits of a document application: layouts with names, keys that clash, a report to hand
 // on, a notice when another solver took over, pictures exported as they are shown.
+#include "Patience.h"
 #include "PluginFolder.h"
 #include "WindowDriver.h"
 #include "dialogs/CertaintyDialog.h"
@@ -139,7 +140,7 @@ private slots:
         QVERIFY(makeProject());
         driver.trigger("certainty");
         QVERIFY(!driver.action("certainty")->isEnabled());
-        QTRY_VERIFY_WITH_TIMEOUT(driver.find<QDialog>("certaintyDialog"), 120000);
+        QTRY_VERIFY_WITH_TIMEOUT(driver.find<QDialog>("certaintyDialog"), patience());
         auto* dialog = driver.find<QDialog>("certaintyDialog");
         const auto* verdict = dialog->findChild<QLabel*>(QStringLiteral("verdict"));
         QVERIFY2(verdict->text().contains(QStringLiteral("not certain")),
@@ -151,7 +152,7 @@ private slots:
         QVERIFY(!dialog->findChild<PictureView*>()->isEmpty());
         emit qobject_cast<CertaintyDialog*>(dialog)->saveAsked(folder_.path());
         QTRY_VERIFY_WITH_TIMEOUT(
-            QFileInfo::exists(folder_.filePath(QStringLiteral("certainty-1.png"))), 60000);
+            QFileInfo::exists(folder_.filePath(QStringLiteral("certainty-1.png"))), patience());
         dialog->close();
     }
 
@@ -160,7 +161,7 @@ private slots:
         QVERIFY(makeProject());
         driver.trigger("certainty");
         driver.trigger("cancel");
-        QTRY_VERIFY_WITH_TIMEOUT(driver.action("certainty")->isEnabled(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(driver.action("certainty")->isEnabled(), patience());
         QVERIFY(!driver.find<QDialog>("certaintyDialog"));
         QVERIFY(!driver.find<QMessageBox>("failure"));
     }

@@ -1,4 +1,5 @@
 // Jobs and recordings without a window.
+#include "Patience.h"
 #include "base/Error.h"
 #include "jobs/DipRecording.h"
 #include "jobs/JobRunner.h"
@@ -65,7 +66,7 @@ private slots:
         QSignalSpy idle(&runner, &JobRunner::idle);
         runner.start(std::make_unique<ProbeJob>(log, [](const Progress&) {}));
         QVERIFY(runner.isBusy());
-        QVERIFY(idle.wait());
+        QVERIFY(idle.wait(patience()));
         QVERIFY(log.processed != QThread::currentThread());
         QCOMPARE(log.finalized, QThread::currentThread());
         QVERIFY(!log.cancelled);
@@ -78,7 +79,7 @@ private slots:
         QSignalSpy idle(&runner, &JobRunner::idle);
         runner.start(std::make_unique<ProbeJob>(first, [](const Progress&) {}));
         runner.start(std::make_unique<ProbeJob>(second, [](const Progress&) {}));
-        QVERIFY(idle.wait());
+        QVERIFY(idle.wait(patience()));
         QVERIFY(first.order < second.order);
         QCOMPARE(idle.count(), 1);
     }
@@ -90,7 +91,7 @@ private slots:
         runner.start(std::make_unique<ProbeJob>(log, [](const Progress&) {
             throw Error(QStringLiteral("The tank is empty"), QStringLiteral("tank"));
         }));
-        QVERIFY(idle.wait());
+        QVERIFY(idle.wait(patience()));
         QCOMPARE(log.failure, QStringLiteral("The tank is empty"));
     }
 
@@ -110,7 +111,7 @@ private slots:
             std::make_unique<ProbeJob>(waiting, [&](const Progress&) { waitingBegan = true; }));
         begun.acquire();
         runner.cancelAll();
-        QVERIFY(idle.wait());
+        QVERIFY(idle.wait(patience()));
         QVERIFY(running.cancelled);
         QVERIFY(waiting.cancelled);
         QVERIFY(!waitingBegan);
@@ -128,7 +129,7 @@ private slots:
             }));
         runner.start(std::make_unique<ProbeJob>(waiting, [](const Progress&) {}));
         first.cancel();
-        QVERIFY(idle.wait());
+        QVERIFY(idle.wait(patience()));
         QVERIFY(running.cancelled);
         QVERIFY(!waiting.cancelled);
     }

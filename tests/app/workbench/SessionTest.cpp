@@ -1,6 +1,7 @@
 // What ties a document to its jobs, without a window: opening and restoring, models that are
 // exchanged, what runs again by itself, and what the user is told.
 #include "BoxProject.h"
+#include "Patience.h"
 #include "base/Error.h"
 #include "document/RecentProjects.h"
 #include "project/ProjectStore.h"
@@ -20,8 +21,6 @@ using namespace dipwright;
 
 namespace {
 
-constexpr int patience = 60'000; // ms, for a slow machine; nothing is asserted about time
-
 // The session of one window, with a user whose answers are set before.
 struct SessionHost {
     explicit SessionHost(const QString& recovery)
@@ -36,7 +35,7 @@ struct SessionHost {
                    }}) {}
 
     bool waitUntilIdle() {
-        return QTest::qWaitFor([this] { return !jobs.isBusy(); }, patience);
+        return QTest::qWaitFor([this] { return !jobs.isBusy(); }, patience());
     }
 
     Messages messages;
@@ -256,7 +255,7 @@ private slots:
         document.setResult(resultOf(document.project()));
         setWidth(document, 190);
         setWidth(document, 180);
-        QVERIFY(asked.wait(patience));
+        QVERIFY(asked.wait(patience()));
         QCOMPARE(asked.count(), 1); // for both
         document.undoStack().undo();
         document.undoStack().undo(); // fresh again, but one is under way
@@ -277,7 +276,7 @@ private slots:
         setWidth(document, 190);
         QVERIFY(!asked.wait(800));
         live.setHeld(false);
-        QVERIFY(asked.wait(patience));
+        QVERIFY(asked.wait(patience()));
     }
 
     void anImmersionThatIsGoneIsNotLookedAt() {
@@ -314,7 +313,7 @@ private slots:
                    [](const QString& target, const Progress&) {
                        throw Error(QStringLiteral("The disk is full"), target);
                    });
-        QVERIFY(QTest::qWaitFor([&] { return !jobs.isBusy(); }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return !jobs.isBusy(); }, patience()));
         QVERIFY(QFile::exists(path));
         QCOMPARE(said.count(), 1);
         QVERIFY(said[0][0].toString().contains(QStringLiteral("note.txt")));

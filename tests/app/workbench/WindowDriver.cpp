@@ -1,15 +1,11 @@
 #include "WindowDriver.h"
 
+#include "Patience.h"
+
 #include <QDragEnterEvent>
 #include <QMimeData>
 
 namespace dipwright {
-
-namespace {
-
-constexpr int patience = 120'000; // ms, for a slow machine; nothing is asserted about time
-
-} // namespace
 
 WindowApplication::WindowApplication(int& argc, char** argv) {
     const QByteArray home = home_.path().toLocal8Bit();
@@ -26,7 +22,7 @@ WindowApplication::WindowApplication(int& argc, char** argv) {
 bool WindowDriver::open(const QString& path) {
     QSignalSpy opened(&window_.documents(), &DocumentSession::documentChanged);
     window_.documents().openProject(path);
-    return opened.wait(patience);
+    return opened.wait(patience());
 }
 
 bool WindowDriver::create(const QString& model, const QString& texture, double longestEdge,
@@ -36,7 +32,7 @@ bool WindowDriver::create(const QString& model, const QString& texture, double l
     options.texture = texture;
     QSignalSpy opened(&window_.documents(), &DocumentSession::documentChanged);
     window_.documents().importModel(model, options, complete);
-    return opened.wait(patience);
+    return opened.wait(patience());
 }
 
 bool WindowDriver::run() {
@@ -44,7 +40,7 @@ bool WindowDriver::run() {
     QSignalSpy stopped(&window_.session(), &DipSession::stopped);
     trigger("run");
     const auto ended = [&] { return !finished.isEmpty() || !stopped.isEmpty(); };
-    return QTest::qWaitFor(ended, patience) && !finished.isEmpty();
+    return QTest::qWaitFor(ended, patience()) && !finished.isEmpty();
 }
 
 void WindowDriver::drop(const QString& path) const {
