@@ -95,19 +95,61 @@ void continueRow(std::uint32_t* pixels, std::ptrdiff_t stride, int width, const 
     }
 }
 
-} // namespace
-
-void continueColour(QImage& image, double radius) {
-    const double within = std::min(radius, 10000.0);
-    if (within < 1) {
-        return;
+// The first and the last printed pixel of a row; the first is past the last where none is printed.
+std::pair<int, int> printedPart(const uchar* pixels, int width) {
+    int first = 0;
+    while (first < width && pixels[4 * first + 3] == 0) {
+        ++first;
     }
+    int last = width - 1;
+    while (last > first && pixels[4 * last + 3] == 0) {
+        --last;
+    }
+    return {first, last};
+}
+
+// The box round all printed pixels and what is within `margin` pixels of them.
+QRect reachedBox(const QImage& image, int margin) {
+    std::vector<std::pair<int, int>> parts(std::size_t(image.height()));
+    parallelFor(0, image.height(), [&](int row) {
+        parts[std::size_t(row)] = printedPart(image.constScanLine(row), image.width());
+    });
+    QRect printed;
+    for (int row = 0; row < image.height(); ++row) {
+        const auto [first, last] = parts[std::size_t(row)];
+        if (first <= last) {
+            printed |= QRect(QPoint(first, row), QPoint(last, row));
+        }
+    }
+    return printed.isEmpty()
+               ? QRect()
+               : printed.adjusted(-margin, -margin, margin, margin).intersected(image.rect());
+}
+
+// The pixels of a part of an image as an image of its own. Not to outlive it.
+QImage partOf(QImage& image, const QRect& box) {
+    return {image.bits() + box.y() * image.bytesPerLine() + 4 * qsizetype(box.x()), box.width(),
+            box.height(), image.bytesPerLine(), image.format()};
+}
+
+void continueWithin(QImage& image, double within) {
     const ColumnDistances distances(image, int(within));
     auto* pixels = reinterpret_cast<std::uint32_t*>(image.bits());
     const auto stride = image.bytesPerLine() / std::ptrdiff_t(sizeof(std::uint32_t));
     parallelFor(0, image.height(), [&, width = image.width()](int row) {
         continueRow(pixels + row * stride, stride, width, distances.row(row), within);
     });
+}
+
+} // namespace
+
+void continueColour(QImage& image, double radius) {
+    const double within = std::min(radius, 10000.0);
+    const QRect box = within < 1 ? QRect() : reachedBox(image, int(within));
+    if (!box.isEmpty()) {
+        QImage part = partOf(image, box);
+        continueWithin(part, within);
+    }
 }
 
 } // namespace dipwright
