@@ -161,19 +161,16 @@ double coverageTotal(const std::vector<ImmersionResult>& immersions, const Progr
     return coverageTogether(films, progress);
 }
 
-bool hasProofOf(const JobResult* previous, const std::vector<ImmersionResult>& immersions) {
-    return previous && std::equal(immersions.begin(), immersions.end(),
-                                  previous->immersions.begin(), previous->immersions.end(),
-                                  [](const ImmersionResult& a, const ImmersionResult& b) {
-                                      return a.inputs.texture == b.inputs.texture;
+bool hasProofOf(const JobResult* previous, const std::vector<SheetInputs>& inputs) {
+    return previous && std::equal(inputs.begin(), inputs.end(), previous->immersions.begin(),
+                                  previous->immersions.end(),
+                                  [](const SheetInputs& now, const ImmersionResult& earlier) {
+                                      return now.texture == earlier.inputs.texture;
                                   });
 }
 
-QImage proofOf(const Run& run, const std::vector<ImmersionResult>& immersions,
+QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& immersions,
                const Progress& progress) {
-    if (hasProofOf(run.previous, immersions)) {
-        return run.previous->proof;
-    }
     std::vector<WornFilm> films;
     for (const ImmersionResult& immersion : immersions) {
         films.push_back({immersion.laid, immersion.texture->image});
@@ -181,7 +178,7 @@ QImage proofOf(const Run& run, const std::vector<ImmersionResult>& immersions,
     const TextureInputs& inputs = immersions.front().inputs.texture;
     ProofOptions options;
     options.compensatedInk = inputs.isReversed() && inputs.ink.compensate;
-    return proofPicture(*run.project.model, films, options, progress);
+    return proofPicture(stage, films, options, progress);
 }
 
 // Fills in the immersions and what is told of them together. One film is dipped after the other;
@@ -193,6 +190,11 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     immersions.resize(inputs.size());
     Tasks sheets;
     Tasks pictures; // each begins a sheet
+    const bool hasProof = hasProofOf(run.previous, inputs);
+    std::shared_ptr<const ProofStage> stage;
+    if (!hasProof) {
+        pictures.run([&] { stage = proofStage(*run.project.model); });
+    }
     const double share = dipsDone / double(inputs.size());
     for (std::size_t number = 0; number < inputs.size(); ++number) {
         const double begin = share * double(number);
@@ -207,7 +209,10 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     }
     progress(dipsDone, Text::tr("Reversing the texture"));
     pictures.wait();
-    undisturbed([&] { result.proof = proofOf(run, immersions, progress.part(picturesDone, 1)); });
+    undisturbed([&] {
+        result.proof = hasProof ? run.previous->proof
+                                : proofOf(*stage, immersions, progress.part(picturesDone, 1));
+    });
     sheets.wait();
     result.coverageTotal = coverageTotal(immersions, progress);
 }

@@ -1,7 +1,6 @@
 #include "parallel/ParallelFor.h"
 #include "results/Results.h"
 
-#include "geometry/CornerNormals.h"
 #include "results/ProofScene.h"
 #include "texture/Ink.h"
 
@@ -149,9 +148,9 @@ private:
 // The light that the table, the body and its paint send along a ray.
 class Scene {
 public:
-    Scene(const TexturedMesh& model, const std::vector<WornFilm>& films, bool compensatedInk)
-        : mesh_(model.mesh), query_(mesh_), normals_(cornerNormals(mesh_)), sky_(mesh_, query_),
-          middle_(boundingBox(mesh_).center()), size_(boundingBox(mesh_).diagonal().norm()) {
+    Scene(const ProofStage& stage, const std::vector<WornFilm>& films, bool compensatedInk)
+        : query_(stage.query), normals_(stage.normals), sky_(stage.sky),
+          middle_(stage.box.center()), size_(stage.box.diagonal().norm()) {
         for (const WornFilm& worn : films) {
             films_.push_back(std::make_unique<PaintedFilm>(worn, compensatedInk));
         }
@@ -195,10 +194,9 @@ private:
         return table * vignette * (0.3f + 0.7f * open);
     }
 
-    const TriangleMesh& mesh_;
-    SurfaceQuery query_;
-    CornerNormals normals_;
-    SkyLight sky_;
+    const SurfaceQuery& query_;
+    const CornerNormals& normals_;
+    const SkyLight& sky_;
     Eigen::Vector3f middle_;
     float size_;
     std::vector<std::unique_ptr<PaintedFilm>> films_;
@@ -320,16 +318,19 @@ void drawNames(QImage& picture, QSize tile, const QStringList& names) {
 
 } // namespace
 
-QImage proofPicture(const TexturedMesh& model, const std::vector<WornFilm>& films,
+std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model) {
+    return std::make_shared<const ProofStage>(model.mesh);
+}
+
+QImage proofPicture(const ProofStage& stage, const std::vector<WornFilm>& films,
                     const ProofOptions& options, const Progress& progress) {
     progress(0, Text::tr("Preparing the proof"));
-    const Scene scene(model, films, options.compensatedInk);
-    const BoundingBox box = boundingBox(model.mesh);
+    const Scene scene(stage, films, options.compensatedInk);
     std::vector<Camera> cameras;
     float span = 0;
     for (int view = 0; view < 4; ++view) {
-        cameras.emplace_back(box, float(view) * std::numbers::pi_v<float> / 2);
-        span = std::max(span, 1.22f * cameras.back().span(model.mesh, options.tile));
+        cameras.emplace_back(stage.box, float(view) * std::numbers::pi_v<float> / 2);
+        span = std::max(span, 1.22f * cameras.back().span(stage.mesh, options.tile));
     }
     QImage picture(options.tile * 2, QImage::Format_RGB888);
     for (int view = 0; view < 4; ++view) {

@@ -1,6 +1,7 @@
 // A body on a light table, ready to be looked at: what a ray meets, and the light there.
 #pragma once
 
+#include "geometry/CornerNormals.h"
 #include "geometry/SurfaceQuery.h"
 
 namespace dipwright {
@@ -25,6 +26,18 @@ private:
     Eigen::Vector2f tableOrigin_ = Eigen::Vector2f::Zero();
     float tableSpacing_ = 1;
     std::vector<float> table_; // (tableCells + 1)², rows along x
+};
+
+struct ProofStage {
+    explicit ProofStage(const TriangleMesh& body)
+        : mesh(body), query(body), normals(cornerNormals(body)), sky(body, query),
+          box(boundingBox(body)) {}
+
+    const TriangleMesh& mesh;
+    SurfaceQuery query;
+    CornerNormals normals;
+    SkyLight sky;
+    BoundingBox box;
 };
 
 } // namespace dipwright

@@ -47,10 +47,15 @@ struct ProofOptions {
     bool compensatedInk = true; // the images hold D·J: show D
 };
 
+// A body on a light table, ready to be shown in proofs: what is the same whatever film it wears.
+struct ProofStage;
+// Computed by rays on all cores. Keeps a reference to the model. Any thread may read.
+std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model);
+
 // The body as it will come out, four views (front, right, back, left, from slightly above) two by
 // two, in model orientation: front looks along −Z. Later films lie over earlier ones, unpainted
 // body is light grey. Traced by Embree on all cores, without OpenGL; throws Cancelled.
-QImage proofPicture(const TexturedMesh& model, const std::vector<WornFilm>& films,
+QImage proofPicture(const ProofStage& stage, const std::vector<WornFilm>& films,
                     const ProofOptions& options, const Progress& progress);
 
 } // namespace dipwright

@@ -128,6 +128,7 @@ std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& pr
         films.push_back(immersion.laid);
         worn.push_back({immersion.laid, immersion.texture->image});
     }
+    const auto stage = proofStage(model);
     constexpr int mapEdge = 1600;
     const QString nowhere;
     const std::vector<std::pair<QString, std::function<void()>>> parts{
@@ -153,7 +154,8 @@ std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& pr
          [&] { pngBytes(stretchMap(laid, mapEdge), nowhere); }},
         {QStringLiteral("film as VTK file"), [&] { filmVtp(laid); }},
         {QStringLiteral("body as VTK file"), [&] { bodyVtp(*dipped.body, *dipped.coverage); }},
-        {QStringLiteral("proof"), [&] { proofPicture(model, worn, {}, {}); }},
+        {QStringLiteral("stage of the proof"), [&] { proofStage(model); }},
+        {QStringLiteral("proof"), [&] { proofPicture(*stage, worn, {}, {}); }},
         {QStringLiteral("proof as PNG"), [&] { pngBytes(turtle.job().proof, nowhere); }}};
     std::vector<TimedRow> results;
     for (const auto& [name, work] : parts) {

@@ -128,7 +128,7 @@ class ResultsTest : public QObject {
         ProofOptions options;
         options.tile = tile;
         options.compensatedInk = compensated;
-        return proofPicture(dip_.model, {{dip_.laid, image}}, options, {});
+        return proofPicture(*proofStage(dip_.model), {{dip_.laid, image}}, options, {});
     }
 
 private slots:
@@ -336,9 +336,9 @@ void ResultsTest::proofTakesInkBackToWhatShows() {
     ProofOptions options;
     options.tile = QSize(60, 60);
     options.compensatedInk = false;
-    const QImage printed = proofPicture(dip_.model, {worn}, options, {});
+    const QImage printed = proofPicture(*proofStage(dip_.model), {worn}, options, {});
     options.compensatedInk = true;
-    const QImage shown = proofPicture(dip_.model, {worn}, options, {});
+    const QImage shown = proofPicture(*proofStage(dip_.model), {worn}, options, {});
     QVERIFY(shown.pixelColor(30, 45).red() > printed.pixelColor(30, 45).red() + 30);
 }
 
@@ -355,7 +355,7 @@ void ResultsTest::laterFilmsLieOverEarlierOnes() {
     options.tile = QSize(100, 100);
     options.compensatedInk = false;
     const QImage image =
-        proofPicture(dip_.model, {{dip_.laid, red}, {dip_.laid, holed}}, options, {});
+        proofPicture(*proofStage(dip_.model), {{dip_.laid, red}, {dip_.laid, holed}}, options, {});
     const QColor left = image.pixelColor(30, 75);
     const QColor right = image.pixelColor(70, 75);
     QVERIFY(left.red() > left.green() + 40);
@@ -377,7 +377,8 @@ void ResultsTest::proofCanBeCancelled() {
     ProofOptions options;
     options.tile = QSize(60, 60);
     const WornFilm worn{dip_.laid, stripes(dip_.film.grid)};
-    QVERIFY_EXCEPTION_THROWN(proofPicture(dip_.model, {worn}, options, progress), Cancelled);
+    QVERIFY_EXCEPTION_THROWN(proofPicture(*proofStage(dip_.model), {worn}, options, progress),
+                             Cancelled);
 }
 
 void ResultsTest::creasesStaySharp() {
