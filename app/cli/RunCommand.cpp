@@ -1,5 +1,6 @@
 #include "cli/Arguments.h"
 
+#include "parallel/Tasks.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/WriteResults.h"
 
@@ -65,15 +66,19 @@ public:
                              QStringLiteral("--out"));
         }
         const ThreadLimit threads = threadLimit(parser);
+        JobOptions options;
+        options.solver = parser.value(solverOption);
+        const SolverRegistry registry;
+        Tasks waking; // a GPU takes longer to wake than a project to read
+        waking.run([&] {
+            registry.module(options.solver.isEmpty() ? QStringLiteral("auto") : options.solver);
+        });
         Project project = projectArgument(parser);
         if (parser.isSet(dpiOption)) {
             setByOption(project, QStringLiteral("sheet.dpi"), parser.value(dpiOption),
                         QStringLiteral("--dpi"));
         }
-        JobOptions options;
-        options.solver = parser.value(solverOption);
         applyFilmImage(options, parser);
-        const SolverRegistry registry;
         const JobResult result =
             runAndWrite(project, registry, options, folder, console.progress());
         printSummary(result, console.out());
