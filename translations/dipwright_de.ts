@@ -72,6 +72,77 @@
     </message>
 </context>
 <context>
+    <name>Certainty</name>
+    <message>
+        <source>the solver failed: %1</source>
+        <translation>der Löser ist gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>the film has too few points to be compared with one of half as many</source>
+        <translation>der Film hat zu wenige Punkte, um ihn mit einem von halb so vielen zu vergleichen</translation>
+    </message>
+    <message>
+        <source>a coarser film does not follow the body at all</source>
+        <translation>ein gröberer Film folgt dem Körper überhaupt nicht</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Print it</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Look at these places first</source>
+        <translation>Erst diese Stellen ansehen</translation>
+    </message>
+    <message>
+        <source>Do not print</source>
+        <translation>Nicht drucken</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>The dip was not compared with coarser ones.</source>
+        <translation>Der Tauchgang wurde nicht mit gröberen verglichen.</translation>
+    </message>
+    <message>
+        <source>The dip could not be compared with coarser ones: %1.</source>
+        <translation>Der Tauchgang ließ sich nicht mit gröberen vergleichen: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is painted alike by this dip and by coarser ones.</source>
+        <translation>Nichts wird von diesem Tauchgang und von gröberen gleichermaßen bemalt.</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet is off by %1 or less for numerical reasons.</source>
+        <translation>95 % des Bogens liegen aus numerischen Gründen um höchstens %1 daneben.</translation>
+    </message>
+    <message>
+        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); give the film more points, turn the body, or dip it in two immersions.</source>
+        <translation>Der Bogen kann aus numerischen Gründen um bis zu %1 daneben liegen (95 % von ihm); geben Sie dem Film mehr Punkte, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted area may be off by more than %2.</source>
+        <translation>%1 % der bemalten Fläche können um mehr als %2 daneben liegen.</translation>
+    </message>
+    <message>
+        <source>The sheet may move by up to %1 with other steps (95 % of it); choose a smaller contact travel.</source>
+        <translation>Der Bogen kann sich mit anderen Schritten um bis zu %1 verschieben (95 % von ihm); wählen Sie einen kleineren Weg der Kontaktlinie.</translation>
+    </message>
+    <message>
+        <source>The paint&apos;s border is not certain: %1 % of the body is painted by finer or coarser dips only.</source>
+        <translation>Der Rand der Farbe ist nicht sicher: %1 % des Körpers werden nur von feineren oder gröberen Tauchgängen bemalt.</translation>
+    </message>
+    <message>
+        <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left.</source>
+        <translation>%1 Schritte des Tauchgangs endeten ohne Gleichgewicht, mit bis zu %2 % der elastischen Kräfte als Rest.</translation>
+    </message>
+</context>
+<context>
     <name>Dip</name>
     <message>
         <source>Dipping</source>
@@ -1415,10 +1486,6 @@
         <translation>Flächendehnung, kleinste und größte</translation>
     </message>
     <message>
-        <source>Registration, mean and 95 %</source>
-        <translation>Passgenauigkeit, Mittel und 95 %</translation>
-    </message>
-    <message>
         <source>Film triangles across texture seams</source>
         <translation>Filmdreiecke über Texturnähten</translation>
     </message>
@@ -1449,6 +1516,10 @@
     <message>
         <source>Steps without equilibrium</source>
         <translation>Schritte ohne Gleichgewicht</translation>
+    </message>
+    <message>
+        <source>Texture read back, mean and 95 %</source>
+        <translation>Textur zurückgelesen, Mittel und 95 %</translation>
     </message>
 </context>
 <context>

@@ -72,6 +72,77 @@
     </message>
 </context>
 <context>
+    <name>Certainty</name>
+    <message>
+        <source>the solver failed: %1</source>
+        <translation>o solucionador falhou: %1</translation>
+    </message>
+    <message>
+        <source>the film has too few points to be compared with one of half as many</source>
+        <translation>o filme tem pontos de menos para ser comparado com um de metade deles</translation>
+    </message>
+    <message>
+        <source>a coarser film does not follow the body at all</source>
+        <translation>um filme mais grosso não acompanha o corpo de modo algum</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Não avaliado</translation>
+    </message>
+    <message>
+        <source>Print it</source>
+        <translation>Pode imprimir</translation>
+    </message>
+    <message>
+        <source>Look at these places first</source>
+        <translation>Veja antes estes lugares</translation>
+    </message>
+    <message>
+        <source>Do not print</source>
+        <translation>Não imprima</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>The dip was not compared with coarser ones.</source>
+        <translation>A imersão não foi comparada com outras mais grossas.</translation>
+    </message>
+    <message>
+        <source>The dip could not be compared with coarser ones: %1.</source>
+        <translation>A imersão não pôde ser comparada com outras mais grossas: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is painted alike by this dip and by coarser ones.</source>
+        <translation>Nada é pintado ao mesmo tempo por esta imersão e por outras mais grossas.</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet is off by %1 or less for numerical reasons.</source>
+        <translation>95 % da folha desviam %1 ou menos por razões numéricas.</translation>
+    </message>
+    <message>
+        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); give the film more points, turn the body, or dip it in two immersions.</source>
+        <translation>A folha pode desviar até %1 por razões numéricas (95 % dela); dê mais pontos ao filme, gire o corpo ou mergulhe-o em duas imersões.</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted area may be off by more than %2.</source>
+        <translation>%1 % da área pintada podem desviar mais de %2.</translation>
+    </message>
+    <message>
+        <source>The sheet may move by up to %1 with other steps (95 % of it); choose a smaller contact travel.</source>
+        <translation>A folha pode mudar até %1 com outros passos (95 % dela); escolha um avanço menor da linha de contato.</translation>
+    </message>
+    <message>
+        <source>The paint&apos;s border is not certain: %1 % of the body is painted by finer or coarser dips only.</source>
+        <translation>A borda da tinta não é certa: %1 % do corpo são pintados apenas por imersões mais finas ou mais grossas.</translation>
+    </message>
+    <message>
+        <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left.</source>
+        <translation>%1 passos da imersão terminaram sem equilíbrio, com até %2 % das forças elásticas restantes.</translation>
+    </message>
+</context>
+<context>
     <name>Dip</name>
     <message>
         <source>Dipping</source>
@@ -1415,10 +1486,6 @@
         <translation>Estiramento de área, menor e maior</translation>
     </message>
     <message>
-        <source>Registration, mean and 95 %</source>
-        <translation>Registro, médio e 95 %</translation>
-    </message>
-    <message>
         <source>Film triangles across texture seams</source>
         <translation>Triângulos do filme sobre costuras da textura</translation>
     </message>
@@ -1449,6 +1516,10 @@
     <message>
         <source>Steps without equilibrium</source>
         <translation>Passos sem equilíbrio</translation>
+    </message>
+    <message>
+        <source>Texture read back, mean and 95 %</source>
+        <translation>Textura lida de volta, média e 95 %</translation>
     </message>
 </context>
 <context>

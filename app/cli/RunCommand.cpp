@@ -10,9 +10,27 @@ namespace {
 const QString outOption = QStringLiteral("out");
 const QString solverOption = QStringLiteral("solver");
 const QString dpiOption = QStringLiteral("dpi");
+const QString certaintyOption = QStringLiteral("no-certainty");
 
 QString number(double value, int decimals) {
     return QString::number(value, 'f', decimals);
+}
+
+void printVerdict(const ImmersionResult& result, QTextStream& out) {
+    const Verdict& verdict = result.verdict;
+    out << QStringLiteral("%1: %2\n")
+               .arg(result.immersion.name, adviceText(verdict.advice).toUpper());
+    for (const VerdictReason& reason : verdict.reasons) {
+        out << QStringLiteral("  %1\n").arg(reasonText(reason, millimetres));
+    }
+    if (verdict.advice <= Advice::Print) {
+        return;
+    }
+    for (const UncertainPlace& place : verdict.places) {
+        out << QStringLiteral("  at %1, %2 mm on the film: %3 mm² off by up to %4 mm\n")
+                   .arg(number(double(place.rest.x()), 0), number(double(place.rest.y()), 0),
+                        number(place.area, 0), number(place.offBy, 2));
+    }
 }
 
 void printSummary(const JobResult& result, QTextStream& out) {
@@ -22,17 +40,16 @@ void printSummary(const JobResult& result, QTextStream& out) {
         out << note << '\n';
     }
     for (const ImmersionResult& immersion : result.immersions) {
+        printVerdict(immersion, out);
         const DippedFilm& film = immersion.laid->film();
-        out << QStringLiteral("%1: %2 × %3 points, cells of %9 mm over the body, %4 steps in %5 s, "
-                              "%6 % of the body covered, "
-                              "registration %7 mm on average, %8 mm for 95 %\n")
+        out << QStringLiteral("%1: %2 × %3 points, cells of %8 mm over the body, %4 steps in %5 s, "
+                              "%6 % of the body covered, the texture read back to %7 mm\n")
                    .arg(immersion.immersion.name)
                    .arg(film.grid.columns)
                    .arg(film.grid.rows)
                    .arg(film.steps)
                    .arg(number(film.wallSeconds, 2), number(100 * immersion.coverage->share, 1),
-                        number(immersion.registration.mean, 3),
-                        number(immersion.registration.percentile95, 3),
+                        number(immersion.readBack.percentile95, 3),
                         number(film.grid.leastSpacing(), 2));
     }
     out << QStringLiteral("Covered altogether: %1 %\n").arg(number(100 * result.coverageTotal, 1));
@@ -56,6 +73,8 @@ public:
         parser.addOption(
             {dpiOption, QStringLiteral("The sheet's resolution."), QStringLiteral("N")});
         declareFilmImage(parser);
+        parser.addOption(
+            {certaintyOption, QStringLiteral("Dips no coarser films to judge the sheets by.")});
         declareThreads(parser);
     }
 
@@ -78,6 +97,7 @@ public:
             setByOption(project, QStringLiteral("sheet.dpi"), parser.value(dpiOption),
                         QStringLiteral("--dpi"));
         }
+        options.estimatesCertainty = !parser.isSet(certaintyOption);
         applyFilmImage(options, parser);
         const JobResult result =
             runAndWrite(project, registry, options, folder, console.progress());

@@ -13,6 +13,9 @@ struct JobOptions {
     QString solver;          // in place of the project's, or empty
     QImage filmImage;        // on the film instead of the reverse texture; null: reverse
     bool chessboard = false; // the built-in chessboard as film image
+    // Whether coarser dips tell how certain each sheet is: takes up to as long again as the dips,
+    // beside them where cores are free.
+    bool estimatesCertainty = true;
     // Called from the working thread with the immersion's number. Has no effect on the result.
     std::function<void(std::size_t, const FilmFrame&)> observer;
     // Called with an immersion's number and result as soon as its sheet is made, from any thread

@@ -1,10 +1,11 @@
 // What a run of the main job has come to.
 #pragma once
 
+#include "certainty/Verdict.h"
 #include "dip/Coverage.h"
 #include "pipeline/StepInputs.h"
 #include "solver/SolverRegistry.h"
-#include "texture/Registration.h"
+#include "texture/ReadBack.h"
 
 namespace dipwright {
 
@@ -17,7 +18,9 @@ struct ImmersionResult {
     QStringList solverNotes; // sentences for the user, where one took over
     std::shared_ptr<const LaidFilm> laid;
     std::shared_ptr<const Coverage> coverage;
-    Registration registration;
+    std::shared_ptr<const CertaintyEstimate> certainty; // null: not asked for
+    Verdict verdict;
+    ReadBackError readBack;
     std::shared_ptr<const ReverseTexture> texture;
     Sheet sheet;
 };
@@ -34,6 +37,15 @@ struct JobResult {
     QStringList notes; // sentences for the user: a solver that took over, a film past its date or
                        // too small
 };
+
+// The worst of the immersions' advice.
+inline Advice adviceOf(const JobResult& result) {
+    Advice worst = Advice::NotJudged;
+    for (const ImmersionResult& immersion : result.immersions) {
+        worst = std::max(worst, immersion.verdict.advice);
+    }
+    return worst;
+}
 
 // The id of the solver that a project's `wanted` stands for, as far as `result` tells: the one that
 // was chosen for it when it wanted the same; otherwise `wanted` itself. So "auto" and the id that

@@ -8,6 +8,8 @@
 #include "texture/Chessboard.h"
 
 #include <QCoreApplication>
+#include <QScopeGuard>
+
 #include <algorithm>
 #include <utility>
 
@@ -29,6 +31,7 @@ struct Run {
     const SolverRegistry& registry;
     const JobOptions& options;
     const JobResult* previous; // may be null
+    CancelSwitch user;
 
     const ImmersionResult* earlier(std::size_t number) const {
         return previous && number < previous->immersions.size() ? &previous->immersions[number]
@@ -40,7 +43,12 @@ bool hasDipped(const ImmersionResult* earlier, const DipInputs& inputs) {
     return earlier && earlier->inputs.texture.dip == inputs;
 }
 
-// Null where no immersion is dipped anew and the earlier result has none.
+// Whether coarser films are to be dipped as well.
+bool isToBeJudged(const Run& run, const ImmersionResult* earlier, const DipInputs& inputs) {
+    return run.options.estimatesCertainty && !(hasDipped(earlier, inputs) && earlier->certainty);
+}
+
+// Null where nothing is dipped anew and the earlier result has none.
 std::shared_ptr<const DistanceField> fieldOf(const Run& run, const std::vector<SheetInputs>& inputs,
                                              const Progress& progress) {
     const FieldInputs wanted = fieldInputs(run.project);
@@ -48,7 +56,9 @@ std::shared_ptr<const DistanceField> fieldOf(const Run& run, const std::vector<S
         return run.previous->field;
     }
     for (std::size_t number = 0; number < inputs.size(); ++number) {
-        if (!hasDipped(run.earlier(number), inputs[number].texture.dip)) {
+        const ImmersionResult* earlier = run.earlier(number);
+        const DipInputs& dip = inputs[number].texture.dip;
+        if (!hasDipped(earlier, dip) || isToBeJudged(run, earlier, dip)) {
             return cachedDistanceField(wanted.model->mesh, wanted.resolution, progress);
         }
     }
@@ -82,7 +92,7 @@ void dip(ImmersionResult& result, const Run& run, std::size_t number, const Dist
 
 void measure(ImmersionResult& result) {
     result.coverage = std::make_shared<const Coverage>(coverage(*result.laid));
-    result.registration = registrationError(*result.laid, *result.laid);
+    result.readBack = readBackError(*result.laid, *result.laid);
 }
 
 QImage chessboardOf(const FilmSettings& film, QSize pixels) {
@@ -108,19 +118,51 @@ ReverseTexture textureOf(const LaidFilm& laid, const TextureInputs& inputs,
     return picture;
 }
 
-// The first part of an immersion's work: up to the film on the body.
+// The films that one immersion's is to be compared with, dipped beside everything else.
+struct Comparison {
+    Tasks dips;
+    CoarserFilms films;
+    bool isWanted = false;
+};
+
+// Begins it and keeps references to all but the result and the solver's id.
+void compare(Comparison& comparison, const Run& run, const ImmersionResult& result,
+             const DistanceField& field, const QString& solver, const CancelSwitch& left) {
+    comparison.dips.run([&, solver, body = result.body, immersion = result.immersion] {
+        const auto isCancelled = [&] { return left.isCancelled() || run.user.isCancelled(); };
+        // Else its own loops might take up the piece of work that waits for it.
+        undisturbed([&] {
+            comparison.films =
+                coarserFilms(body, field, immersion, run.project.film, run.project.process,
+                             run.registry.module(solver), isCancelled);
+        });
+    });
+}
+
+// The first part of an immersion's work: up to the film on the body. Coarser films are dipped
+// beside it on the processor; on a GPU, which it would have to share with them, after it.
 ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetInputs& inputs,
                                 const DistanceField* field, SolverChoice& solver,
+                                Comparison& comparison, const CancelSwitch& left,
                                 const Progress& progress) {
     const ImmersionResult* earlier = run.earlier(number);
+    const bool isDipped = hasDipped(earlier, inputs.texture.dip);
+    const bool isBeside = solver.solver.deviceKind != QLatin1String("gpu");
+    comparison.isWanted = isToBeJudged(run, earlier, inputs.texture.dip);
     ImmersionResult now;
-    if (hasDipped(earlier, inputs.texture.dip)) {
+    if (isDipped) {
         now = *earlier;
-        now.immersion = run.project.immersions[number];
-    } else {
-        now.immersion = run.project.immersions[number];
-        now.body = bodyOf(inputs.texture.dip.body, now.immersion, earlier);
+    }
+    now.immersion = run.project.immersions[number];
+    now.body = bodyOf(inputs.texture.dip.body, now.immersion, earlier);
+    if (comparison.isWanted && isBeside) {
+        compare(comparison, run, now, *field, solver.solver.id, left);
+    }
+    if (!isDipped) {
         dip(now, run, number, *field, solver, progress);
+    }
+    if (comparison.isWanted && !isBeside) {
+        compare(comparison, run, now, *field, solver.solver.id, left);
     }
     now.inputs = inputs;
     return now;
@@ -134,8 +176,8 @@ void paint(ImmersionResult& now, const ImmersionResult* earlier, const Progress&
     }
 }
 
-// The rest: what is measured of the film, and its sheet.
-void finish(ImmersionResult& now, const Run& run, std::size_t number) {
+// The rest: what is measured of the film, its sheet, and the verdict on that.
+void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison& comparison) {
     const ImmersionResult* earlier = run.earlier(number);
     Tasks measuring;
     if (!hasDipped(earlier, now.inputs.texture.dip)) {
@@ -145,6 +187,12 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number) {
         now.sheet = jobSheet(run.project, now.immersion, now.texture->image);
     }
     measuring.wait();
+    if (comparison.isWanted) {
+        comparison.dips.wait();
+        now.certainty = std::make_shared<const CertaintyEstimate>(
+            certaintyEstimate(*now.laid, std::exchange(comparison.films, {})));
+    }
+    now.verdict = verdict(*now.laid, now.certainty.get());
     if (run.options.finished) {
         run.options.finished(number, now);
     }
@@ -188,6 +236,7 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
                    SolverChoice& solver, const Progress& progress) {
     std::vector<ImmersionResult>& immersions = result.immersions;
     immersions.resize(inputs.size());
+    std::vector<Comparison> comparisons(inputs.size());
     Tasks sheets;
     Tasks pictures; // each begins a sheet
     const bool hasProof = hasProofOf(run.previous, inputs);
@@ -195,16 +244,20 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     if (!hasProof) {
         pictures.run([&] { stage = proofStage(*run.project.model); });
     }
+    CancelSwitch left; // with an exception: nobody waits for the comparisons
+    const auto leave = qScopeGuard([&left] { left.cancel(); });
     const double share = dipsDone / double(inputs.size());
     for (std::size_t number = 0; number < inputs.size(); ++number) {
         const double begin = share * double(number);
         undisturbed([&] {
-            immersions[number] = dippedImmersion(run, number, inputs[number], result.field.get(),
-                                                 solver, progress.part(begin, begin + share));
+            immersions[number] =
+                dippedImmersion(run, number, inputs[number], result.field.get(), solver,
+                                comparisons[number], left, progress.part(begin, begin + share));
         });
         pictures.run([&, number] {
             paint(immersions[number], run.earlier(number), progress.silent());
-            sheets.run([&, number] { finish(immersions[number], run, number); });
+            sheets.run(
+                [&, number] { finish(immersions[number], run, number, comparisons[number]); });
         });
     }
     progress(dipsDone, Text::tr("Reversing the texture"));
@@ -248,7 +301,7 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     if (!project.model) {
         throw Error(Text::tr("The project has no model, import one first"), project.name);
     }
-    const Run run{project, registry, options, previous};
+    const Run run{project, registry, options, previous, progress.cancelSwitch};
     JobResult result;
     result.project = project;
     result.wantedSolver = options.solver.isEmpty() ? project.process.solver : options.solver;

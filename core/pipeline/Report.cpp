@@ -12,6 +12,56 @@ QJsonObject toJson(const Distribution& distribution) {
             {"max", distribution.maximum}};
 }
 
+QJsonObject toJson(const ReadBackError& error) {
+    return {{"mean", error.mean},
+            {"p95", error.percentile95},
+            {"max", error.maximum},
+            {"samples", qint64(error.samples)}};
+}
+
+QJsonObject toJson(const SheetChange& change) {
+    return {{"mean_mm", change.distance.mean},
+            {"p95_mm", change.distance.percentile95},
+            {"max_mm", change.distance.maximum},
+            {"painted", change.painted},
+            {"painted_once", change.paintedOnce}};
+}
+
+QJsonObject toJson(const UncertainPlace& place) {
+    return {{"film_mm", QJsonArray{place.rest.x(), place.rest.y()}},
+            {"model_mm", QJsonArray{place.place.x(), place.place.y(), place.place.z()}},
+            {"area_mm2", place.area},
+            {"off_by_mm", place.offBy}};
+}
+
+// The reasons in sentences.
+QJsonArray reasonsOf(const Verdict& verdict) {
+    QJsonArray reasons;
+    for (const VerdictReason& reason : verdict.reasons) {
+        reasons.append(reasonText(reason, millimetres));
+    }
+    return reasons;
+}
+
+QJsonObject certaintyJson(const ImmersionResult& result) {
+    const Verdict& verdict = result.verdict;
+    QJsonArray places;
+    for (const UncertainPlace& place : verdict.places) {
+        places.append(toJson(place));
+    }
+    QJsonObject json{{"verdict", adviceKey(verdict.advice)},
+                     {"reasons", reasonsOf(verdict)},
+                     {"places", places},
+                     {"uncertain_area_mm2", verdict.uncertainArea}};
+    if (result.certainty && result.certainty->failure.isEmpty()) {
+        const CertaintyEstimate& estimate = *result.certainty;
+        json["off_by_mm"] = toJson(estimate.offBy);
+        json["double_step"] = toJson(estimate.doubleStep);
+        json["double_spacing"] = toJson(estimate.doubleSpacing);
+    }
+    return json;
+}
+
 QJsonObject filmJson(const DippedFilm& film) {
     return {{"columns", film.grid.columns},
             {"rows", film.grid.rows},
@@ -25,7 +75,6 @@ QJsonObject immersionJson(const ImmersionResult& result) {
     const FilmContact& contact = result.laid->contact();
     const PaintedStretch& painted = result.laid->painted();
     const Wrinkling& wrinkling = painted.wrinkling;
-    const Registration& registration = result.registration;
     qint64 adhered = 0;
     for (std::size_t point = 0; point < film.states.size(); ++point) {
         adhered += film.adhered(point) ? 1 : 0;
@@ -52,10 +101,10 @@ QJsonObject immersionJson(const ImmersionResult& result) {
             {"texture", QJsonObject{{"contact", qint64(contact.contactCount)},
                                     {"filled", qint64(contact.filledCount)},
                                     {"seam_triangles", qint64(result.texture->seamTriangles)}}},
-            {"registration_mm", QJsonObject{{"mean", registration.mean},
-                                            {"p95", registration.percentile95},
-                                            {"max", registration.maximum},
-                                            {"samples", qint64(registration.samples)}}},
+            {"certainty", certaintyJson(result)},
+            {"marked_area_mm2", result.verdict.markedArea},
+            {"read_back_mm", toJson(result.readBack)},
+            {"registration_mm", toJson(result.readBack)}, // its name in earlier versions
             {"ink", QJsonObject{{"shortfall_area", result.texture->shortfallArea}}},
             {"job", result.sheet.job.hash}};
 }
@@ -69,6 +118,7 @@ QJsonObject report(const Project& project, const JobResult& result) {
     }
     return {{"version", 1},
             {"project", project.name},
+            {"verdict", adviceKey(adviceOf(result))},
             {"solver", QJsonObject{{"id", result.solver.id},
                                    {"device", result.solver.device},
                                    {"version", result.solver.version}}},

@@ -5,8 +5,6 @@
 #include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
 #include "dip/LaidFilm.h"
-#include "geometry/SurfaceSamples.h"
-#include "parallel/ParallelFor.h"
 #include "pipeline/ResultFolder.h"
 #include "pipeline/SolverChoice.h"
 #include "project/FilmSizes.h"
@@ -17,7 +15,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace dipwright {
@@ -27,8 +24,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-constexpr double wantedSamples = 40'000; // of the body
-constexpr int mapEdge = 1600;            // pixels
+constexpr int mapEdge = 1600; // pixels
 
 // Shares of the time: that of the field, and in an immersion of the first two films. The third has
 // twice the points a side and takes most of it.
@@ -59,43 +55,11 @@ Project withHalfSpacing(Project project) {
     return project;
 }
 
-// How far the film over a place of the body moves, mm; below 0 where one film only is over it
-// (`once`) or none (`never`).
-constexpr float once = -1, never = -2;
-float moved(const LaidFilm& own, const LaidFilm& finer, const SurfacePoint& place) {
-    const auto before = own.place(place);
-    const auto after = finer.place(place);
-    return before && after ? (after->rest - before->rest).norm() : before || after ? once : never;
-}
-
-std::vector<float> moved(const LaidFilm& own, const LaidFilm& finer,
-                         const std::vector<SurfacePoint>& places) {
-    std::vector<float> distances(places.size(), never);
-    parallelFor(std::size_t(0), places.size(), [&](std::size_t i) {
-        if (places[i].isValid()) {
-            distances[i] = moved(own, finer, places[i]);
-        }
-    });
-    return distances;
-}
-
-SheetChange change(const LaidFilm& own, const LaidFilm& finer,
-                   const std::vector<SurfacePoint>& samples) {
-    std::vector<float> distances = moved(own, finer, samples);
-    const auto all = double(distances.size());
-    SheetChange result;
-    result.paintedOnce = double(std::count(distances.begin(), distances.end(), once)) / all;
-    std::erase_if(distances, [](float distance) { return distance < 0; });
-    result.painted = double(distances.size()) / all;
-    result.distance = distribution(std::move(distances));
-    return result;
-}
-
 QImage map(const LaidFilm& own, const LaidFilm& finer) {
-    std::vector<float> distances = moved(own, finer, own.contact().surface);
+    std::vector<float> distances = sheetMoves(own, finer, own.contact().surface);
     for (float& distance : distances) {
-        distance =
-            distance == once ? std::numeric_limits<float>::quiet_NaN() : std::max(distance, 0.f);
+        distance = distance == paintedByOne ? std::numeric_limits<float>::quiet_NaN()
+                                            : std::max(distance, 0.f);
     }
     return certaintyMap(own, distances, mapEdge);
 }
@@ -104,8 +68,10 @@ ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
                              const DistanceField& field, const solver::SolverModule& module,
                              const Progress& progress) {
     const auto body = std::make_shared<const PosedBody>(posedBody(*project.model, immersion));
-    const TriangleMesh& mesh = body->model.mesh;
-    const auto samples = evenSamples(mesh, surfaceArea(mesh) / wantedSamples);
+    const std::vector<SurfacePoint> places = comparedPlaces(body->model.mesh);
+    const auto change = [&](const LaidFilm& own, const LaidFilm& finer) {
+        return sheetChange(sheetMoves(own, finer, places));
+    };
     const auto laid = [&](const Project& job, const Progress& part) {
         DippedFilm film = simulateDip(*body, field, immersion, job.film, job.process, module,
                                       part.part(0, dipDone), {});
@@ -116,16 +82,11 @@ ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
     ImmersionCertainty result;
     result.immersion = immersion;
     result.halfStep =
-        change(*own, *laid(withHalfStep(project), progress.part(ownDone, halfStepDone)), samples);
+        change(*own, *laid(withHalfStep(project), progress.part(ownDone, halfStepDone)));
     const auto finer = laid(withHalfSpacing(project), progress.part(halfStepDone, 1));
-    result.halfSpacing = change(*own, *finer, samples);
+    result.halfSpacing = change(*own, *finer);
     result.map = map(*own, *finer);
     return result;
-}
-
-bool isCertain(const SheetChange& change, double most) {
-    return change.painted > 0 && change.distance.percentile95 <= most &&
-           change.paintedOnce <= certainPaintedOnce;
 }
 
 QJsonObject toJson(const SheetChange& change) {

@@ -1,7 +1,7 @@
 // How certain a job's sheets are: how far they move when the same dips are computed more finely.
 #pragma once
 
-#include "film/DippedFilm.h"
+#include "certainty/SheetChange.h"
 #include "project/Project.h"
 #include "solver/SolverRegistry.h"
 
@@ -10,13 +10,6 @@
 
 namespace dipwright {
 
-// How far, on the flat film, the places move that the places of the body take their colour from.
-struct SheetChange {
-    Distribution distance;  // mm, over points spread evenly over the body, where painted both times
-    double painted = 0;     // share of the body's surface that is painted both times
-    double paintedOnce = 0; // and of what is painted by one of the dips only
-};
-
 struct ImmersionCertainty {
     Immersion immersion;
     SheetChange halfStep;    // steps half as long
@@ -24,12 +17,6 @@ struct ImmersionCertainty {
     QImage map;              // where the film moves in the latter: certaintyMap() in Results.h
     QStringList notes;       // sentences for the user, where another solver took over
 };
-
-// What a certain sheet moves by at most, 95 % of it, and how much of the body may be painted by one
-// of two dips only: a film cell along the border.
-inline constexpr double certainHalfStep = 0.05;    // mm
-inline constexpr double certainHalfSpacing = 0.15; // mm
-inline constexpr double certainPaintedOnce = 0.05; // of the body's surface
 
 // False where nothing is painted.
 bool isCertain(const ImmersionCertainty& certainty);

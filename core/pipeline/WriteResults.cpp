@@ -35,8 +35,8 @@ QString immersionFolder(int number) {
 QStringList resultFiles() {
     QStringList files{QStringLiteral("proof.png"), QStringLiteral("report.json")};
     for (const int number : {1, 2}) {
-        for (const char* name :
-             {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp", "stretch.png", "wrinkling.png"}) {
+        for (const char* name : {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp", "stretch.png",
+                                 "wrinkling.png", "certainty.png"}) {
             files.append(immersionFolder(number) + QLatin1Char('/') + QLatin1String(name));
         }
     }
@@ -101,6 +101,14 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
                           folder.write(name,
                                        pngBytes(wrinklingMap(*result.laid, filmMapEdge), name));
                       }});
+    if (result.certainty && result.certainty->failure.isEmpty()) {
+        pieces.push_back({text, [&result, prefix, &folder] {
+                              const QString name = prefix + QStringLiteral("certainty.png");
+                              const QImage map = certaintyMap(
+                                  *result.laid, result.certainty->pointsOffBy, filmMapEdge);
+                              folder.write(name, pngBytes(map, name));
+                          }});
+    }
 }
 
 // The files of one immersion, `number` from 0. Keeps references to all but the number.
@@ -129,6 +137,7 @@ std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
 
 void commit(ResultFolder& folder, const Progress& progress) {
     progress(1, Text::tr("Moving the results in place"));
+    progress.cancelSwitch.throwIfCancelled();
     folder.commit(resultFiles());
 }
 

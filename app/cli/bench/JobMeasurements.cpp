@@ -141,7 +141,7 @@ std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& pr
          [&] { layFilm(dipped.body, laid.film(), project.process); }},
         {QStringLiteral("coverage"), [&] { coverage(laid); }},
         {QStringLiteral("coverage by both immersions"), [&] { coverageTogether(films, {}); }},
-        {QStringLiteral("registration"), [&] { registrationError(laid, laid); }},
+        {QStringLiteral("reading back"), [&] { readBackError(laid, laid); }},
         {QStringLiteral("reverse texture"),
          [&] { turtle.texture(project.sheet.resolution.value()); }},
         {QStringLiteral("sheet and its job number"),

@@ -62,9 +62,9 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
               QStringLiteral("%1 · %2").arg(number(stretch.mean, 3), number(stretch.maximum, 3)));
     table.row(Text::tr("Area stretch, smallest and largest"),
               QStringLiteral("%1 · %2").arg(number(area.minimum, 3), number(area.maximum, 3)));
-    table.row(Text::tr("Registration, mean and 95 %"),
-              QStringLiteral("%1 · %2").arg(shownLength(result.registration.mean, unit),
-                                            shownLength(result.registration.percentile95, unit)));
+    table.row(Text::tr("Texture read back, mean and 95 %"),
+              QStringLiteral("%1 · %2").arg(shownLength(result.readBack.mean, unit),
+                                            shownLength(result.readBack.percentile95, unit)));
     table.row(Text::tr("Film triangles across texture seams"),
               locale.toString(qulonglong(result.texture->seamTriangles)));
     table.row(Text::tr("Colour short of ink"),

@@ -79,7 +79,7 @@ private slots:
         QStringList expected{"proof.png", "report.json"};
         for (const char* immersion : {"immersion-1", "immersion-2"}) {
             for (const char* file : {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp",
-                                     "stretch.png", "wrinkling.png"}) {
+                                     "stretch.png", "wrinkling.png", "certainty.png"}) {
                 expected.append(QStringLiteral("%1/%2").arg(immersion, file));
             }
         }
@@ -132,6 +132,8 @@ private slots:
         const QJsonObject report = jsonOf(path("out/report.json"));
         QCOMPARE(report["version"].toInt(), 1);
         QCOMPARE(report["project"].toString(), QStringLiteral("ball"));
+        QVERIFY(QStringList({"print", "look_first", "do_not_print"})
+                    .contains(report["verdict"].toString()));
         for (const char* key : {"id", "device", "version"}) {
             QVERIFY(!report["solver"].toObject()[QLatin1String(key)].toString().isEmpty());
         }
@@ -151,7 +153,11 @@ private slots:
             }
             QVERIFY(hasNumbers(immersion["texture"].toObject(),
                                {"contact", "filled", "seam_triangles"}));
-            QVERIFY(hasNumbers(immersion["registration_mm"].toObject(), {"mean", "p95", "max"}));
+            QVERIFY(hasNumbers(immersion["read_back_mm"].toObject(), {"mean", "p95", "max"}));
+            QCOMPARE(immersion["registration_mm"], immersion["read_back_mm"]); // its earlier name
+            const QJsonObject certainty = immersion["certainty"].toObject();
+            QVERIFY(hasNumbers(certainty["off_by_mm"].toObject(), {"min", "mean", "p95", "max"}));
+            QVERIFY(!certainty["reasons"].toArray().isEmpty());
             QVERIFY(hasNumbers(immersion["ink"].toObject(), {"shortfall_area"}));
         }
         const double first = immersions[0].toObject()["coverage"].toDouble();
@@ -221,7 +227,7 @@ private slots:
         QVERIFY(files.contains("note.txt"));
         QVERIFY(files.contains("immersion-1/sheet.png"));
         QVERIFY(files.filter("immersion-2").isEmpty());
-        QCOMPARE(files.size(), 9);
+        QCOMPARE(files.size(), 10);
         const QImage chess(path("two/immersion-1/sheet.png"));
         const int middle = chess.width() / 2;
         QVERIFY(qGray(chess.pixel(middle + 30, middle + 30)) !=

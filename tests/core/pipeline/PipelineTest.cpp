@@ -76,7 +76,7 @@ private slots:
         QCOMPARE(first_.immersions.size(), 2U);
         for (const ImmersionResult& immersion : first_.immersions) {
             QVERIFY(immersion.body && immersion.laid && immersion.coverage && immersion.texture);
-            QVERIFY(immersion.registration.samples > 0);
+            QVERIFY(immersion.readBack.samples > 0);
             QCOMPARE(immersion.sheet.image.size(), QSize(255, 255));
             QCOMPARE(immersion.sheet.job.project, QStringLiteral("ball"));
         }
@@ -361,7 +361,7 @@ private slots:
         JobResult single = first_;
         single.immersions.pop_back();
         writeResults(job_, single, home.path(), {});
-        QCOMPARE(filesBelow(home.path()).size(), 8 + 2);
+        QCOMPARE(filesBelow(home.path()).size(), 9 + 2);
         QVERIFY(QFileInfo::exists(home.filePath("immersion-1/job.dipw")));
         QCOMPARE(filesBelow(home.filePath("immersion-2")), QStringList("notes.txt"));
     }
@@ -423,7 +423,7 @@ private slots:
         QTemporaryDir home;
         writeResults(job_, first_, home.path(), {});
         const QStringList before = filesBelow(home.path());
-        QCOMPARE(before.size(), 14);
+        QCOMPARE(before.size(), 16);
         Progress progress;
         CancelSwitch cancelSwitch = progress.cancelSwitch;
         progress.report = [&](double share, const QString&) {

@@ -4,7 +4,7 @@
 #include "dip/Dip.h"
 #include "geometry/Shapes.h"
 #include "solver/SolverRegistry.h"
-#include "texture/Registration.h"
+#include "texture/ReadBack.h"
 #include "texture/ReverseTexture.h"
 
 #include <QtTest>
@@ -122,7 +122,7 @@ void PrintedBodyTest::sphereIsPaintedToItsOverhangAndInPlace() {
     picture.fill(Qt::red);
     const auto laid = dipped(test::globe(35, 90, 180, picture), Immersion{},
                              filmOf(Millimetres(210), Millimetres(210), 91), std::nullopt);
-    const Registration error = registrationError(*laid, *laid);
+    const ReadBackError error = readBackError(*laid, *laid);
     QVERIFY2(error.mean <= 0.15, qPrintable(QString::number(error.mean)));
     QVERIFY2(error.percentile95 <= 0.4, qPrintable(QString::number(error.percentile95)));
     const Coverage cover = coverage(*laid);

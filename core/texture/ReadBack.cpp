@@ -1,4 +1,4 @@
-#include "texture/Registration.h"
+#include "texture/ReadBack.h"
 
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
@@ -76,7 +76,7 @@ float errorAt(const TexturedMesh& model, const ReverseMap& map, const SurfacePoi
 
 } // namespace
 
-Registration registrationError(const LaidFilm& planned, const LaidFilm& laid) {
+ReadBackError readBackError(const LaidFilm& planned, const LaidFilm& laid) {
     const TexturedMesh& model = planned.body().model;
     const double whole = surfaceArea(model.mesh);
     const double painted = paintedArea(planned);

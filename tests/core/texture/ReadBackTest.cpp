@@ -1,5 +1,5 @@
 // The measure of how well sheet and body meet.
-#include "texture/Registration.h"
+#include "texture/ReadBack.h"
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
 
@@ -20,14 +20,14 @@ QImage anyPicture() {
 }
 
 // Measures a film that came to lie as `dipped` when its sheet was made for `planned`.
-Registration measured(const TexturedMesh& model, const DippedFilm& planned,
-                      const DippedFilm& dipped) {
-    return registrationError(*test::laid(model, planned), *test::laid(model, dipped));
+ReadBackError measured(const TexturedMesh& model, const DippedFilm& planned,
+                       const DippedFilm& dipped) {
+    return readBackError(*test::laid(model, planned), *test::laid(model, dipped));
 }
 
 } // namespace
 
-class RegistrationTest : public QObject {
+class ReadBackTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -39,15 +39,15 @@ private Q_SLOTS:
     void bareBodyHasNoSamples();
 };
 
-void RegistrationTest::flatFaceIsExact() {
+void ReadBackTest::flatFaceIsExact() {
     const DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
-    const Registration error =
+    const ReadBackError error =
         measured(test::boxWithPicture({60, 30, 60}, anyPicture()), film, film);
     QVERIFY(error.maximum < 0.001);
     QVERIFY(error.samples > 10000);
 }
 
-void RegistrationTest::sphereIsWithinTheTargets_data() {
+void ReadBackTest::sphereIsWithinTheTargets_data() {
     QTest::addColumn<int>("rings");
     QTest::addColumn<bool>("halved");
     QTest::newRow("fine globe") << 160 << false;
@@ -55,48 +55,48 @@ void RegistrationTest::sphereIsWithinTheTargets_data() {
     QTest::newRow("two charts") << 60 << true;
 }
 
-void RegistrationTest::sphereIsWithinTheTargets() {
+void ReadBackTest::sphereIsWithinTheTargets() {
     QFETCH(int, rings);
     QFETCH(bool, halved);
     const TexturedMesh model = halved ? test::halvedBall(radius, rings, 2 * rings, anyPicture())
                                       : test::globe(radius, rings, 2 * rings, anyPicture());
     const DippedFilm film = test::viscousOnSphere(test::a4Grid(), radius, 1.9);
-    const Registration error = measured(model, film, film);
+    const ReadBackError error = measured(model, film, film);
     QVERIFY2(error.mean <= 0.02, qPrintable(QString::number(error.mean)));
     QVERIFY2(error.percentile95 <= 0.05, qPrintable(QString::number(error.percentile95)));
     QVERIFY2(error.maximum <= 0.2, qPrintable(QString::number(error.maximum)));
     QVERIFY(error.samples > 14000);
 }
 
-void RegistrationTest::bodyWithoutTextureIsMeasuredToo() {
+void ReadBackTest::bodyWithoutTextureIsMeasuredToo() {
     const DippedFilm film = test::viscousOnSphere(test::a4Grid(), radius, 1.9);
-    const Registration error =
+    const ReadBackError error =
         measured(test::plainModel(sphereMesh(radius, 60, 120), Qt::red), film, film);
     QVERIFY(error.maximum < 0.1);
     QVERIFY(error.samples > 14000);
 }
 
-void RegistrationTest::filmThatSlippedShowsAsFarAsItSlipped() {
+void ReadBackTest::filmThatSlippedShowsAsFarAsItSlipped() {
     const DippedFilm film = test::flatUnderBox(test::a4Grid(), {58, 30, 58});
     DippedFilm slipped = film;
     for (Eigen::Vector3f& position : slipped.positions) {
         position.x() += 0.3f;
         position.z() -= 0.4f;
     }
-    const Registration error =
+    const ReadBackError error =
         measured(test::boxWithPicture({60, 30, 60}, anyPicture()), film, slipped);
     QVERIFY(std::abs(error.mean - 0.5) < 0.01);
     QVERIFY(std::abs(error.maximum - 0.5) < 0.01);
 }
 
-void RegistrationTest::bareBodyHasNoSamples() {
+void ReadBackTest::bareBodyHasNoSamples() {
     DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
     film.states.assign(film.states.size(), solver::PointState::Free);
-    const Registration error =
+    const ReadBackError error =
         measured(test::boxWithPicture({60, 30, 60}, anyPicture()), film, film);
     QCOMPARE(error.samples, std::size_t(0));
     QCOMPARE(error.maximum, 0.0);
 }
 
-QTEST_APPLESS_MAIN(RegistrationTest)
-#include "RegistrationTest.moc"
+QTEST_APPLESS_MAIN(ReadBackTest)
+#include "ReadBackTest.moc"
