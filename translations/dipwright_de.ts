@@ -183,12 +183,12 @@
 <context>
     <name>FilmFacts</name>
     <message>
-        <source>%1: cells of %2 over the body, %3 × %4 points</source>
-        <translation>%1: Zellen von %2 über dem Körper, %3 × %4 Punkte</translation>
+        <source>%1: cells of %2, %3 × %4 points</source>
+        <translation>%1: Zellen von %2, %3 × %4 Punkte</translation>
     </message>
     <message>
-        <source>%1, about %2 s a dip</source>
-        <translation>%1, etwa %2 s je Tauchgang</translation>
+        <source>%1, about %2 s</source>
+        <translation>%1, etwa %2 s</translation>
     </message>
 </context>
 <context>

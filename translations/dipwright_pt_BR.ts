@@ -183,12 +183,12 @@
 <context>
     <name>FilmFacts</name>
     <message>
-        <source>%1: cells of %2 over the body, %3 × %4 points</source>
-        <translation>%1: células de %2 sobre o corpo, %3 × %4 pontos</translation>
+        <source>%1: cells of %2, %3 × %4 points</source>
+        <translation>%1: células de %2, %3 × %4 pontos</translation>
     </message>
     <message>
-        <source>%1, about %2 s a dip</source>
-        <translation>%1, cerca de %2 s por imersão</translation>
+        <source>%1, about %2 s</source>
+        <translation>%1, cerca de %2 s</translation>
     </message>
 </context>
 <context>

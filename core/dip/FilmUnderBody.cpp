@@ -103,7 +103,8 @@ Millimetres automaticCell(const Underside& underside, const FilmSettings& film) 
     const double coarsest = longest / leastCellsAlong;
     const double wanted = underside.thickness > 0 ? underside.thickness / cellsAcross : coarsest;
     const solver::FilmGrid whole = filmGrid(film);
-    const double affordable = std::sqrt(whole.width * whole.depth / mostPoints);
+    // Were all of the film as coarse as it may be.
+    const double affordable = std::sqrt(whole.width * whole.depth / mostPoints) / coarsestCell;
     return Millimetres(
         std::max(std::clamp(wanted, longest / mostCellsAlong, coarsest), affordable));
 }

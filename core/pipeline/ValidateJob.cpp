@@ -27,8 +27,13 @@ Eigen::AlignedBox2d footprint(const TexturedMesh& model, const Immersion& immers
     return box;
 }
 
-void checkImmersion(const Project& project, const Immersion& immersion, QStringList& warnings) {
-    const solver::FilmGrid grid = filmGrid(project.film);
+// `query`: of the project's mesh.
+void checkImmersion(const Project& project, const Immersion& immersion, const SurfaceQuery& query,
+                    QStringList& warnings) {
+    const TriangleMesh& mesh = project.model->mesh;
+    const solver::FilmGrid grid = filmUnderBody(
+        project.film, undersideOf(mesh, query, poseTransform(mesh, immersion), project.process),
+        immersion.offset);
     const Eigen::Vector2d half(grid.width / 2, grid.depth / 2);
     const Eigen::AlignedBox2d film(-half, half);
     const Eigen::AlignedBox2d body = footprint(*project.model, immersion);
@@ -39,9 +44,6 @@ void checkImmersion(const Project& project, const Immersion& immersion, QStringL
     }
     if (!film.contains(body)) {
         warnings.append(Text::tr("%1: the body reaches past the film's edge").arg(immersion.name));
-    }
-    if (isGraded(project.film)) {
-        return; // its cells are made for the body
     }
     if (body.sizes().maxCoeff() < grid.leastSpacingX()) {
         throw Error(
@@ -72,8 +74,9 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     if (project.model->textures.empty()) {
         warnings.append(Text::tr("The model has no texture, its plain colours are printed"));
     }
+    const SurfaceQuery query(project.model->mesh);
     for (const Immersion& immersion : project.immersions) {
-        checkImmersion(project, immersion, warnings);
+        checkImmersion(project, immersion, query, warnings);
     }
     if (const QString expiry = expiryWarning(project.profiles.film); !expiry.isEmpty()) {
         warnings.append(expiry);

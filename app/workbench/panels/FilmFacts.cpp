@@ -40,13 +40,13 @@ QString FilmFacts::text(const Project& project, const JobResult* result, LengthU
         } catch (const Error& error) {
             return error.sentence();
         }
-        QString line = Text::tr("%1: cells of %2 over the body, %3 × %4 points")
+        QString line = Text::tr("%1: cells of %2, %3 × %4 points")
                            .arg(immersion.name, shownLength(grid.leastSpacing(), unit))
                            .arg(grid.columns)
                            .arg(grid.rows);
         if (result && number < result->immersions.size()) {
             const DippedFilm& measured = result->immersions[number].laid->film();
-            line = Text::tr("%1, about %2 s a dip")
+            line = Text::tr("%1, about %2 s")
                        .arg(line, QLocale().toString(expectedSeconds(measured, grid.pointCount()),
                                                      'g', 2));
         }

@@ -70,7 +70,6 @@ void PropertyPanel::rebuild() {
                        tr("A film that was measured once: size, swell, relaxation and sides."));
             addProfile(*form, ProfileKind::Tank, tr("Tank profile"),
                        tr("A tank: its barriers hold the film's sides."));
-            addFilmFacts(*form);
         } else if (node_.part == ProjectPart::Sheet) {
             addProfile(*form, ProfileKind::Printer, tr("Printer profile"),
                        tr("A printer that was measured once: its scale, margins, colours, ink "
@@ -82,6 +81,9 @@ void PropertyPanel::rebuild() {
             }
             for (const PropertySpec& spec : section.specs) {
                 addField(*form, spec);
+                if (spec.path == QLatin1String("film.points")) {
+                    addFilmFacts(*form);
+                }
             }
         }
     }
