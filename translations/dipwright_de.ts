@@ -143,6 +143,13 @@
     </message>
 </context>
 <context>
+    <name>CertaintyPanel</name>
+    <message>
+        <source>%1 mm² off by up to %2</source>
+        <translation>%1 mm², bis zu %2 daneben</translation>
+    </message>
+</context>
+<context>
     <name>Dip</name>
     <message>
         <source>Dipping</source>
@@ -2046,6 +2053,21 @@
     </message>
 </context>
 <context>
+    <name>dipwright::CertaintyPanel</name>
+    <message>
+        <source>Certainty of the sheet</source>
+        <translation>Sicherheit des Bogens</translation>
+    </message>
+    <message>
+        <source>Run the dip to see how far the sheet may be off.</source>
+        <translation>Starten Sie den Tauchgang, um zu sehen, wie weit der Bogen daneben liegen kann.</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::DipController</name>
     <message>
         <source>The Dip</source>
@@ -3782,10 +3804,6 @@ mm je mm</translation>
         <translation>Verlässlichkeit des Bogens</translation>
     </message>
     <message>
-        <source>How far the ink moves when the film has cells half as wide; ink side up</source>
-        <translation>Wie weit sich die Farbe mit halb so breiten Filmzellen verschiebt; Farbseite oben</translation>
-    </message>
-    <message>
         <source>change
 mm</source>
         <translation>Änderung
@@ -3794,6 +3812,10 @@ mm</translation>
     <message>
         <source>Magenta: film that paints in one of the dips only</source>
         <translation>Magenta: Film, der nur in einer der Rechnungen malt</translation>
+    </message>
+    <message>
+        <source>How far the ink may be off for numerical reasons; ink side up</source>
+        <translation>Wie weit die Farbe aus numerischen Gründen daneben liegen kann; Farbseite oben</translation>
     </message>
 </context>
 <context>
@@ -3853,6 +3875,14 @@ mm</translation>
     <message>
         <source>The figures of the last run</source>
         <translation>Die Zahlen des letzten Laufs</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Whether to print the sheet, and where to look first</source>
+        <translation>Ob der Bogen gedruckt werden soll und wo zuerst hinzusehen ist</translation>
     </message>
 </context>
 <context>

@@ -143,6 +143,13 @@
     </message>
 </context>
 <context>
+    <name>CertaintyPanel</name>
+    <message>
+        <source>%1 mm² off by up to %2</source>
+        <translation>%1 mm² com desvio de até %2</translation>
+    </message>
+</context>
+<context>
     <name>Dip</name>
     <message>
         <source>Dipping</source>
@@ -2046,6 +2053,21 @@
     </message>
 </context>
 <context>
+    <name>dipwright::CertaintyPanel</name>
+    <message>
+        <source>Certainty of the sheet</source>
+        <translation>Certeza da folha</translation>
+    </message>
+    <message>
+        <source>Run the dip to see how far the sheet may be off.</source>
+        <translation>Execute a imersão para ver quanto a folha pode desviar.</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredito</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::DipController</name>
     <message>
         <source>The Dip</source>
@@ -3782,10 +3804,6 @@ mm por mm</translation>
         <translation>Confiabilidade da folha</translation>
     </message>
     <message>
-        <source>How far the ink moves when the film has cells half as wide; ink side up</source>
-        <translation>Quanto a tinta se desloca com células do filme de metade da largura; lado da tinta para cima</translation>
-    </message>
-    <message>
         <source>change
 mm</source>
         <translation>mudança
@@ -3794,6 +3812,10 @@ mm</translation>
     <message>
         <source>Magenta: film that paints in one of the dips only</source>
         <translation>Magenta: filme que pinta em só um dos cálculos</translation>
+    </message>
+    <message>
+        <source>How far the ink may be off for numerical reasons; ink side up</source>
+        <translation>Quanto a tinta pode desviar por razões numéricas; lado da tinta para cima</translation>
     </message>
 </context>
 <context>
@@ -3853,6 +3875,14 @@ mm</translation>
     <message>
         <source>The figures of the last run</source>
         <translation>Os números da última execução</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredito</translation>
+    </message>
+    <message>
+        <source>Whether to print the sheet, and where to look first</source>
+        <translation>Se a folha deve ser impressa e onde olhar antes</translation>
     </message>
 </context>
 <context>

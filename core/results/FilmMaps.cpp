@@ -366,7 +366,7 @@ MapSubject certaintySubject(const FilmValues& values) {
     const std::vector<float> painted = values.paintedValues();
     const Scale scale = changeScale(painted);
     return {Text::tr("Certainty of the sheet"),
-            Text::tr("How far the ink moves when the film has cells half as wide; ink side up"),
+            Text::tr("How far the ink may be off for numerical reasons; ink side up"),
             Text::tr("change\nmm"),
             Text::tr("Magenta: film that paints in one of the dips only"),
             scale,

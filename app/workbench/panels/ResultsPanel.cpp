@@ -1,5 +1,6 @@
 #include "panels/ResultsPanel.h"
 
+#include "panels/CertaintyPanel.h"
 #include "panels/PicturePanel.h"
 #include "panels/ReportPanel.h"
 #include "panels/StretchPanel.h"
@@ -14,7 +15,7 @@ constexpr double proofPixelsPerMillimetre = 8; // the proof has no size of its o
 } // namespace
 
 ResultsPanel::ResultsPanel(QWidget* parent)
-    : QTabWidget(parent), stretch_(new StretchPanel),
+    : QTabWidget(parent), certainty_(new CertaintyPanel), stretch_(new StretchPanel),
       texture_(new PicturePanel(tr("Reverse texture"),
                                 tr("Run the dip to see the image that goes on the film."))),
       proof_(new PicturePanel(tr("Proof"), tr("Run the dip to see the body as it will come out."))),
@@ -25,17 +26,20 @@ ResultsPanel::ResultsPanel(QWidget* parent)
     setUsesScrollButtons(true);
     setMinimumWidth(leastWidth);
     sheet_->offerTrueSize();
+    addTab(certainty_, tr("Verdict"));
     addTab(stretch_, tr("Stretch"));
     addTab(texture_, tr("Texture"));
     addTab(proof_, tr("Proof"));
     addTab(sheet_, tr("Sheet"));
     addTab(report_, tr("Report"));
-    setTabToolTip(0, tr("How much the film has stretched, and where"));
-    setTabToolTip(1, tr("The reverse texture: the image that goes on the film"));
-    setTabToolTip(2, tr("The body as it will come out"));
-    setTabToolTip(3, tr("The page as it prints"));
-    setTabToolTip(4, tr("The figures of the last run"));
+    setTabToolTip(0, tr("Whether to print the sheet, and where to look first"));
+    setTabToolTip(1, tr("How much the film has stretched, and where"));
+    setTabToolTip(2, tr("The reverse texture: the image that goes on the film"));
+    setTabToolTip(3, tr("The body as it will come out"));
+    setTabToolTip(4, tr("The page as it prints"));
+    setTabToolTip(5, tr("The figures of the last run"));
 
+    connect(certainty_, &CertaintyPanel::placeChosen, this, &ResultsPanel::hovered);
     connect(stretch_, &StretchPanel::hovered, this, &ResultsPanel::hovered);
     connect(stretch_, &StretchPanel::hoverLeft, this, &ResultsPanel::hoverLeft);
     connect(&texture_->view(), &PictureView::hovered, this, [this](QPointF printed) {
@@ -60,6 +64,7 @@ void ResultsPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion) 
     outcome_ = outcome;
     immersion_ = immersion;
     report_->setResult(outcome.result, unit_);
+    certainty_->setOutcome(outcome, immersion, unit_);
     if (immersion >= outcome.readings.size()) {
         stretch_->setReading(nullptr);
         for (PicturePanel* panel : {texture_, proof_, sheet_}) {
@@ -80,12 +85,13 @@ void ResultsPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion) 
 void ResultsPanel::setLengthUnit(LengthUnit unit) {
     unit_ = unit;
     report_->setResult(outcome_.result, unit);
+    certainty_->setOutcome(outcome_, immersion_, unit);
 }
 
 void ResultsPanel::setFreshness(const Freshness& freshness) {
     const QString mark = QStringLiteral(" •");
-    const std::array<bool, 4> fresh{freshness.dip, freshness.texture, freshness.texture,
-                                    freshness.sheet};
+    const std::array<bool, 5> fresh{freshness.dip, freshness.dip, freshness.texture,
+                                    freshness.texture, freshness.sheet};
     for (int tab = 0; tab < int(fresh.size()); ++tab) {
         QString text = tabText(tab);
         text.remove(mark);

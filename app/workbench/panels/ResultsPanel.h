@@ -1,5 +1,5 @@
-// The results of the last dip in tabs: stretch, reverse texture, proof, sheet and report, with one
-// cursor that is shown in all of them.
+// The results of the last dip in tabs: the verdict, stretch, reverse texture, proof, sheet and
+// report, with one cursor that is shown in all of them.
 #pragma once
 
 #include "document/Document.h"
@@ -12,6 +12,7 @@ class QAction;
 
 namespace dipwright {
 
+class CertaintyPanel;
 class PicturePanel;
 class ReportPanel;
 class StretchPanel;
@@ -41,6 +42,7 @@ private:
     DipOutcome outcome_;
     std::size_t immersion_ = 0;
     LengthUnit unit_ = LengthUnit::Millimetre;
+    CertaintyPanel* certainty_;
     StretchPanel* stretch_;
     PicturePanel* texture_;
     PicturePanel* proof_;

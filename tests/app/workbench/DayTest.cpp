@@ -240,6 +240,7 @@ private:
 
     // The stretch under the cursor, in the flat film and in the view.
     void readValue(MainWindow& window, const WindowDriver& driver) {
+        driver.find<QTabWidget>("results")->setCurrentIndex(1); // after the verdict
         auto* map = driver.find<PictureView>("stretchMap");
         auto* reading = driver.find<QLabel>("reading");
         QVERIFY(reading->text().isEmpty());
