@@ -7,21 +7,34 @@
 
 namespace dipwright::cpu {
 
-static_assert(numerics::FilmBackend<CpuBackend> && numerics::ConjugateBackend<CpuBackend>);
+namespace {
+
+void add(float factor, const PlaneVector& a, PlaneVector& out) {
+    addScaled(out.size(), factor, a.x.data(), out.x.data());
+    addScaled(out.size(), factor, a.z.data(), out.z.data());
+}
+void scale(float factor, PlaneVector& v) {
+    scaleRow(v.size(), factor, v.x.data());
+    scaleRow(v.size(), factor, v.z.data());
+}
+
+} // namespace
+
+static_assert(numerics::FilmBackend<CpuBackend> && numerics::LeastResidualBackend<CpuBackend>);
 
 CpuBackend::CpuBackend(const solver::DipSetup& setup)
     : HostFilm(setup), film_(setup.film), multigrid_(setup.film),
-      gradient_(setup.film.pointCount()), step_(setup.film.pointCount()),
-      residual_(setup.film.pointCount()), smoothed_(setup.film.pointCount()),
-      direction_(setup.film.pointCount()), product_(setup.film.pointCount()),
-      start_(setup.film.pointCount()), best_(setup.film.pointCount()) {
+      areas_(setup.film.pointCount(), 1.f), gradient_(setup.film.pointCount()),
+      step_(setup.film.pointCount()), residual_(setup.film.pointCount()),
+      start_(setup.film.pointCount()), best_(setup.film.pointCount()),
+      basis_(std::size_t(numerics::mostBasisVectors) + 1, PlaneVector(setup.film.pointCount())),
+      smoothed_(std::size_t(numerics::mostBasisVectors), PlaneVector(setup.film.pointCount())) {
     setFree();
 }
 
 void CpuBackend::setFree() {
     masked_ = free_;
     film_.setFree(masked_);
-    multigrid_.setFree(masked_);
 }
 
 double CpuBackend::dot(const PlaneVector& a, const PlaneVector& b) const {
@@ -52,8 +65,7 @@ numerics::FilmForce CpuBackend::force(float drag) {
 numerics::FilmForce CpuBackend::forceAlong(float length, float drag) {
     const FlushDenormals flush;
     displacement_ = start_;
-    addScaled(displacement_.size(), length, step_.x.data(), displacement_.x.data());
-    addScaled(displacement_.size(), length, step_.z.data(), displacement_.z.data());
+    add(length, step_, displacement_);
     return force(drag);
 }
 
@@ -66,9 +78,10 @@ double CpuBackend::startOfStep() {
     return double(longest);
 }
 
-void CpuBackend::solveLinear(float drag, double start, double tolerance) {
+void CpuBackend::solveLinear(float drag, numerics::Tangent tangent, double start,
+                             double tolerance) {
     const FlushDenormals flush;
-    numerics::conjugateGradients(*this, drag, start, tolerance);
+    numerics::leastResiduals(*this, drag, tangent, start, tolerance);
 }
 
 void CpuBackend::startLinear() {
@@ -77,28 +90,42 @@ void CpuBackend::startLinear() {
     residual_ = gradient_;
 }
 
-double CpuBackend::precondition() {
-    multigrid_.apply(residual_, smoothed_);
-    return dot(residual_, smoothed_);
+void CpuBackend::startBasis(float factor) {
+    basis_.front() = residual_;
+    scale(factor, basis_.front());
 }
 
-double CpuBackend::curvature(float drag, float keep, int) {
-    const std::size_t count = step_.size();
-    scaleAndAdd(count, keep, smoothed_.x.data(), direction_.x.data());
-    scaleAndAdd(count, keep, smoothed_.z.data(), direction_.z.data());
-    film_.hessian(direction_, product_);
-    addScaled(count, drag, direction_.x.data(), product_.x.data());
-    addScaled(count, drag, direction_.z.data(), product_.z.data());
-    maskHeld(product_);
-    return dot(direction_, product_);
+void CpuBackend::multiply(const PlaneVector& v, float drag, numerics::Tangent tangent,
+                          PlaneVector& out) {
+    film_.hessian(v, tangent, out);
+    add(drag, v, out);
+    maskHeld(out);
 }
 
-double CpuBackend::advance(float length, int) {
-    const std::size_t count = step_.size();
-    addScaled(count, -length, direction_.x.data(), step_.x.data());
-    addScaled(count, -length, direction_.z.data(), step_.z.data());
-    addScaled(count, -length, product_.x.data(), residual_.x.data());
-    addScaled(count, -length, product_.z.data(), residual_.z.data());
+void CpuBackend::extendBasis(int count, float drag, numerics::Tangent tangent) {
+    const std::size_t newest = std::size_t(count);
+    multigrid_.apply(basis_[newest], smoothed_[newest]);
+    PlaneVector& next = basis_[newest + 1];
+    multiply(smoothed_[newest], drag, tangent, next);
+    double* column = leastResiduals_.matrix[count];
+    for (std::size_t i = 0; i <= newest; ++i) {
+        column[i] = dot(next, basis_[i]);
+        add(-float(column[i]), basis_[i], next);
+    }
+    const double size = std::sqrt(dot(next, next));
+    column[newest + 1] = size;
+    scale(size > 0 ? float(1 / size) : 0.f, next);
+}
+
+void CpuBackend::addToStep(int count) {
+    for (int i = 0; i < count; ++i) {
+        add(-float(leastResiduals_.weights[i]), smoothed_[std::size_t(i)], step_);
+    }
+}
+
+double CpuBackend::linearResidual(float drag, numerics::Tangent tangent) {
+    multiply(step_, drag, tangent, residual_);
+    add(1, gradient_, residual_);
     return std::sqrt(dot(residual_, residual_));
 }
 

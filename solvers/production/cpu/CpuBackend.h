@@ -1,11 +1,12 @@
 // The production film on the CPU's cores, row by row (FilmBackend.h): the linear systems by
-// conjugate gradients with a multigrid cycle as preconditioner. The same bits for any number of
-// threads.
+// the
+// method of least residuals with a multigrid cycle as preconditioner. The same bits for any number
+// of threads.
 #pragma once
 
 #include "parallel/ParallelFor.h"
 #include "production/cpu/PlaneFilm.h"
-#include "production/cpu/PlaneMultigrid.h"
+#include "production/cpu/StiffnessMultigrid.h"
 #include "production/formulas/HostFilm.h"
 
 #include <algorithm>
@@ -44,15 +45,21 @@ public:
     void setFree();
     numerics::FilmForce force(float drag);
     numerics::FilmForce forceAlong(float length, float drag);
-    void solveLinear(float drag, double start, double tolerance);
+    numerics::Vector2<float> forceOn(int point) const {
+        return {gradient_.x[std::size_t(point)], gradient_.z[std::size_t(point)]};
+    }
+    void prepareLinear(float drag) { multigrid_.prepare(film_, masked_, areas_, drag); }
+    void solveLinear(float drag, numerics::Tangent tangent, double start, double tolerance);
     double startOfStep();
     void keepBest() { best_ = displacement_; }
     void takeBest() { displacement_ = best_; }
 
+    numerics::LeastResiduals& leastResiduals() { return leastResiduals_; }
     void startLinear();
-    double precondition();
-    double curvature(float drag, float keep, int iteration);
-    double advance(float length, int iteration);
+    void startBasis(float factor);
+    void extendBasis(int count, float drag, numerics::Tangent tangent);
+    void addToStep(int count);
+    double linearResidual(float drag, numerics::Tangent tangent);
 
 private:
     static constexpr std::size_t trianglesAtOnce = 32; // unfolded by one thread
@@ -62,11 +69,16 @@ private:
     std::vector<int> crossingTriangles(const Crosses& crosses) const;
     double dot(const PlaneVector& a, const PlaneVector& b) const;
     void maskHeld(PlaneVector& v) const;
+    // out = H v, with the drag
+    void multiply(const PlaneVector& v, float drag, numerics::Tangent tangent, PlaneVector& out);
 
     PlaneFilm film_;
-    PlaneMultigrid multigrid_;
+    StiffnessMultigrid multigrid_;
     std::vector<float> masked_; // 0: held, as of the last setFree()
-    PlaneVector gradient_, step_, residual_, smoothed_, direction_, product_, start_, best_;
+    std::vector<float> areas_;  // of the film that a point stands for, over that of the finest cell
+    PlaneVector gradient_, step_, residual_, start_, best_;
+    std::vector<PlaneVector> basis_, smoothed_;
+    numerics::LeastResiduals leastResiduals_;
 };
 
 template <typename Crosses>

@@ -1,6 +1,7 @@
 #include "production/cpu/PlaneFilm.h"
 
 #include "common/cpu/RowParallel.h"
+#include "production/formulas/EdgeStiffness.h"
 #include "production/formulas/PlaneStress.h"
 #include "production/formulas/TearLaw.h"
 
@@ -9,6 +10,7 @@ namespace dipwright::cpu {
 using numerics::gradientOf;
 using numerics::Matrix2;
 using numerics::StressState;
+using numerics::Tangent;
 
 namespace {
 
@@ -82,6 +84,7 @@ PlaneFilm::PlaneFilm(const solver::FilmGrid& grid)
         state.cosine.assign(cells, 1.f);
         state.sine.assign(cells, 0.f);
         state.turn.assign(cells, -1.f);
+        state.resists.assign(cells, 1.f);
     }
     moving_[0] = moving_[1] = std::vector<float>(cells, 1.f);
     crept_.assign(std::size_t(rows_ - 1), 0);
@@ -133,13 +136,13 @@ numerics::EdgePair<float> PlaneFilm::edges(int triangle, const PlaneVector& disp
                      second, even != second, 1 / inverseX_, 1 / inverseZ_);
 }
 
-// Whether some free triangle of a row of cells may be torn.
-bool PlaneFilm::mayTear(int row, const PlaneVector& displacement, float limit) const {
+// Whether some free triangle of a row of cells may be torn or folded.
+bool PlaneFilm::mayBeLost(int row, const PlaneVector& displacement, float limit) const {
     const std::size_t cells = std::size_t(columns_ - 1), first = std::size_t(row) * cells;
-    const float most =
-        largestSquare(cells, unsigned(row), rowOfPoints(displacement, std::size_t(columns_), row),
-                      {moving_[0].data() + first, moving_[1].data() + first}, inverseX_, inverseZ_);
-    return numerics::mayBeTorn(most, limit);
+    const StretchRange range =
+        stretchRange(cells, unsigned(row), rowOfPoints(displacement, std::size_t(columns_), row),
+                     {moving_[0].data() + first, moving_[1].data() + first}, inverseX_, inverseZ_);
+    return numerics::mayBeLost(range.largestSquares, range.leastArea, limit);
 }
 
 void PlaneFilm::setCrossing(std::vector<Crossing> triangles) {
@@ -180,16 +183,18 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
         // A row of cells between two bands is computed for both; only one keeps its states.
         std::vector<float> spare;
         if (!owned) {
-            spare.resize(6 * cells);
+            spare.resize(8 * cells);
         }
         const auto keep = [&](std::vector<float>& array, std::size_t which) {
             return owned ? array.data() + first : spare.data() + which * cells;
         };
         RowOfStates<float*> states;
-        states.states[0] = {keep(state_[0].cosine, 0), keep(state_[0].sine, 1),
-                            keep(state_[0].turn, 2)};
-        states.states[1] = {keep(state_[1].cosine, 3), keep(state_[1].sine, 4),
-                            keep(state_[1].turn, 5)};
+        for (std::size_t second = 0; second < 2; ++second) {
+            States& to = state_[second];
+            states.states[second] = {keep(to.cosine, 4 * second), keep(to.sine, 4 * second + 1),
+                                     keep(to.turn, 4 * second + 2),
+                                     keep(to.resists, 4 * second + 3)};
+        }
         gradientRow(cells, unsigned(j) & 1u, rowOfPoints(displacement, width, j), shapesOf(j),
                     1 / inverseX_, 1 / inverseZ_, states, rowOfForces(forces));
         const auto [begin, end] = crossingInRow(j);
@@ -203,6 +208,7 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
             to.cosine[i] = state.cosine;
             to.sine[i] = state.sine;
             to.turn[i] = state.turn;
+            to.resists[i] = state.resists;
             putForces(forces, i, triangle,
                       numerics::crossingForces(
                           triangle, P, inverseShape(triangle.cell, triangle.second), area_));
@@ -222,33 +228,63 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
     return std::sqrt(sum);
 }
 
-void PlaneFilm::hessian(const PlaneVector& direction, PlaneVector& result) const {
+RowOfStates<const float*> PlaneFilm::statesOf(int row) const {
+    const std::size_t first = std::size_t(row) * std::size_t(columns_ - 1);
+    RowOfStates<const float*> states;
+    for (std::size_t second = 0; second < 2; ++second) {
+        states.states[second] = {
+            state_[second].cosine.data() + first, state_[second].sine.data() + first,
+            state_[second].turn.data() + first, state_[second].resists.data() + first};
+    }
+    return states;
+}
+
+void PlaneFilm::hessian(const PlaneVector& direction, Tangent tangent, PlaneVector& result) const {
     const std::size_t width = std::size_t(columns_), cells = width - 1;
     gatherForces(columns_, rows_, result, [&](int j, bool, EdgeForces& forces) {
         const std::size_t first = std::size_t(j) * cells;
         const RowOfPoints points = rowOfPoints(direction, width, j);
-        RowOfStates<const float*> states;
-        for (std::size_t second = 0; second < 2; ++second) {
-            states.states[second] = {state_[second].cosine.data() + first,
-                                     state_[second].sine.data() + first,
-                                     state_[second].turn.data() + first};
-        }
-        hessianRow(cells, unsigned(j) & 1u, points, shapesOf(j), states, rowOfForces(forces));
+        hessianRow(cells, unsigned(j) & 1u, points, shapesOf(j), statesOf(j), tangent,
+                   rowOfForces(forces));
         const auto [begin, end] = crossingInRow(j);
         for (std::size_t k = begin; k < end; ++k) {
             const Crossing& triangle = crossing_[k];
-            const std::size_t i = triangle.cell - first;
             const Matrix2<float> shape = inverseShape(triangle.cell, triangle.second);
-            const RowOfStates<const float*>::Pointers& from = states.states[triangle.second];
-            const StressState<float> state{from.cosine[i], from.sine[i], from.turn[i]};
-            const numerics::EdgePair<float> edges =
-                cellEdges(points, i, triangle.second, triangle.thirdOnRight, 0, 0);
+            const numerics::EdgePair<float> edges = cellEdges(
+                points, triangle.cell - first, triangle.second, triangle.thirdOnRight, 0, 0);
             const Matrix2<float> change = floatingChange(anchors_[k], gradientOf(edges, shape));
-            putForces(
-                forces, i, triangle,
-                numerics::crossingForces(triangle, stressDerivative(change, state), shape, area_));
+            putForces(forces, triangle.cell - first, triangle,
+                      numerics::crossingForces(triangle,
+                                               stressDerivative(change, stateOf(triangle), tangent),
+                                               shape, area_));
         }
     });
+}
+
+StressState<float> PlaneFilm::stateOf(const Crossing& triangle) const {
+    const States& states = state_[triangle.second];
+    return {states.cosine[triangle.cell], states.sine[triangle.cell], states.turn[triangle.cell],
+            states.resists[triangle.cell]};
+}
+
+void PlaneFilm::stiffness(int row, const Lines<float>& first, const Lines<float>& second) const {
+    const std::size_t cells = std::size_t(columns_ - 1);
+    stiffnessRow(cells, shapesOf(row), statesOf(row), first, second);
+    const auto [begin, end] = crossingInRow(row);
+    for (std::size_t k = begin; k < end; ++k) {
+        const Crossing& triangle = crossing_[k];
+        const numerics::EdgeStiffness<float> stiffness =
+            edgeStiffness(triangle, anchors_[k], inverseShape(triangle.cell, triangle.second),
+                          stateOf(triangle), area_);
+        const std::size_t i = triangle.cell - std::size_t(row) * cells;
+        std::size_t line = 0;
+        for (const Matrix2<float>& block :
+             {stiffness.hh, stiffness.hv, stiffness.vh, stiffness.vv}) {
+            for (const float value : {block.a, block.b, block.c, block.d}) {
+                (triangle.second ? second : first)[line++][i] = value;
+            }
+        }
+    }
 }
 
 } // namespace dipwright::cpu

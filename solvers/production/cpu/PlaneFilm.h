@@ -36,8 +36,12 @@ public:
     // count.
     double gradient(const PlaneVector& displacement, PlaneVector& result);
 
-    // The Hessian, made positive semi-definite, times `direction`.
-    void hessian(const PlaneVector& direction, PlaneVector& result) const;
+    // The Hessian there times `direction`.
+    void hessian(const PlaneVector& direction, numerics::Tangent tangent,
+                 PlaneVector& result) const;
+    // The stiffness there of the first and the second triangles in a row of cells, projected; lines
+    // as of stiffnessRow().
+    void stiffness(int row, const Lines<float>& first, const Lines<float>& second) const;
 
     // Triangles by number: two a cell, cell after cell.
     numerics::Matrix2<float> shape(int triangle) const { // the inverse of its rest shape
@@ -70,17 +74,19 @@ private:
         std::vector<float> a, b, c, d;
     };
     struct States {
-        std::vector<float> cosine, sine, turn;
+        std::vector<float> cosine, sine, turn, resists;
     };
 
     template <typename Floating>
     void forFloating(int row, const Floating& floating) const;
     RowOfShapes shapesOf(int row) const; // of cells
+    RowOfStates<const float*> statesOf(int row) const;
+    numerics::StressState<float> stateOf(const Crossing& triangle) const;
     // Begin and end in crossing_ of the triangles in a row of cells.
     std::pair<std::size_t, std::size_t> crossingInRow(int row) const;
     numerics::Matrix2<float> inverseShape(std::size_t cell, bool second) const;
     void setInverseShape(std::size_t cell, bool second, const numerics::Matrix2<float>& shape);
-    bool mayTear(int row, const PlaneVector& displacement, float limit) const;
+    bool mayBeLost(int row, const PlaneVector& displacement, float limit) const;
     static int numberOf(const Crossing& triangle) {
         return 2 * int(triangle.cell) + triangle.second;
     }
@@ -134,7 +140,7 @@ void PlaneFilm::forStretched(const PlaneVector& displacement, float limit, const
                              const Floating& floating) {
     forCrossing(onLine);
     for (int row = 0; row + 1 < rows_; ++row) {
-        if (mayTear(row, displacement, limit)) {
+        if (mayBeLost(row, displacement, limit)) {
             forFloating(row, floating);
         }
     }

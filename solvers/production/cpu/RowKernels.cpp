@@ -5,25 +5,14 @@
 
 #include "production/cpu/RowKernels.h"
 
+#include "production/cpu/IndependentLoop.h"
+#include "production/formulas/EdgeStiffness.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "production/cpu/RowKernels.cpp"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>
-
-// The iterations of the next loop do not depend on each other.
-#ifndef DIPWRIGHT_INDEPENDENT_LOOP
-#if defined(__clang__)
-#pragma clang diagnostic ignored "-Wpass-failed" // a build with sanitizers leaves them scalar
-#define DIPWRIGHT_INDEPENDENT_LOOP _Pragma("clang loop vectorize(assume_safety)")
-#elif defined(__GNUC__)
-#define DIPWRIGHT_INDEPENDENT_LOOP _Pragma("GCC ivdep")
-#elif defined(_MSC_VER)
-#define DIPWRIGHT_INDEPENDENT_LOOP __pragma(loop(ivdep))
-#else
-#define DIPWRIGHT_INDEPENDENT_LOOP
-#endif
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace dipwright::cpu::HWY_NAMESPACE {
@@ -102,12 +91,11 @@ void addScaled(std::size_t count, float factor, const float* a, float* out) {
         [&](std::size_t i) { return out[i] + factor * a[i]; });
 }
 
-void scaleAndAdd(std::size_t count, float factor, const float* a, float* out) {
+void scaleRow(std::size_t count, float factor, float* out) {
     const Vector scale = hn::Set(lanes, factor);
     forRow(
-        0, count, out,
-        [&](std::size_t i) HWY_ATTR { return hn::Add(hn::Mul(scale, load(out + i)), load(a + i)); },
-        [&](std::size_t i) { return factor * out[i] + a[i]; });
+        0, count, out, [&](std::size_t i) HWY_ATTR { return hn::Mul(scale, load(out + i)); },
+        [&](std::size_t i) { return factor * out[i]; });
 }
 
 void addDifference(std::size_t count, float factor, const float* a, const float* b, float* out) {
@@ -120,62 +108,10 @@ void addDifference(std::size_t count, float factor, const float* a, const float*
         [&](std::size_t i) { return out[i] + factor * (a[i] - b[i]); });
 }
 
-void subtract(std::size_t count, const float* a, const float* b, float* out) {
-    forRow(
-        0, count, out, [&](std::size_t i) HWY_ATTR { return hn::Sub(load(a + i), load(b + i)); },
-        [&](std::size_t i) { return a[i] - b[i]; });
-}
-
 void multiplyBy(std::size_t count, const float* a, float* out) {
     forRow(
         0, count, out, [&](std::size_t i) HWY_ATTR { return hn::Mul(load(out + i), load(a + i)); },
         [&](std::size_t i) { return out[i] * a[i]; });
-}
-
-void stencilRow(std::size_t columns, const StencilRow& own, const StencilRow& other, float along,
-                float across, const float* free, float* out) {
-    const float middle = 2 * (along + across);
-    const Vector middles = hn::Set(lanes, middle), alongs = hn::Set(lanes, along);
-    const Vector acrosses = hn::Set(lanes, across), half = hn::Set(lanes, 0.5f);
-    forRow(
-        1, columns - 1, out,
-        [&](std::size_t i) HWY_ATTR {
-            const Vector beside = hn::Add(load(own.here + i - 1), load(own.here + i + 1));
-            const Vector nextTo = hn::Add(load(own.below + i), load(own.above + i));
-            const Vector second =
-                hn::Sub(hn::Sub(hn::Mul(middles, load(own.here + i)), hn::Mul(alongs, beside)),
-                        hn::Mul(acrosses, nextTo));
-            const Vector mixed =
-                hn::Sub(hn::Sub(load(other.above + i + 1), load(other.above + i - 1)),
-                        hn::Sub(load(other.below + i + 1), load(other.below + i - 1)));
-            return hn::Mul(load(free + i), hn::Sub(second, hn::Mul(half, mixed)));
-        },
-        [&](std::size_t i) {
-            const float second = middle * own.here[i] -
-                                 along * (own.here[i - 1] + own.here[i + 1]) -
-                                 across * (own.below[i] + own.above[i]);
-            const float mixed = (other.above[i + 1] - other.above[i - 1]) -
-                                (other.below[i + 1] - other.below[i - 1]);
-            return free[i] * (second - 0.5f * mixed);
-        });
-}
-
-void chebyshevRow(std::size_t count, float keep, float gain, const float* diagonal,
-                  const float* residual, float* direction, float* result) {
-    const Vector keeps = hn::Set(lanes, keep), gains = hn::Set(lanes, gain);
-    forRow(
-        0, count, result,
-        [&](std::size_t i) HWY_ATTR {
-            const Vector next =
-                hn::Add(hn::Mul(keeps, load(direction + i)),
-                        hn::Mul(hn::Mul(gains, load(diagonal + i)), load(residual + i)));
-            hn::StoreU(next, lanes, direction + i);
-            return hn::Add(load(result + i), next);
-        },
-        [&](std::size_t i) {
-            direction[i] = keep * direction[i] + gain * diagonal[i] * residual[i];
-            return result[i] + direction[i];
-        });
 }
 
 // The forces of both triangles of a cell to its edges.
@@ -223,30 +159,39 @@ HWY_INLINE void gradientCells(std::size_t cells, unsigned parity, RowOfPoints p,
         first.cosine[i] = state0.cosine;
         first.sine[i] = state0.sine;
         first.turn[i] = state0.turn;
+        first.resists[i] = state0.resists;
         second.cosine[i] = state1.cosine;
         second.sine[i] = state1.sine;
         second.turn[i] = state1.turn;
+        second.resists[i] = state1.resists;
         putForces(out, i, even, force0, force1);
     }
 }
 
+HWY_INLINE numerics::StressState<float> stateAt(const RowOfStates<const float*>::Pointers& states,
+                                                std::size_t i) {
+    return {states.cosine[i], states.sine[i], states.turn[i], states.resists[i]};
+}
+
 template <bool crept>
 HWY_INLINE void hessianCells(std::size_t cells, unsigned parity, RowOfPoints p, RowOfShapes shapes,
-                             RowOfStates<const float*> states, RowOfForces out) {
+                             RowOfStates<const float*> states, numerics::Tangent tangent,
+                             RowOfForces out) {
     const auto [first, second] = states.states;
     DIPWRIGHT_INDEPENDENT_LOOP
     for (std::size_t i = 0; i < cells; ++i) {
         const bool even = ((unsigned(i) + parity) & 1u) == 0;
         const numerics::Matrix2<float> shape0 = shapeAt<crept>(shapes, false, i);
         const numerics::Matrix2<float> shape1 = shapeAt<crept>(shapes, true, i);
-        const numerics::StressState<float> state0{first.cosine[i], first.sine[i], first.turn[i]};
-        const numerics::StressState<float> state1{second.cosine[i], second.sine[i], second.turn[i]};
-        const numerics::EdgePair<float> force0 = edgeForces(
-            stressDerivative(gradientOf(cellEdges(p, i, false, even, 0, 0), shape0), state0),
-            shape0, shapes.area);
-        const numerics::EdgePair<float> force1 = edgeForces(
-            stressDerivative(gradientOf(cellEdges(p, i, true, !even, 0, 0), shape1), state1),
-            shape1, shapes.area);
+        const numerics::StressState<float> state0 = stateAt(first, i), state1 = stateAt(second, i);
+        const numerics::EdgePair<float> force0 =
+            edgeForces(stressDerivative(gradientOf(cellEdges(p, i, false, even, 0, 0), shape0),
+                                        state0, tangent),
+                       shape0, shapes.area);
+        const numerics::EdgePair<float> force1 =
+            edgeForces(stressDerivative(gradientOf(cellEdges(p, i, true, !even, 0, 0), shape1),
+                                        state1, tangent),
+                       shape1, shapes.area);
         putForces(out, i, even, force0, force1);
     }
 }
@@ -263,30 +208,66 @@ void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
 
 void hessianRow(std::size_t cells, unsigned parity, const RowOfPoints& direction,
                 const RowOfShapes& shapes, const RowOfStates<const float*>& states,
-                const RowOfForces& forces) {
+                numerics::Tangent tangent, const RowOfForces& forces) {
     if (shapes.isCrept) {
-        hessianCells<true>(cells, parity, direction, shapes, states, forces);
+        hessianCells<true>(cells, parity, direction, shapes, states, tangent, forces);
     } else {
-        hessianCells<false>(cells, parity, direction, shapes, states, forces);
+        hessianCells<false>(cells, parity, direction, shapes, states, tangent, forces);
     }
 }
 
-float largestSquare(std::size_t cells, unsigned parity, const RowOfPoints& p,
-                    const std::array<const float*, 2>& moving, float inverseX, float inverseZ) {
-    float largest = 0;
+HWY_INLINE void putBlock(const Lines<float>& lines, std::size_t block, std::size_t i,
+                         const numerics::Matrix2<float>& value) {
+    lines[4 * block][i] = value.a;
+    lines[4 * block + 1][i] = value.b;
+    lines[4 * block + 2][i] = value.c;
+    lines[4 * block + 3][i] = value.d;
+}
+
+template <bool crept>
+HWY_INLINE void stiffnessCells(std::size_t cells, RowOfShapes shapes, bool second,
+                               RowOfStates<const float*>::Pointers states, Lines<float> out) {
+    DIPWRIGHT_INDEPENDENT_LOOP
+    for (std::size_t i = 0; i < cells; ++i) {
+        const numerics::EdgeStiffness<float> stiffness =
+            edgeStiffness(shapeAt<crept>(shapes, second, i), stateAt(states, i), shapes.area);
+        putBlock(out, 0, i, stiffness.hh);
+        putBlock(out, 1, i, stiffness.hv);
+        putBlock(out, 2, i, stiffness.vh);
+        putBlock(out, 3, i, stiffness.vv);
+    }
+}
+
+void stiffnessRow(std::size_t cells, const RowOfShapes& shapes,
+                  const RowOfStates<const float*>& states, const Lines<float>& first,
+                  const Lines<float>& second) {
+    if (shapes.isCrept) {
+        stiffnessCells<true>(cells, shapes, false, states.states[0], first);
+        stiffnessCells<true>(cells, shapes, true, states.states[1], second);
+    } else {
+        stiffnessCells<false>(cells, shapes, false, states.states[0], first);
+        stiffnessCells<false>(cells, shapes, true, states.states[1], second);
+    }
+}
+
+StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints& p,
+                          const std::array<const float*, 2>& moving, float inverseX,
+                          float inverseZ) {
+    float largest = 0, least = 1;
     for (std::size_t i = 0; i < cells; ++i) {
         const bool even = ((unsigned(i) + parity) & 1u) == 0;
-        const auto square = [&](bool second) {
+        for (const bool second : {false, true}) {
             const numerics::EdgePair<float> e =
                 cellEdges(p, i, second, even != second, 1 / inverseX, 1 / inverseZ);
-            return (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
-                   (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
-        };
-        const float first = moving[0][i] * square(false), second = moving[1][i] * square(true);
-        largest = largest > first ? largest : first;
-        largest = largest > second ? largest : second;
+            const float squares = (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
+                                  (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
+            const float area = (e.hx * e.vz - e.vx * e.hz) * inverseX * inverseZ;
+            const float moves = moving[second][i];
+            largest = largest > moves * squares ? largest : moves * squares;
+            least = least < moves * area ? least : moves * area;
+        }
     }
-    return largest;
+    return {largest, least};
 }
 
 void addForces(std::size_t cells, float sign, const float* edge, const float* left,
@@ -319,15 +300,13 @@ namespace {
 HWY_EXPORT(rowDot);
 HWY_EXPORT(rowWeightedSquares);
 HWY_EXPORT(addScaled);
-HWY_EXPORT(scaleAndAdd);
+HWY_EXPORT(scaleRow);
 HWY_EXPORT(addDifference);
-HWY_EXPORT(subtract);
 HWY_EXPORT(multiplyBy);
-HWY_EXPORT(stencilRow);
-HWY_EXPORT(chebyshevRow);
 HWY_EXPORT(gradientRow);
 HWY_EXPORT(hessianRow);
-HWY_EXPORT(largestSquare);
+HWY_EXPORT(stiffnessRow);
+HWY_EXPORT(stretchRange);
 HWY_EXPORT(addForces);
 
 } // namespace
@@ -341,25 +320,14 @@ double rowWeightedSquares(const float* weight, const float* a, std::size_t count
 void addScaled(std::size_t count, float factor, const float* a, float* out) {
     HWY_DYNAMIC_DISPATCH(addScaled)(count, factor, a, out);
 }
-void scaleAndAdd(std::size_t count, float factor, const float* a, float* out) {
-    HWY_DYNAMIC_DISPATCH(scaleAndAdd)(count, factor, a, out);
+void scaleRow(std::size_t count, float factor, float* out) {
+    HWY_DYNAMIC_DISPATCH(scaleRow)(count, factor, out);
 }
 void addDifference(std::size_t count, float factor, const float* a, const float* b, float* out) {
     HWY_DYNAMIC_DISPATCH(addDifference)(count, factor, a, b, out);
 }
-void subtract(std::size_t count, const float* a, const float* b, float* out) {
-    HWY_DYNAMIC_DISPATCH(subtract)(count, a, b, out);
-}
 void multiplyBy(std::size_t count, const float* a, float* out) {
     HWY_DYNAMIC_DISPATCH(multiplyBy)(count, a, out);
-}
-void stencilRow(std::size_t columns, const StencilRow& own, const StencilRow& other, float along,
-                float across, const float* free, float* out) {
-    HWY_DYNAMIC_DISPATCH(stencilRow)(columns, own, other, along, across, free, out);
-}
-void chebyshevRow(std::size_t count, float keep, float gain, const float* diagonal,
-                  const float* residual, float* direction, float* result) {
-    HWY_DYNAMIC_DISPATCH(chebyshevRow)(count, keep, gain, diagonal, residual, direction, result);
 }
 void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
                  const RowOfShapes& shapes, float restX, float restZ,
@@ -368,12 +336,18 @@ void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
 }
 void hessianRow(std::size_t cells, unsigned parity, const RowOfPoints& direction,
                 const RowOfShapes& shapes, const RowOfStates<const float*>& states,
-                const RowOfForces& forces) {
-    HWY_DYNAMIC_DISPATCH(hessianRow)(cells, parity, direction, shapes, states, forces);
+                numerics::Tangent tangent, const RowOfForces& forces) {
+    HWY_DYNAMIC_DISPATCH(hessianRow)(cells, parity, direction, shapes, states, tangent, forces);
 }
-float largestSquare(std::size_t cells, unsigned parity, const RowOfPoints& points,
-                    const std::array<const float*, 2>& moving, float inverseX, float inverseZ) {
-    return HWY_DYNAMIC_DISPATCH(largestSquare)(cells, parity, points, moving, inverseX, inverseZ);
+void stiffnessRow(std::size_t cells, const RowOfShapes& shapes,
+                  const RowOfStates<const float*>& states, const Lines<float>& first,
+                  const Lines<float>& second) {
+    HWY_DYNAMIC_DISPATCH(stiffnessRow)(cells, shapes, states, first, second);
+}
+StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints& points,
+                          const std::array<const float*, 2>& moving, float inverseX,
+                          float inverseZ) {
+    return HWY_DYNAMIC_DISPATCH(stretchRange)(cells, parity, points, moving, inverseX, inverseZ);
 }
 void addForces(std::size_t cells, float sign, const float* edge, const float* left,
                const float* right, float* out) {

@@ -15,24 +15,18 @@ double rowDot(const float* a, const float* b, std::size_t count);
 double rowWeightedSquares(const float* weight, const float* a, std::size_t count);
 
 void addScaled(std::size_t count, float factor, const float* a, float* out); // out += factor·a
-void scaleAndAdd(std::size_t count, float factor, const float* a,
-                 float* out); // out = factor·out + a
+void scaleRow(std::size_t count, float factor, float* out);                  // out *= factor
 // out += factor·(a − b)
 void addDifference(std::size_t count, float factor, const float* a, const float* b, float* out);
-void subtract(std::size_t count, const float* a, const float* b, float* out); // out = a − b
-void multiplyBy(std::size_t count, const float* a, float* out);               // out *= a
+void multiplyBy(std::size_t count, const float* a, float* out); // out *= a
 
-// Multigrid: one row of the nine-point stencil, but for its first and last point. `along` weighs
-// the neighbours in X, `across` those in Z; the other component enters by the four corners (the
-// mixed derivative).
-struct StencilRow {
-    const float *below, *here, *above;
+// Several numbers for each point, cell or triangle of a row, each of them in a line of its own.
+template <typename Number>
+struct Lines {
+    Number* first = nullptr;
+    std::size_t pitch = 0; // numbers from line to line
+    Number* operator[](std::size_t line) const { return first + line * pitch; }
 };
-void stencilRow(std::size_t columns, const StencilRow& own, const StencilRow& other, float along,
-                float across, const float* free, float* out);
-// One step of Chebyshev smoothing.
-void chebyshevRow(std::size_t count, float keep, float gain, const float* diagonal,
-                  const float* residual, float* direction, float* result);
 
 // A row of cells: x0, z0 the lower row of points, x1, z1 the upper one.
 struct RowOfPoints {
@@ -57,7 +51,7 @@ struct RowOfShapes {
 template <typename Pointer>
 struct RowOfStates { // StressState of first and second triangles
     struct Pointers {
-        Pointer cosine, sine, turn;
+        Pointer cosine, sine, turn, resists;
     };
     std::array<Pointers, 2> states{};
 };
@@ -82,10 +76,19 @@ void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
 // The Hessian times a direction at the points.
 void hessianRow(std::size_t cells, unsigned parity, const RowOfPoints& direction,
                 const RowOfShapes& shapes, const RowOfStates<const float*>& states,
-                const RowOfForces& forces);
-// The largest λ1² + λ2², against the undeformed film, of the moving triangles of a row of cells.
-float largestSquare(std::size_t cells, unsigned parity, const RowOfPoints& points,
-                    const std::array<const float*, 2>& moving, float inverseX, float inverseZ);
+                numerics::Tangent tangent, const RowOfForces& forces);
+// The stiffness of first and of second triangles: 16 lines each (EdgeStiffness.h: hh, hv, vh, vv).
+void stiffnessRow(std::size_t cells, const RowOfShapes& shapes,
+                  const RowOfStates<const float*>& states, const Lines<float>& first,
+                  const Lines<float>& second);
+// Of the moving triangles of a row of cells, against the undeformed film: the largest λ1² + λ2²,
+// and the least λ1 λ2.
+struct StretchRange {
+    float largestSquares = 0, leastArea = 0;
+};
+StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints& points,
+                          const std::array<const float*, 2>& moving, float inverseX,
+                          float inverseZ);
 // Adds the forces of a row of cells to a row of points: to the lower row (`sign` −1, `edge` the
 // first horizontal edges) or to the upper row (`sign` +1, the second ones).
 void addForces(std::size_t cells, float sign, const float* edge, const float* left,

@@ -124,9 +124,14 @@ concept FilmEquilibrium = requires(Film& film, Real drag, Real length, double nu
     // becomes the displacement.
     { film.force(drag) } -> std::same_as<FilmForce>;
     { film.forceAlong(length, drag) } -> std::same_as<FilmForce>;
-    // Solves H · step = −(the forces last taken) for the Newton step. The second number is the
-    // residual of no step at all, the third the one at which the search may stop.
-    film.solveLinear(drag, number, number);
+    // What is left on a point of the forces last taken; nothing on one that is held.
+    { film.forceOn(0) } -> std::same_as<Vector2<Real>>;
+    // Readies solveLinear() for the stiffness that the film has where the forces were last taken:
+    // which it is to solve for there or near by.
+    film.prepareLinear(drag);
+    // Solves H · step = −(the forces last taken) for the Newton step, H their derivative. The first
+    // number is the residual of no step at all, the second the one at which the search may stop.
+    film.solveLinear(drag, Tangent::True, number, number);
     // Remembers the displacement as where the step starts. Returns the farthest that the whole
     // step moves a point along X or Z, mm.
     { film.startOfStep() } -> std::same_as<double>;
@@ -137,6 +142,26 @@ concept FilmEquilibrium = requires(Film& film, Real drag, Real length, double nu
 
 template <typename Film>
 concept FilmBackend = FilmStorage<Film> && FilmTeam<Film> && FilmEquilibrium<Film>;
+
+// What the method of least residuals asks of such a device: vectors of a basis, and each of them
+// smoothed, which is M⁻¹ times it, M⁻¹ a multigrid cycle (GalerkinCycle.h).
+template <typename Film, typename Real = typename Film::Real>
+concept LeastResidualBackend = requires(Film& film, Real value, int count, double* column) {
+    // The team's small problem, in memory that all of it may read and write alike.
+    film.leastResiduals();
+    // No step yet, the residual being the forces.
+    film.startLinear();
+    // The first basis vector is `value` times the residual.
+    film.startBasis(value);
+    // Smooths basis vector `count` and makes the next one: H times the smoothed one, orthogonal to
+    // those before, of length one. Column `count` of the small problem's matrix becomes its
+    // products with these and its length.
+    film.extendBasis(count, value, Tangent::True);
+    // step −= the first `count` smoothed vectors, each times its weight in the small problem.
+    film.addToStep(count);
+    // The residual becomes forces + H · step. Returns its root of the sum of squares.
+    { film.linearResidual(value, Tangent::True) } -> std::same_as<double>;
+};
 
 // What conjugate gradients ask of such a device. `smoothed` is M⁻¹ times the residual, M⁻¹ a
 // multigrid cycle (MultigridCycle.h).

@@ -75,6 +75,7 @@ struct StepState {
     int steps = 0;
     bool anyAdhered = false;
     bool driven = false; // the contact line still pulls at the film
+    solver::EquilibriumAccount equilibrium;
 };
 
 } // namespace dipwright::numerics

@@ -67,6 +67,14 @@ DIPWRIGHT_TEAM inline double nextIncrement(Film& film) {
     return std::fmin(increment, approachIncrement(travel, nearestClearance(film, increment)));
 }
 
+DIPWRIGHT_TEAM inline void enter(const FoundEquilibrium& found,
+                                 solver::EquilibriumAccount& account) {
+    if (!found.isReached) {
+        ++account.stepsWithout;
+        account.worstForceLeft = std::fmax(account.worstForceLeft, found.left);
+    }
+}
+
 // Free points go on as in the step before: the warm start of the equilibrium.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void predict(Film& film, double increment) {
@@ -143,14 +151,14 @@ DIPWRIGHT_TEAM inline void setAnchors(Film& film) {
     });
 }
 
-// Holds the corners of film that is stretched too far. Whether this thread has.
+// Holds the corners of film that is stretched too far or folded. Whether this thread has any.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline bool holdTorn(Film& film) {
+DIPWRIGHT_TEAM inline bool holdLost(Film& film) {
     using Real = typename Film::Real;
     const FilmModel<Real>& model = film.model();
     bool any = false;
-    const auto holdIfTorn = [&](int triangle, const EdgePair<Real>& edges) {
-        if (isTorn(edges, model.edgeX, model.edgeZ, Real(model.tearStretch))) {
+    const auto holdIf = [&](bool isLost, int triangle) {
+        if (isLost) {
             for (const std::uint32_t point :
                  triangleCorners(model.columns, std::size_t(triangle)).points) {
                 film.hold(int(point));
@@ -158,31 +166,91 @@ DIPWRIGHT_TEAM inline bool holdTorn(Film& film) {
             any = true;
         }
     };
+    const auto isLost = [&](const EdgePair<Real>& edges) {
+        const TriangleStretch<Real> stretch = triangleStretch(edges, model.edgeX, model.edgeZ);
+        return isTorn(stretch, Real(model.tearStretch)) || isFolded(stretch);
+    };
     film.forStretched(
         Real(model.tearStretch),
-        [&](int triangle, const auto& crossing, const auto&) {
+        [&](int triangle, const auto& crossing, const auto& anchor) {
             if (film.triangleMoves(triangle)) {
-                holdIfTorn(triangle, unfoldedEdges(film.edges(triangle), crossing));
+                const EdgePair<Real> edges = unfoldedEdges(film.edges(triangle), crossing);
+                const Matrix2<Real> floating =
+                    floatingGradient(anchor, gradientOf(edges, film.shape(triangle)));
+                holdIf(isLost(edges) || determinant(floating) < Real(0), triangle);
             }
         },
         [&](int triangle) {
             if (film.triangleMoves(triangle)) {
-                holdIfTorn(triangle, film.edges(triangle));
+                holdIf(isLost(film.edges(triangle)), triangle);
             }
         });
     return any;
+}
+
+// Holds the points that keep the film from its rest: those on which the most force is left. Film
+// at its own free edge that is pushed together, or caught between two parts of the body, may have
+// no rest in the water plane; real film gives way out of it.
+template <FilmBackend Film>
+DIPWRIGHT_TEAM inline bool holdUnbalanced(Film& film) {
+    using Real = typename Film::Real;
+    const auto squareAt = [&](int point) {
+        const Vector2<Real> force = film.forceOn(point);
+        return force.x * force.x + force.z * force.z;
+    };
+    Real most(0);
+    film.forPoints([&](int point) { most = std::fmax(most, squareAt(point)); });
+    most = -film.least(-most);
+    bool any = false;
+    film.forPoints([&](int point) {
+        if (squareAt(point) >= Real(unbalancedShare * unbalancedShare) * most) {
+            film.hold(point);
+            any = true;
+        }
+    });
+    return any;
+}
+
+// mm that a point has come from its rest along X or Z, at most.
+template <FilmBackend Film>
+DIPWRIGHT_TEAM inline double farthestFromRest(Film& film) {
+    using Real = typename Film::Real;
+    Real farthest(0);
+    film.forPoints([&](int point) {
+        const Vector2<Real> way = film.displacement(point);
+        farthest = std::fmax(farthest, std::fmax(std::fabs(way.x), std::fabs(way.z)));
+    });
+    return double(-film.least(-farthest));
+}
+
+// The film at rest at the end of a step. What keeps it from that is held, and the search goes on.
+template <FilmBackend Film>
+DIPWRIGHT_TEAM inline FoundEquilibrium settle(Film& film, typename Film::Real drag) {
+    const double farthest = farthestFromRest(film);
+    FoundEquilibrium found = findEquilibrium(film, drag, farthest);
+    for (int holds = 0; holds < mostHolds && !found.isReached; ++holds) {
+        film.force(drag);
+        if (!film.anyOf(holdLost(film))) {
+            film.anyOf(holdUnbalanced(film));
+        }
+        film.setFree();
+        found = findEquilibrium(film, drag, farthest);
+    }
+    return found;
 }
 
 // Lets stretch decay to `keep` of it, rest shapes creeping to current ones (PlaneStress.h), and
 // makes the floating part of a crossing triangle stand for all of it.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void relax(Film& film, typename Film::Real keep) {
+    const auto& model = film.model();
     const auto onLine = [&](int triangle, const auto& crossing, const auto& anchor) {
         const auto shape = film.shape(triangle);
-        film.setShape(triangle,
-                      relaxedCrossingShape(
-                          anchor, gradientOf(unfoldedEdges(film.edges(triangle), crossing), shape),
-                          shape, keep));
+        const auto relaxed = relaxedCrossingShape(
+            anchor, gradientOf(unfoldedEdges(film.edges(triangle), crossing), shape), shape, keep);
+        if (isSoundShape(relaxed, model.edgeX, model.edgeZ)) {
+            film.setShape(triangle, relaxed);
+        }
     };
     if (keep == 1) {
         film.forCrossing(onLine);
@@ -277,12 +345,13 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
     const double end = dip.descent + increment;
     detail::predict(film, increment);
     film.barrier();
-    bool hasTorn = false;
+    bool hasLost = false;
     if (dip.anyAdhered) {
         detail::findContactLine(film, end, true);
         detail::moveAnchors(film);
-        findEquilibrium(film, Real(pointDrag(model.spacingX, model.spacingZ, increment)));
-        hasTorn = detail::holdTorn(film);
+        const Real drag = Real(pointDrag(model.spacingX, model.spacingZ, increment));
+        detail::enter(detail::settle(film, drag), dip.equilibrium);
+        hasLost = detail::holdLost(film);
         detail::relax(film, Real(keptStress(increment, motion.speed, model.relaxationTime)));
     }
     const bool hasTouched = detail::touch(film, increment);
@@ -294,7 +363,7 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
         }
         detail::setAnchors(film);
     }
-    if (film.anyOf(hasTorn || hasTouched)) {
+    if (film.anyOf(hasLost || hasTouched)) {
         film.setFree();
     }
     dip.descent = end;

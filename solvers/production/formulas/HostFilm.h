@@ -104,7 +104,8 @@ solver::DipState advance(Film& film, int maximumSteps) {
     for (int i = 0; i < maximumSteps && !isFinished(film); ++i) {
         step(film);
     }
-    return {film.state().steps, film.state().descent, isFinished(film)};
+    const StepState<typename Film::Real>& state = film.state();
+    return {state.steps, state.descent, isFinished(film), state.equilibrium};
 }
 
 } // namespace dipwright::numerics

@@ -12,7 +12,9 @@
 // and which way it turns would hang on nothing but the grid. (W is rank-one convex where the
 // second term's derivative g′ is at least −s.) Real film wrinkles out of the plane instead and
 // hardly resists any more. So below the mean stretch 4/5 the second term goes on as g′ = −s/2,
-// tangent to (s − 2)² there: the film still has one equilibrium, and it gathers evenly.
+// which is 2 (s − 2) there: the film still has one equilibrium, and it gathers evenly. A twentieth
+// of mean stretch to either side the two pass into each other smoothly: film at its free edge comes
+// to rest just there, where at a kink Newton's method would go to and fro.
 #pragma once
 
 #include "common/HostDevice.h"
@@ -37,12 +39,15 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> operator*(const Matrix2<Real>& m,
 
 // h′(s) where the film gathers; P = 2F + h(s)·R in all, see stress().
 inline constexpr double gatheredResistance = -1.5;
+// s within so much of where it begins to gather: there h passes from the one law to the other.
+inline constexpr double gatheringWidth = 0.1;
 
 // What the Hessian needs to remember of the point of linearisation.
 template <typename Real>
 struct StressState {
     Real cosine{}, sine{}; // of the rotation R
     Real turn{};           // h(s)/s, the coefficient of the rotation's own derivative
+    Real resists{};        // h′(s), that of the derivative of s
 };
 
 // P = ∂W/∂F at F, and the state for stressDerivative.
@@ -53,29 +58,61 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stress(const Matrix2<Real>& F,
     const Real s = std::sqrt(sum * sum + skew * skew) + Real(1e-12);
     const Real inverse = Real(1) / s;
     const Real cosine = sum * inverse, sine = skew * inverse;
-    // P = 2(F − R) + (s − 2)R = 2F + (s − 4)R, or 2F − 3/2·sR where the film gathers
+    // P = 2(F − R) + (s − 2)R = 2F + (s − 4)R, or 2F − 3/2·sR where the film gathers: the larger of
+    // the two, max(a, b) = (a + b + |a − b|)/2, with a parabola in place of |a − b| near zero.
+    constexpr double change = 1 - gatheredResistance; // of h′
     const Real firm = s - Real(4), gathered = Real(gatheredResistance) * s;
-    const Real rotation = firm > gathered ? firm : gathered;
-    state = {cosine, sine, rotation * inverse};
+    const Real difference = firm - gathered, width = Real(change * gatheringWidth);
+    const Real share = difference / width; // outside: beyond ±1
+    const Real within = share < Real(-1) ? Real(-1) : share > Real(1) ? Real(1) : share;
+    const Real size = difference < Real(0) ? -difference : difference;
+    const Real apart = within == share ? (difference * share + width) / Real(2) : size;
+    const Real rotation = (firm + gathered + apart) / Real(2);
+    state = {cosine, sine, rotation * inverse,
+             (Real(1 + gatheredResistance) + Real(change) * within) / Real(2)};
     return {Real(2) * F.a + rotation * cosine, Real(2) * F.b - rotation * sine,
             Real(2) * F.c + rotation * sine, Real(2) * F.d + rotation * cosine};
 }
 
-// dP for a change dF, at the point where `state` was taken: dR = (RJ : dF)/s · RJ enters with h/s.
-// Both h/s and h′ are held at −1, where a change of R or of s alone costs nothing, when the film is
-// compressed on the whole: the Hessian stays positive semi-definite.
+// Which derivative of the stress: the true one, with which Newton's method converges; or one made
+// positive semi-definite, which leads downhill from anywhere.
+enum class Tangent { True, Projected };
+
+// What a change of s and a change of R add to 2 dF: h′ and h/s.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stressDerivative(const Matrix2<Real>& dF,
-                                                            const StressState<Real>& state) {
+struct TangentFactors {
+    Real resists{}, turns{};
+};
+
+// Projected: both are held at −1, where a change of R or of s alone costs nothing, when the film is
+// compressed on the whole.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline TangentFactors<Real> tangentFactors(const StressState<Real>& state,
+                                                                 Tangent tangent) {
+    const auto atLeast = [tangent](Real value) {
+        return tangent == Tangent::True || value > Real(-1) ? value : Real(-1);
+    };
+    return {atLeast(state.resists), atLeast(state.turn)};
+}
+
+// dP for a change dF, at the point where `state` was taken: dR = (RJ : dF)/s · RJ enters with h/s.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
+stressDerivative(const Matrix2<Real>& dF, const StressState<Real>& state, Tangent tangent) {
     const Real cosine = state.cosine, sine = state.sine;
-    const Real resists = state.turn > Real(0.999 * gatheredResistance) ? Real(1) : Real(-1);
-    const Real turns = state.turn > Real(-1) ? state.turn : Real(-1);
-    const Real stretch = resists * (cosine * (dF.a + dF.d) + sine * (dF.c - dF.b)); // R : dF
-    const Real turn = turns * (cosine * (dF.c - dF.b) - sine * (dF.a + dF.d));      // RJ : dF
+    const TangentFactors<Real> factors = tangentFactors(state, tangent);
+    const Real stretch =
+        factors.resists * (cosine * (dF.a + dF.d) + sine * (dF.c - dF.b));             // R : dF
+    const Real turn = factors.turns * (cosine * (dF.c - dF.b) - sine * (dF.a + dF.d)); // RJ : dF
     return {Real(2) * dF.a + stretch * cosine - turn * sine,
             Real(2) * dF.b - stretch * sine - turn * cosine,
             Real(2) * dF.c + stretch * sine + turn * cosine,
             Real(2) * dF.d + stretch * cosine - turn * sine};
+}
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Real determinant(const Matrix2<Real>& m) {
+    return m.a * m.d - m.b * m.c;
 }
 
 template <typename Real>

@@ -8,20 +8,35 @@ namespace dipwright::numerics {
 // left on the free points, and the elastic ones within the film. Which share of the latter may be
 // left is no constant but a setting, solver::Settings::residual in FilmSolver.h.
 struct NewtonLimits {
-    int newtonSteps = 12;            // at most
-    int shortenings = 6;             // of one Newton step, by half each, at most
+    int newtonSteps = 24;     // at most
+    int stepsWithoutGain = 6; // given up after so many in which the forces left did not shrink by
+    double gain = 0.8;        // this factor from the least yet
+    int shortenings = 6;      // of one Newton step, by half each, at most
     double sufficientDecrease = 0.1; // of the forces left, times the share of the step taken
     // The residual of a Newton step's linear system: this share of the forces that may be left at
     // the end, or that share of those left now, whichever is larger.
     double linearShareOfAllowed = 0.5, linearShareOfLeft = 0.02;
-    // On a point, over the film's shear stiffness times 1 mm. Below it, on the average, the film is
-    // flat and whole to the precision of its numbers.
+    // On a point, over the film's shear stiffness times the farthest that a point has come from its
+    // rest, or 1 mm if that is less. Below it, on the average, the film is at rest to the precision
+    // of its numbers.
     double flatForce = 1e-6;
 };
+
+// A stiffer film's: over the film's shear stiffness, and from try to try.
+inline constexpr double leastStiffening = 0.5, mostStiffening = 8, stiffeningFactor = 4;
+
+// Film that finds no equilibrium: the points with at least such a share of the largest force on any
+// are held, and so many times over in one step.
+inline constexpr double unbalancedShare = 0.1;
+inline constexpr int mostHolds = 4;
 
 // A point moves at most so far in one Newton step: in cells, by their longer edge.
 inline constexpr double longestNewtonStep = 2;
 inline constexpr double shortestNewtonStep = 1e-30; // mm: only keeps a division from zero
+
+// The method of least residuals: vectors before it starts anew, and how often it does.
+inline constexpr int mostBasisVectors = 12;
+inline constexpr int mostRestarts = 4;
 
 // Conjugate gradients.
 inline constexpr int mostConjugateSteps = 40;

@@ -106,6 +106,7 @@ double ReferenceBackend::addTriangleForces(int number, Eigen::VectorXd& force,
 // Adds the derivative of these forces to each displacement of a moving point.
 void ReferenceBackend::addTriangleJacobian(const Triangle& triangle,
                                            const numerics::StressState<double>& state,
+                                           numerics::Tangent tangent,
                                            std::vector<Eigen::Triplet<double>>& entries) const {
     const std::array<std::size_t, 4> ends = endsOf(triangle);
     for (std::size_t moved = 0; moved < 4; ++moved) {
@@ -118,7 +119,8 @@ void ReferenceBackend::addTriangleJacobian(const Triangle& triangle,
             if (triangle.crossing >= 0) {
                 dF = floatingChange(anchors_[std::size_t(triangle.crossing)], dF);
             }
-            const std::array<double, 4> df = edgeForces(triangle, stressDerivative(dF, state));
+            const std::array<double, 4> df =
+                edgeForces(triangle, stressDerivative(dF, state, tangent));
             for (std::size_t end = 0; end < 4; ++end) {
                 const int row = unknown_[ends[end]];
                 for (int k = 0; row >= 0 && k < 2; ++k) {
@@ -158,11 +160,17 @@ numerics::FilmForce ReferenceBackend::forceAlong(double length, double drag) {
     return force(drag);
 }
 
-void ReferenceBackend::solveLinear(double drag, double, double) {
+numerics::Vector2<double> ReferenceBackend::forceOn(int point) const {
+    const int row = unknown_[std::size_t(point)];
+    return row < 0 ? numerics::Vector2<double>{}
+                   : numerics::Vector2<double>{force_[2 * row], force_[2 * row + 1]};
+}
+
+void ReferenceBackend::solveLinear(double drag, numerics::Tangent tangent, double, double) {
     std::vector<Eigen::Triplet<double>> entries;
     for (int triangle = 0; triangle < int(triangles_.size()); ++triangle) {
         if (triangleMoves(triangle)) {
-            addTriangleJacobian(at(triangle), states_[std::size_t(triangle)], entries);
+            addTriangleJacobian(at(triangle), states_[std::size_t(triangle)], tangent, entries);
         }
     }
     for (int i = 0; i < 2 * unknowns_; ++i) {

@@ -63,7 +63,9 @@ public:
     void setFree();
     numerics::FilmForce force(double drag);
     numerics::FilmForce forceAlong(double length, double drag);
-    void solveLinear(double drag, double start, double tolerance);
+    numerics::Vector2<double> forceOn(int point) const;
+    static void prepareLinear(double) {} // the direct solver needs none
+    void solveLinear(double drag, numerics::Tangent tangent, double start, double tolerance);
     double startOfStep();
     void keepBest() { best_ = displacement_; }
     void takeBest() { displacement_ = best_; }
@@ -87,6 +89,7 @@ private:
     double addTriangleForces(int triangle, Eigen::VectorXd& force,
                              numerics::StressState<double>& state) const;
     void addTriangleJacobian(const Triangle& triangle, const numerics::StressState<double>& state,
+                             numerics::Tangent tangent,
                              std::vector<Eigen::Triplet<double>>& entries) const;
 
     std::vector<Triangle> triangles_; // first and second of every cell

@@ -3,6 +3,8 @@
 
 #include "production/cpu/RowKernels.h"
 
+#include "production/formulas/EdgeStiffness.h"
+
 #include <QTest>
 #include <algorithm>
 #include <bit>
@@ -11,6 +13,7 @@
 
 using namespace dipwright;
 using namespace dipwright::cpu;
+using numerics::Tangent;
 
 namespace {
 
@@ -67,21 +70,27 @@ struct Cells {
 
 // Forces on the edges, and states, of a row of cells, one after the other.
 struct Edges {
-    explicit Edges(std::size_t count) : arrays(8, Row(count)), states(6, Row(count)) {}
+    explicit Edges(std::size_t count) : arrays(8, Row(count)), states(8, Row(count)) {}
     RowOfForces forces() {
         return {arrays[0].data(), arrays[1].data(), arrays[2].data(), arrays[3].data(),
                 arrays[4].data(), arrays[5].data(), arrays[6].data(), arrays[7].data()};
     }
     RowOfStates<float*> rowOfStates() {
         RowOfStates<float*> row;
-        row.states[0] = {states[0].data(), states[1].data(), states[2].data()};
-        row.states[1] = {states[3].data(), states[4].data(), states[5].data()};
+        for (std::size_t second = 0; second < 2; ++second) {
+            const std::size_t k = 4 * second;
+            row.states[second] = {states[k].data(), states[k + 1].data(), states[k + 2].data(),
+                                  states[k + 3].data()};
+        }
         return row;
     }
     RowOfStates<const float*> constStates() const {
         RowOfStates<const float*> row;
-        row.states[0] = {states[0].data(), states[1].data(), states[2].data()};
-        row.states[1] = {states[3].data(), states[4].data(), states[5].data()};
+        for (std::size_t second = 0; second < 2; ++second) {
+            const std::size_t k = 4 * second;
+            row.states[second] = {states[k].data(), states[k + 1].data(), states[k + 2].data(),
+                                  states[k + 3].data()};
+        }
         return row;
     }
     void put(std::size_t i, bool second, bool right, const numerics::EdgePair<float>& force) {
@@ -104,10 +113,10 @@ class RowKernelsTest : public QObject {
 private Q_SLOTS:
     void sums();
     void linearCombinations();
-    void multigridRows();
     void forcesOfCells();
+    void stiffnessOfTriangles();
     void forcesOnPoints();
-    void largestStretch();
+    void rangeOfStretch();
 };
 
 void RowKernelsTest::sums() {
@@ -146,43 +155,12 @@ void RowKernelsTest::linearCombinations() {
         };
         addScaled(count, factor, a.data(), out.data());
         QVERIFY(check([&](std::size_t i, float was) { return was + factor * a[i]; }));
-        scaleAndAdd(count, factor, b.data(), out.data());
-        QVERIFY(check([&](std::size_t i, float was) { return factor * was + b[i]; }));
+        scaleRow(count, factor, out.data());
+        QVERIFY(check([&](std::size_t, float was) { return factor * was; }));
         addDifference(count, factor, a.data(), b.data(), out.data());
         QVERIFY(check([&](std::size_t i, float was) { return was + factor * (a[i] - b[i]); }));
         multiplyBy(count, b.data(), out.data());
         QVERIFY(check([&](std::size_t i, float was) { return was * b[i]; }));
-        subtract(count, a.data(), out.data(), out.data());
-        QVERIFY(check([&](std::size_t i, float was) { return a[i] - was; }));
-    }
-}
-
-void RowKernelsTest::multigridRows() {
-    for (std::size_t count = 2; count <= longest; ++count) {
-        std::vector<Row> v;
-        for (unsigned seed = 0; seed < 7; ++seed) {
-            v.push_back(randomRow(count, seed));
-        }
-        const float along = 1.3f, across = 0.7f, keep = 0.4f, gain = 1.1f;
-        Row out(count), expected(count);
-        stencilRow(count, {v[0].data(), v[1].data(), v[2].data()},
-                   {v[3].data(), v[4].data(), v[5].data()}, along, across, v[6].data(), out.data());
-        for (std::size_t i = 1; i + 1 < count; ++i) {
-            const float second = 2 * (along + across) * v[1][i] -
-                                 along * (v[1][i - 1] + v[1][i + 1]) - across * (v[0][i] + v[2][i]);
-            const float mixed = (v[5][i + 1] - v[5][i - 1]) - (v[3][i + 1] - v[3][i - 1]);
-            expected[i] = v[6][i] * (second - 0.5f * mixed);
-        }
-        QVERIFY(haveSameBits(out, expected));
-
-        Row direction = v[2], result = v[3], expectedDirection = v[2], expectedResult = v[3];
-        chebyshevRow(count, keep, gain, v[0].data(), v[1].data(), direction.data(), result.data());
-        for (std::size_t i = 0; i < count; ++i) {
-            expectedDirection[i] = keep * expectedDirection[i] + gain * v[0][i] * v[1][i];
-            expectedResult[i] += expectedDirection[i];
-        }
-        QVERIFY(haveSameBits(direction, expectedDirection));
-        QVERIFY(haveSameBits(result, expectedResult));
     }
 }
 
@@ -191,12 +169,13 @@ void RowKernelsTest::forcesOfCells() {
         const Cells film(count);
         for (const bool isCrept : {false, true}) {
             for (const unsigned parity : {0u, 1u}) {
+                const Tangent tangent = parity == 0 ? Tangent::True : Tangent::Projected;
                 Edges gradient(count), expected(count);
                 gradientRow(count, parity, film.points(), film.rowOfShapes(isCrept), 1.02f, 0.97f,
                             gradient.rowOfStates(), gradient.forces());
                 Edges hessian = gradient, expectedHessian = gradient;
                 hessianRow(count, parity, film.points(), film.rowOfShapes(isCrept),
-                           gradient.constStates(), hessian.forces());
+                           gradient.constStates(), tangent, hessian.forces());
                 for (std::size_t i = 0; i < count; ++i) {
                     for (const bool second : {false, true}) {
                         const bool right = ((i + parity) % 2 == 0) != second;
@@ -210,16 +189,48 @@ void RowKernelsTest::forcesOfCells() {
                         states.cosine[i] = state.cosine;
                         states.sine[i] = state.sine;
                         states.turn[i] = state.turn;
+                        states.resists[i] = state.resists;
                         expected.put(i, second, right, edgeForces(P, shape, 0.5f));
                         const auto change =
                             gradientOf(cellEdges(film.points(), i, second, right, 0, 0), shape);
                         expectedHessian.put(
                             i, second, right,
-                            edgeForces(stressDerivative(change, state), shape, 0.5f));
+                            edgeForces(stressDerivative(change, state, tangent), shape, 0.5f));
                     }
                 }
                 QVERIFY(gradient == expected);
                 QVERIFY(hessian == expectedHessian);
+            }
+        }
+    }
+}
+
+void RowKernelsTest::stiffnessOfTriangles() {
+    for (std::size_t count = 1; count <= longest; ++count) {
+        const Cells film(count);
+        for (const bool isCrept : {false, true}) {
+            Edges edges(count);
+            gradientRow(count, 0, film.points(), film.rowOfShapes(isCrept), 0.8f, 0.75f,
+                        edges.rowOfStates(), edges.forces());
+            Row lines[2] = {Row(16 * count), Row(16 * count)};
+            stiffnessRow(count, film.rowOfShapes(isCrept), edges.constStates(),
+                         {lines[0].data(), count}, {lines[1].data(), count});
+            for (std::size_t i = 0; i < count; ++i) {
+                for (const bool second : {false, true}) {
+                    const auto states = edges.constStates().states[second];
+                    const auto stiffness = numerics::edgeStiffness<float>(
+                        film.shape(isCrept, second, i),
+                        {states.cosine[i], states.sine[i], states.turn[i], states.resists[i]},
+                        0.5f);
+                    Row expected, line;
+                    for (const auto& m : {stiffness.hh, stiffness.hv, stiffness.vh, stiffness.vv}) {
+                        expected.insert(expected.end(), {m.a, m.b, m.c, m.d});
+                    }
+                    for (std::size_t k = 0; k < 16; ++k) {
+                        line.push_back(lines[second][k * count + i]);
+                    }
+                    QVERIFY(haveSameBits(line, expected));
+                }
             }
         }
     }
@@ -242,23 +253,27 @@ void RowKernelsTest::forcesOnPoints() {
     }
 }
 
-void RowKernelsTest::largestStretch() {
+void RowKernelsTest::rangeOfStretch() {
     for (std::size_t count = 1; count <= longest; ++count) {
         const Cells film(count);
         const Row moving[2] = {randomRow(count, 5, 0, 1), randomRow(count, 6, 0, 1)};
         const float inverseX = 0.98f, inverseZ = 1.03f;
-        float largest = 0;
+        float largest = 0, least = 1;
         for (std::size_t i = 0; i < count; ++i) {
             for (const bool second : {false, true}) {
                 const auto e = cellEdges(film.points(), i, second, (i % 2 == 0) != second,
                                          1 / inverseX, 1 / inverseZ);
-                const float square = (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
-                                     (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
-                largest = std::max(largest, moving[second][i] * square);
+                const float squares = (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
+                                      (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
+                const float area = (e.hx * e.vz - e.vx * e.hz) * inverseX * inverseZ;
+                largest = std::max(largest, moving[second][i] * squares);
+                least = std::min(least, moving[second][i] * area);
             }
         }
-        QVERIFY(largestSquare(count, 0, film.points(), {moving[0].data(), moving[1].data()},
-                              inverseX, inverseZ) == largest);
+        const StretchRange range = stretchRange(
+            count, 0, film.points(), {moving[0].data(), moving[1].data()}, inverseX, inverseZ);
+        QVERIFY(range.largestSquares == largest);
+        QVERIFY(range.leastArea == least);
     }
 }
 

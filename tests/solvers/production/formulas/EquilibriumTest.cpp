@@ -1,11 +1,18 @@
-// The search for equilibrium, with the film stood in for by one spring: the smallest backend.
+// The search for equilibrium, with the film stood in for by one spring: the smallest backend; and
+// its linear systems, with a matrix in the film's place.
 
 #include "production/formulas/Equilibrium.h"
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
 
 using namespace dipwright::numerics;
 
@@ -27,6 +34,7 @@ struct Spring {
         return film;
     }
     static constexpr NewtonLimits newtonLimits() { return {}; }
+    StepState<double>& state() { return state_; }
     void setFree() {}
     FilmForce force(double) {
         ++forcesTaken;
@@ -36,9 +44,11 @@ struct Spring {
         x = start_ + length * step_;
         return force(drag);
     }
-    void solveLinear(double, double, double) {
+    Vector2<double> forceOn(int) const { return {pull(x), 0}; }
+    void prepareLinear(double) {}
+    void solveLinear(double drag, Tangent, double, double) {
         ++linearSolves;
-        step_ = -pull(x) / slope(x);
+        step_ = -pull(x) / (slope(x) + drag);
     }
     double startOfStep() {
         start_ = x;
@@ -48,6 +58,7 @@ struct Spring {
     void takeBest() { x = best_; }
 
 private:
+    StepState<double> state_;
     double start_ = 0, step_ = 0, best_ = 0;
 };
 static_assert(FilmEquilibrium<Spring>);
@@ -60,6 +71,90 @@ Spring spring(double x, std::function<double(double)> pull, std::function<double
     return film;
 }
 
+// `size` equations with so much on the diagonal, and other numbers up to 1 that are not symmetric;
+// smoothing divides by the diagonal.
+struct Matrix {
+    using Real = double;
+    using Vector = std::vector<double>;
+
+    Matrix(std::size_t size, double diagonal) : entries(size, Vector(size)), forces(size) {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> number(-1, 1);
+        for (std::size_t i = 0; i < size; ++i) {
+            std::ranges::generate(entries[i], [&] { return number(random); });
+            entries[i][i] = diagonal + double(i % 3);
+            forces[i] = number(random);
+        }
+        basis.resize(std::size_t(mostBasisVectors) + 1);
+        smoothed.resize(std::size_t(mostBasisVectors));
+    }
+
+    static double dot(const Vector& a, const Vector& b) {
+        return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+    }
+    static void add(double factor, const Vector& a, Vector& out) {
+        std::ranges::transform(out, a, out.begin(),
+                               [&](double was, double more) { return was + factor * more; });
+    }
+    Vector times(const Vector& v, double drag) const {
+        Vector product;
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            product.push_back(dot(entries[i], v) + drag * v[i]);
+        }
+        return product;
+    }
+    double left(double drag) const {
+        Vector sum = times(step, drag);
+        add(1, forces, sum);
+        return std::sqrt(dot(sum, sum));
+    }
+
+    StepState<double>& state() { return state_; }
+    LeastResiduals& leastResiduals() { return problem; }
+    void startLinear() {
+        step.assign(forces.size(), 0);
+        residual = forces;
+    }
+    void startBasis(double factor) {
+        basis[0].assign(forces.size(), 0);
+        add(factor, residual, basis[0]);
+    }
+    void extendBasis(int count, double drag, Tangent) {
+        const auto newest = std::size_t(count);
+        smoothed[newest] = basis[newest];
+        for (std::size_t i = 0; i < forces.size(); ++i) {
+            smoothed[newest][i] /= entries[i][i];
+        }
+        Vector next = times(smoothed[newest], drag);
+        for (std::size_t i = 0; i <= newest; ++i) {
+            problem.matrix[count][i] = dot(next, basis[i]);
+            add(-problem.matrix[count][i], basis[i], next);
+        }
+        const double size = std::sqrt(dot(next, next));
+        problem.matrix[count][count + 1] = size;
+        std::ranges::transform(next, next.begin(), [&](double v) { return v / size; });
+        basis[newest + 1] = next;
+    }
+    void addToStep(int count) {
+        for (int i = 0; i < count; ++i) {
+            add(-problem.weights[i], smoothed[std::size_t(i)], step);
+        }
+    }
+    double linearResidual(double drag, Tangent) {
+        residual = times(step, drag);
+        add(1, forces, residual);
+        return std::sqrt(dot(residual, residual));
+    }
+
+    std::vector<Vector> entries, basis, smoothed;
+    Vector forces, step, residual;
+    LeastResiduals problem;
+
+private:
+    StepState<double> state_;
+};
+static_assert(LeastResidualBackend<Matrix>);
+
 } // namespace
 
 class EquilibriumTest : public QObject {
@@ -71,12 +166,18 @@ private Q_SLOTS:
     void movesNoPointFartherThanTwoCells();
     void endsAtTheLeastForceMet();
     void stopsAtAStepThatIsNoNumber();
+    void turnsAStepUphillDown();
+    void farFromRestLessIsAskedFor();
+    void tellsHowTheSearchEnded();
+    void leastResidualsSolveUnsymmetricSystems();
+    void leastResidualsStartAnew();
+    void leastResidualsAreExactForSmallSystems();
 };
 
 void EquilibriumTest::filmAtRestIsLeftAlone() {
     Spring film = spring(
         3, [](double x) { return x - 3; }, [](double) { return 1.0; });
-    findEquilibrium(film, 0);
+    findEquilibrium(film, 0, 0);
     QCOMPARE(film.x, 3.0);
     QCOMPARE(film.linearSolves, 0);
 }
@@ -84,7 +185,7 @@ void EquilibriumTest::filmAtRestIsLeftAlone() {
 void EquilibriumTest::findsTheEquilibrium() {
     Spring film = spring(
         4, [](double x) { return x * x * x - 8; }, [](double x) { return 3 * x * x; });
-    findEquilibrium(film, 0);
+    findEquilibrium(film, 0, 0);
     QVERIFY(std::abs(film.pull(film.x)) <= 1e-6);
     QVERIFY(std::abs(film.x - 2) < 1e-6);
 }
@@ -93,7 +194,7 @@ void EquilibriumTest::findsTheEquilibrium() {
 void EquilibriumTest::shortensStepsThatGoTooFar() {
     Spring film = spring(
         3, [](double x) { return std::atan(x); }, [](double x) { return 1 / (1 + x * x); });
-    findEquilibrium(film, 0);
+    findEquilibrium(film, 0, 0);
     QVERIFY(std::abs(film.x) < 1e-6);
     QVERIFY(film.forcesTaken > film.linearSolves + 1);
 }
@@ -108,35 +209,100 @@ void EquilibriumTest::movesNoPointFartherThanTwoCells() {
             return x - 90;
         },
         [](double) { return 1.0; });
-    findEquilibrium(film, 0);
+    findEquilibrium(film, 0, 0);
     QVERIFY(std::abs(film.x - 90) < 1e-6);
     QVERIFY(farthest <= longestNewtonStep * 10 + 1e-9);
 }
 
-// No root: the film ends where the forces were least, not where the search stopped.
+// No root: the film ends where the forces were least after a step, not where the search stopped.
 void EquilibriumTest::endsAtTheLeastForceMet() {
-    double least = std::numeric_limits<double>::infinity(), where = 0;
+    double last = 0;
     Spring film = spring(
         0.7,
         [&](double x) {
-            const double force = x * x + 1;
-            where = force < least ? x : where;
-            least = std::min(least, force);
-            return force;
+            last = x;
+            return x * x + 1;
         },
         [](double x) { return 2 * x; });
-    findEquilibrium(film, 0);
-    QCOMPARE(film.x, where);
-    QCOMPARE(film.linearSolves, NewtonLimits().newtonSteps);
+    QVERIFY(!findEquilibrium(film, 0, 0).isReached);
+    QVERIFY(film.x != last);
+    QVERIFY(film.pull(film.x) < 1.001);
 }
 
 void EquilibriumTest::stopsAtAStepThatIsNoNumber() {
     Spring film = spring(
         1, [](double x) { return x - 5; },
         [](double) { return std::numeric_limits<double>::quiet_NaN(); });
-    findEquilibrium(film, 0);
+    QVERIFY(!findEquilibrium(film, 0, 0).isReached);
     QCOMPARE(film.x, 1.0);
-    QCOMPARE(film.linearSolves, 1);
+}
+
+// Film that gives way seems to pull the harder the more it is let go; a stiffer film's step leads
+// downhill.
+void EquilibriumTest::turnsAStepUphillDown() {
+    Spring film = spring(
+        4, [](double x) { return x - 3; }, [](double) { return -1.0; });
+    QVERIFY(findEquilibrium(film, 0, 0).isReached);
+    QVERIFY(std::abs(film.x - 3) < 1e-6);
+}
+
+// Forces that are but the rounding of places far away.
+void EquilibriumTest::farFromRestLessIsAskedFor() {
+    const double rounding = NewtonLimits().flatForce * 100;
+    Spring film = spring(
+        100, [&](double x) { return x < 100 ? 1 : rounding; }, [](double) { return 1.0; });
+    QVERIFY(!findEquilibrium(film, 0, 0).isReached);
+    film.linearSolves = 0;
+    film.x = 100;
+    QVERIFY(findEquilibrium(film, 0, 100).isReached);
+    QCOMPARE(film.linearSolves, 0);
+}
+
+void EquilibriumTest::tellsHowTheSearchEnded() {
+    Spring rests = spring(
+        4, [](double x) { return x - 3; }, [](double) { return 1.0; });
+    const FoundEquilibrium found = findEquilibrium(rests, 0, 0);
+    QVERIFY(found.isReached);
+    QVERIFY(found.left <= 1e-6);
+    QCOMPARE(rests.linearSolves, 1);
+    Spring none = spring(
+        0, [](double x) { return std::hypot(x, 0.5); },
+        [](double x) { return x / std::hypot(x, 0.5); });
+    const FoundEquilibrium missed = findEquilibrium(none, 0, 0);
+    QVERIFY(!missed.isReached);
+    QVERIFY(std::abs(missed.left - 0.5) < 1e-6); // the elastic forces are 1
+}
+
+void EquilibriumTest::leastResidualsSolveUnsymmetricSystems() {
+    for (const double tolerance : {1e-2, 1e-6, 1e-10}) {
+        Matrix film(10, 4);
+        leastResiduals(film, 0.3, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)),
+                       tolerance);
+        QVERIFY(film.left(0.3) <= tolerance * 1.001);
+    }
+}
+
+// More equations than basis vectors are kept.
+void EquilibriumTest::leastResidualsStartAnew() {
+    Matrix film(40, 12);
+    leastResiduals(film, 0, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)), 1e-9);
+    QVERIFY(film.state().equilibrium.linearIterations > mostBasisVectors);
+    QVERIFY(film.left(0) <= 1.001e-9);
+    // It stops where it is told to, restarted or not.
+    Matrix never(40, 0.5);
+    const double start = std::sqrt(Matrix::dot(never.forces, never.forces));
+    leastResiduals(never, 0, Tangent::True, start, 0);
+    QCOMPARE(never.state().equilibrium.linearIterations,
+             std::int64_t(mostBasisVectors * (mostRestarts + 1)));
+    QVERIFY(never.left(0) <= start);
+}
+
+// With as many vectors as equations nothing is left.
+void EquilibriumTest::leastResidualsAreExactForSmallSystems() {
+    Matrix film(5, 0.5);
+    leastResiduals(film, 0, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)), 1e-9);
+    QCOMPARE(film.state().equilibrium.linearIterations, std::int64_t(5));
+    QVERIFY(film.left(0) < 1e-9);
 }
 
 QTEST_GUILESS_MAIN(EquilibriumTest)

@@ -1,8 +1,11 @@
-// When film tears, and that the quick look never passes over film that has torn.
+// When film tears or folds, that the quick look never passes over film that has, and which rest
+// shapes are kept.
 #include "production/formulas/TearLaw.h"
 
 #include <QtTest>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 using namespace dipwright::numerics;
@@ -11,9 +14,22 @@ namespace {
 
 constexpr double spacingX = 1.75, spacingZ = 1.5; // mm
 
+TriangleStretch<double> stretched(const Matrix2<double>& F) {
+    return triangleStretch(
+        EdgePair<double>{F.a * spacingX, F.c * spacingX, F.b * spacingZ, F.d * spacingZ}, spacingX,
+        spacingZ);
+}
 bool torn(const Matrix2<double>& F, double limit) {
-    return isTorn(EdgePair<double>{F.a * spacingX, F.c * spacingX, F.b * spacingZ, F.d * spacingZ},
-                  spacingX, spacingZ, limit);
+    return isTorn(stretched(F), limit);
+}
+bool folded(const Matrix2<double>& F) {
+    return isFolded(stretched(F));
+}
+
+// Of a rest shape that has become F times the undeformed one.
+bool sound(const Matrix2<double>& F) {
+    return isSoundShape(Matrix2<double>{1 / spacingX, 0, 0, 1 / spacingZ} * inverse(F), spacingX,
+                        spacingZ);
 }
 
 } // namespace
@@ -22,7 +38,9 @@ class TearLawTest : public QObject {
     Q_OBJECT
 private slots:
     void tearsByLengthAndByArea();
+    void foldsWhenTurnedInsideOut();
     void quickLookMissesNothing();
+    void restShapesCreepOnlySoFar();
 };
 
 void TearLawTest::tearsByLengthAndByArea() {
@@ -37,19 +55,51 @@ void TearLawTest::tearsByLengthAndByArea() {
     QVERIFY(!torn({a, b, b, a}, 1.52));
 }
 
+void TearLawTest::foldsWhenTurnedInsideOut() {
+    QVERIFY(!folded({1, 0, 0, 1}));
+    QVERIFY(!folded({0.01, 0, 0, 0.01})); // gathered, but not folded
+    QVERIFY(!folded({-1, 0, 0, -1}));     // turned by half a circle
+    QVERIFY(folded({1, 0, 0, -0.01}));    // a corner past the opposite side
+    QVERIFY(folded({0, 1, 1, 0}));        // mirrored
+    QCOMPARE(stretched({1, 0, 0, -0.5}).area, -0.5);
+    QCOMPARE(stretched({1, 0, 0, -0.5}).larger, 1.0);
+}
+
+// Of one triangle, and of a row of two, of which the look has the largest and the least.
 void TearLawTest::quickLookMissesNothing() {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> entry(-3, 3), limits(1.05, 4);
-    int found = 0, passedOver = 0;
+    const auto squaresOf = [](const Matrix2<double>& F) {
+        return F.a * F.a + F.b * F.b + F.c * F.c + F.d * F.d;
+    };
+    int foundTorn = 0, foundFolded = 0, passedOver = 0;
     for (int i = 0; i < 20'000; ++i) {
         const Matrix2<double> F{entry(random), entry(random), entry(random), entry(random)};
+        const Matrix2<double> other{entry(random), entry(random), entry(random), entry(random)};
         const double limit = limits(random);
-        const bool mayBe = mayBeTorn(F.a * F.a + F.b * F.b + F.c * F.c + F.d * F.d, limit);
-        QVERIFY(mayBe || !torn(F, limit));
-        found += torn(F, limit) ? 1 : 0;
+        const bool mayBe = mayBeLost(squaresOf(F), stretched(F).area, limit);
+        const bool mayBeInRow =
+            mayBeLost(std::max(squaresOf(F), squaresOf(other)),
+                      std::min(stretched(F).area, stretched(other).area), limit);
+        const bool isLost = torn(F, limit) || folded(F);
+        QVERIFY(mayBe || !isLost);
+        QVERIFY(mayBeInRow || (!isLost && !torn(other, limit) && !folded(other)));
+        foundTorn += torn(F, limit) ? 1 : 0;
+        foundFolded += folded(F) && !torn(F, limit) ? 1 : 0;
         passedOver += mayBe ? 0 : 1;
     }
-    QVERIFY(found > 1000 && passedOver > 1000);
+    QVERIFY(foundTorn > 1000 && foundFolded > 1000 && passedOver > 1000);
+}
+
+void TearLawTest::restShapesCreepOnlySoFar() {
+    QVERIFY(sound({1, 0, 0, 1}));
+    QVERIFY(sound({1.5, 0.2, -0.1, 0.7}));
+    QVERIFY(sound({0.1, 0, 0, 10}));
+    QVERIFY(!sound({1, 0, 0, mostCrept * 1.01}));
+    QVERIFY(!sound({1 / (mostCrept * 1.01), 0, 0, 1}));
+    QVERIFY(!sound({1, 0, 0, -1})); // inside out
+    const double none = std::nan("");
+    QVERIFY(!isSoundShape(Matrix2<double>{none, 0, 0, none}, spacingX, spacingZ));
 }
 
 QTEST_APPLESS_MAIN(TearLawTest)

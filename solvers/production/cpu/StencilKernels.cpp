@@ -1,0 +1,364 @@
+// As in RowKernels.cpp: the hot loops of few operations in Highway's vectors, the others left to
+// the compiler to vectorise for each of Highway's instruction sets.
+
+#include "production/cpu/StencilKernels.h"
+
+#include "production/cpu/IndependentLoop.h"
+#include "production/formulas/EdgeStiffness.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "production/cpu/StencilKernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace dipwright::cpu::HWY_NAMESPACE {
+
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using numerics::CellPoint;
+using numerics::EdgeStiffness;
+using numerics::Matrix2;
+
+using Lanes = hn::CappedTag<float, 16>;
+using Vector = hn::Vec<Lanes>;
+constexpr Lanes lanes;
+
+HWY_INLINE Vector load(const float* from) {
+    return hn::LoadU(lanes, from);
+}
+
+HWY_INLINE Matrix2<float> blockAt(const Lines<const float>& lines, std::size_t block,
+                                  std::size_t i) {
+    const std::size_t line = 4 * block;
+    return {lines[line][i], lines[line + 1][i], lines[line + 2][i], lines[line + 3][i]};
+}
+HWY_INLINE EdgeStiffness<float> triangleAt(const Lines<const float>& lines, std::size_t i) {
+    return {blockAt(lines, 0, i), blockAt(lines, 1, i), blockAt(lines, 2, i), blockAt(lines, 3, i)};
+}
+HWY_INLINE void addBlock(const Lines<float>& stencil, int row, int column, std::size_t i,
+                         const Matrix2<float>& block) {
+    const std::size_t line = 4 * std::size_t(3 * (row + 1) + column + 1);
+    stencil[line][i] += block.a;
+    stencil[line + 1][i] += block.b;
+    stencil[line + 2][i] += block.c;
+    stencil[line + 3][i] += block.d;
+}
+
+template <CellPoint point>
+HWY_INLINE void addCellPoint(std::size_t cells, unsigned parity, RowOfTriangles triangles,
+                             Lines<float> stencil) {
+    constexpr bool isLower = point == CellPoint::LowerLeft || point == CellPoint::LowerRight;
+    constexpr bool isLeft = point == CellPoint::LowerLeft || point == CellPoint::UpperLeft;
+    constexpr int below = isLower ? 0 : -1, left = isLeft ? 0 : -1;
+    DIPWRIGHT_INDEPENDENT_LOOP
+    for (std::size_t i = 0; i < cells; ++i) {
+        const bool even = ((unsigned(i) + parity) & 1u) == 0;
+        const auto row = numerics::cellRow<point>(triangleAt(triangles.first, i),
+                                                  triangleAt(triangles.second, i), even);
+        const std::size_t at = i + (isLeft ? 0 : 1);
+        addBlock(stencil, below, left, at, row.toLowerLeft);
+        addBlock(stencil, below, left + 1, at, row.toLowerRight);
+        addBlock(stencil, below + 1, left, at, row.toUpperLeft);
+        addBlock(stencil, below + 1, left + 1, at, row.toUpperRight);
+    }
+}
+
+void addToStencils(std::size_t cells, unsigned parity, const RowOfTriangles& triangles,
+                   const Lines<float>& lower, const Lines<float>& upper) {
+    if (lower.first != nullptr) {
+        addCellPoint<CellPoint::LowerLeft>(cells, parity, triangles, lower);
+        addCellPoint<CellPoint::LowerRight>(cells, parity, triangles, lower);
+    }
+    if (upper.first != nullptr) {
+        addCellPoint<CellPoint::UpperLeft>(cells, parity, triangles, upper);
+        addCellPoint<CellPoint::UpperRight>(cells, parity, triangles, upper);
+    }
+}
+
+void holdPoints(std::size_t columns, const RowsOfFree& free, float drag, const float* area,
+                const Lines<float>& stencil) {
+    for (std::size_t neighbour = 0; neighbour < 9; ++neighbour) {
+        const float* ofRow = neighbour < 3 ? free.below : neighbour < 6 ? free.here : free.above;
+        const float* there = ofRow + neighbour % 3;
+        const float* here = free.here + 1;
+        for (std::size_t line = 4 * neighbour; line < 4 * neighbour + 4; ++line) {
+            float* out = stencil[line];
+            DIPWRIGHT_INDEPENDENT_LOOP
+            for (std::size_t i = 0; i < columns; ++i) {
+                out[i] *= here[i] * there[i];
+            }
+        }
+    }
+    float *xx = stencil[middleLine], *zz = stencil[middleLine + 3];
+    DIPWRIGHT_INDEPENDENT_LOOP
+    for (std::size_t i = 0; i < columns; ++i) {
+        const float own = drag * area[i] * free.here[i + 1];
+        xx[i] += own;
+        zz[i] += own;
+    }
+}
+
+void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
+                  const Lines<float>& inverse) {
+    constexpr float leastDeterminant = 1e-4f; // over the square of the trace
+    for (std::size_t i = 0; i < columns; ++i) {
+        const Matrix2<float> own = blockAt(stencil, middleLine / 4, i);
+        const float mixed = (own.b + own.c) / 2, trace = own.a + own.d;
+        const float determinant = own.a * own.d - mixed * mixed;
+        const bool isRegular = trace > 0 && determinant > leastDeterminant * trace * trace;
+        const float scale = isRegular ? 1 / determinant : 0;
+        const float common = !isRegular && trace > 0 ? 1 / trace : 0;
+        inverse[0][i] = own.d * scale + common;
+        inverse[1][i] = -mixed * scale;
+        inverse[2][i] = own.a * scale + common;
+    }
+}
+
+// The shares of fine points and of their neighbours in coarse ones: a fine point on a coarse one
+// belongs to it, one between two to each by half. So of a fine operator a at a coarse point (0),
+// and at the fine points before (−) and after (+) it, the coarse point's
+//     answer to the one before it  = ½ a0[−] + ½ (½ a−[0] + a−[−])
+//     answer to itself             = a0[0] + ½ a0[−] + ½ a0[+] + ½ (½ a−[0] + a−[+])
+//                                    + ½ (½ a+[0] + a+[−])
+//     answer to the one after it   = ½ a0[+] + ½ (½ a+[0] + a+[+]).
+void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
+                   const Lines<float>& coarse) {
+    constexpr std::size_t linesOfRow = stencilLines / 3;
+    for (std::size_t line = 0; line < linesOfRow; ++line) {
+        const float* below = fine[line];
+        const float* own = fine[line + linesOfRow];
+        const float* above = fine[line + 2 * linesOfRow];
+        float* toBelow = coarse[line];
+        float* toOwn = coarse[line + linesOfRow];
+        float* toAbove = coarse[line + 2 * linesOfRow];
+        if (offset == 0) {
+            DIPWRIGHT_INDEPENDENT_LOOP
+            for (std::size_t i = 0; i < columns; ++i) {
+                toBelow[i] += 0.5f * below[i];
+                toOwn[i] += own[i] + 0.5f * (below[i] + above[i]);
+                toAbove[i] += 0.5f * above[i];
+            }
+        } else {
+            const float* away = offset < 0 ? below : above;
+            const float* back = offset < 0 ? above : below;
+            float* toAway = offset < 0 ? toBelow : toAbove;
+            DIPWRIGHT_INDEPENDENT_LOOP
+            for (std::size_t i = 0; i < columns; ++i) {
+                toAway[i] += 0.5f * (0.5f * own[i] + away[i]);
+                toOwn[i] += 0.5f * (0.5f * own[i] + back[i]);
+            }
+        }
+    }
+}
+
+void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
+                  const Lines<float>& coarse) {
+    const std::size_t whole = (fineColumns - 1) / 2; // coarse points 1 … whole − 1 have both sides
+    for (std::size_t ofRow = 0; ofRow < stencilLines; ofRow += stencilLines / 3) {
+        for (std::size_t line = ofRow; line < ofRow + 4; ++line) {
+            const float* before = fine[line];
+            const float* own = fine[line + 4];
+            const float* after = fine[line + 8];
+            float* toBefore = coarse[line];
+            float* toOwn = coarse[line + 4];
+            float* toAfter = coarse[line + 8];
+            const auto give = [&](std::size_t c, bool hasBefore, bool hasHere, bool hasAfter) {
+                const std::size_t i = 2 * c;
+                float outBefore = 0, outOwn = 0, outAfter = 0;
+                if (hasHere) {
+                    outBefore += 0.5f * before[i];
+                    outOwn += own[i] + 0.5f * (before[i] + after[i]);
+                    outAfter += 0.5f * after[i];
+                }
+                if (hasBefore) {
+                    outBefore += 0.5f * (0.5f * own[i - 1] + before[i - 1]);
+                    outOwn += 0.5f * (0.5f * own[i - 1] + after[i - 1]);
+                }
+                if (hasAfter) {
+                    outOwn += 0.5f * (0.5f * own[i + 1] + before[i + 1]);
+                    outAfter += 0.5f * (0.5f * own[i + 1] + after[i + 1]);
+                }
+                toBefore[c] = outBefore;
+                toOwn[c] = outOwn;
+                toAfter[c] = outAfter;
+            };
+            give(0, false, true, fineColumns > 1);
+            DIPWRIGHT_INDEPENDENT_LOOP
+            for (std::size_t c = 1; c < whole; ++c) {
+                give(c, true, true, true);
+            }
+            for (std::size_t c = whole > 1 ? whole : 1; c <= fineColumns / 2; ++c) {
+                give(c, true, 2 * c < fineColumns, 2 * c + 1 < fineColumns);
+            }
+        }
+    }
+}
+
+struct Pair {
+    Vector x, z;
+};
+
+// K now at points i, i + 1, …: of the nine neighbours, row after row.
+HWY_INLINE Pair product(const Lines<const float>& stencil, std::size_t pitch,
+                        const RowOfVectors<const float>& now, std::size_t i) {
+    Pair sum{hn::Zero(lanes), hn::Zero(lanes)};
+    for (std::size_t neighbour = 0; neighbour < 9; ++neighbour) {
+        const std::ptrdiff_t to = (std::ptrdiff_t(neighbour / 3) - 1) * std::ptrdiff_t(pitch) +
+                                  std::ptrdiff_t(neighbour % 3) - 1 + std::ptrdiff_t(i);
+        const Vector x = load(now.x + to), z = load(now.z + to);
+        const std::size_t line = 4 * neighbour;
+        sum.x = hn::Add(sum.x, hn::Add(hn::Mul(load(stencil[line] + i), x),
+                                       hn::Mul(load(stencil[line + 1] + i), z)));
+        sum.z = hn::Add(sum.z, hn::Add(hn::Mul(load(stencil[line + 2] + i), x),
+                                       hn::Mul(load(stencil[line + 3] + i), z)));
+    }
+    return sum;
+}
+
+// Every row has room for whole vectors past its end, of which the stencils and inverses are zero.
+HWY_INLINE void takeStep(const ChebyshevRow& row, std::size_t i, const Pair& residual,
+                         const Pair& now) {
+    const Vector gain = hn::Set(lanes, row.gain), keep = hn::Set(lanes, row.keep);
+    const Vector xx = load(row.inverse[0] + i), xz = load(row.inverse[1] + i),
+                 zz = load(row.inverse[2] + i);
+    const Vector x = hn::Add(hn::Mul(xx, residual.x), hn::Mul(xz, residual.z));
+    const Vector z = hn::Add(hn::Mul(xz, residual.x), hn::Mul(zz, residual.z));
+    const Vector dx = hn::Add(hn::Mul(keep, load(row.direction.x + i)), hn::Mul(gain, x));
+    const Vector dz = hn::Add(hn::Mul(keep, load(row.direction.z + i)), hn::Mul(gain, z));
+    hn::StoreU(dx, lanes, row.direction.x + i);
+    hn::StoreU(dz, lanes, row.direction.z + i);
+    hn::StoreU(hn::Add(now.x, dx), lanes, row.result.x + i);
+    hn::StoreU(hn::Add(now.z, dz), lanes, row.result.z + i);
+}
+
+HWY_INLINE Pair residualAt(const Lines<const float>& stencil, std::size_t pitch,
+                           const RowOfVectors<const float>& right,
+                           const RowOfVectors<const float>& now, std::size_t i) {
+    const Pair force = product(stencil, pitch, now, i);
+    return {hn::Sub(load(right.x + i), force.x), hn::Sub(load(right.z + i), force.z)};
+}
+
+void smoothFirst(std::size_t columns, const ChebyshevRow& row) {
+    const Pair nothing{hn::Zero(lanes), hn::Zero(lanes)};
+    for (std::size_t i = 0; i < columns; i += hn::Lanes(lanes)) {
+        takeStep(row, i, {load(row.right.x + i), load(row.right.z + i)}, nothing);
+    }
+}
+
+void smoothRow(std::size_t columns, std::size_t pitch, const ChebyshevRow& row,
+               const Lines<const float>& stencil, const RowOfVectors<const float>& now) {
+    for (std::size_t i = 0; i < columns; i += hn::Lanes(lanes)) {
+        takeStep(row, i, residualAt(stencil, pitch, row.right, now, i),
+                 {load(now.x + i), load(now.z + i)});
+    }
+}
+
+void residualRow(std::size_t columns, std::size_t pitch, const Lines<const float>& stencil,
+                 const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
+                 const RowOfVectors<float>& residual) {
+    for (std::size_t i = 0; i < columns; i += hn::Lanes(lanes)) {
+        const Pair left = residualAt(stencil, pitch, right, now, i);
+        hn::StoreU(left.x, lanes, residual.x + i);
+        hn::StoreU(left.z, lanes, residual.z + i);
+    }
+}
+
+void restrictRow(std::size_t fineColumns, std::size_t coarseColumns, std::size_t finePitch,
+                 const float* fine, float* sum, float* coarse) {
+    const float *below = fine - finePitch, *above = fine + finePitch;
+    sum[0] = 0;
+    DIPWRIGHT_INDEPENDENT_LOOP
+    for (std::size_t i = 0; i < fineColumns; ++i) {
+        sum[i + 1] = fine[i] + 0.5f * (below[i] + above[i]);
+    }
+    sum[fineColumns + 1] = sum[fineColumns + 2] = 0;
+    DIPWRIGHT_INDEPENDENT_LOOP
+    for (std::size_t c = 0; c < coarseColumns; ++c) {
+        coarse[c] = sum[2 * c + 1] + 0.5f * (sum[2 * c] + sum[2 * c + 2]);
+    }
+}
+
+void interpolateRow(std::size_t fineColumns, const float* lower, const float* upper,
+                    const float* factor, float* fine) {
+    const auto weight = [&](std::size_t i) { return factor != nullptr ? factor[i] : 1.f; };
+    const std::size_t pairs = fineColumns / 2;
+    DIPWRIGHT_INDEPENDENT_LOOP
+    for (std::size_t c = 0; c < pairs; ++c) {
+        const float here = lower[c] + upper[c], next = lower[c + 1] + upper[c + 1];
+        fine[2 * c] += weight(2 * c) * (0.5f * here);
+        fine[2 * c + 1] += weight(2 * c + 1) * (0.25f * (here + next));
+    }
+    if (fineColumns % 2 != 0) {
+        fine[2 * pairs] += weight(2 * pairs) * (0.5f * (lower[pairs] + upper[pairs]));
+    }
+}
+
+} // namespace
+
+} // namespace dipwright::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace dipwright::cpu {
+
+namespace {
+
+HWY_EXPORT(addToStencils);
+HWY_EXPORT(holdPoints);
+HWY_EXPORT(invertMiddle);
+HWY_EXPORT(coarsenAcross);
+HWY_EXPORT(coarsenAlong);
+HWY_EXPORT(smoothFirst);
+HWY_EXPORT(smoothRow);
+HWY_EXPORT(residualRow);
+HWY_EXPORT(restrictRow);
+HWY_EXPORT(interpolateRow);
+
+} // namespace
+
+void addToStencils(std::size_t cells, unsigned parity, const RowOfTriangles& triangles,
+                   const Lines<float>& lower, const Lines<float>& upper) {
+    HWY_DYNAMIC_DISPATCH(addToStencils)(cells, parity, triangles, lower, upper);
+}
+void holdPoints(std::size_t columns, const RowsOfFree& free, float drag, const float* area,
+                const Lines<float>& stencil) {
+    HWY_DYNAMIC_DISPATCH(holdPoints)(columns, free, drag, area, stencil);
+}
+void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
+                  const Lines<float>& inverse) {
+    HWY_DYNAMIC_DISPATCH(invertMiddle)(columns, stencil, inverse);
+}
+void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
+                   const Lines<float>& coarse) {
+    HWY_DYNAMIC_DISPATCH(coarsenAcross)(columns, offset, fine, coarse);
+}
+void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
+                  const Lines<float>& coarse) {
+    HWY_DYNAMIC_DISPATCH(coarsenAlong)(fineColumns, fine, coarse);
+}
+void smoothFirst(std::size_t columns, const ChebyshevRow& row) {
+    HWY_DYNAMIC_DISPATCH(smoothFirst)(columns, row);
+}
+void smoothRow(std::size_t columns, std::size_t pitch, const ChebyshevRow& row,
+               const Lines<const float>& stencil, const RowOfVectors<const float>& now) {
+    HWY_DYNAMIC_DISPATCH(smoothRow)(columns, pitch, row, stencil, now);
+}
+void residualRow(std::size_t columns, std::size_t pitch, const Lines<const float>& stencil,
+                 const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
+                 const RowOfVectors<float>& residual) {
+    HWY_DYNAMIC_DISPATCH(residualRow)(columns, pitch, stencil, right, now, residual);
+}
+void restrictRow(std::size_t fineColumns, std::size_t coarseColumns, std::size_t finePitch,
+                 const float* fine, float* sum, float* coarse) {
+    HWY_DYNAMIC_DISPATCH(restrictRow)(fineColumns, coarseColumns, finePitch, fine, sum, coarse);
+}
+void interpolateRow(std::size_t fineColumns, const float* lower, const float* upper,
+                    const float* factor, float* fine) {
+    HWY_DYNAMIC_DISPATCH(interpolateRow)(fineColumns, lower, upper, factor, fine);
+}
+
+} // namespace dipwright::cpu
+#endif

@@ -1,0 +1,230 @@
+#include "production/cpu/StiffnessMultigrid.h"
+
+#include "common/cpu/RowParallel.h"
+#include "production/formulas/GalerkinCycle.h"
+
+#include <span>
+#include <utility>
+
+namespace dipwright::cpu {
+
+namespace {
+
+using namespace numerics::galerkin;
+
+constexpr std::size_t margin = 16;          // before a row: its vectors start aligned
+constexpr std::size_t widestVector = 16;    // past a row's end
+constexpr int rowsBelow = 1, rowsAbove = 2; // of zeros
+
+std::size_t pitchOf(int columns) {
+    return margin + (std::size_t(columns) + 2 * widestVector) / widestVector * widestVector;
+}
+
+} // namespace
+
+StiffnessMultigrid::Level::Level(int columnCount, int rowCount)
+    : columns(columnCount), rows(rowCount), pitch(pitchOf(columnCount)),
+      stencils(std::size_t(rowCount) * stencilLines * pitch),
+      inverses(std::size_t(rowCount) * inverseLines * pitch) {
+    const std::size_t count = std::size_t(rows + rowsBelow + rowsAbove) * pitch + margin;
+    for (Vectors* vectors : {&right, &now, &next, &direction}) {
+        vectors->x.assign(count, 0.f);
+        vectors->z.assign(count, 0.f);
+    }
+}
+
+std::size_t StiffnessMultigrid::Level::at(int row) const {
+    return std::size_t(row + rowsBelow) * pitch + margin;
+}
+Lines<float> StiffnessMultigrid::Level::stencil(int row) {
+    return {stencils.data() + std::size_t(row) * stencilLines * pitch, pitch};
+}
+Lines<float> StiffnessMultigrid::Level::inverse(int row) {
+    return {inverses.data() + std::size_t(row) * inverseLines * pitch, pitch};
+}
+RowOfVectors<float> StiffnessMultigrid::Level::row(Vectors& vectors, int row) const {
+    return {vectors.x.data() + at(row), vectors.z.data() + at(row)};
+}
+RowOfVectors<const float> StiffnessMultigrid::Level::row(const Vectors& vectors, int row) const {
+    return {vectors.x.data() + at(row), vectors.z.data() + at(row)};
+}
+
+namespace {
+
+Lines<const float> constant(const Lines<float>& lines) {
+    return {lines.first, lines.pitch};
+}
+
+} // namespace
+
+StiffnessMultigrid::StiffnessMultigrid(const solver::FilmGrid& grid)
+    : free_(std::size_t(grid.columns + 2) * std::size_t(grid.rows + 2), 0.f) {
+    int columns = grid.columns, rows = grid.rows;
+    levels_.emplace_back(columns, rows);
+    while (!isCoarsest(columns, rows)) {
+        columns = coarser(columns);
+        rows = coarser(rows);
+        levels_.emplace_back(columns, rows);
+    }
+}
+
+void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float>& free,
+                                  const std::vector<float>& area, float drag) {
+    Level& level = levels_.front();
+    const std::size_t width = std::size_t(level.columns), padded = width + 2;
+    const auto freeRow = [&](int row) { return free_.data() + std::size_t(row + 1) * padded; };
+    for (int row = 0; row < level.rows; ++row) {
+        std::copy_n(free.data() + std::size_t(row) * width, width, freeRow(row) + 1);
+    }
+    forRowBands(level.rows, level.columns, [&](int begin, int end) {
+        std::vector<float> lines(2 * triangleLines * width);
+        const Lines<float> first{lines.data(), width},
+            second{lines.data() + triangleLines * width, width};
+        std::fill(level.stencil(begin).first,
+                  level.stencil(begin).first +
+                      std::size_t(end - begin) * stencilLines * level.pitch,
+                  0.f);
+        // A row of cells between two bands is taken for both.
+        for (int j = std::max(begin - 1, 0); j < std::min(end, level.rows - 1); ++j) {
+            film.stiffness(j, first, second);
+            addToStencils(width - 1, unsigned(j) & 1u, {constant(first), constant(second)},
+                          j >= begin ? level.stencil(j) : Lines<float>{},
+                          j + 1 < end ? level.stencil(j + 1) : Lines<float>{});
+        }
+        for (int row = begin; row < end; ++row) {
+            holdPoints(width, {freeRow(row - 1), freeRow(row), freeRow(row + 1)}, drag,
+                       area.data() + std::size_t(row) * width, level.stencil(row));
+        }
+    });
+}
+
+void StiffnessMultigrid::coarsen(Level& fine, Level& coarse) {
+    forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
+        std::vector<float> across(stencilLines * fine.pitch);
+        const Lines<float> lines{across.data(), fine.pitch};
+        for (int row = begin; row < end; ++row) {
+            std::fill(across.begin(), across.end(), 0.f);
+            for (int offset = -1; offset <= 1; ++offset) {
+                const int from = 2 * row + offset;
+                if (from >= 0 && from < fine.rows) {
+                    coarsenAcross(std::size_t(fine.columns), offset, constant(fine.stencil(from)),
+                                  lines);
+                }
+            }
+            coarsenAlong(std::size_t(fine.columns), constant(lines), coarse.stencil(row));
+        }
+    });
+}
+
+void StiffnessMultigrid::invert(Level& level) {
+    forRowBands(level.rows, level.columns, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row) {
+            invertMiddle(std::size_t(level.columns), constant(level.stencil(row)),
+                         level.inverse(row));
+        }
+    });
+}
+
+void StiffnessMultigrid::prepare(const PlaneFilm& film, const std::vector<float>& free,
+                                 const std::vector<float>& area, float drag) {
+    assemble(film, free, area, drag);
+    for (std::size_t index = 0; index < levels_.size(); ++index) {
+        if (index > 0) {
+            coarsen(levels_[index - 1], levels_[index]);
+        }
+        invert(levels_[index]);
+    }
+}
+
+// From `now`, or from zero; to `now`.
+void StiffnessMultigrid::smooth(Level& level, std::span<const ChebyshevStep> steps, bool fromZero) {
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        const bool isFirst = fromZero && k == 0;
+        forRowBands(level.rows, level.columns, [&](int begin, int end) {
+            for (int row = begin; row < end; ++row) {
+                const ChebyshevRow step{steps[k].keep,
+                                        steps[k].gain,
+                                        constant(level.inverse(row)),
+                                        level.row(std::as_const(level.right), row),
+                                        level.row(level.direction, row),
+                                        level.row(level.next, row)};
+                if (isFirst) {
+                    smoothFirst(std::size_t(level.columns), step);
+                } else {
+                    smoothRow(std::size_t(level.columns), level.pitch, step,
+                              constant(level.stencil(row)),
+                              level.row(std::as_const(level.now), row));
+                }
+            }
+        });
+        std::swap(level.now, level.next);
+    }
+}
+
+void StiffnessMultigrid::restrictResidual(Level& fine, Level& coarse) {
+    forRowBands(fine.rows, fine.columns, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row) {
+            residualRow(std::size_t(fine.columns), fine.pitch, constant(fine.stencil(row)),
+                        fine.row(std::as_const(fine.right), row),
+                        fine.row(std::as_const(fine.now), row), fine.row(fine.next, row));
+        }
+    });
+    forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
+        std::vector<float> sum(std::size_t(fine.columns) + 3);
+        const auto restricted = [&](const std::vector<float>& from, std::vector<float>& to,
+                                    int row) {
+            restrictRow(std::size_t(fine.columns), std::size_t(coarse.columns), fine.pitch,
+                        from.data() + fine.at(2 * row), sum.data(), to.data() + coarse.at(row));
+        };
+        for (int row = begin; row < end; ++row) {
+            restricted(fine.next.x, coarse.right.x, row);
+            restricted(fine.next.z, coarse.right.z, row);
+        }
+    });
+}
+
+void StiffnessMultigrid::addCorrection(const Level& coarse, Level& fine, bool isFinest) const {
+    forRowBands(fine.rows, fine.columns, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row) {
+            const RowOfVectors<const float> lower = coarse.row(coarse.now, row / 2),
+                                            upper = coarse.row(coarse.now, (row + 1) / 2);
+            const RowOfVectors<float> to = fine.row(fine.now, row);
+            const std::size_t columns = std::size_t(fine.columns);
+            const float* free =
+                isFinest ? free_.data() + std::size_t(row + 1) * (columns + 2) + 1 : nullptr;
+            interpolateRow(columns, lower.x, upper.x, free, to.x);
+            interpolateRow(columns, lower.z, upper.z, free, to.z);
+        }
+    });
+}
+
+void StiffnessMultigrid::cycle(std::size_t index) {
+    Level& level = levels_[index];
+    if (index + 1 == levels_.size()) {
+        smooth(level, coarsestSteps, true);
+        return;
+    }
+    smooth(level, smoothingSteps, true);
+    restrictResidual(level, levels_[index + 1]);
+    cycle(index + 1);
+    addCorrection(levels_[index + 1], level, index == 0);
+    smooth(level, smoothingSteps, false);
+}
+
+void StiffnessMultigrid::apply(const PlaneVector& right, PlaneVector& result) {
+    Level& finest = levels_.front();
+    const std::size_t width = std::size_t(finest.columns);
+    for (int row = 0; row < finest.rows; ++row) {
+        const std::size_t from = std::size_t(row) * width, to = finest.at(row);
+        std::copy_n(right.x.data() + from, width, finest.right.x.data() + to);
+        std::copy_n(right.z.data() + from, width, finest.right.z.data() + to);
+    }
+    cycle(0);
+    for (int row = 0; row < finest.rows; ++row) {
+        const std::size_t from = finest.at(row), to = std::size_t(row) * width;
+        std::copy_n(finest.now.x.data() + from, width, result.x.data() + to);
+        std::copy_n(finest.now.z.data() + from, width, result.z.data() + to);
+    }
+}
+
+} // namespace dipwright::cpu

@@ -1,0 +1,127 @@
+// How the forces on a triangle's two edges answer to changes of these edges, and what the triangles
+// of a cell together make of it for the cell's points: from this the preconditioner of the film's
+// equilibrium is put together (StiffnessMultigrid), on every device.
+#pragma once
+
+#include "production/formulas/CrossingTriangle.h"
+
+namespace dipwright::numerics {
+
+// 2 × 2 blocks: of the force on the horizontal (h) or vertical (v) edge, for a change of the
+// horizontal or vertical edge.
+template <typename Real>
+struct EdgeStiffness {
+    Matrix2<Real> hh, hv, vh, vv;
+};
+
+// Of a floating triangle, made positive semi-definite (Tangent::Projected). With P = 2 dF + (R :
+// dF) resists R + (RJ : dF) turns RJ the stiffness is a multiple of one and two dyads.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline EdgeStiffness<Real>
+edgeStiffness(const Matrix2<Real>& shape, const StressState<Real>& state, Real area) {
+    const TangentFactors<Real> factors = tangentFactors(state, Tangent::Projected);
+    const Real cosine = state.cosine, sine = state.sine;
+    const Real a = shape.a, b = shape.b, c = shape.c, d = shape.d;
+    // R and RJ taken back to the edges.
+    const Real hx = cosine * a - sine * b, hz = sine * a + cosine * b;
+    const Real vx = cosine * c - sine * d, vz = sine * c + cosine * d;
+    const Real resists = area * factors.resists, turns = area * factors.turns;
+    const Real hh = Real(2) * area * (a * a + b * b), hv = Real(2) * area * (a * c + b * d),
+               vv = Real(2) * area * (c * c + d * d);
+    // RJ is R turned by a quarter: (x, z) of an edge become (−z, x).
+    return {{hh + resists * hx * hx + turns * hz * hz, (resists - turns) * hx * hz,
+             (resists - turns) * hx * hz, hh + resists * hz * hz + turns * hx * hx},
+            {hv + resists * hx * vx + turns * hz * vz, resists * hx * vz - turns * hz * vx,
+             resists * hz * vx - turns * hx * vz, hv + resists * hz * vz + turns * hx * vx},
+            {hv + resists * vx * hx + turns * vz * hz, resists * vx * hz - turns * vz * hx,
+             resists * vz * hx - turns * vx * hz, hv + resists * vz * hz + turns * vx * hx},
+            {vv + resists * vx * vx + turns * vz * vz, (resists - turns) * vx * vz,
+             (resists - turns) * vx * vz, vv + resists * vz * vz + turns * vx * vx}};
+}
+
+// Of a triangle that crosses the contact line: as it is, unsymmetric.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline EdgeStiffness<Real>
+edgeStiffness(const CrossingTriangle<Real>& triangle, const CrossingAnchor<Real>& anchor,
+              const Matrix2<Real>& shape, const StressState<Real>& state, Real area) {
+    const auto answer = [&](const EdgePair<Real>& change) {
+        return crossingForces(triangle,
+                              stressDerivative(floatingChange(anchor, gradientOf(change, shape)),
+                                               state, Tangent::Projected),
+                              shape, area);
+    };
+    const Real one(1), none(0);
+    const EdgePair<Real> hx = answer({one, none, none, none}), hz = answer({none, one, none, none}),
+                         vx = answer({none, none, one, none}), vz = answer({none, none, none, one});
+    return {{hx.hx, hz.hx, hx.hz, hz.hz},
+            {vx.hx, vz.hx, vx.hz, vz.hz},
+            {hx.vx, hz.vx, hx.vz, hz.vz},
+            {vx.vx, vz.vx, vx.vz, vz.vz}};
+}
+
+// The points of a cell.
+enum class CellPoint : int { LowerLeft, LowerRight, UpperLeft, UpperRight };
+
+// How the force on one point of a cell answers to the cell's points.
+template <typename Real>
+struct CellRow {
+    Matrix2<Real> toLowerLeft, toLowerRight, toUpperLeft, toUpperRight;
+};
+
+namespace detail {
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> scaled(const Matrix2<Real>& m, Real factor) {
+    return {m.a * factor, m.b * factor, m.c * factor, m.d * factor};
+}
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> plus(const Matrix2<Real>& m, const Matrix2<Real>& n) {
+    return {m.a + n.a, m.b + n.b, m.c + n.c, m.d + n.d};
+}
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> minus(const Matrix2<Real>& m, const Matrix2<Real>& n) {
+    return {m.a - n.a, m.b - n.b, m.c - n.c, m.d - n.d};
+}
+
+} // namespace detail
+
+// From the cell's two triangles. In an even cell the first one (on the lower edge) takes the right
+// vertical edge, the second one the left. A force on an edge acts with + on its higher end and with
+// − on its lower one, and so does a point's way on the edge.
+template <CellPoint point, typename Real>
+DIPWRIGHT_HOST_DEVICE inline CellRow<Real> cellRow(const EdgeStiffness<Real>& first,
+                                                   const EdgeStiffness<Real>& second, bool even) {
+    using detail::minus;
+    using detail::plus;
+    constexpr bool isLower = point == CellPoint::LowerLeft || point == CellPoint::LowerRight;
+    constexpr bool isLeft = point == CellPoint::LowerLeft || point == CellPoint::UpperLeft;
+    const Real one(1), none(0);
+    const Real isEven = even ? one : none, isOdd = even ? none : one;
+    // Of the point's horizontal edge: with itself, with the left and the right vertical edge, and
+    // these with it.
+    const EdgeStiffness<Real>& along = isLower ? first : second;
+    const Real ofRight = isLower ? isEven : isOdd, ofLeft = isLower ? isOdd : isEven;
+    // Of the point's vertical edge: with itself, and with the lower and the upper horizontal one.
+    const Real ofFirst = isLeft ? isOdd : isEven, ofSecond = isLeft ? isEven : isOdd;
+    const Matrix2<Real> vv =
+        plus(detail::scaled(first.vv, ofFirst), detail::scaled(second.vv, ofSecond));
+    const Matrix2<Real> toLower = detail::scaled(first.vh, ofFirst),
+                        toUpper = detail::scaled(second.vh, ofSecond);
+    const Matrix2<Real> toLeft = detail::scaled(along.hv, ofLeft),
+                        toRight = detail::scaled(along.hv, ofRight);
+    const Real signH = isLeft ? -one : one, signV = isLower ? -one : one;
+    const auto signedSum = [&](const Matrix2<Real>& h, const Matrix2<Real>& v) {
+        return Matrix2<Real>{signH * h.a + signV * v.a, signH * h.b + signV * v.b,
+                             signH * h.c + signV * v.c, signH * h.d + signV * v.d};
+    };
+    // What each of the cell's edges does to the force on the point when it grows.
+    const Matrix2<Real> zero{};
+    const Matrix2<Real> lower = signedSum(isLower ? along.hh : zero, toLower);
+    const Matrix2<Real> upper = signedSum(isLower ? zero : along.hh, toUpper);
+    const Matrix2<Real> left = signedSum(toLeft, isLeft ? vv : zero);
+    const Matrix2<Real> right = signedSum(toRight, isLeft ? zero : vv);
+    return {detail::scaled(plus(lower, left), -one), minus(lower, right), minus(left, upper),
+            plus(upper, right)};
+}
+
+} // namespace dipwright::numerics

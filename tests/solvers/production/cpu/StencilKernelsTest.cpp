@@ -1,0 +1,486 @@
+// The multigrid cycle's row kernels, on every instruction set of this processor: against plain
+// loops bit for bit where these do the same arithmetic, and against the matrices that they stand
+// for.
+
+#include "production/cpu/StencilKernels.h"
+
+#include "production/formulas/EdgeStiffness.h"
+
+#include <QTest>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <hwy/targets.h>
+#include <random>
+#include <vector>
+
+using namespace dipwright;
+using namespace dipwright::cpu;
+
+namespace {
+
+using Row = std::vector<float>;
+
+Row randomRow(std::size_t count, unsigned seed, float from = -1, float to = 1) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> number(from, to);
+    Row row(count);
+    std::generate(row.begin(), row.end(), [&] { return number(random); });
+    return row;
+}
+
+bool haveSameBits(const Row& a, const Row& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float left, float right) {
+        return std::bit_cast<unsigned>(left) == std::bit_cast<unsigned>(right);
+    });
+}
+
+// What `work` makes on each of the processor's instruction sets; whether it is the same on all.
+bool isSameOnAll(const std::function<Row()>& work) {
+    const std::int64_t all = hwy::SupportedTargets();
+    const Row first = work();
+    bool isSame = true;
+    for (std::int64_t rest = all; rest != 0; rest &= rest - 1) {
+        hwy::SetSupportedTargetsForTest(rest & -rest);
+        isSame = isSame && haveSameBits(first, work());
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    return isSame;
+}
+
+Row joined(std::initializer_list<Row> rows) {
+    Row all;
+    for (const Row& row : rows) {
+        all.insert(all.end(), row.begin(), row.end());
+    }
+    return all;
+}
+
+constexpr std::size_t longest = 40, room = 16; // numbers past a row's end, as the kernels want
+
+// The stiffness of a grid, row after row; nothing reaches out of it.
+struct Grid {
+    Grid(int columnCount, int rowCount)
+        : columns(columnCount), rows(rowCount), pitch(std::size_t(columnCount) + room),
+          stencils(std::size_t(rowCount) * stencilLines * pitch) {}
+
+    Grid(int columnCount, int rowCount, unsigned seed) : Grid(columnCount, rowCount) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<float> number(-1, 1);
+        forEntries([&](int row, int column, int dr, int dc, int k) {
+            if (row + dr >= 0 && row + dr < rows && column + dc >= 0 && column + dc < columns) {
+                at(row, column, dr, dc, k) = number(random);
+            }
+        });
+    }
+    template <typename Work>
+    void forEntries(const Work& work) const {
+        for (int row = 0; row < rows; ++row) {
+            for (int column = 0; column < columns; ++column) {
+                for (int neighbour = 0; neighbour < 9; ++neighbour) {
+                    for (int k = 0; k < 4; ++k) {
+                        work(row, column, neighbour / 3 - 1, neighbour % 3 - 1, k);
+                    }
+                }
+            }
+        }
+    }
+    Lines<float> row(int r) {
+        return {stencils.data() + std::size_t(r) * stencilLines * pitch, pitch};
+    }
+    Lines<const float> constRow(int r) const {
+        return {stencils.data() + std::size_t(r) * stencilLines * pitch, pitch};
+    }
+    // Number `k` (xx, xz, zx, zz) of a point with its neighbour so many rows and columns away.
+    float& at(int r, int column, int dr, int dc, int k) {
+        return row(r)[std::size_t(4 * (3 * (dr + 1) + dc + 1) + k)][column];
+    }
+    float at(int r, int column, int dr, int dc, int k) const {
+        return constRow(r)[std::size_t(4 * (3 * (dr + 1) + dc + 1) + k)][column];
+    }
+
+    int columns, rows;
+    std::size_t pitch;
+    Row stencils;
+};
+
+// Interpolation between grids of which the coarser has every second point.
+double share(int fine, int coarse) {
+    const int apart = std::abs(fine - 2 * coarse);
+    return apart == 0 ? 1 : apart == 1 ? 0.5 : 0;
+}
+
+// PᵀKP, one number of K after the other.
+Grid galerkin(const Grid& fine) {
+    Grid coarse(fine.columns / 2 + 1, fine.rows / 2 + 1);
+    fine.forEntries([&](int row, int column, int dr, int dc, int k) {
+        const double value = double(fine.at(row, column, dr, dc, k));
+        for (int r = row / 2; r <= (row + 1) / 2; ++r) {
+            for (int c = column / 2; c <= (column + 1) / 2; ++c) {
+                const double own = share(row, r) * share(column, c);
+                const int toRow = row + dr, toColumn = column + dc;
+                for (int r2 = std::max(toRow / 2, 0); value != 0 && r2 <= (toRow + 1) / 2; ++r2) {
+                    for (int c2 = toColumn / 2; c2 <= (toColumn + 1) / 2; ++c2) {
+                        coarse.at(r, c, r2 - r, c2 - c, k) +=
+                            float(own * value * share(toRow, r2) * share(toColumn, c2));
+                    }
+                }
+            }
+        }
+    });
+    return coarse;
+}
+
+Grid coarsened(const Grid& fine) {
+    Grid coarse(fine.columns / 2 + 1, fine.rows / 2 + 1);
+    for (int row = 0; row < coarse.rows; ++row) {
+        Row across(stencilLines * fine.pitch);
+        const Lines<float> lines{across.data(), fine.pitch};
+        for (const int offset : {-1, 0, 1}) {
+            const int from = 2 * row + offset;
+            if (from >= 0 && from < fine.rows) {
+                coarsenAcross(std::size_t(fine.columns), offset, fine.constRow(from), lines);
+            }
+        }
+        coarsenAlong(std::size_t(fine.columns), {across.data(), fine.pitch}, coarse.row(row));
+    }
+    return coarse;
+}
+
+double largestDifference(const Row& a, const Row& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        most = std::max(most, std::abs(double(a[i]) - double(b[i])));
+    }
+    return most;
+}
+
+// Three rows of points with room, and zeros, round them.
+struct Points {
+    Points(std::size_t count, unsigned seed)
+        : columns(count), pitch(count + 2 * room), x(3 * pitch), z(3 * pitch) {
+        for (unsigned row = 0; row < 3; ++row) {
+            std::ranges::copy(randomRow(count, seed + row), x.begin() + long(at(row)));
+            std::ranges::copy(randomRow(count, seed + 3 + row), z.begin() + long(at(row)));
+        }
+    }
+    std::size_t at(std::size_t row) const { return row * pitch + room; }
+    RowOfVectors<const float> middle() const { return {x.data() + at(1), z.data() + at(1)}; }
+    RowOfVectors<float> middle() { return {x.data() + at(1), z.data() + at(1)}; }
+    Row row() const {
+        const auto part = [&](const Row& all) {
+            return Row(all.begin() + long(at(1)), all.begin() + long(at(1) + columns));
+        };
+        return joined({part(x), part(z)});
+    }
+
+    std::size_t columns, pitch;
+    Row x, z;
+};
+
+// A row of stencils, and right − K now there.
+struct StencilRow {
+    explicit StencilRow(std::size_t count)
+        : columns(count), pitch(count + room), stencil(stencilLines * pitch),
+          inverse(inverseLines * pitch) {
+        for (std::size_t line = 0; line < stencilLines; ++line) {
+            std::ranges::copy(randomRow(count, unsigned(line)),
+                              stencil.begin() + long(line * pitch));
+        }
+        for (std::size_t line = 0; line < inverseLines; ++line) {
+            std::ranges::copy(randomRow(count, 50 + unsigned(line)),
+                              inverse.begin() + long(line * pitch));
+        }
+    }
+    Lines<const float> lines() const { return {stencil.data(), pitch}; }
+    Lines<const float> inverses() const { return {inverse.data(), pitch}; }
+    std::array<float, 2> residual(std::size_t i, const Points& right, const Points& now) const {
+        float x = 0, z = 0;
+        for (std::size_t neighbour = 0; neighbour < 9; ++neighbour) {
+            const std::size_t there = now.at(neighbour / 3) + i + neighbour % 3 - 1;
+            const float nx = now.x[there], nz = now.z[there];
+            const auto k = [&](std::size_t part) { return lines()[4 * neighbour + part][i]; };
+            x += k(0) * nx + k(1) * nz;
+            z += k(2) * nx + k(3) * nz;
+        }
+        return {right.middle().x[i] - x, right.middle().z[i] - z};
+    }
+
+    std::size_t columns, pitch;
+    Row stencil, inverse;
+};
+
+// Corners of a triangle's edges: how its stiffness enters the points' stencils.
+void addTriangle(Grid& grid, int row, int column, bool isUpper, bool onRight,
+                 const Lines<const float>& stiffness) {
+    const int base = isUpper ? row + 1 : row, side = onRight ? column + 1 : column;
+    const std::array<std::array<int, 2>, 4> ends{
+        {{base, column}, {base, column + 1}, {row, side}, {row + 1, side}}};
+    for (std::size_t of = 0; of < 4; ++of) {
+        for (std::size_t by = 0; by < 4; ++by) {
+            for (int k = 0; k < 4; ++k) {
+                const std::size_t block = 2 * (of / 2) + by / 2;
+                const float value = stiffness[4 * block + std::size_t(k)][column];
+                grid.at(ends[of][0], ends[of][1], ends[by][0] - ends[of][0],
+                        ends[by][1] - ends[of][1], k) += of % 2 == by % 2 ? value : -value;
+            }
+        }
+    }
+}
+
+} // namespace
+
+class StencilKernelsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void stencilsAreThoseOfTheTriangles();
+    void heldPointsNeitherMoveNorFeel();
+    void invertsThePointsOwnBlocks();
+    void coarseOperatorIsGalerkins();
+    void firstSmoothingStepNeedsNoStiffness();
+    void smoothingIsChebyshevs();
+    void residualIsWhatIsLeft();
+    void restrictionIsTheTransposeOfInterpolation();
+    void interpolationIsExactForLinear();
+};
+
+void StencilKernelsTest::stencilsAreThoseOfTheTriangles() {
+    for (const std::size_t cells : {std::size_t(1), std::size_t(2), std::size_t(7), longest}) {
+        const Row first = randomRow(triangleLines * cells, 1),
+                  second = randomRow(triangleLines * cells, 2);
+        for (const unsigned parity : {0u, 1u}) {
+            const auto assembled = [&] {
+                Grid grid(int(cells) + 1, 2);
+                addToStencils(cells, parity, {{first.data(), cells}, {second.data(), cells}},
+                              grid.row(0), grid.row(1));
+                return grid.stencils;
+            };
+            Grid expected(int(cells) + 1, 2);
+            for (int column = 0; column < int(cells); ++column) {
+                const bool even = (unsigned(column) + parity) % 2 == 0;
+                addTriangle(expected, 0, column, false, even, {first.data(), cells});
+                addTriangle(expected, 0, column, true, !even, {second.data(), cells});
+            }
+            QVERIFY(largestDifference(assembled(), expected.stencils) < 1e-5);
+            QVERIFY(isSameOnAll(assembled));
+            // One of the rows alone, as at the end of a band of rows.
+            Grid upper(int(cells) + 1, 2);
+            addToStencils(cells, parity, {{first.data(), cells}, {second.data(), cells}}, {},
+                          upper.row(1));
+            const Row both = assembled();
+            QVERIFY(std::equal(both.begin() + long(both.size() / 2), both.end(),
+                               upper.stencils.begin() + long(both.size() / 2)));
+        }
+    }
+}
+
+void StencilKernelsTest::heldPointsNeitherMoveNorFeel() {
+    const int columns = 21;
+    const Grid film(columns, 3, 4);
+    Row free[3], area = randomRow(std::size_t(columns), 9, 0.5f, 2);
+    for (unsigned row = 0; row < 3; ++row) {
+        free[row] = randomRow(std::size_t(columns) + 2, 20 + row);
+        std::ranges::transform(free[row], free[row].begin(),
+                               [](float v) { return v > 0 ? 1.f : 0.f; });
+        free[row].front() = free[row].back() = 0;
+    }
+    const auto held = [&] {
+        Grid grid = film;
+        holdPoints(std::size_t(columns), {free[0].data(), free[1].data(), free[2].data()}, 0.25f,
+                   area.data(), grid.row(1));
+        return grid.stencils;
+    };
+    Grid expected = film;
+    film.forEntries([&](int row, int column, int dr, int dc, int k) {
+        if (row == 1) {
+            const float own = free[1][std::size_t(column) + 1];
+            const bool isDiagonal = dr == 0 && dc == 0 && (k == 0 || k == 3);
+            float& value = expected.at(row, column, dr, dc, k);
+            value = value * own * free[dr + 1][std::size_t(column + dc) + 1] +
+                    (isDiagonal ? 0.25f * area[std::size_t(column)] * own : 0);
+        }
+    });
+    QVERIFY(largestDifference(held(), expected.stencils) == 0);
+    QVERIFY(isSameOnAll(held));
+}
+
+void StencilKernelsTest::invertsThePointsOwnBlocks() {
+    Grid grid(4, 1);
+    const auto put = [&](int column, std::array<float, 4> block) {
+        for (int k = 0; k < 4; ++k) {
+            grid.at(0, column, 0, 0, k) = block[std::size_t(k)];
+        }
+    };
+    put(0, {4, 1, 3, 3}); // symmetric part: 4, 2, 3
+    put(1, {0, 0, 0, 0}); // held
+    put(2, {2, 2, 2, 2}); // nearly singular
+    put(3, {1, 0, 0, 0}); // stiff in one direction only
+    const auto inverted = [&] {
+        Row inverse(inverseLines * 4);
+        invertMiddle(4, grid.constRow(0), {inverse.data(), 4});
+        return inverse;
+    };
+    const Row found = inverted();
+    const auto is = [&](std::size_t column, float xx, float xz, float zz) {
+        return std::abs(found[column] - xx) < 1e-6f && std::abs(found[4 + column] - xz) < 1e-6f &&
+               std::abs(found[8 + column] - zz) < 1e-6f;
+    };
+    QVERIFY(is(0, 3.f / 8, -2.f / 8, 4.f / 8));
+    QVERIFY(is(1, 0, 0, 0));
+    QVERIFY(is(2, 0.25f, 0, 0.25f));
+    QVERIFY(is(3, 1, 0, 1));
+    QVERIFY(isSameOnAll(inverted));
+}
+
+void StencilKernelsTest::coarseOperatorIsGalerkins() {
+    for (const auto [columns, rows] :
+         {std::array{9, 7}, std::array{8, 6}, std::array{9, 6}, std::array{37, 5},
+          std::array{38, 4}, std::array{2, 2}, std::array{3, 3}}) {
+        const Grid fine(columns, rows, unsigned(columns));
+        const Grid coarse = coarsened(fine);
+        QVERIFY(largestDifference(coarse.stencils, galerkin(fine).stencils) < 1e-5);
+        QVERIFY(isSameOnAll([&] { return coarsened(fine).stencils; }));
+    }
+}
+
+void StencilKernelsTest::firstSmoothingStepNeedsNoStiffness() {
+    for (std::size_t count = 1; count <= longest; ++count) {
+        const StencilRow row(count);
+        const Points right(count, 60);
+        const auto smoothed = [&] {
+            Points direction(count, 70), result(count, 80);
+            smoothFirst(count, {0.4f, 0.7f, row.inverses(), right.middle(), direction.middle(),
+                                result.middle()});
+            return joined({direction.row(), result.row()});
+        };
+        Points direction(count, 70), result(count, 80);
+        for (std::size_t i = 0; i < count; ++i) {
+            const float x = right.middle().x[i], z = right.middle().z[i];
+            const float sx = row.inverses()[0][i] * x + row.inverses()[1][i] * z;
+            const float sz = row.inverses()[1][i] * x + row.inverses()[2][i] * z;
+            direction.middle().x[i] = 0.4f * direction.middle().x[i] + 0.7f * sx;
+            direction.middle().z[i] = 0.4f * direction.middle().z[i] + 0.7f * sz;
+            result.middle().x[i] = direction.middle().x[i];
+            result.middle().z[i] = direction.middle().z[i];
+        }
+        QVERIFY(haveSameBits(smoothed(), joined({direction.row(), result.row()})));
+        QVERIFY(isSameOnAll(smoothed));
+    }
+}
+
+void StencilKernelsTest::smoothingIsChebyshevs() {
+    for (std::size_t count = 1; count <= longest; ++count) {
+        const StencilRow row(count);
+        const Points right(count, 60), now(count, 90);
+        const auto smoothed = [&] {
+            Points direction(count, 70), result(count, 80);
+            smoothRow(
+                count, now.pitch,
+                {0.4f, 0.7f, row.inverses(), right.middle(), direction.middle(), result.middle()},
+                row.lines(), now.middle());
+            return joined({direction.row(), result.row()});
+        };
+        Points direction(count, 70), result(count, 80);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto [x, z] = row.residual(i, right, now);
+            const float sx = row.inverses()[0][i] * x + row.inverses()[1][i] * z;
+            const float sz = row.inverses()[1][i] * x + row.inverses()[2][i] * z;
+            direction.middle().x[i] = 0.4f * direction.middle().x[i] + 0.7f * sx;
+            direction.middle().z[i] = 0.4f * direction.middle().z[i] + 0.7f * sz;
+            result.middle().x[i] = now.middle().x[i] + direction.middle().x[i];
+            result.middle().z[i] = now.middle().z[i] + direction.middle().z[i];
+        }
+        QVERIFY(haveSameBits(smoothed(), joined({direction.row(), result.row()})));
+        QVERIFY(isSameOnAll(smoothed));
+    }
+}
+
+void StencilKernelsTest::residualIsWhatIsLeft() {
+    for (std::size_t count = 1; count <= longest; ++count) {
+        const StencilRow row(count);
+        const Points right(count, 60), now(count, 90);
+        const auto left = [&] {
+            Points residual(count, 70);
+            residualRow(count, now.pitch, row.lines(), right.middle(), now.middle(),
+                        residual.middle());
+            return residual.row();
+        };
+        Points expected(count, 70);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto [x, z] = row.residual(i, right, now);
+            expected.middle().x[i] = x;
+            expected.middle().z[i] = z;
+        }
+        QVERIFY(haveSameBits(left(), expected.row()));
+        QVERIFY(isSameOnAll(left));
+    }
+}
+
+// (P c) · f = c · (Pᵀ f) for all rows of a fine and a coarse grid.
+void StencilKernelsTest::restrictionIsTheTransposeOfInterpolation() {
+    for (const auto [columns, rows] : {std::array{2, 2}, std::array{5, 7}, std::array{6, 6},
+                                       std::array{33, 4}, std::array{34, 5}}) {
+        const auto fineColumns = std::size_t(columns), coarseColumns = fineColumns / 2 + 1;
+        const int coarseRows = rows / 2 + 1;
+        const Row coarse = randomRow(coarseColumns * std::size_t(coarseRows), 2);
+        // A row of zeros below the fine grid and two above it.
+        Row fine = randomRow(fineColumns * std::size_t(rows + 3), 1);
+        std::fill_n(fine.begin(), fineColumns, 0.f);
+        std::fill_n(fine.end() - long(2 * fineColumns), 2 * fineColumns, 0.f);
+        const auto fineRow = [&](int row) {
+            return fine.data() + std::size_t(row + 1) * fineColumns;
+        };
+        const auto restricted = [&] {
+            Row all;
+            for (int row = 0; row < coarseRows; ++row) {
+                Row sum(fineColumns + 3), out(coarseColumns);
+                restrictRow(fineColumns, coarseColumns, fineColumns, fineRow(2 * row), sum.data(),
+                            out.data());
+                all.insert(all.end(), out.begin(), out.end());
+            }
+            return all;
+        };
+        const auto interpolated = [&] {
+            Row all;
+            for (int row = 0; row < rows; ++row) {
+                Row out(fineColumns);
+                interpolateRow(fineColumns, coarse.data() + std::size_t(row / 2) * coarseColumns,
+                               coarse.data() + std::size_t((row + 1) / 2) * coarseColumns, nullptr,
+                               out.data());
+                all.insert(all.end(), out.begin(), out.end());
+            }
+            return all;
+        };
+        const auto dot = [](const float* a, const Row& b) {
+            double sum = 0;
+            for (std::size_t i = 0; i < b.size(); ++i) {
+                sum += double(a[i]) * double(b[i]);
+            }
+            return sum;
+        };
+        QVERIFY(std::abs(dot(fineRow(0), interpolated()) - dot(coarse.data(), restricted())) <
+                1e-5);
+        QVERIFY(isSameOnAll(restricted));
+        QVERIFY(isSameOnAll(interpolated));
+    }
+}
+
+// Along a row and between two, added to what is there, and only where `factor` says so.
+void StencilKernelsTest::interpolationIsExactForLinear() {
+    const std::size_t columns = 21;
+    Row lower, upper, factor(columns, 1.f), fine(columns, 10.f);
+    for (std::size_t c = 0; c <= columns / 2; ++c) {
+        lower.push_back(float(2 * c));
+        upper.push_back(float(2 * c) + 4);
+    }
+    factor[3] = 0;
+    interpolateRow(columns, lower.data(), upper.data(), factor.data(), fine.data());
+    for (std::size_t i = 0; i < columns; ++i) {
+        QCOMPARE(fine[i], i == 3 ? 10.f : float(i) + 12);
+    }
+}
+
+QTEST_GUILESS_MAIN(StencilKernelsTest)
+#include "StencilKernelsTest.moc"

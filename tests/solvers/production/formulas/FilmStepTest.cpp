@@ -1,0 +1,209 @@
+// How the film comes to rest in a step, with a spring at each point in place of the film's forces.
+
+#include "production/formulas/FilmStep.h"
+
+#include "production/formulas/HostFilm.h"
+
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+using namespace dipwright;
+using namespace dipwright::numerics;
+
+namespace {
+
+constexpr int columns = 5, rows = 4;
+
+struct PlaneVector {
+    using Real = double;
+    std::vector<double> x, z;
+
+    PlaneVector() = default;
+    explicit PlaneVector(std::size_t points) : x(points), z(points) {}
+};
+
+// What pulls at a point at x, and its derivative.
+struct Spring {
+    std::function<double(double)> force = [](double x) { return x; };
+    std::function<double(double)> slope = [](double) { return 1.0; };
+};
+
+solver::DipSetup flatFilm() {
+    solver::DipSetup setup;
+    setup.film.columns = columns;
+    setup.film.rows = rows;
+    setup.film.width = columns - 1;
+    setup.film.depth = rows - 1;
+    setup.settings.residual = 1e-6;
+    return setup;
+}
+
+// No triangle pulls at a point: they only tear and fold.
+class Springs : public HostFilm<PlaneVector> {
+public:
+    Springs() : HostFilm(flatFilm()), springs(columns * rows), held_(columns * rows) {}
+
+    void place(int point, double x, double z) { setDisplacement(point, {x, z}); }
+    int heldPoints() const { return int(std::ranges::count(free_, 0.f)); }
+
+    static Matrix2<double> shape(int) { return {1, 0, 0, 1}; }
+    static void setShape(int, const Matrix2<double>&) {}
+    EdgePair<double> edges(int triangle) const {
+        const TriangleCorners corners = triangleCorners(columns, std::size_t(triangle));
+        const auto at = [&](int corner) {
+            return planePosition(model(), corners.points[corner],
+                                 displacement(int(corners.points[corner])));
+        };
+        const auto left = at(0), right = at(1), third = at(2), shared = at(corners.shared());
+        const double up = corners.thirdAbove ? 1 : -1;
+        return {right.x - left.x, right.z - left.z, up * (third.x - shared.x),
+                up * (third.z - shared.z)};
+    }
+    bool triangleMoves(int triangle) const {
+        const TriangleCorners corners = triangleCorners(columns, std::size_t(triangle));
+        return std::ranges::any_of(corners.points,
+                                   [&](std::uint32_t point) { return held_[point] == 0; });
+    }
+
+    template <typename Crosses, typename Unfold>
+    LineState<double> findCrossing(const Crosses&, const Unfold&) {
+        return {};
+    }
+    template <typename Work>
+    void forCrossing(const Work&) {}
+    template <typename OnLine, typename Floating>
+    void forTriangles(const OnLine&, const Floating& floating) {
+        for (int triangle = 0; triangle < triangleCount(model()); ++triangle) {
+            floating(triangle);
+        }
+    }
+    template <typename OnLine, typename Floating>
+    void forStretched(double, const OnLine& onLine, const Floating& floating) {
+        forTriangles(onLine, floating);
+    }
+
+    static constexpr NewtonLimits newtonLimits() { return {}; }
+    void setFree() {
+        ++timesSetFree;
+        std::ranges::transform(free_, held_.begin(), [](float free) { return free > 0 ? 0 : 1; });
+    }
+    FilmForce force(double) {
+        double squares = 0;
+        forPoints([&](int point) { squares += forceOn(point).x * forceOn(point).x; });
+        return {std::sqrt(squares), 1};
+    }
+    FilmForce forceAlong(double length, double drag) {
+        forPoints([&](int point) {
+            const auto k = std::size_t(point);
+            displacement_.x[k] = start_.x[k] + length * step_.x[k];
+        });
+        return force(drag);
+    }
+    Vector2<double> forceOn(int point) const {
+        const auto k = std::size_t(point);
+        return {held_[k] ? 0 : springs[k].force(displacement_.x[k]), 0};
+    }
+    static void prepareLinear(double) {}
+    void solveLinear(double drag, Tangent, double, double) {
+        step_ = displacement_;
+        forPoints([&](int point) {
+            const auto k = std::size_t(point);
+            step_.x[k] = -forceOn(point).x / (springs[k].slope(displacement_.x[k]) + drag);
+        });
+    }
+    double startOfStep() {
+        start_ = displacement_;
+        return std::abs(*std::ranges::max_element(
+            step_.x, [](double a, double b) { return std::abs(a) < std::abs(b); }));
+    }
+    void keepBest() { best_ = displacement_; }
+    void takeBest() { displacement_ = best_; }
+
+    std::vector<Spring> springs;
+    int timesSetFree = 0;
+
+private:
+    std::vector<char> held_; // as of the last setFree()
+    PlaneVector start_, step_, best_;
+};
+static_assert(FilmBackend<Springs>);
+
+// The same force everywhere.
+Spring restless(double force) {
+    return {[force](double) { return force; }, [](double) { return 1.0; }};
+}
+
+} // namespace
+
+class FilmStepTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void filmThatFindsItsRestIsNotHeld();
+    void whatFindsNoRestIsHeld();
+    void foldedFilmIsHeldFirst();
+    void givesUpInTheEnd();
+    void entersWhatWasMissed();
+};
+
+void FilmStepTest::filmThatFindsItsRestIsNotHeld() {
+    Springs film;
+    film.place(7, 0.2, 0);
+    QVERIFY(detail::settle(film, 0).isReached);
+    QCOMPARE(film.heldPoints(), 0);
+    QCOMPARE(film.timesSetFree, 0);
+    QVERIFY(std::abs(film.displacement(7).x) < 1e-6);
+}
+
+void FilmStepTest::whatFindsNoRestIsHeld() {
+    Springs film;
+    film.springs[7] = restless(0.5);
+    film.place(3, 0.3, 0);
+    QVERIFY(detail::settle(film, 0).isReached);
+    QCOMPARE(film.heldPoints(), 1);
+    QVERIFY(!film.moves(7));
+    QVERIFY(std::abs(film.displacement(3).x) < 1e-6); // all else comes to rest
+}
+
+// A corner past the opposite side holds the triangles there, and not what is pulled hardest.
+void FilmStepTest::foldedFilmIsHeldFirst() {
+    Springs film;
+    film.springs[12] = restless(0.5);
+    film.springs[2] = {[](double x) { return x - 0.1; }, [](double) { return 1.0; }};
+    film.place(12, 0, 1.2); // past the next row
+    QVERIFY(detail::settle(film, 0).isReached);
+    QVERIFY(!film.moves(12));
+    QVERIFY(!film.moves(17));
+    QVERIFY(film.moves(2));
+    QVERIFY(std::abs(film.displacement(2).x - 0.1) < 1e-6);
+}
+
+// Each time what is pulled hardest gets held; here a film has more kinds of such places than
+// that is done for.
+void FilmStepTest::givesUpInTheEnd() {
+    Springs film;
+    for (int point = 0; point <= mostHolds; ++point) {
+        film.springs[std::size_t(point)] = restless(std::pow(0.05, point));
+    }
+    const FoundEquilibrium found = detail::settle(film, 0);
+    QCOMPARE(film.heldPoints(), mostHolds);
+    QCOMPARE(film.timesSetFree, mostHolds);
+    QVERIFY(film.moves(mostHolds));
+    QVERIFY(!found.isReached);
+    QCOMPARE(found.left, std::pow(0.05, mostHolds));
+}
+
+void FilmStepTest::entersWhatWasMissed() {
+    solver::EquilibriumAccount account;
+    detail::enter({0.5, true}, account);
+    QCOMPARE(account.stepsWithout, std::int64_t(0));
+    detail::enter({0.2, false}, account);
+    detail::enter({0.1, false}, account);
+    QCOMPARE(account.stepsWithout, std::int64_t(2));
+    QCOMPARE(account.worstForceLeft, 0.2);
+}
+
+QTEST_GUILESS_MAIN(FilmStepTest)
+#include "FilmStepTest.moc"
