@@ -6,6 +6,11 @@
 
 namespace dipwright::test {
 
+std::size_t Ending::marked(solver::PointMark why) const {
+    return std::size_t(
+        std::ranges::count_if(marks, [&](std::uint8_t bits) { return solver::has(bits, why); }));
+}
+
 Ending dip(solver::FilmSolver& film, const solver::DipSetup& setup) {
     Ending ending;
     ending.setup = setup;
@@ -18,6 +23,9 @@ Ending dip(solver::FilmSolver& film, const solver::DipSetup& setup) {
     ending.positions.resize(3 * setup.film.pointCount());
     ending.states.resize(setup.film.pointCount());
     film.read(ending.positions, ending.states);
+    ending.marks.resize(setup.film.pointCount());
+    film.readMarks(ending.marks);
+    ending.equilibrium = progress.equilibrium;
     return ending;
 }
 

@@ -16,6 +16,8 @@ struct Ending {
     solver::DipSetup setup;
     std::vector<float> positions;
     std::vector<solver::PointState> states;
+    std::vector<std::uint8_t> marks;
+    solver::EquilibriumAccount equilibrium;
     double descent = 0;
 
     Eigen::Vector3d at(std::size_t point) const {
@@ -23,6 +25,7 @@ struct Ending {
                 double(positions[3 * point + 2])};
     }
     bool adhered(std::size_t point) const { return states[point] == solver::PointState::Adhered; }
+    std::size_t marked(solver::PointMark why) const;
 };
 
 Ending dip(solver::FilmSolver& film, const solver::DipSetup& setup);

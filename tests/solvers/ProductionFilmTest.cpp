@@ -55,6 +55,10 @@ void ProductionFilmTest::finerGridAndShorterStepChangeLittle() {
     shorter.settings.contactTravel /= 2;
     const double step = difference(plain, dipOnCpu(shorter), 1).first;
     qInfo("half the spacing: %g mm, half the step: %g mm (95 %%)", spacing, step);
+    // The film is at rest at the end of every step, and none of it is held for that.
+    QCOMPARE(plain.equilibrium.stepsWithout, std::int64_t(0));
+    QVERIFY(plain.equilibrium.linearIterations > 0);
+    QCOMPARE(plain.marked(solver::PointMark::Unbalanced), std::size_t(0));
     QVERIFY(spacing < 0.15);
     QVERIFY(step < 0.05);
 }
@@ -108,7 +112,9 @@ void ProductionFilmTest::nothingMovesBeforeContact() {
         QVERIFY(ending.states[point] == solver::PointState::Free);
         const double x = -75 + double(point % 61) * 2.5, z = -75 + double(point / 61) * 2.5;
         QVERIFY((ending.at(point) - Eigen::Vector3d(x, 0, z)).norm() < 1e-5);
+        QCOMPARE(ending.marks[point], std::uint8_t(0));
     }
+    QCOMPARE(ending.equilibrium.linearIterations, std::int64_t(0));
 }
 
 void ProductionFilmTest::pinnedEdgesHold() {
@@ -166,6 +172,9 @@ void ProductionFilmTest::doesNotHoldPastTheOverhang() {
         }
     }
     QVERIFY(adhered > 500);
+    // What lay on the water round the line there is marked, and it is not much of the film.
+    const std::size_t letGo = ending.marked(solver::PointMark::LetGo);
+    QVERIFY(letGo > 20 && letGo < ending.marks.size() / 10);
 }
 
 // Past the equator the body holds on to film less and less (Adhesion.h). A sphere of 35 mm in a

@@ -85,6 +85,13 @@ concept FilmStorage = requires(Film& film, const Film& seen, int i, Vector2<Real
     { film.laid(i) } -> std::same_as<LaidCorners<Real>&>;
 };
 
+// What a device may keep besides: why a point lies where it does. Threads of a team may mark the
+// same point at once.
+template <typename Film>
+concept MarkedStorage = requires(Film& film, int i) {
+    film.mark(i, solver::PointMark::Torn);
+};
+
 template <typename Film, typename Real = typename Film::Real>
 concept FilmTeam = requires(Film& film, Real value, bool flag, detail::PointWork forPoint,
                             detail::TriangleWork forTriangle, detail::TriangleQuestion crosses,

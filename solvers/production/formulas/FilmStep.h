@@ -33,6 +33,14 @@ DIPWRIGHT_TEAM inline bool isFree(const Film& film, int point) {
     return film.pointState(point) == solver::PointState::Free;
 }
 
+// On devices that keep marks.
+template <FilmStorage Film>
+DIPWRIGHT_TEAM inline void mark(Film& film, int point, solver::PointMark why) {
+    if constexpr (MarkedStorage<Film>) {
+        film.mark(point, why);
+    }
+}
+
 // The least distance to the body of the points that are not next to film on it, or `most` if none
 // is nearer.
 template <FilmBackend Film>
@@ -157,18 +165,24 @@ DIPWRIGHT_TEAM inline bool holdLost(Film& film) {
     using Real = typename Film::Real;
     const FilmModel<Real>& model = film.model();
     bool any = false;
-    const auto holdIf = [&](bool isLost, int triangle) {
-        if (isLost) {
-            for (const std::uint32_t point :
-                 triangleCorners(model.columns, std::size_t(triangle)).points) {
-                film.hold(int(point));
+    const auto hold = [&](int triangle, solver::PointMark why) {
+        for (const std::uint32_t point :
+             triangleCorners(model.columns, std::size_t(triangle)).points) {
+            if (isFree(film, int(point))) {
+                mark(film, int(point), why);
             }
-            any = true;
+            film.hold(int(point));
         }
+        any = true;
     };
-    const auto isLost = [&](const EdgePair<Real>& edges) {
+    // `isTurned`: inside out in what floats of it.
+    const auto holdIfLost = [&](int triangle, const EdgePair<Real>& edges, bool isTurned) {
         const TriangleStretch<Real> stretch = triangleStretch(edges, model.edgeX, model.edgeZ);
-        return isTorn(stretch, Real(model.tearStretch)) || isFolded(stretch);
+        if (isTorn(stretch, Real(model.tearStretch))) {
+            hold(triangle, solver::PointMark::Torn);
+        } else if (isTurned || isFolded(stretch)) {
+            hold(triangle, solver::PointMark::Unbalanced);
+        }
     };
     film.forStretched(
         Real(model.tearStretch),
@@ -177,22 +191,21 @@ DIPWRIGHT_TEAM inline bool holdLost(Film& film) {
                 const EdgePair<Real> edges = unfoldedEdges(film.edges(triangle), crossing);
                 const Matrix2<Real> floating =
                     floatingGradient(anchor, gradientOf(edges, film.shape(triangle)));
-                holdIf(isLost(edges) || determinant(floating) < Real(0), triangle);
+                holdIfLost(triangle, edges, determinant(floating) < Real(0));
             }
         },
         [&](int triangle) {
             if (film.triangleMoves(triangle)) {
-                holdIf(isLost(film.edges(triangle)), triangle);
+                holdIfLost(triangle, film.edges(triangle), false);
             }
         });
     return any;
 }
 
-// Holds the points that keep the film from its rest: those on which the most force is left. Film
-// at its own free edge that is pushed together, or caught between two parts of the body, may have
-// no rest in the water plane; real film gives way out of it.
-template <FilmBackend Film>
-DIPWRIGHT_TEAM inline bool holdUnbalanced(Film& film) {
+// work(point) for the points that keep the film from its rest: those on which the most force is
+// left.
+template <FilmBackend Film, typename Work>
+DIPWRIGHT_TEAM inline void forUnbalanced(Film& film, const Work& work) {
     using Real = typename Film::Real;
     const auto squareAt = [&](int point) {
         const Vector2<Real> force = film.forceOn(point);
@@ -201,14 +214,12 @@ DIPWRIGHT_TEAM inline bool holdUnbalanced(Film& film) {
     Real most(0);
     film.forPoints([&](int point) { most = std::fmax(most, squareAt(point)); });
     most = -film.least(-most);
-    bool any = false;
     film.forPoints([&](int point) {
         if (squareAt(point) >= Real(unbalancedShare * unbalancedShare) * most) {
-            film.hold(point);
-            any = true;
+            mark(film, point, solver::PointMark::Unbalanced);
+            work(point);
         }
     });
-    return any;
 }
 
 // mm that a point has come from its rest along X or Z, at most.
@@ -223,7 +234,9 @@ DIPWRIGHT_TEAM inline double farthestFromRest(Film& film) {
     return double(-film.least(-farthest));
 }
 
-// The film at rest at the end of a step. What keeps it from that is held, and the search goes on.
+// The film at rest at the end of a step. What keeps it from that is held, and the search goes on:
+// film at its own free edge that is pushed together, or caught between two parts of the body, may
+// have no rest in the water plane; real film gives way out of it.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline FoundEquilibrium settle(Film& film, typename Film::Real drag) {
     const double farthest = farthestFromRest(film);
@@ -231,10 +244,15 @@ DIPWRIGHT_TEAM inline FoundEquilibrium settle(Film& film, typename Film::Real dr
     for (int holds = 0; holds < mostHolds && !found.isReached; ++holds) {
         film.force(drag);
         if (!film.anyOf(holdLost(film))) {
-            film.anyOf(holdUnbalanced(film));
+            forUnbalanced(film, [&](int point) { film.hold(point); });
+            film.barrier();
         }
         film.setFree();
         found = findEquilibrium(film, drag, farthest);
+    }
+    if (!found.isReached) {
+        film.force(drag);
+        forUnbalanced(film, [](int) {});
     }
     return found;
 }
@@ -326,6 +344,11 @@ DIPWRIGHT_TEAM inline bool releaseOverhang(Film& film, double descent) {
             const Matrix2<Real> change =
                 releaseTriangle(film.body(), points, crossing, corners, film.laid(triangle));
             film.setShape(triangle, change * film.shape(triangle));
+            for (const std::uint32_t point : points.points) {
+                if (isFree(film, int(point))) {
+                    mark(film, int(point), solver::PointMark::LetGo);
+                }
+            }
             any = true;
         }
     });

@@ -23,8 +23,8 @@ public:
           free_(setup.film.pointCount(), 1.f), model_(filmModel<Real>(setup)),
           body_(contactBody<Real>(setup)),
           states_(setup.film.pointCount(), solver::PointState::Free),
-          attached_(setup.film.pointCount()), clearance_(setup.film.pointCount(), Real(0)),
-          laid_(std::size_t(triangleCount(model_))) {
+          marks_(setup.film.pointCount(), 0), attached_(setup.film.pointCount()),
+          clearance_(setup.film.pointCount(), Real(0)), laid_(std::size_t(triangleCount(model_))) {
         for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
             free_[point] = setup.pinned[point] ? 0.f : 1.f;
         }
@@ -46,6 +46,7 @@ public:
     }
     bool moves(int point) const { return free_[std::size_t(point)] > 0; }
     void hold(int point) { free_[std::size_t(point)] = 0; }
+    void mark(int point, solver::PointMark why) { marks_[std::size_t(point)] |= std::uint8_t(why); }
     Real clearance(int point) const { return clearance_[std::size_t(point)]; }
     void setClearance(int point, Real clearance) { clearance_[std::size_t(point)] = clearance; }
     LaidCorners<Real>& laid(int triangle) { return laid_[std::size_t(triangle)]; }
@@ -76,6 +77,11 @@ public:
         std::copy_n(states_.begin(), states.size(), states.begin());
     }
 
+    // As solver::FilmSolver::readMarks.
+    void readMarks(std::span<std::uint8_t> marks) const {
+        std::copy_n(marks_.begin(), marks.size(), marks.begin());
+    }
+
 protected:
     Vector displacement_, before_; // from rest, now and a step ago
     std::vector<float> free_;      // 1: the equilibrium moves it
@@ -93,6 +99,7 @@ private:
     ContactBody<Real> body_;
     StepState<Real> state_;
     std::vector<solver::PointState> states_;
+    std::vector<std::uint8_t> marks_;     // solver::PointMark bits
     std::vector<Vector3<Real>> attached_; // where an adhered point sits, body coordinates
     std::vector<Real> clearance_;
     std::vector<LaidCorners<Real>> laid_;

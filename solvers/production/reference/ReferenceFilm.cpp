@@ -25,6 +25,7 @@ public:
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
         film_->read(positions, states);
     }
+    void readMarks(std::span<std::uint8_t> marks) const override { film_->readMarks(marks); }
 
 private:
     std::optional<ReferenceBackend> film_;

@@ -188,8 +188,9 @@ enum class PointState : std::uint8_t {
 enum class PointMark : std::uint8_t {
     Torn = 1,  // held because its film tore
     LetGo = 2, // of film that was released at an overhang
-    Unbalanced =
-        4, // held, or left with more force than Settings::residual, for want of equilibrium
+    // Held, or left with more force than Settings::residual, for want of equilibrium; or held
+    // because its film turned inside out.
+    Unbalanced = 4,
 };
 
 constexpr bool has(std::uint8_t marks, PointMark mark) {

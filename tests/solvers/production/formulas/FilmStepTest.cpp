@@ -12,6 +12,7 @@
 
 using namespace dipwright;
 using namespace dipwright::numerics;
+using solver::PointMark;
 
 namespace {
 
@@ -47,6 +48,11 @@ public:
     Springs() : HostFilm(flatFilm()), springs(columns * rows), held_(columns * rows) {}
 
     void place(int point, double x, double z) { setDisplacement(point, {x, z}); }
+    bool isMarked(int point, solver::PointMark why) const {
+        std::vector<std::uint8_t> marks(columns * rows);
+        readMarks(marks);
+        return solver::has(marks[std::size_t(point)], why);
+    }
     int heldPoints() const { return int(std::ranges::count(free_, 0.f)); }
 
     static Matrix2<double> shape(int) { return {1, 0, 0, 1}; }
@@ -144,6 +150,7 @@ private Q_SLOTS:
     void filmThatFindsItsRestIsNotHeld();
     void whatFindsNoRestIsHeld();
     void foldedFilmIsHeldFirst();
+    void tornFilmIsMarked();
     void givesUpInTheEnd();
     void entersWhatWasMissed();
 };
@@ -164,6 +171,8 @@ void FilmStepTest::whatFindsNoRestIsHeld() {
     QVERIFY(detail::settle(film, 0).isReached);
     QCOMPARE(film.heldPoints(), 1);
     QVERIFY(!film.moves(7));
+    QVERIFY(film.isMarked(7, PointMark::Unbalanced));
+    QVERIFY(!film.isMarked(3, PointMark::Unbalanced));
     QVERIFY(std::abs(film.displacement(3).x) < 1e-6); // all else comes to rest
 }
 
@@ -176,8 +185,17 @@ void FilmStepTest::foldedFilmIsHeldFirst() {
     QVERIFY(detail::settle(film, 0).isReached);
     QVERIFY(!film.moves(12));
     QVERIFY(!film.moves(17));
+    QVERIFY(film.isMarked(17, PointMark::Unbalanced) && !film.isMarked(17, PointMark::Torn));
     QVERIFY(film.moves(2));
     QVERIFY(std::abs(film.displacement(2).x - 0.1) < 1e-6);
+}
+
+void FilmStepTest::tornFilmIsMarked() {
+    Springs film;
+    film.place(9, 9, 0); // drawn out
+    QVERIFY(detail::holdLost(film));
+    QVERIFY(!film.moves(9) && film.isMarked(9, PointMark::Torn));
+    QVERIFY(film.moves(0) && !film.isMarked(0, PointMark::Torn));
 }
 
 // Each time what is pulled hardest gets held; here a film has more kinds of such places than
@@ -192,6 +210,8 @@ void FilmStepTest::givesUpInTheEnd() {
     QCOMPARE(film.timesSetFree, mostHolds);
     QVERIFY(film.moves(mostHolds));
     QVERIFY(!found.isReached);
+    QVERIFY(film.isMarked(mostHolds, PointMark::Unbalanced)); // left so
+    QVERIFY(!film.isMarked(mostHolds + 1, PointMark::Unbalanced));
     QCOMPARE(found.left, std::pow(0.05, mostHolds));
 }
 
