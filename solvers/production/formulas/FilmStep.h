@@ -159,9 +159,10 @@ DIPWRIGHT_TEAM inline void setAnchors(Film& film) {
     });
 }
 
-// Holds the corners of film that is stretched too far or folded. Whether this thread has any.
+// Holds the corners of film that is stretched too far and, where the film finds no rest
+// (`isRestless`), of film that is folded. Whether this thread has any.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline bool holdLost(Film& film) {
+DIPWRIGHT_TEAM inline bool holdLost(Film& film, bool isRestless) {
     using Real = typename Film::Real;
     const FilmModel<Real>& model = film.model();
     bool any = false;
@@ -180,7 +181,7 @@ DIPWRIGHT_TEAM inline bool holdLost(Film& film) {
         const TriangleStretch<Real> stretch = triangleStretch(edges, model.edgeX, model.edgeZ);
         if (isTorn(stretch, Real(model.tearStretch))) {
             hold(triangle, solver::PointMark::Torn);
-        } else if (isTurned || isFolded(stretch)) {
+        } else if (isRestless && (isTurned || isFolded(stretch))) {
             hold(triangle, solver::PointMark::Unbalanced);
         }
     };
@@ -243,7 +244,7 @@ DIPWRIGHT_TEAM inline FoundEquilibrium settle(Film& film, typename Film::Real dr
     FoundEquilibrium found = findEquilibrium(film, drag, farthest);
     for (int holds = 0; holds < mostHolds && !found.isReached; ++holds) {
         film.force(drag);
-        if (!film.anyOf(holdLost(film))) {
+        if (!film.anyOf(holdLost(film, true))) {
             forUnbalanced(film, [&](int point) { film.hold(point); });
             film.barrier();
         }
@@ -374,7 +375,7 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
         detail::moveAnchors(film);
         const Real drag = Real(pointDrag(model.spacingX, model.spacingZ, increment));
         detail::enter(detail::settle(film, drag), dip.equilibrium);
-        hasLost = detail::holdLost(film);
+        hasLost = detail::holdLost(film, false);
         detail::relax(film, Real(keptStress(increment, motion.speed, model.relaxationTime)));
     }
     const bool hasTouched = detail::touch(film, increment);

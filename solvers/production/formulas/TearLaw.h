@@ -33,7 +33,7 @@ DIPWRIGHT_HOST_DEVICE inline bool isTorn(const TriangleStretch<Real>& stretch, R
     return stretch.larger > limit || stretch.area > limit;
 }
 // Whether film is turned inside out. Real film has long gone out of the plane there; in the plane
-// its forces would have no rest.
+// its forces may have no rest.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool isFolded(const TriangleStretch<Real>& stretch) {
     return stretch.area < Real(0);

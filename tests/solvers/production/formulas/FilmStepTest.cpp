@@ -150,6 +150,7 @@ private Q_SLOTS:
     void filmThatFindsItsRestIsNotHeld();
     void whatFindsNoRestIsHeld();
     void foldedFilmIsHeldFirst();
+    void foldedFilmAtRestIsLeftToRecover();
     void tornFilmIsMarked();
     void givesUpInTheEnd();
     void entersWhatWasMissed();
@@ -190,10 +191,18 @@ void FilmStepTest::foldedFilmIsHeldFirst() {
     QVERIFY(std::abs(film.displacement(2).x - 0.1) < 1e-6);
 }
 
+void FilmStepTest::foldedFilmAtRestIsLeftToRecover() {
+    Springs film;
+    film.place(12, 0, 1.2);
+    QVERIFY(detail::settle(film, 0).isReached);
+    QVERIFY(!detail::holdLost(film, false));
+    QCOMPARE(film.heldPoints(), 0);
+}
+
 void FilmStepTest::tornFilmIsMarked() {
     Springs film;
     film.place(9, 9, 0); // drawn out
-    QVERIFY(detail::holdLost(film));
+    QVERIFY(detail::holdLost(film, false));
     QVERIFY(!film.moves(9) && film.isMarked(9, PointMark::Torn));
     QVERIFY(film.moves(0) && !film.isMarked(0, PointMark::Torn));
 }
