@@ -8,7 +8,7 @@ namespace dipwright::cuda {
 // What the blocks of a team share in device memory; `arrived` is 0 at the start of a launch.
 struct TeamMemory {
     static constexpr int mostBlocks = 256;
-    static constexpr int mostValues = 3;
+    static constexpr int mostValues = 12;
 
     unsigned arrived = 0;
     double values[2][mostBlocks][mostValues] = {};
@@ -57,62 +57,67 @@ public:
     // all threads of the team. Always added in the same order.
     template <int count>
     __device__ void sum(double (&values)[count]) {
-        reduce(values, [](double a, double b) { return a + b; });
+        sum(values, count);
+    }
+    // Of the first `used` values only.
+    template <int count>
+    __device__ void sum(double (&values)[count], int used) {
+        reduce(values, used, [](double a, double b) { return a + b; });
     }
     template <int count>
     __device__ void largest(double (&values)[count]) {
-        reduce(values, [](double a, double b) { return a > b ? a : b; });
+        reduce(values, count, [](double a, double b) { return a > b ? a : b; });
     }
 
 private:
     template <int count, typename Join>
-    __device__ void reduce(double (&values)[count], const Join& join) {
+    __device__ void reduce(double (&values)[count], int used, const Join& join) {
         static_assert(count <= TeamMemory::mostValues);
         const int lane = int(threadIdx.x) % 32, warp = int(threadIdx.x) / 32;
-        joinWarp(values, 32, join);
-        for (int i = 0; i < count && lane == 0; ++i) {
-            partial_[warp][i] = values[i];
+        joinWarp(values, used, 32, join);
+#pragma unroll
+        for (int i = 0; i < count; ++i) {
+            if (i < used && lane == 0) {
+                partial_[warp][i] = values[i];
+            }
         }
         __syncthreads();
         double(*slots)[TeamMemory::mostValues] = memory_->values[barriers_ % 2];
-        if (warp == 0) {
-            for (int i = 0; i < count; ++i) {
-                values[i] = partial_[lane % warps][i];
-            }
-            joinWarp(values, warps, join);
-            for (int i = 0; i < count && lane == 0; ++i) {
-                slots[block_][i] = values[i];
+        if (warp < used) { // a value each
+            double joined[1] = {partial_[lane % warps][warp]};
+            joinWarp(joined, 1, warps, join);
+            if (lane == 0) {
+                slots[block_][warp] = joined[0];
             }
         }
         barrier();
-        if (int(threadIdx.x) < blocks_) {
-            for (int i = 0; i < count; ++i) {
-                brought_[i][threadIdx.x] = slots[threadIdx.x][i];
-            }
-        }
-        __syncthreads();
-        if (warp < count) { // a value each
-            double joined[1] = {brought_[warp][min(lane, blocks_ - 1)]};
+        if (warp < used) {
+            double joined[1] = {slots[min(lane, blocks_ - 1)][warp]};
             for (int block = lane + 32; block < blocks_; block += 32) {
-                joined[0] = join(joined[0], brought_[warp][block]);
+                joined[0] = join(joined[0], slots[block][warp]);
             }
-            joinWarp(joined, min(blocks_, 32), join);
+            joinWarp(joined, 1, min(blocks_, 32), join);
             if (lane == 0) {
                 result_[warp] = joined[0];
             }
         }
         __syncthreads();
+#pragma unroll
         for (int i = 0; i < count; ++i) {
-            values[i] = result_[i];
+            if (i < used) {
+                values[i] = result_[i];
+            }
         }
     }
 
-    // Joins the values of the first `lanes` lanes in lane 0.
+    // Joins the first `used` values of the first `lanes` lanes in lane 0.
     template <int count, typename Join>
-    __device__ static void joinWarp(double (&values)[count], int lanes, const Join& join) {
+    __device__ static void joinWarp(double (&values)[count], int used, int lanes,
+                                    const Join& join) {
         const int lane = int(threadIdx.x) % 32;
-        for (int offset = 16; offset > 0; offset /= 2) {
-            for (int i = 0; i < count; ++i) {
+#pragma unroll
+        for (int i = 0; i < count; ++i) {
+            for (int offset = 16; i < used && offset > 0; offset /= 2) {
                 const double other = __shfl_down_sync(0xffffffff, values[i], unsigned(offset));
                 if (lane + offset < lanes) {
                     values[i] = join(values[i], other);
@@ -124,8 +129,7 @@ private:
     TeamMemory* memory_;
     int blocks_, block_;
     unsigned barriers_;
-    double partial_[warps][TeamMemory::mostValues];                  // of this block's warps
-    double brought_[TeamMemory::mostValues][TeamMemory::mostBlocks]; // by the blocks
+    double partial_[warps][TeamMemory::mostValues]; // of this block's warps
     double result_[TeamMemory::mostValues];
 };
 

@@ -54,7 +54,10 @@ public:
     void keepBest() { best_ = displacement_; }
     void takeBest() { displacement_ = best_; }
 
-    numerics::LeastResiduals& leastResiduals() { return leastResiduals_; }
+    template <typename Work>
+    double inSmallProblem(const Work& work) {
+        return work(leastResiduals_);
+    }
     void startLinear();
     void startBasis(float factor);
     void extendBasis(int count, float drag, numerics::Tangent tangent);

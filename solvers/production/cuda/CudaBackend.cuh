@@ -10,6 +10,13 @@
 
 namespace dipwright::cuda {
 
+// A block's small problem of the method of least residuals, the same in all blocks of a team.
+struct SmallProblem {
+    numerics::LeastResiduals problem;
+    float factors[numerics::mostBasisVectors + 1]; // of the basis vectors as they are stored
+    double answer;
+};
+
 // One film in the hands of its team (FilmBackend.h). All members are called by all threads of the
 // team.
 class CudaBackend {
@@ -17,8 +24,9 @@ public:
     using Real = float;
 
     __device__ CudaBackend(const ProductionModel& model, const ProductionDip& dip, Team& team,
-                           float2* memory)
-        : model_(model), dip_(dip), team_(team), memory_(memory), state_(*dip.state) {}
+                           SmallProblem& small, float2* memory)
+        : model_(model), dip_(dip), team_(team), small_(small), memory_(memory),
+          state_(*dip.state) {}
 
     __device__ const numerics::FilmModel<float>& model() const { return model_; }
     __device__ const numerics::ContactBody<float>& body() const { return dip_.body; }
@@ -68,7 +76,7 @@ public:
     __device__ bool triangleMoves(int triangle) const {
         bool moves = false;
         for (const std::uint32_t point : corners(triangle).points) {
-            moves = moves || dip_.levelFree[point] > 0;
+            moves = moves || dip_.masked[point] > 0;
         }
         return moves;
     }
@@ -140,20 +148,22 @@ public:
 
     __host__ __device__ static constexpr numerics::NewtonLimits newtonLimits() { return {}; }
     __device__ void setFree() const {
-        forPoints([&](int point) { dip_.levelFree[point] = dip_.free[point]; });
+        forPoints([&](int point) { dip_.masked[point] = dip_.free[point]; });
         team_.barrier();
-        for (int l = 1; l < model_.levelCount; ++l) {
-            holdCoarse(l);
-        }
     }
     __device__ numerics::FilmForce force(float drag) const {
-        return cuda::force(model_, dip_, drag, 0, team_, memory_);
+        return cuda::force(model_, dip_, drag, nullptr, team_, memory_);
     }
     __device__ numerics::FilmForce forceAlong(float length, float drag) const {
-        return cuda::force(model_, dip_, drag, length, team_, memory_);
+        return cuda::force(model_, dip_, drag, &length, team_, memory_);
     }
-    __device__ void solveLinear(float drag, double start, double tolerance) const {
-        numerics::conjugateGradients(*this, drag, start, tolerance);
+    __device__ numerics::Vector2<float> forceOn(int point) const {
+        return plain(dip_.forces[point]);
+    }
+    __device__ void prepareLinear(float drag) const { prepareCycle(model_, dip_, drag, team_); }
+    __device__ void solveLinear(float drag, numerics::Tangent tangent, double start,
+                                double tolerance) {
+        numerics::leastResiduals(*this, drag, tangent, start, tolerance);
     }
     __device__ double startOfStep() const {
         double longest[1] = {0};
@@ -171,27 +181,90 @@ public:
         team_.barrier();
     }
 
+    // The problem is the block's; one thread of it works.
+    template <typename Work>
+    __device__ double inSmallProblem(const Work& work) const {
+        if (threadIdx.x == 0) {
+            small_.answer = work(small_.problem);
+        }
+        __syncthreads();
+        const double answer = small_.answer;
+        __syncthreads();
+        return answer;
+    }
     __device__ void startLinear() const {
-        forPoints([&](int point) { dip_.newtonStep[point] = {0, 0}; });
+        forPoints([&](int point) {
+            dip_.newtonStep[point] = {0, 0};
+            dip_.basis[0][point] = dip_.forces[point];
+        });
+        team_.barrier();
     }
-    __device__ double precondition() const {
-        double product[1] = {multigridCycle(model_, dip_, team_, memory_)};
-        team_.sum(product);
-        return product[0];
+    __device__ void startBasis(float factor) const {
+        inSmallProblem([&](numerics::LeastResiduals&) { return small_.factors[0] = factor; });
     }
-    __device__ double curvature(float drag, float keep, int iteration) const {
-        return cuda::curvature(model_, dip_, drag, dip_.direction[(iteration + 1) % 2],
-                               dip_.direction[iteration % 2], keep, team_, memory_);
-    }
-    __device__ double advance(float length, int iteration) const {
-        const float2* direction = dip_.direction[iteration % 2];
+    __device__ void extendBasis(int count, float drag, numerics::Tangent tangent) const {
+        float2* next = dip_.basis[count + 1];
+        multigridCycle(model_, dip_, {dip_.basis[count], small_.factors[count]},
+                       dip_.smoothed[count], team_, memory_);
+        double products[numerics::mostBasisVectors] = {};
+        multiply(model_, dip_, drag, tangent, dip_.smoothed[count], team_, memory_,
+                 [&](int point, float2 product) {
+                     next[point] = product;
+#pragma unroll
+                     for (int i = 0; i < numerics::mostBasisVectors; ++i) {
+                         if (i <= count) {
+                             const float2 earlier = dip_.basis[i][point];
+                             products[i] +=
+                                 double(product.x * earlier.x + product.y * earlier.y);
+                         }
+                     }
+                 });
+        team_.sum(products, count + 1);
         double squares[1] = {0};
         forPoints([&](int point) {
-            dip_.newtonStep[point] = dip_.newtonStep[point] - direction[point] * length;
-            const float2 left = dip_.right[point] - dip_.product[point] * length;
-            dip_.right[point] = left;
+            float2 left = next[point];
+#pragma unroll
+            for (int i = 0; i < numerics::mostBasisVectors; ++i) {
+                if (i <= count) {
+                    const double factor = small_.factors[i];
+                    left = left - dip_.basis[i][point] * float(products[i] * factor * factor);
+                }
+            }
+            next[point] = left;
             squares[0] += double(left.x * left.x + left.y * left.y);
         });
+        team_.sum(squares);
+        inSmallProblem([&](numerics::LeastResiduals& problem) {
+            double* column = problem.matrix[count];
+#pragma unroll
+            for (int i = 0; i < numerics::mostBasisVectors; ++i) {
+                if (i <= count) {
+                    column[i] = products[i] * small_.factors[i];
+                }
+            }
+            column[count + 1] = sqrt(squares[0]);
+            small_.factors[count + 1] = squares[0] > 0 ? float(1 / sqrt(squares[0])) : 0.0f;
+            return 0.0;
+        });
+    }
+    __device__ void addToStep(int count) const {
+        forPoints([&](int point) {
+            float2 step = dip_.newtonStep[point];
+            for (int i = 0; i < count; ++i) {
+                step = step - dip_.smoothed[i][point] * float(small_.problem.weights[i]);
+            }
+            dip_.newtonStep[point] = step;
+        });
+    }
+    __device__ double linearResidual(float drag, numerics::Tangent tangent) const {
+        team_.barrier();
+        double squares[1] = {0};
+        multiply(model_, dip_, drag, tangent, dip_.newtonStep, team_, memory_,
+                 [&](int point, float2 product) {
+                     const float2 left = dip_.forces[point] + product;
+                     dip_.basis[0][point] = left;
+                     squares[0] += double(left.x * left.x + left.y * left.y);
+                 });
         team_.sum(squares);
         return sqrt(squares[0]);
     }
@@ -212,47 +285,15 @@ private:
         forPoints([&](int point) { to[point] = from[point]; });
     }
 
-    // A coarse point is held where the fine point nearest to it is. A held patch too small to be
-    // seen by any coarse point still holds the coarse points nearest to it: without one the level
-    // could not tell where the film is.
-    __device__ void holdCoarse(int index) const {
-        const PlaneLevel &fine = model_.levels[index - 1], &coarse = model_.levels[index];
-        const float* fineFree = dip_.levelFree + fine.offset;
-        float* coarseFree = dip_.levelFree + coarse.offset;
-        const auto nearest = [](int i, int from, int to) {
-            return int(lround(double(i) * (to - 1) / (from - 1)));
-        };
-        const auto forLevel = [&](const PlaneLevel& level, const auto& work) {
-            forRange({0, level.columns, 0, level.rows}, work, team_.thread(), team_.threadCount());
-        };
-        double anyHeld[1] = {0};
-        forLevel(coarse, [&](int x, int z) {
-            const float free = fineFree[nearest(z, coarse.rows, fine.rows) * fine.columns +
-                                        nearest(x, coarse.columns, fine.columns)];
-            coarseFree[z * coarse.columns + x] = free;
-            anyHeld[0] = free == 0 ? 1 : anyHeld[0];
-        });
-        team_.largest(anyHeld);
-        if (anyHeld[0] > 0) {
-            return;
-        }
-        forLevel(fine, [&](int x, int z) {
-            if (fineFree[z * fine.columns + x] == 0) {
-                coarseFree[nearest(z, fine.rows, coarse.rows) * coarse.columns +
-                           nearest(x, fine.columns, coarse.columns)] = 0;
-            }
-        });
-        team_.barrier();
-    }
-
     const ProductionModel& model_;
     const ProductionDip& dip_;
     Team& team_;
+    SmallProblem& small_;
     float2* memory_;
     numerics::StepState<float> state_;
 };
 
-static_assert(numerics::FilmBackend<CudaBackend> && numerics::ConjugateBackend<const CudaBackend>);
+static_assert(numerics::FilmBackend<CudaBackend> && numerics::LeastResidualBackend<CudaBackend>);
 
 // At most `maximumSteps` steps of every dip, each by `blocksPerDip` blocks.
 __global__ void __launch_bounds__(Team::threads, 1)
@@ -261,12 +302,13 @@ __global__ void __launch_bounds__(Team::threads, 1)
     extern __shared__ float2 memory[];
     __shared__ ProductionDip dip;
     __shared__ Team team;
+    __shared__ SmallProblem small;
     if (threadIdx.x == 0) {
         dip = dips[int(blockIdx.x) / blocksPerDip];
     }
     __syncthreads();
     team.begin(dip.team, blocksPerDip, int(blockIdx.x) % blocksPerDip);
-    CudaBackend film(model, dip, team, memory);
+    CudaBackend film(model, dip, team, small, memory);
     for (int step = 0; step < maximumSteps && !numerics::isFinished(film); ++step) {
         numerics::step(film);
     }

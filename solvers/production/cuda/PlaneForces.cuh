@@ -88,11 +88,11 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
 }
 
 // The forces, the water's drag of `drag` a point among them, at start + length·newtonStep, which
-// become the displacement, or at the displacement where `length` is 0; left in the multigrid's
-// finest right side, and where they were taken in `stress`. Returns the roots of the sums of
+// become the displacement, or at the displacement if there is no `length`; left in `forces`, and
+// where they were taken in `stress`. Returns the roots of the sums of
 // squares of the forces on free points, and of those within the film.
 __device__ inline numerics::FilmForce force(const ProductionModel& model, const ProductionDip& dip,
-                                            float drag, float length, Team& team, float2* memory) {
+                                            float drag, const float* length, Team& team, float2* memory) {
     double sums[2] = {0, 0};
 #pragma unroll 1
     for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
@@ -101,10 +101,11 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
         auto* forces = reinterpret_cast<CellForces*>(memory + tile.corners.count());
         forRange(tile.corners, [&](int x, int z) {
             const int point = z * model.columns + x;
-            const float2 place = length == 0 ? dip.displacement[point]
-                                             : dip.start[point] + dip.newtonStep[point] * length;
+            const float2 place = length == nullptr
+                                     ? dip.displacement[point]
+                                     : dip.start[point] + dip.newtonStep[point] * *length;
             values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0] = place;
-            if (length != 0 && x >= tile.points.x0 && x < tile.points.x1 && z >= tile.points.z0 &&
+            if (length != nullptr && x >= tile.points.x0 && x < tile.points.x1 && z >= tile.points.z0 &&
                 z < tile.points.z1) {
                 dip.displacement[point] = place;
             }
@@ -133,11 +134,10 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
                                                   shape, model.area);
                 }
                 if (x >= tile.points.x0 && z >= tile.points.z0) { // counted once
-                    dip.stress[triangle] = {state.cosine, state.sine, state.turn,
-                                            crosses ? 1.0f : 0.0f};
+                    dip.stress[triangle] = {state.cosine, state.sine, state.turn, state.resists};
                     float moves = 0;
                     for (const std::uint32_t point : corners.points) {
-                        moves = fmaxf(moves, dip.levelFree[point]);
+                        moves = fmaxf(moves, dip.masked[point]);
                     }
                     sums[1] += double(moves * (result.hx * result.hx + result.hz * result.hz));
                 }
@@ -148,8 +148,8 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
                 const float2 way =
                     values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0] -
                     dip.before[point];
-                const float2 left = (sum + way * drag) * dip.levelFree[point];
-                dip.right[point] = left;
+                const float2 left = (sum + way * drag) * dip.masked[point];
+                dip.forces[point] = left;
                 sums[0] += double(left.x * left.x + left.y * left.y);
             });
     }
@@ -157,12 +157,11 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
     return {sqrt(sums[0]), sqrt(sums[1])};
 }
 
-// product = Hessian · direction, with direction = smoothed + keep·(the direction before). Returns
-// their product.
-__device__ inline double curvature(const ProductionModel& model, const ProductionDip& dip,
-                                   float drag, const float2* before, float2* direction, float keep,
-                                   Team& team, float2* memory) {
-    double sums[1] = {0};
+// Calls work(point, product) for all points, with the Hessian times a vector, the drag in it.
+template <typename Work>
+__device__ inline void multiply(const ProductionModel& model, const ProductionDip& dip, float drag,
+                                numerics::Tangent tangent, const float2* vector, const Team& team,
+                                float2* memory, const Work& work) {
 #pragma unroll 1
     for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
         const FilmTile tile(model, t);
@@ -171,41 +170,32 @@ __device__ inline double curvature(const ProductionModel& model, const Productio
         const auto value = [&](int x, int z) -> float2& {
             return values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0];
         };
-        forRange(tile.corners, [&](int x, int z) {
-            const int point = z * model.columns + x;
-            const float2 smoothed = dip.smoothed[point];
-            value(x, z) = keep == 0 ? smoothed : smoothed + before[point] * keep;
-        });
+        forRange(tile.corners,
+                 [&](int x, int z) { value(x, z) = vector[z * model.columns + x]; });
         __syncthreads();
         gatherForces(
             model, tile, values, forces,
             [&](int triangle, const numerics::TriangleCorners& corners, int, int, const auto& at) {
                 const numerics::Matrix2<float> shape = shapeOf(dip, triangle);
                 const float4 stress = dip.stress[triangle];
-                const numerics::StressState<float> state{stress.x, stress.y, stress.z};
+                const numerics::StressState<float> state{stress.x, stress.y, stress.z, stress.w};
                 const numerics::Matrix2<float> change =
                     gradientOf(triangleEdges(corners, 0, 0, at), shape);
-                if (stress.w == 0) {
-                    return numerics::edgeForces(numerics::stressDerivative(change, state), shape,
-                                                model.area);
+                if (dip.crosses[triangle] == 0) {
+                    return numerics::edgeForces(numerics::stressDerivative(change, state, tangent),
+                                                shape, model.area);
                 }
                 return numerics::crossingForces(
                     dip.crossing[triangle],
                     numerics::stressDerivative(
-                        numerics::floatingChange(dip.anchors[triangle], change), state),
+                        numerics::floatingChange(dip.anchors[triangle], change), state, tangent),
                     shape, model.area);
             },
             [&](int x, int z, float2 sum) {
                 const int point = z * model.columns + x;
-                const float2 own = value(x, z);
-                const float2 product = (sum + own * drag) * dip.levelFree[point];
-                direction[point] = own;
-                dip.product[point] = product;
-                sums[0] += double(own.x * product.x + own.y * product.y);
+                work(point, (sum + value(x, z) * drag) * dip.masked[point]);
             });
     }
-    team.sum(sums);
-    return sums[0];
 }
 
 } // namespace dipwright::cuda

@@ -1,14 +1,15 @@
-// The multigrid V-cycle on the GPU (MultigridCycle.h). On the way down, one tile after the other is
-// smoothed, its residual taken and carried over to the coarser level without leaving the block: it
-// begins with so many points round the tile as the three smoothing steps use up. The same on the
-// way up. The coarser levels, which one block can hold, every block computes whole for itself, and
-// so saves barriers with the others. Loops are kept from being unrolled where all their copies
-// would crowd the instructions of a step out of the caches.
+// The multigrid V-cycle on the GPU for the film's stiffness as it is now (GalerkinCycle.h). On the
+// way down, one tile after the other is smoothed, its residual taken and carried over to the coarser
+// level without leaving the block: it begins with so many points round the tile as the smoothing
+// steps use up. The same on the way up. The coarser levels, which one block can hold, every block
+// computes whole for itself, and so saves barriers with the others. Loops are kept from being
+// unrolled where all their copies would crowd the instructions of a step out of the caches.
 #pragma once
 
 #include "common/cuda/Team.cuh"
 #include "common/cuda/Tiles.h"
 #include "production/cuda/ProductionModel.h"
+#include "production/formulas/EdgeStiffness.h"
 
 namespace dipwright::cuda {
 
@@ -20,6 +21,12 @@ __device__ inline float2 operator-(float2 a, float2 b) {
 }
 __device__ inline float2 operator*(float2 a, float factor) {
     return {a.x * factor, a.y * factor};
+}
+__device__ inline float4 operator+(float4 a, float4 b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+}
+__device__ inline float4 operator*(float4 a, float factor) {
+    return {a.x * factor, a.y * factor, a.z * factor, a.w * factor};
 }
 
 __device__ inline PlaneRange grown(const PlaneRange& range, int by, int columns, int rows) {
@@ -40,84 +47,119 @@ __device__ inline void forRange(const PlaneRange& range, const Work& work,
     }
 }
 
-// Some points of a level in shared memory. Smoothing goes from `result` to `other` and back: so the
-// threads have one barrier a step.
+// The stiffness of a level: of each point with itself and its eight neighbours, row after row; xx,
+// xz, zx, zz each.
+struct PlaneStencils {
+    float4* first;
+    int points; // of the level
+
+    __device__ float4& at(int neighbour, int point) const {
+        return first[neighbour * points + point];
+    }
+};
+inline constexpr int neighbours = 9, middle = 4;
+
+__device__ inline PlaneStencils stencilsOf(const ProductionDip& dip, const PlaneLevel& level) {
+    return {dip.stencils + std::size_t(neighbours) * level.offset, level.columns * level.rows};
+}
+
+// Some points of a level in shared memory, with zeros round them. Smoothing goes from `result` to
+// `other` and back: so the threads have one barrier a step.
 struct PlanePatch {
     const PlaneLevel* level;
     PlaneRange range;
     float2 *result, *other;
 
-    static constexpr int valuesPerPoint = 2;
+    // Of each of the two.
+    __host__ __device__ static constexpr int values(int width, int height) {
+        return (width + 2) * (height + 2);
+    }
 
     __device__ PlanePatch(const PlaneLevel& level, const PlaneRange& range, float2* memory)
-        : level(&level), range(range), result(memory), other(memory + range.count()) {}
+        : level(&level), range(range), result(memory),
+          other(memory + values(range.width(), range.height())) {}
 
+    __device__ int pitch() const { return range.width() + 2; }
     __device__ int index(int x, int z) const {
-        return (z - range.z0) * range.width() + x - range.x0;
+        return (z - range.z0 + 1) * pitch() + x - range.x0 + 1;
     }
     __device__ void turn() {
         float2* next = other;
         other = result;
         result = next;
     }
+    // A barrier of the block is yet to come.
+    __device__ void clear() const {
+        const int count = 2 * values(range.width(), range.height());
+        float2* first = result < other ? result : other;
+#pragma unroll 1
+        for (int i = int(threadIdx.x); i < count; i += Team::threads) {
+            first[i] = {0, 0};
+        }
+    }
 };
 
-// The points of a patch that this thread smooths, `rows` one above the other, and what it keeps of
-// them in registers.
-template <int rows>
-class PlaneStrip {
+// The points of a patch that this thread smooths, at most `most` of them, and what it keeps of them
+// in registers.
+template <int most>
+class PatchPoints {
 public:
-    static constexpr int mostInPatch = rows * Team::threads;
+    static constexpr int mostInPatch = most * Team::threads;
 
-    // Whether the threads of a block have enough strips for a patch.
+    // Whether the threads of a block have room for a patch.
     __host__ __device__ static constexpr bool cover(int width, int height) {
-        return width * ((height + rows - 1) / rows) <= Team::threads;
+        return width * height <= mostInPatch;
     }
 
-    // free(x, z): 1 where a point moves, else 0; right(x, z): the right side, 0 where it is held.
-    template <typename Free, typename Right>
-    __device__ PlaneStrip(const PlanePatch& patch, const Free& free, const Right& right)
-        : stencil_(patch.level->stencil), width_(patch.range.width()),
-          height_(patch.range.height()) {
-        const PlaneLevel& level = *patch.level;
-        const int strip = int(__fdividef(float(threadIdx.x) + 0.5f, float(width_)));
-        column_ = int(threadIdx.x) - strip * width_;
-        first_ = strip * rows;
-        left_ = column_ > 0 ? 1.0f : 0.0f;
-        right_ = column_ < width_ - 1 ? 1.0f : 0.0f;
-        const int x = patch.range.x0 + column_;
-        forRows([&](int row) {
-            const int z = patch.range.z0 + first_ + row;
-            const float cell = (x > 0 && x < level.columns - 1 ? 0.5f : 1.0f) *
-                               (z > 0 && z < level.rows - 1 ? 0.5f : 1.0f);
-            share_[row] = 2 * free(x, z) * cell;
-            rightSide_[row] = right(x, z);
-        });
+    // right(x, z): the right side.
+    template <typename Right>
+    __device__ PatchPoints(const PlanePatch& patch, const PlaneStencils& stencils,
+                           const Right& right)
+        : stencils_(stencils), pitch_(patch.pitch()) {
+        const int width = patch.range.width(), count = patch.range.count();
+        const float byWidth = __fdividef(1.0f, float(width));
+#pragma unroll
+        for (int k = 0; k < most; ++k) {
+            const int i = int(threadIdx.x) + k * Team::threads;
+            if (i < count) {
+                const int row = int((float(i) + 0.5f) * byWidth);
+                const int x = patch.range.x0 + i - row * width, z = patch.range.z0 + row;
+                index_[k] = patch.index(x, z);
+                point_[k] = z * patch.level->columns + x;
+                right_[k] = right(x, z);
+                setInverse(k);
+                if constexpr (keepsStencils) {
+                    for (int n = 0; n < neighbours; ++n) {
+                        kept_[n] = stencils_.at(n, point_[k]);
+                    }
+                }
+            } else {
+                index_[k] = -1;
+            }
+        }
     }
 
     // `degree` Chebyshev steps on the patch's `result` (from zero, or from what it is). Beside an
     // edge of the patch that is none of the level, a point's result is of no use, and one point
-    // more with each step that takes a residual. From zero, it ends where `result` was.
-    __device__ void smooth(PlanePatch& patch, const numerics::multigrid::ChebyshevStep* steps,
+    // more with each step that takes a residual.
+    __device__ void smooth(PlanePatch& patch, const numerics::galerkin::ChebyshevStep* steps,
                            int degree, bool fromZero) {
-        if (fromZero && degree % 2 != 0) {
-            patch.turn();
-        }
-        const float2 byDiagonal{__fdividef(1.0f, stencil_.xx + stencil_.xz),
-                                __fdividef(1.0f, stencil_.zx + stencil_.zz)};
 #pragma unroll 1
-        for (int k = 0; k < degree; ++k) {
-            const numerics::multigrid::ChebyshevStep step = steps[k];
-            const auto move = [&](int row, float2 left, float2 from) {
-                const float gain = step.gain * share_[row];
-                const float2 change{left.x * byDiagonal.x * gain, left.y * byDiagonal.y * gain};
-                direction_[row] = k == 0 ? change : direction_[row] * step.keep + change;
-                patch.other[index(row)] = from + direction_[row];
-            };
-            if (fromZero && k == 0) { // the residual is the right side
-                forRows([&](int row) { move(row, rightSide_[row], {0, 0}); });
-            } else {
-                forResiduals(patch, move);
+        for (int s = 0; s < degree; ++s) {
+            const numerics::galerkin::ChebyshevStep step = steps[s];
+#pragma unroll
+            for (int k = 0; k < most; ++k) {
+                if (index_[k] >= 0) {
+                    const bool isFirst = fromZero && s == 0;
+                    const float2 from = isFirst ? float2{0, 0} : patch.result[index_[k]];
+                    const float2 left = isFirst ? right_[k] : residual(patch, k);
+                    const float3 inverse = inverse_[k];
+                    const float2 change{
+                        step.gain * (inverse.x * left.x + inverse.y * left.y),
+                        step.gain * (inverse.y * left.x + inverse.z * left.y)};
+                    direction_[k] = s == 0 ? change : direction_[k] * step.keep + change;
+                    patch.other[index_[k]] = from + direction_[k];
+                }
             }
             patch.turn();
             __syncthreads();
@@ -126,121 +168,92 @@ public:
 
     // Leaves the residual in `other`.
     __device__ void keepResidual(const PlanePatch& patch) const {
-        forResiduals(patch, [&](int row, float2 left, float2) {
-            patch.other[index(row)] = share_[row] > 0 ? left : float2{0, 0};
-        });
+#pragma unroll
+        for (int k = 0; k < most; ++k) {
+            if (index_[k] >= 0) {
+                patch.other[index_[k]] = residual(patch, k);
+            }
+        }
         __syncthreads();
     }
 
 private:
-    __device__ int index(int row) const {
-        return (first_ + row) * width_ + column_;
+    // Read once for all steps where a thread has one point only.
+    static constexpr bool keepsStencils = most == 1;
+
+    // Of the symmetric part of the point's own block; of one that is nearly singular, of its trace;
+    // nothing for a point that is held.
+    __device__ void setInverse(int k) {
+        constexpr float leastDeterminant = 1e-4f; // over the square of the trace
+        const float4 own = stencils_.at(middle, point_[k]);
+        const float mixed = (own.y + own.z) / 2, trace = own.x + own.w;
+        const float determinant = own.x * own.w - mixed * mixed;
+        const bool isRegular = trace > 0 && determinant > leastDeterminant * trace * trace;
+        const float scale = isRegular ? __fdividef(1.0f, determinant) : 0;
+        const float common = !isRegular && trace > 0 ? __fdividef(1.0f, trace) : 0;
+        inverse_[k] = {own.w * scale + common, -mixed * scale, own.x * scale + common};
     }
 
-    template <typename Work>
-    __device__ void forRows(const Work& work) const {
+    __device__ float2 residual(const PlanePatch& patch, int k) const {
+        const float2* at = patch.result + index_[k];
+        float2 sum = right_[k];
 #pragma unroll
-        for (int row = 0; row < rows; ++row) {
-            if (first_ + row < height_) {
-                work(row);
+        for (int n = 0; n < neighbours; ++n) {
+            float4 block;
+            if constexpr (keepsStencils) {
+                block = kept_[n];
+            } else {
+                block = stencils_.at(n, point_[k]);
             }
+            const float2 value = at[(n / 3 - 1) * pitch_ + n % 3 - 1];
+            sum.x -= block.x * value.x + block.y * value.y;
+            sum.y -= block.z * value.x + block.w * value.y;
         }
+        return sum;
     }
 
-    // What a point takes from those in its row: itself, its differences to them, and theirs.
-    struct Row {
-        float2 own, alongX, across;
-    };
-    // Past the patch's edge, that of the row on the edge.
-    __device__ Row rowOf(const float2* values, int row) const {
-        const float2* at = values + min(max(first_ + row, 0), height_ - 1) * width_ + column_;
-        const float2 own = *at, left = at[left_ > 0 ? -1 : 0], right = at[right_ > 0 ? 1 : 0];
-        return {own, (own - left) * left_ + (own - right) * right_, right * right_ - left * left_};
-    }
-
-    // work(row, the right side less the stiffness times `result`, the `result`): each of the cells
-    // round a point has its share of the stencil.
-    template <typename Work>
-    __device__ void forResiduals(const PlanePatch& patch, const Work& work) const {
-        if (first_ >= height_) {
-            return;
-        }
-        const float cellsZ = 0.5f * (left_ + right_);
-        Row lower = rowOf(patch.result, -1), here = rowOf(patch.result, 0);
-#pragma unroll
-        for (int row = 0; row < rows; ++row) {
-            const Row upper = rowOf(patch.result, row + 1);
-            const float below = row > 0 || first_ > 0 ? 1.0f : 0.0f;
-            const float above = first_ + row + 1 < height_ ? 1.0f : 0.0f;
-            const float cellsX = 0.5f * (below + above);
-            const float2 alongZ = (here.own - lower.own) * below + (here.own - upper.own) * above;
-            const float2 mixed = here.own * ((right_ - left_) * (above - below)) +
-                                 lower.across * below - upper.across * above;
-            const float2 stiffness{stencil_.xx * cellsX * here.alongX.x +
-                                       stencil_.xz * cellsZ * alongZ.x + 0.5f * mixed.y,
-                                   stencil_.zx * cellsX * here.alongX.y +
-                                       stencil_.zz * cellsZ * alongZ.y + 0.5f * mixed.x};
-            if (first_ + row < height_) {
-                work(row, rightSide_[row] - stiffness, here.own);
-            }
-            lower = here;
-            here = upper;
-        }
-    }
-
-    numerics::multigrid::Stencil stencil_;
-    int width_, height_; // of the patch
-    int column_, first_; // where the strip is in it
-    float left_, right_; // 1 where the patch goes on there, else 0
-    float share_[rows];  // twice free / the cells round the point, with which the diagonal grows
-    float2 rightSide_[rows], direction_[rows];
+    PlaneStencils stencils_;
+    int pitch_;
+    int index_[most], point_[most]; // in the patch, and in the level
+    float2 right_[most], direction_[most];
+    float3 inverse_[most]; // xx, xz, zz
+    float4 kept_[keepsStencils ? neighbours : 1];
 };
 
-// One point a thread where there are threads enough, which makes the shortest steps; else as many
-// as registers hold.
-using ShortStrip = PlaneStrip<1>;
-using LongStrip = PlaneStrip<4>;
+// One point a thread where there are threads enough; else as many as registers hold.
+using FewPoints = PatchPoints<1>;
+using ManyPoints = PatchPoints<4>;
 
-// Calls work(strip) with this thread's strip of the patch; the arguments are those of PlaneStrip.
-template <typename Free, typename Right, typename Work>
-__device__ inline void withStrip(const PlanePatch& patch, const Free& free, const Right& right,
-                                 const Work& work) {
-    if (ShortStrip::cover(patch.range.width(), patch.range.height())) {
-        work(ShortStrip(patch, free, right));
+template <typename Right, typename Work>
+__device__ inline void withPoints(const PlanePatch& patch, const PlaneStencils& stencils,
+                                  const Right& right, const Work& work) {
+    if (FewPoints::cover(patch.range.width(), patch.range.height())) {
+        work(FewPoints(patch, stencils, right));
     } else {
-        work(LongStrip(patch, free, right));
+        work(ManyPoints(patch, stencils, right));
     }
 }
 
 // What the residual of a finer patch, in its `other`, comes to at a coarse point, by the transpose
 // of the interpolation.
 __device__ inline float2 restricted(const PlanePatch& fine, int coarseX, int coarseZ) {
-    const PlaneAxis &alongX = fine.level->alongX, &alongZ = fine.level->alongZ;
-    const int firstX = alongX.firstAfter(coarseX - 1), endX = alongX.firstFrom(coarseX + 1);
-    const int firstZ = alongZ.firstAfter(coarseZ - 1), endZ = alongZ.firstFrom(coarseZ + 1);
-    float2 sum{0, 0};
-#pragma unroll 1
-    for (int z = firstZ; z < endZ; ++z) {
-        float2 row{0, 0};
-#pragma unroll 1
-        for (int x = firstX; x < endX; ++x) {
-            row = row + fine.other[fine.index(x, z)] * alongX.weight(x, coarseX);
-        }
-        sum = sum + row * alongZ.weight(z, coarseZ);
-    }
-    return sum;
+    const float2* at = fine.other + fine.index(2 * coarseX, 2 * coarseZ);
+    const int pitch = fine.pitch();
+    const bool isInX = 2 * coarseX < fine.level->columns, isInZ = 2 * coarseZ < fine.level->rows;
+    const auto row = [&](int z) {
+        const float2* here = at + z * pitch;
+        // Past the last point of the level there are only the patch's zeros, for one point.
+        return isInX ? here[0] + (here[-1] + here[1]) * 0.5f : here[-1] * 0.5f;
+    };
+    return isInZ ? row(0) + (row(-1) + row(1)) * 0.5f : row(-1) * 0.5f;
 }
 
-// A coarser level's values between its points, at a point of `level`.
-__device__ inline float2 interpolated(const PlaneLevel& level, const float2* coarse, int x, int z) {
-    const int coarseX = level.alongX.below(x), coarseZ = level.alongZ.below(z);
-    const float2* lower = coarse + coarseZ * level.alongX.coarse + coarseX;
-    const float2* upper = lower + level.alongX.coarse;
-    const float weightX = level.alongX.weight(x, coarseX + 1);
-    const float weightZ = level.alongZ.weight(z, coarseZ + 1);
-    const float2 first = lower[0] + (upper[0] - lower[0]) * weightZ;
-    const float2 second = lower[1] + (upper[1] - lower[1]) * weightZ;
-    return first + (second - first) * weightX;
+// A coarser level's values, `pitch` from row to row, between its points, at a point of the finer
+// level.
+__device__ inline float2 interpolated(const float2* coarse, int pitch, int x, int z) {
+    const float2 *lower = coarse + (z / 2) * pitch, *upper = coarse + ((z + 1) / 2) * pitch;
+    const int left = x / 2, right = (x + 1) / 2;
+    return ((lower[left] + upper[left]) + (lower[right] + upper[right])) * 0.25f;
 }
 
 // Tile `index` of a level: its part of the coarser level, and the fine points that are its own.
@@ -248,190 +261,343 @@ struct CoarseTile {
     PlaneRange coarse, own;
     PlaneRange leaning; // fine points that its coarse points take from
 
-    __device__ CoarseTile(const PlaneLevel& level, int index) {
-        const PlaneAxis &alongX = level.alongX, &alongZ = level.alongZ;
+    __device__ CoarseTile(const PlaneLevel& level, const PlaneLevel& coarser, int index) {
         const int across = index % level.tiles.across, down = index / level.tiles.across;
-        coarse = {tileStart(alongX.coarse, level.tiles.across, across),
-                  tileStart(alongX.coarse, level.tiles.across, across + 1),
-                  tileStart(alongZ.coarse, level.tiles.down, down),
-                  tileStart(alongZ.coarse, level.tiles.down, down + 1)};
-        own = {alongX.firstFrom(coarse.x0), alongX.firstFrom(coarse.x1),
-               alongZ.firstFrom(coarse.z0), alongZ.firstFrom(coarse.z1)};
+        coarse = {tileStart(coarser.columns, level.tiles.across, across),
+                  tileStart(coarser.columns, level.tiles.across, across + 1),
+                  tileStart(coarser.rows, level.tiles.down, down),
+                  tileStart(coarser.rows, level.tiles.down, down + 1)};
+        own = {min(2 * coarse.x0, level.columns), min(2 * coarse.x1, level.columns),
+               min(2 * coarse.z0, level.rows), min(2 * coarse.z1, level.rows)};
         leaning = own;
-        leaning.x0 = alongX.firstAfter(coarse.x0 - 1);
-        leaning.z0 = alongZ.firstAfter(coarse.z0 - 1);
+        leaning.x0 = max(2 * coarse.x0 - 1, 0);
+        leaning.z0 = max(2 * coarse.z0 - 1, 0);
     }
 };
 
 // A patch round a tile, so large that smoothing is right within the tile.
 __device__ inline PlanePatch patchRound(const PlaneRange& tile, const PlaneLevel& level,
                                         float2* memory) {
-    return {level, grown(tile, numerics::multigrid::smoothingDegree, level.columns, level.rows),
+    return {level, grown(tile, numerics::galerkin::smoothingDegree, level.columns, level.rows),
             memory};
 }
 
-// The same of a part of a level in device memory.
-template <typename Work>
-__device__ inline void withStrip(const PlanePatch& patch, const ProductionDip& dip,
-                                 const Work& work) {
-    const float* free = dip.levelFree + patch.level->offset;
-    const float2* right = dip.right + patch.level->offset;
-    const int columns = patch.level->columns;
-    withStrip(
-        patch, [&](int x, int z) { return free[z * columns + x]; },
-        [&](int x, int z) { return right[z * columns + x]; }, work);
-}
+// The right side of the finest level: a vector of its points times a factor.
+struct ScaledVector {
+    const float2* values;
+    float factor;
+};
 
 // From a level to the right side of the next coarser one, and its own `result`.
 __device__ inline void descend(const ProductionModel& model, const ProductionDip& dip, int index,
-                               const Team& team, float2* memory) {
+                               ScaledVector right, const Team& team, float2* memory) {
     const PlaneLevel &level = model.levels[index], &coarser = model.levels[index + 1];
 #pragma unroll 1
     for (int t = team.block(); t < level.tiles.count(); t += team.blocks()) {
-        const CoarseTile tile(level, t);
+        const CoarseTile tile(level, coarser, t);
         PlanePatch patch = patchRound(tile.leaning, level, memory);
-        withStrip(patch, dip, [&](auto strip) {
-            strip.smooth(patch, model.smoothing, numerics::multigrid::smoothingDegree, true);
-            strip.keepResidual(patch);
-        });
+        patch.clear();
+        __syncthreads();
+        withPoints(
+            patch, stencilsOf(dip, level),
+            [&](int x, int z) { return right.values[z * level.columns + x] * right.factor; },
+            [&](auto points) {
+                points.smooth(patch, model.smoothing, numerics::galerkin::smoothingDegree, true);
+                points.keepResidual(patch);
+            });
         forRange(tile.own, [&](int x, int z) {
             dip.result[level.offset + z * level.columns + x] = patch.result[patch.index(x, z)];
         });
         forRange(tile.coarse, [&](int x, int z) {
-            const int i = coarser.offset + z * coarser.columns + x;
-            dip.right[i] = restricted(patch, x, z) * dip.levelFree[i];
+            dip.right[coarser.offset + z * coarser.columns + x] = restricted(patch, x, z);
         });
         __syncthreads();
     }
 }
 
-// From a level's `result` and the coarser level's solution to this level's, in `smoothed`. Returns
-// this thread's share of its product with the right side.
-__device__ inline double ascend(const ProductionModel& model, const ProductionDip& dip, int index,
-                                const float2* coarseSolution, const Team& team, float2* memory) {
-    const PlaneLevel& level = model.levels[index];
-    double product = 0;
+// From a level's `result` and the coarser level's solution to this level's.
+__device__ inline void ascend(const ProductionModel& model, const ProductionDip& dip, int index,
+                              ScaledVector right, const float2* coarse, int coarsePitch,
+                              float2* solution, const Team& team, float2* memory) {
+    const PlaneLevel &level = model.levels[index], &coarser = model.levels[index + 1];
+    const PlaneStencils stencils = stencilsOf(dip, level);
 #pragma unroll 1
     for (int t = team.block(); t < level.tiles.count(); t += team.blocks()) {
-        const CoarseTile tile(level, t);
+        const CoarseTile tile(level, coarser, t);
         PlanePatch patch = patchRound(tile.own, level, memory);
+        patch.clear();
+        __syncthreads();
         forRange(patch.range, [&](int x, int z) {
-            const int global = level.offset + z * level.columns + x;
+            const int point = z * level.columns + x;
+            const float4 own = stencils.at(middle, point);
+            const float2 found = dip.result[level.offset + point];
+            const bool isHeld = own.x + own.w == 0;
             patch.result[patch.index(x, z)] =
-                dip.result[global] +
-                interpolated(level, coarseSolution, x, z) * dip.levelFree[global];
+                isHeld ? found : found + interpolated(coarse, coarsePitch, x, z);
         });
         __syncthreads();
-        withStrip(patch, dip, [&](auto strip) {
-            strip.smooth(patch, model.smoothing, numerics::multigrid::smoothingDegree, false);
-        });
+        withPoints(
+            patch, stencils,
+            [&](int x, int z) { return right.values[z * level.columns + x] * right.factor; },
+            [&](auto points) {
+                points.smooth(patch, model.smoothing, numerics::galerkin::smoothingDegree, false);
+            });
         forRange(tile.own, [&](int x, int z) {
-            const int global = level.offset + z * level.columns + x;
-            const float2 result = patch.result[patch.index(x, z)], right = dip.right[global];
-            dip.smoothed[global] = result;
-            product += double(result.x * right.x + result.y * right.y);
+            solution[z * level.columns + x] = patch.result[patch.index(x, z)];
         });
         __syncthreads();
     }
-    return product;
 }
 
-// The levels from `wholeLevel` on, in this block's shared memory. Returns the solution of the first
-// of them, which is among the two values a point where `memory` begins.
-__device__ inline const float2* solveWhole(const ProductionModel& model, const ProductionDip& dip,
-                                           float2* memory) {
+// The levels from `wholeLevel` on, in this block's shared memory. Returns the patch with the
+// solution of the first of them, which lies where `memory` begins.
+__device__ inline PlanePatch solveWhole(const ProductionModel& model, const ProductionDip& dip,
+                                        ScaledVector firstRight, float2* memory) {
     const int first = model.wholeLevel, last = model.levelCount - 1;
-    const std::uint32_t start = model.levels[first].offset;
-    const int count = int(model.levels[last].offset - start) +
-                      model.levels[last].columns * model.levels[last].rows; // on all levels
-    float2* right = memory + PlanePatch::valuesPerPoint * count;
-    auto* free = reinterpret_cast<float*>(right + count);
-#pragma unroll 1
-    for (int i = int(threadIdx.x); i < count; i += Team::threads) {
-        free[i] = dip.levelFree[start + i];
-        if (i < model.levels[first].columns * model.levels[first].rows) {
-            right[i] = dip.right[start + i];
+    // Three values a point, and the zeros round them: a level's two of its patch and its right side.
+    const auto patchOf = [&](int l) {
+        float2* start = memory;
+        for (int finer = first; finer < l; ++finer) {
+            start += 3 * PlanePatch::values(model.levels[finer].columns, model.levels[finer].rows);
         }
-    }
-    __syncthreads();
-    const auto patchOf = [&](const PlaneLevel& level) {
-        return PlanePatch(level, {0, level.columns, 0, level.rows},
-                          memory + PlanePatch::valuesPerPoint * (level.offset - start));
+        const PlaneLevel& level = model.levels[l];
+        return PlanePatch(level, {0, level.columns, 0, level.rows}, start);
     };
-    const auto withWholeStrip = [&](const PlanePatch& patch, const auto& work) {
-        const PlaneLevel& level = *patch.level;
-        const auto at = [&](int x, int z) { return level.offset - start + z * level.columns + x; };
-        withStrip(
-            patch, [&](int x, int z) { return free[at(x, z)]; },
-            [&](int x, int z) { return right[at(x, z)]; }, work);
+    const auto rightOf = [&](const PlanePatch& patch) {
+        return patch.other + PlanePatch::values(patch.range.width(), patch.range.height());
+    };
+    PlanePatch top = patchOf(first);
+    {
+        const PlaneLevel& level = model.levels[first];
+        float2* right = rightOf(top);
+        top.clear();
+        forRange(top.range, [&](int x, int z) {
+            right[top.index(x, z)] = firstRight.values[z * level.columns + x] * firstRight.factor;
+        });
+        __syncthreads();
+    }
+    const auto withWhole = [&](const PlanePatch& patch, const float2* right, const auto& work) {
+        withPoints(
+            patch, stencilsOf(dip, *patch.level),
+            [&](int x, int z) { return right[patch.index(x, z)]; }, work);
     };
 #pragma unroll 1
     for (int l = first; l < last; ++l) {
-        const PlaneLevel& coarser = model.levels[l + 1];
-        PlanePatch patch = patchOf(model.levels[l]);
-        withWholeStrip(patch, [&](auto strip) {
-            strip.smooth(patch, model.smoothing, numerics::multigrid::smoothingDegree, true);
-            strip.keepResidual(patch);
+        PlanePatch patch = patchOf(l), coarser = patchOf(l + 1);
+        float2* coarseRight = rightOf(coarser);
+        coarser.clear();
+        withWhole(patch, rightOf(patch), [&](auto points) {
+            points.smooth(patch, model.smoothing, numerics::galerkin::smoothingDegree, true);
+            points.keepResidual(patch);
         });
-        forRange({0, coarser.columns, 0, coarser.rows}, [&](int x, int z) {
-            const std::uint32_t i = coarser.offset - start + z * coarser.columns + x;
-            right[i] = restricted(patch, x, z) * free[i];
+        forRange(coarser.range, [&](int x, int z) {
+            coarseRight[coarser.index(x, z)] = restricted(patch, x, z);
         });
         __syncthreads();
     }
-    const float2* solution = nullptr;
+    // Smoothing has an even number of steps: so each solution ends in `result`.
+    static_assert(numerics::galerkin::smoothingDegree % 2 == 0 &&
+                  numerics::galerkin::coarsestDegree % 2 == 0);
 #pragma unroll 1
     for (int l = last; l >= first; --l) {
-        const PlaneLevel& level = model.levels[l];
-        PlanePatch patch = patchOf(level);
+        PlanePatch patch = patchOf(l);
         const bool isCoarsest = l == last;
         if (!isCoarsest) {
+            const PlanePatch coarser = patchOf(l + 1);
+            const float2* solution = coarser.result + coarser.index(0, 0);
             forRange(patch.range, [&](int x, int z) {
-                const int i = z * level.columns + x;
-                patch.result[i] = patch.result[i] + interpolated(level, solution, x, z) *
-                                                        free[level.offset - start + i];
+                float2& value = patch.result[patch.index(x, z)];
+                value = value + interpolated(solution, coarser.pitch(), x, z);
             });
             __syncthreads();
         }
-        withWholeStrip(patch, [&](auto strip) {
-            strip.smooth(patch, isCoarsest ? model.coarsest : model.smoothing,
-                         isCoarsest ? numerics::multigrid::coarsestDegree
-                                    : numerics::multigrid::smoothingDegree,
-                         isCoarsest);
+        withWhole(patch, rightOf(patch), [&](auto points) {
+            points.smooth(patch, isCoarsest ? model.coarsest : model.smoothing,
+                          isCoarsest ? numerics::galerkin::coarsestDegree
+                                     : numerics::galerkin::smoothingDegree,
+                          isCoarsest);
         });
-        solution = patch.result;
     }
-    return solution;
+    return top;
 }
 
-// smoothed ≈ stiffness⁻¹ · right on the finest level by one V-cycle. Returns this thread's share of
-// their product; a barrier is yet to come.
-__device__ inline double multigridCycle(const ProductionModel& model, const ProductionDip& dip,
-                                        Team& team, float2* memory) {
+// solution ≈ stiffness⁻¹ · right on the finest level by one V-cycle. Ends with a barrier.
+__device__ inline void multigridCycle(const ProductionModel& model, const ProductionDip& dip,
+                                      ScaledVector right, float2* solution, Team& team,
+                                      float2* memory) {
+    const auto rightOf = [&](int l) {
+        return l == 0 ? right : ScaledVector{dip.right + model.levels[l].offset, 1.0f};
+    };
     for (int l = 0; l < model.wholeLevel; ++l) {
-        descend(model, dip, l, team, memory);
+        descend(model, dip, l, rightOf(l), team, memory);
         team.barrier();
     }
-    const float2* solution = solveWhole(model, dip, memory);
-    const PlaneLevel& whole = model.levels[model.wholeLevel];
-    float2* tileMemory = memory + PlanePatch::valuesPerPoint * whole.columns * whole.rows;
+    const PlanePatch whole = solveWhole(model, dip, rightOf(model.wholeLevel), memory);
+    const float2* coarse = whole.result + whole.index(0, 0);
+    int coarsePitch = whole.pitch();
+    float2* tileMemory =
+        memory + 3 * PlanePatch::values(whole.range.width(), whole.range.height());
     if (model.wholeLevel == 0) {
-        double product = 0;
         for (int i = team.thread(); i < model.columns * model.rows; i += team.threadCount()) {
-            dip.smoothed[i] = solution[i];
-            product += double(solution[i].x * dip.right[i].x + solution[i].y * dip.right[i].y);
+            const int row = i / model.columns;
+            solution[i] = coarse[row * coarsePitch + i - row * model.columns];
         }
-        return product;
     }
-    double product = 0;
     for (int l = model.wholeLevel - 1; l >= 0; --l) {
-        product = ascend(model, dip, l, solution, team, tileMemory);
-        if (l > 0) {
-            team.barrier();
-            solution = dip.smoothed + model.levels[l].offset;
-        }
+        float2* found = l == 0 ? solution : dip.solution + model.levels[l].offset;
+        ascend(model, dip, l, rightOf(l), coarse, coarsePitch, found, team, tileMemory);
+        team.barrier();
+        coarse = found;
+        coarsePitch = model.levels[l].columns;
     }
-    return product;
+    if (model.wholeLevel == 0) {
+        team.barrier();
+    }
+}
+
+// The stiffness of a triangle where the forces were last taken, projected.
+__device__ inline numerics::EdgeStiffness<float> stiffnessOf(const ProductionModel& model,
+                                                             const ProductionDip& dip,
+                                                             int triangle) {
+    const float4 shape = dip.inverseShape[triangle], stress = dip.stress[triangle];
+    const numerics::Matrix2<float> inverse{shape.x, shape.y, shape.z, shape.w};
+    const numerics::StressState<float> state{stress.x, stress.y, stress.z, stress.w};
+    return dip.crosses[triangle] != 0
+               ? numerics::edgeStiffness(dip.crossing[triangle], dip.anchors[triangle], inverse,
+                                         state, model.area)
+               : numerics::edgeStiffness(inverse, state, model.area);
+}
+
+namespace detail {
+
+// Adds what one cell does to the point of it that `point` is.
+template <numerics::CellPoint point>
+__device__ inline void addCell(const ProductionModel& model, const ProductionDip& dip, int x, int z,
+                               float4 (&stencil)[neighbours]) {
+    using numerics::CellPoint;
+    constexpr bool isLower = point == CellPoint::LowerLeft || point == CellPoint::LowerRight;
+    constexpr bool isLeft = point == CellPoint::LowerLeft || point == CellPoint::UpperLeft;
+    const int cellX = isLeft ? x : x - 1, cellZ = isLower ? z : z - 1;
+    if (cellX < 0 || cellZ < 0 || cellX >= model.columns - 1 || cellZ >= model.rows - 1) {
+        return;
+    }
+    const int triangle = 2 * (cellZ * (model.columns - 1) + cellX);
+    const auto row = numerics::cellRow<point>(stiffnessOf(model, dip, triangle),
+                                              stiffnessOf(model, dip, triangle + 1),
+                                              (cellX + cellZ) % 2 == 0);
+    constexpr int first = middle - (isLeft ? 0 : 1) - (isLower ? 0 : 3);
+    const auto add = [&](int neighbour, const numerics::Matrix2<float>& block) {
+        stencil[neighbour] = stencil[neighbour] + float4{block.a, block.b, block.c, block.d};
+    };
+    add(first, row.toLowerLeft);
+    add(first + 1, row.toLowerRight);
+    add(first + 3, row.toUpperLeft);
+    add(first + 4, row.toUpperRight);
+}
+
+// The finest level's stencils, of points that move with those that move. Ends with a barrier.
+__device__ inline void assemble(const ProductionModel& model, const ProductionDip& dip, float drag,
+                                Team& team) {
+    using numerics::CellPoint;
+    const PlaneLevel& level = model.levels[0];
+    const PlaneStencils stencils = stencilsOf(dip, level);
+    forRange(
+        {0, level.columns, 0, level.rows},
+        [&](int x, int z) {
+            float4 stencil[neighbours] = {};
+            const int point = z * level.columns + x;
+            const bool moves = dip.masked[point] > 0;
+            if (moves) {
+                addCell<CellPoint::LowerLeft>(model, dip, x, z, stencil);
+                addCell<CellPoint::LowerRight>(model, dip, x, z, stencil);
+                addCell<CellPoint::UpperLeft>(model, dip, x, z, stencil);
+                addCell<CellPoint::UpperRight>(model, dip, x, z, stencil);
+                stencil[middle] = stencil[middle] + float4{drag, 0, 0, drag};
+            }
+#pragma unroll
+            for (int n = 0; n < neighbours; ++n) {
+                const int i = x + n % 3 - 1, j = z + n / 3 - 1;
+                const bool isIn = i >= 0 && j >= 0 && i < level.columns && j < level.rows;
+                const float free = isIn ? dip.masked[j * level.columns + i] : 0;
+                stencils.at(n, point) = stencil[n] * free;
+            }
+        },
+        team.thread(), team.threadCount());
+    team.barrier();
+}
+
+// What a fine operator (its answers to the one before, to itself and to the one after) that lies
+// `offset` points from a coarse point gives to that one's: see coarsenAcross in
+// production/cpu/StencilKernels.cpp.
+__device__ inline void addCoarse(int offset, float4 before, float4 own, float4 after,
+                                 float4& toBefore, float4& toOwn, float4& toAfter) {
+    if (offset == 0) {
+        toBefore = toBefore + before * 0.5f;
+        toOwn = toOwn + own + (before + after) * 0.5f;
+        toAfter = toAfter + after * 0.5f;
+    } else if (offset < 0) {
+        toBefore = toBefore + (own * 0.5f + before) * 0.5f;
+        toOwn = toOwn + (own * 0.5f + after) * 0.5f;
+    } else {
+        toOwn = toOwn + (own * 0.5f + before) * 0.5f;
+        toAfter = toAfter + (own * 0.5f + after) * 0.5f;
+    }
+}
+
+// A level's stencils from those of the finer one. Ends with a barrier.
+__device__ inline void coarsen(const ProductionModel& model, const ProductionDip& dip, int index,
+                               Team& team) {
+    const PlaneLevel &fine = model.levels[index - 1], &coarse = model.levels[index];
+    const PlaneStencils from = stencilsOf(dip, fine), to = stencilsOf(dip, coarse);
+    forRange(
+        {0, coarse.columns, 0, coarse.rows},
+        [&](int x, int z) {
+            float4 stencil[neighbours] = {};
+#pragma unroll 1
+            for (int oz = -1; oz <= 1; ++oz) {
+                const int j = 2 * z + oz;
+                if (j < 0 || j >= fine.rows) {
+                    continue;
+                }
+                float4 line[neighbours] = {};
+#pragma unroll 1
+                for (int ox = -1; ox <= 1; ++ox) {
+                    const int i = 2 * x + ox;
+                    if (i < 0 || i >= fine.columns) {
+                        continue;
+                    }
+                    const int point = j * fine.columns + i;
+#pragma unroll
+                    for (int r = 0; r < neighbours; r += 3) {
+                        addCoarse(ox, from.at(r, point), from.at(r + 1, point),
+                                  from.at(r + 2, point), line[r], line[r + 1], line[r + 2]);
+                    }
+                }
+#pragma unroll
+                for (int c = 0; c < 3; ++c) {
+                    addCoarse(oz, line[c], line[c + 3], line[c + 6], stencil[c], stencil[c + 3],
+                              stencil[c + 6]);
+                }
+            }
+#pragma unroll
+            for (int n = 0; n < neighbours; ++n) {
+                to.at(n, z * coarse.columns + x) = stencil[n];
+            }
+        },
+        team.thread(), team.threadCount());
+    team.barrier();
+}
+
+} // namespace detail
+
+// Readies multigridCycle() for the film's stiffness where the forces were last taken.
+__device__ inline void prepareCycle(const ProductionModel& model, const ProductionDip& dip,
+                                    float drag, Team& team) {
+    detail::assemble(model, dip, drag, team);
+#pragma unroll 1
+    for (int l = 1; l < model.levelCount; ++l) {
+        detail::coarsen(model, dip, l, team);
+    }
 }
 
 } // namespace dipwright::cuda

@@ -17,7 +17,8 @@ namespace {
 constexpr int mostTilePoints = 34 * 34; // of the film, those beside the tile's own among them
 
 // Bytes of shared memory beside what the kernel takes dynamically.
-constexpr std::size_t staticSharedBytes = sizeof(Team) + sizeof(ProductionDip) + 256;
+constexpr std::size_t staticSharedBytes =
+    sizeof(Team) + sizeof(ProductionDip) + sizeof(SmallProblem) + 256;
 
 // The cut of a grid that `blocks` blocks are done with soonest. work(columns, rows): the points
 // that a block has to do with for a tile of this size; 0 where they are too many.
@@ -50,30 +51,23 @@ PlaneTiles filmTiles(int columns, int rows, int blocks) {
 
 // Of a level, by tiles of the coarser one.
 PlaneTiles coarseTiles(const PlaneLevel& level, int blocks) {
-    const auto fine = [](const PlaneAxis& axis, int coarse) {
-        const int leaning = (coarse + 1) * (axis.fine - 1) / (axis.coarse - 1) + 1;
-        return std::min(leaning + 2 * numerics::multigrid::smoothingDegree, axis.fine);
+    const auto fine = [](int points, int coarse) {
+        return std::min(2 * coarse + 1 + 2 * numerics::galerkin::smoothingDegree, points);
     };
-    return planeTiles(level.alongX.coarse, level.alongZ.coarse, blocks,
+    return planeTiles(numerics::galerkin::coarser(level.columns),
+                      numerics::galerkin::coarser(level.rows), blocks,
                       [&](int tileColumns, int tileRows) {
-                          const int width = fine(level.alongX, tileColumns);
-                          const int height = fine(level.alongZ, tileRows);
-                          return LongStrip::cover(width, height) ? width * height : 0;
+                          const int width = fine(level.columns, tileColumns);
+                          const int height = fine(level.rows, tileRows);
+                          return ManyPoints::cover(width, height) ? width * height : 0;
                       });
 }
 
-constexpr std::size_t patchBytes(std::size_t points) {
-    return points * PlanePatch::valuesPerPoint * sizeof(float2);
-}
-
-// Shared memory for one tile, the largest there can be.
+// Shared memory for one tile, the largest there can be: of all patches with so many points the long
+// and narrow ones have most zeros round them.
 constexpr std::size_t tileBytes =
-    std::max(patchBytes(LongStrip::mostInPatch),
+    std::max(2 * std::size_t(PlanePatch::values(1, ManyPoints::mostInPatch)) * sizeof(float2),
              std::size_t(mostTilePoints) * (sizeof(float2) + sizeof(CellForces)));
-
-PlaneAxis axis(int fine, int coarse) {
-    return {fine, coarse, 1 / float(fine - 1), 1 / float(coarse - 1)};
-}
 
 // The levels of one film.
 class Levels {
@@ -83,25 +77,19 @@ public:
         std::uint32_t offset = 0;
         for (;;) {
             PlaneLevel& level = model.levels[model.levelCount++];
-            const double hx = model.width / (columns - 1), hz = model.depth / (rows - 1);
             level.columns = columns;
             level.rows = rows;
             level.offset = offset;
-            level.stencil = numerics::multigrid::stencil(hx, hz);
             offset += std::uint32_t(columns) * std::uint32_t(rows);
-            if (numerics::multigrid::isCoarsest(columns, rows)) {
+            if (numerics::galerkin::isCoarsest(columns, rows)) {
                 break;
             }
             if (model.levelCount == ProductionModel::mostLevels) {
                 throw std::invalid_argument("the film has too many points along one edge");
             }
-            const int coarseColumns = numerics::multigrid::coarser(columns);
-            const int coarseRows = numerics::multigrid::coarser(rows);
-            level.alongX = axis(columns, coarseColumns);
-            level.alongZ = axis(rows, coarseRows);
             level.tiles = coarseTiles(level, blocks);
-            columns = coarseColumns;
-            rows = coarseRows;
+            columns = numerics::galerkin::coarser(columns);
+            rows = numerics::galerkin::coarser(rows);
         }
         pointCount_ = offset;
         chooseWholeLevel(device, model);
@@ -111,22 +99,22 @@ public:
     std::size_t sharedBytes() const { return sharedBytes_; }
 
 private:
-    // The first level that, with all after it, one block holds.
+    // The first level that, with all after it, one block holds, a point or few a thread.
     void chooseWholeLevel(const Device& device, ProductionModel& model) {
         std::size_t bytes = 0;
         int level = model.levelCount;
         while (level > 0) {
             const PlaneLevel& finer = model.levels[level - 1];
-            const std::size_t points = std::size_t(finer.columns) * std::size_t(finer.rows);
             const std::size_t all =
-                bytes + patchBytes(points) + points * (sizeof(float2) + sizeof(float));
-            // The tiles on the way up lie behind the first level's solution.
-            const std::size_t needed = std::max(all, patchBytes(points) + tileBytes);
-            if (!LongStrip::cover(finer.columns, finer.rows) ||
-                needed + staticSharedBytes > device.sharedBytes) {
+                bytes + 3 * std::size_t(PlanePatch::values(finer.columns, finer.rows)) *
+                            sizeof(float2);
+            const bool isHeld = level == model.levelCount
+                                    ? ManyPoints::cover(finer.columns, finer.rows)
+                                    : FewPoints::cover(finer.columns, finer.rows);
+            // The tiles on the way up lie behind the levels.
+            if (!isHeld || all + tileBytes + staticSharedBytes > device.sharedBytes) {
                 break;
             }
-            sharedBytes_ = needed;
             bytes = all;
             --level;
         }
@@ -134,6 +122,7 @@ private:
             throw std::invalid_argument(
                 "the film is too long for its width to be computed on the GPU; choose the CPU");
         }
+        sharedBytes_ = bytes + tileBytes;
         model.wholeLevel = level;
     }
 
@@ -143,10 +132,8 @@ private:
 ProductionModel modelOf(const solver::DipSetup& setup, int blocks) {
     ProductionModel model{numerics::filmModel<float>(setup)};
     model.tiles = filmTiles(model.columns, model.rows, blocks);
-    std::ranges::copy(numerics::multigrid::chebyshev(numerics::multigrid::smoothingDegree),
-                      model.smoothing);
-    std::ranges::copy(numerics::multigrid::chebyshev(numerics::multigrid::coarsestDegree),
-                      model.coarsest);
+    std::ranges::copy(numerics::galerkin::smoothingSteps, model.smoothing);
+    std::ranges::copy(numerics::galerkin::coarsestSteps, model.coarsest);
     return model;
 }
 
@@ -179,11 +166,17 @@ std::size_t placeArrays(ProductionDip& dip, const ProductionModel& model,
     layout.place(dip.displacement, points); // these three: the stored film
     layout.place(dip.attached, points);
     layout.place(dip.states, points);
-    for (float2** array : {&dip.before, &dip.start, &dip.best, &dip.newtonStep, &dip.product,
-                           &dip.direction[0], &dip.direction[1]}) {
+    for (float2** array : {&dip.before, &dip.start, &dip.best, &dip.forces, &dip.newtonStep}) {
         layout.place(*array, points);
     }
+    for (float2*& array : dip.basis) {
+        layout.place(array, points);
+    }
+    for (float2*& array : dip.smoothed) {
+        layout.place(array, points);
+    }
     layout.place(dip.free, points);
+    layout.place(dip.masked, points);
     layout.place(dip.clearance, points);
     layout.place(dip.inverseShape, triangles);
     layout.place(dip.stress, triangles);
@@ -191,10 +184,10 @@ std::size_t placeArrays(ProductionDip& dip, const ProductionModel& model,
     layout.place(dip.crossing, triangles);
     layout.place(dip.anchors, triangles);
     layout.place(dip.laid, triangles);
-    for (float2** array : {&dip.right, &dip.result, &dip.smoothed}) {
+    layout.place(dip.stencils, std::size_t(neighbours) * pointsOfLevels);
+    for (float2** array : {&dip.right, &dip.result, &dip.solution}) {
         layout.place(*array, pointsOfLevels);
     }
-    layout.place(dip.levelFree, pointsOfLevels);
     return layout.bytes();
 }
 
@@ -263,6 +256,7 @@ void ProductionDips::layFlat(const solver::DipSetup& setup, const ProductionDip&
         free[point] = setup.pinned[point] ? 0.0f : 1.0f;
     }
     upload(dip.free, free);
+    upload(dip.masked, free);
     const float4 shape{float(1 / film().spacingX(0)), 0, 0, float(1 / film().spacingZ(0))};
     upload(dip.inverseShape,
            std::vector<float4>(2 * std::size_t(film().columns - 1) * std::size_t(film().rows - 1),

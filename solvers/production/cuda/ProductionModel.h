@@ -5,11 +5,11 @@
 #include "common/HostDevice.h"
 #include "production/formulas/Adhesion.h"
 #include "production/formulas/FilmModel.h"
-#include "production/formulas/MultigridCycle.h"
+#include "production/formulas/GalerkinCycle.h"
+#include "production/formulas/Tolerances.h"
 
 #include <cuda_runtime_api.h>
 
-#include <cmath>
 #include <cstdint>
 
 namespace dipwright::cuda {
@@ -32,39 +32,10 @@ struct PlaneTiles {
     constexpr int count() const { return across * down; }
 };
 
-// How the points of a level lie between those of the next coarser one (MultigridCycle.h,
-// interpolation), along one axis; where there is none, `coarse` is 0.
-struct PlaneAxis {
-    int fine = 0, coarse = 0;         // points
-    float perFine = 0, perCoarse = 0; // 1 / (fine − 1), 1 / (coarse − 1)
-
-    // The coarse point at or before a fine one that is not the last.
-    DIPWRIGHT_HOST_DEVICE int below(int i) const {
-        const int found = int((float(i * (coarse - 1)) + 0.5f) * perFine);
-        return found < coarse - 2 ? found : coarse - 2;
-    }
-    // The share of a coarse point in a fine one; 0 or less where it has none.
-    DIPWRIGHT_HOST_DEVICE float weight(int i, int c) const {
-        return 1 - fabsf(float(i * (coarse - 1) - c * (fine - 1))) * perFine;
-    }
-    // The first fine point after coarse point c, or at or after it; c from −1 to `coarse`.
-    DIPWRIGHT_HOST_DEVICE int firstAfter(int c) const {
-        return c < 0 ? 0 : int((float(c * (fine - 1)) + 0.5f) * perCoarse) + 1;
-    }
-    DIPWRIGHT_HOST_DEVICE int firstFrom(int c) const {
-        if (c == 0 || c == coarse) {
-            return c == 0 ? 0 : fine;
-        }
-        return int((float(c * (fine - 1)) - 0.5f) * perCoarse) + 1;
-    }
-};
-
 // One grid of the multigrid cycle.
 struct PlaneLevel {
     int columns = 0, rows = 0;
     std::uint32_t offset = 0; // of its points in the arrays over all levels
-    numerics::multigrid::Stencil stencil;
-    PlaneAxis alongX, alongZ;
     PlaneTiles tiles; // of the coarser level
 };
 
@@ -75,8 +46,8 @@ struct ProductionModel : numerics::FilmModel<float> {
     int levelCount = 0;
     int wholeLevel = 0; // this level and those after it fit into one block
     PlaneLevel levels[mostLevels];
-    numerics::multigrid::ChebyshevStep smoothing[numerics::multigrid::smoothingDegree];
-    numerics::multigrid::ChebyshevStep coarsest[numerics::multigrid::coarsestDegree];
+    numerics::galerkin::ChebyshevStep smoothing[numerics::galerkin::smoothingDegree];
+    numerics::galerkin::ChebyshevStep coarsest[numerics::galerkin::coarsestDegree];
 };
 
 struct ProductionDip {
@@ -86,24 +57,27 @@ struct ProductionDip {
 
     // One entry a film point.
     float2 *displacement = nullptr, *before = nullptr; // mm from rest, now and a step ago
-    float2 *start = nullptr, *best = nullptr, *newtonStep = nullptr, *product = nullptr;
-    float2* direction[2] = {};
+    float2 *start = nullptr, *best = nullptr, *forces = nullptr, *newtonStep = nullptr;
+    // Each times its factor in the team's small problem; and each of them smoothed.
+    float2* basis[numerics::mostBasisVectors + 1] = {};
+    float2* smoothed[numerics::mostBasisVectors] = {};
     float3* attached = nullptr; // where an adhered point sits, body coordinates
     float* free = nullptr;      // 1: the equilibrium moves it
+    float* masked = nullptr;    // the same, as of the last setFree()
     float* clearance = nullptr; // mm, at least so far from contact
     std::uint8_t* states = nullptr;
 
     // One entry a triangle, two a cell.
     float4* inverseShape = nullptr;
-    float4* stress = nullptr; // StressState, and 1 where the triangle crosses the contact line
+    float4* stress = nullptr; // StressState
     std::uint8_t* crosses = nullptr;
     numerics::CrossingTriangle<float>* crossing = nullptr;
     numerics::CrossingAnchor<float>* anchors = nullptr;
     numerics::LaidCorners<float>* laid = nullptr;
 
-    // Over all levels. `right` of the finest level is what is left of the forces.
-    float2 *right = nullptr, *result = nullptr, *smoothed = nullptr;
-    float* levelFree = nullptr;
+    // Over all levels.
+    float4* stencils = nullptr; // a level's first neighbours, then its second …
+    float2 *right = nullptr, *result = nullptr, *solution = nullptr;
 };
 
 } // namespace dipwright::cuda

@@ -113,15 +113,6 @@ DIPWRIGHT_TEAM inline FoundEquilibrium findEquilibrium(Film& film, typename Film
             best.left <= std::fmax(film.model().residual * best.elastic, floor)};
 }
 
-// The last column of the Hessenberg matrix of GMRES, turned upper triangular by Givens rotations,
-// and the residual that is left.
-struct LeastResiduals {
-    double matrix[mostBasisVectors][mostBasisVectors + 1] = {}; // by columns
-    double cosine[mostBasisVectors] = {}, sine[mostBasisVectors] = {};
-    double right[mostBasisVectors + 1] = {};
-    double weights[mostBasisVectors] = {};
-};
-
 namespace detail {
 
 // Takes column `k` (k + 2 numbers) into the least-squares problem. The residual then.
@@ -141,8 +132,8 @@ DIPWRIGHT_HOST_DEVICE inline double takeColumn(LeastResiduals& problem, int k) {
     return std::fabs(problem.right[k + 1]);
 }
 
-// The weights of the first `count` basis vectors with the least residual.
-DIPWRIGHT_HOST_DEVICE inline void solveTriangular(LeastResiduals& problem, int count) {
+// The weights of the first `count` basis vectors with the least residual, which it returns.
+DIPWRIGHT_HOST_DEVICE inline double solveTriangular(LeastResiduals& problem, int count) {
     for (int i = count - 1; i >= 0; --i) {
         double sum = problem.right[i];
         for (int j = i + 1; j < count; ++j) {
@@ -150,6 +141,7 @@ DIPWRIGHT_HOST_DEVICE inline void solveTriangular(LeastResiduals& problem, int c
         }
         problem.weights[i] = problem.matrix[i][i] > 0 ? sum / problem.matrix[i][i] : 0;
     }
+    return std::fabs(problem.right[count]);
 }
 
 } // namespace detail
@@ -164,49 +156,24 @@ DIPWRIGHT_TEAM inline void leastResiduals(Film& film, typename Film::Real drag, 
     film.startLinear();
     double left = start;
     for (int restart = 0; restart <= mostRestarts && left > tolerance; ++restart) {
-        LeastResiduals& problem = film.leastResiduals();
-        problem.right[0] = left;
+        film.inSmallProblem([&](LeastResiduals& problem) { return problem.right[0] = left; });
         film.startBasis(Real(1 / left));
         int count = 0;
         while (count < mostBasisVectors && left > tolerance) {
             film.extendBasis(count, drag, tangent);
             ++film.state().equilibrium.linearIterations;
-            left = detail::takeColumn(problem, count);
+            left = film.inSmallProblem(
+                [&](LeastResiduals& problem) { return detail::takeColumn(problem, count); });
             ++count;
             if (!std::isfinite(left)) {
                 return;
             }
         }
-        detail::solveTriangular(problem, count);
+        film.inSmallProblem(
+            [&](LeastResiduals& problem) { return detail::solveTriangular(problem, count); });
         film.addToStep(count);
         if (left > tolerance && restart < mostRestarts) {
             left = film.linearResidual(drag, tangent);
-        }
-    }
-}
-
-// Solves H · step = −forces to a residual of `tolerance`, or as far as it goes: crossing triangles
-// make the Hessian H slightly unsymmetric. `start`: the residual of no step.
-template <ConjugateBackend Film>
-DIPWRIGHT_TEAM inline void conjugateGradients(Film& film, typename Film::Real drag, double start,
-                                              double tolerance) {
-    using Real = typename Film::Real;
-    film.startLinear();
-    double before = 0;
-    for (int iteration = 0; iteration < mostConjugateSteps; ++iteration) {
-        const double now = film.precondition();
-        if (!(now > 0)) {
-            return;
-        }
-        const Real keep = before > 0 ? Real(now / before) : Real(0);
-        before = now;
-        const double curvature = film.curvature(drag, keep, iteration);
-        if (!(curvature > leastCurvature * now)) {
-            return;
-        }
-        const double left = film.advance(Real(now / curvature), iteration);
-        if (left <= tolerance || !(left < mostResidualGrowth * start)) {
-            return;
         }
     }
 }

@@ -28,6 +28,16 @@ struct LineState {
     bool driven = false; // some triangle crosses it that still moves
 };
 
+// The small least-squares problem of GMRES: the Hessenberg matrix, turned upper triangular by Givens
+// rotations as it grows; the right side, of which the last number taken is the residual; and the
+// weights of the basis vectors.
+struct LeastResiduals {
+    double matrix[mostBasisVectors][mostBasisVectors + 1] = {}; // by columns
+    double cosine[mostBasisVectors] = {}, sine[mostBasisVectors] = {};
+    double right[mostBasisVectors + 1] = {};
+    double weights[mostBasisVectors] = {};
+};
+
 namespace detail {
 
 // Stand-ins for what a step has done for each point and triangle.
@@ -39,6 +49,9 @@ struct TriangleWork {
 };
 struct TriangleQuestion {
     bool operator()(const TriangleCorners& corners) const;
+};
+struct SmallWork {
+    double operator()(LeastResiduals& problem) const;
 };
 template <typename Real>
 struct CrossingWork {
@@ -154,8 +167,8 @@ concept FilmBackend = FilmStorage<Film> && FilmTeam<Film> && FilmEquilibrium<Fil
 // smoothed, which is M⁻¹ times it, M⁻¹ a multigrid cycle (GalerkinCycle.h).
 template <typename Film, typename Real = typename Film::Real>
 concept LeastResidualBackend = requires(Film& film, Real value, int count, double* column) {
-    // The team's small problem, in memory that all of it may read and write alike.
-    film.leastResiduals();
+    // Has one thread do work(problem) → double on the small problem, for all that share it.
+    { film.inSmallProblem(detail::SmallWork{}) } -> std::same_as<double>;
     // No step yet, the residual being the forces.
     film.startLinear();
     // The first basis vector is `value` times the residual.
@@ -168,21 +181,6 @@ concept LeastResidualBackend = requires(Film& film, Real value, int count, doubl
     film.addToStep(count);
     // The residual becomes forces + H · step. Returns its root of the sum of squares.
     { film.linearResidual(value, Tangent::True) } -> std::same_as<double>;
-};
-
-// What conjugate gradients ask of such a device. `smoothed` is M⁻¹ times the residual, M⁻¹ a
-// multigrid cycle (MultigridCycle.h).
-template <typename Film, typename Real = typename Film::Real>
-concept ConjugateBackend = requires(Film& film, Real value, int iteration) {
-    // No step yet, the residual being the forces.
-    film.startLinear();
-    // Smooths. Returns residual · smoothed.
-    { film.precondition() } -> std::same_as<double>;
-    // direction = smoothed + keep·direction. Returns direction · (H direction), H with the drag.
-    { film.curvature(value, value, iteration) } -> std::same_as<double>;
-    // step −= length·direction, residual −= length·H direction. Returns the residual's root of the
-    // sum of squares.
-    { film.advance(value, iteration) } -> std::same_as<double>;
 };
 
 } // namespace dipwright::numerics

@@ -38,11 +38,6 @@ inline constexpr double shortestNewtonStep = 1e-30; // mm: only keeps a division
 inline constexpr int mostBasisVectors = 12;
 inline constexpr int mostRestarts = 4;
 
-// Conjugate gradients.
-inline constexpr int mostConjugateSteps = 40;
-inline constexpr double leastCurvature = 1e-6; // dᵀHd over rᵀM⁻¹r: from here on H counts as flat
-inline constexpr double mostResidualGrowth = 10; // over the residual at the start: given up
-
 // When in a step a point meets the body (Adhesion.h): halvings of the step.
 inline constexpr int contactTimeHalvings = 24;
 
