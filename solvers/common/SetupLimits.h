@@ -48,12 +48,6 @@ inline void requireNoGrowth(const solver::Settings& settings) {
                     "this film cannot grow while it floats: set its growth to 0");
 }
 
-// Of a solver whose film gathers at the usual stretch only.
-inline void requireUsualGathering(const solver::Settings& settings) {
-    detail::require(settings.gatheringStretch == solver::Settings().gatheringStretch,
-                    "this film gathers below a mean stretch of 0.8 only");
-}
-
 // Throws std::invalid_argument with a sentence unless the numbers of `setup` make a dip.
 inline void requireValid(const solver::DipSetup& setup) {
     using detail::isPositive;

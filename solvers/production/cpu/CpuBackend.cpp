@@ -23,12 +23,13 @@ void scale(float factor, PlaneVector& v) {
 static_assert(numerics::FilmBackend<CpuBackend> && numerics::LeastResidualBackend<CpuBackend>);
 
 CpuBackend::CpuBackend(const solver::DipSetup& setup)
-    : HostFilm(setup), film_(setup.film), multigrid_(setup.film),
-      areas_(setup.film.pointCount(), 1.f), gradient_(setup.film.pointCount()),
+    : HostFilm(setup), film_(model()), multigrid_(setup.film),
+      areas_(setup.film.pointCount()), gradient_(setup.film.pointCount()),
       step_(setup.film.pointCount()), residual_(setup.film.pointCount()),
       start_(setup.film.pointCount()), best_(setup.film.pointCount()),
       basis_(std::size_t(numerics::mostBasisVectors) + 1, PlaneVector(setup.film.pointCount())),
       smoothed_(std::size_t(numerics::mostBasisVectors), PlaneVector(setup.film.pointCount())) {
+    forPoints([&](int point) { areas_[std::size_t(point)] = pointArea(model(), point); });
     setFree();
 }
 
@@ -54,9 +55,9 @@ void CpuBackend::maskHeld(PlaneVector& v) const {
 numerics::FilmForce CpuBackend::force(float drag) {
     const FlushDenormals flush;
     const double elastic = film_.gradient(displacement_, gradient_);
-    addDifference(gradient_.size(), drag, displacement_.x.data(), before_.x.data(),
+    addDifference(gradient_.size(), drag, areas_.data(), displacement_.x.data(), before_.x.data(),
                   gradient_.x.data());
-    addDifference(gradient_.size(), drag, displacement_.z.data(), before_.z.data(),
+    addDifference(gradient_.size(), drag, areas_.data(), displacement_.z.data(), before_.z.data(),
                   gradient_.z.data());
     maskHeld(gradient_);
     return {std::sqrt(dot(gradient_, gradient_)), elastic};
@@ -98,7 +99,8 @@ void CpuBackend::startBasis(float factor) {
 void CpuBackend::multiply(const PlaneVector& v, float drag, numerics::Tangent tangent,
                           PlaneVector& out) {
     film_.hessian(v, tangent, out);
-    add(drag, v, out);
+    addWeighted(out.size(), drag, areas_.data(), v.x.data(), out.x.data());
+    addWeighted(out.size(), drag, areas_.data(), v.z.data(), out.z.data());
     maskHeld(out);
 }
 

@@ -5,6 +5,9 @@
 #include "production/formulas/PlaneStress.h"
 #include "production/formulas/TearLaw.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace dipwright::cpu {
 
 using numerics::gradientOf;
@@ -75,10 +78,16 @@ RowOfPoints rowOfPoints(const PlaneVector& v, std::size_t width, int j) {
 
 } // namespace
 
-PlaneFilm::PlaneFilm(const solver::FilmGrid& grid)
-    : columns_(grid.columns), rows_(grid.rows), inverseX_(float(1 / grid.spacingX(0))),
-      inverseZ_(float(1 / grid.spacingZ(0))),
-      area_(float(grid.spacingX(0) * grid.spacingZ(0) / 2)) {
+PlaneFilm::PlaneFilm(const numerics::FilmModel<float>& model)
+    : columns_(model.columns), rows_(model.rows), model_(model) {
+    const auto inverses = [](const float* edges, int count) {
+        std::vector<float> result;
+        std::transform(edges, edges + count, std::back_inserter(result),
+                       [](float edge) { return 1 / edge; });
+        return result;
+    };
+    inversesX_ = inverses(model.alongX.edges, columns_ - 1);
+    inversesZ_ = inverses(model.alongZ.edges, rows_ - 1);
     const std::size_t cells = std::size_t(columns_ - 1) * std::size_t(rows_ - 1);
     for (States& state : state_) {
         state.cosine.assign(cells, 1.f);
@@ -89,10 +98,12 @@ PlaneFilm::PlaneFilm(const solver::FilmGrid& grid)
     moving_[0] = moving_[1] = std::vector<float>(cells, 1.f);
     crept_.assign(std::size_t(rows_ - 1), 0);
     for (TriangleArrays& shape : inverseShape_) {
-        shape.a.assign(cells, inverseX_);
         shape.b.assign(cells, 0.f);
         shape.c.assign(cells, 0.f);
-        shape.d.assign(cells, inverseZ_);
+        for (int row = 0; row + 1 < rows_; ++row) {
+            shape.a.insert(shape.a.end(), inversesX_.begin(), inversesX_.end());
+            shape.d.insert(shape.d.end(), inversesX_.size(), inversesZ_[std::size_t(row)]);
+        }
     }
 }
 
@@ -133,7 +144,8 @@ numerics::EdgePair<float> PlaneFilm::edges(int triangle, const PlaneVector& disp
               column = cell - row * (columns_ - 1);
     const bool second = triangle % 2 != 0, even = (column + row) % 2 == 0;
     return cellEdges(rowOfPoints(displacement, std::size_t(columns_), row), std::size_t(column),
-                     second, even != second, 1 / inverseX_, 1 / inverseZ_);
+                     second, even != second, model_.alongX.edges[column],
+                     model_.alongZ.edges[row]);
 }
 
 // Whether some free triangle of a row of cells may be torn or folded.
@@ -141,7 +153,7 @@ bool PlaneFilm::mayBeLost(int row, const PlaneVector& displacement, float limit)
     const std::size_t cells = std::size_t(columns_ - 1), first = std::size_t(row) * cells;
     const StretchRange range =
         stretchRange(cells, unsigned(row), rowOfPoints(displacement, std::size_t(columns_), row),
-                     {moving_[0].data() + first, moving_[1].data() + first}, inverseX_, inverseZ_);
+                     {moving_[0].data() + first, moving_[1].data() + first}, sizesOf(row));
     return numerics::mayBeLost(range.largestSquares, range.leastArea, limit);
 }
 
@@ -164,9 +176,18 @@ std::pair<std::size_t, std::size_t> PlaneFilm::crossingInRow(int row) const {
     return {firstCrossing_[std::size_t(row)], firstCrossing_[std::size_t(row) + 1]};
 }
 
+RowOfSizes PlaneFilm::sizesOf(int row) const {
+    return {model_.alongX.edges, inversesX_.data(), model_.alongZ.edges[row],
+            inversesZ_[std::size_t(row)]};
+}
+
+float PlaneFilm::areaOf(const Crossing& triangle) const {
+    return triangleSize(model_, numberOf(triangle)).area();
+}
+
 RowOfShapes PlaneFilm::shapesOf(int row) const {
     const std::size_t first = std::size_t(row) * std::size_t(columns_ - 1);
-    RowOfShapes shapes{crept_[std::size_t(row)] != 0, {}, {inverseX_, 0, 0, inverseZ_}, area_};
+    RowOfShapes shapes{crept_[std::size_t(row)] != 0, {}, sizesOf(row)};
     for (std::size_t second = 0; second < 2; ++second) {
         const TriangleArrays& from = inverseShape_[second];
         shapes.shapes[second] = {from.a.data() + first, from.b.data() + first,
@@ -196,14 +217,15 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
                                      keep(to.resists, 4 * second + 3)};
         }
         gradientRow(cells, unsigned(j) & 1u, rowOfPoints(displacement, width, j), shapesOf(j),
-                    1 / inverseX_, 1 / inverseZ_, states, rowOfForces(forces));
+                    model_.gatheredResistance, states, rowOfForces(forces));
         const auto [begin, end] = crossingInRow(j);
         for (std::size_t k = begin; k < end; ++k) { // these few once more, by themselves
             const Crossing& triangle = crossing_[k];
             const std::size_t i = triangle.cell - first;
             StressState<float> state;
             const Matrix2<float> P =
-                stress(floatingGradient(anchors_[k], wholeGradient(triangle, displacement)), state);
+                stress(floatingGradient(anchors_[k], wholeGradient(triangle, displacement)),
+                       model_.gatheredResistance, state);
             const RowOfStates<float*>::Pointers& to = states.states[triangle.second];
             to.cosine[i] = state.cosine;
             to.sine[i] = state.sine;
@@ -211,7 +233,7 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
             to.resists[i] = state.resists;
             putForces(forces, i, triangle,
                       numerics::crossingForces(
-                          triangle, P, inverseShape(triangle.cell, triangle.second), area_));
+                          triangle, P, inverseShape(triangle.cell, triangle.second), areaOf(triangle)));
         }
         for (const int which : {firstX, firstZ, secondX, secondZ}) {
             const std::vector<float>& moving = moving_[which == secondX || which == secondZ];
@@ -256,7 +278,7 @@ void PlaneFilm::hessian(const PlaneVector& direction, Tangent tangent, PlaneVect
             putForces(forces, triangle.cell - first, triangle,
                       numerics::crossingForces(triangle,
                                                stressDerivative(change, stateOf(triangle), tangent),
-                                               shape, area_));
+                                               shape, areaOf(triangle)));
         }
     });
 }
@@ -275,7 +297,7 @@ void PlaneFilm::stiffness(int row, const Lines<float>& first, const Lines<float>
         const Crossing& triangle = crossing_[k];
         const numerics::EdgeStiffness<float> stiffness =
             edgeStiffness(triangle, anchors_[k], inverseShape(triangle.cell, triangle.second),
-                          stateOf(triangle), area_);
+                          stateOf(triangle), areaOf(triangle));
         const std::size_t i = triangle.cell - std::size_t(row) * cells;
         std::size_t line = 0;
         for (const Matrix2<float>& block :

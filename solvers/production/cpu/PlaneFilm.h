@@ -9,6 +9,7 @@
 #include "production/cpu/PlaneVector.h"
 #include "production/cpu/RowKernels.h"
 #include "production/formulas/CrossingTriangle.h"
+#include "production/formulas/FilmModel.h"
 
 #include <dipwright/FilmSolver.h>
 
@@ -21,7 +22,8 @@ class PlaneFilm {
 public:
     using Crossing = numerics::CrossingTriangle<float>;
 
-    explicit PlaneFilm(const solver::FilmGrid& grid);
+    // The model is to outlive the film.
+    explicit PlaneFilm(const numerics::FilmModel<float>& model);
 
     // One entry a film point: 1 where it moves, 0 where it is held.
     void setFree(const std::vector<float>& free);
@@ -79,7 +81,9 @@ private:
 
     template <typename Floating>
     void forFloating(int row, const Floating& floating) const;
-    RowOfShapes shapesOf(int row) const; // of cells
+    RowOfSizes sizesOf(int row) const; // of cells
+    RowOfShapes shapesOf(int row) const;
+    float areaOf(const Crossing& triangle) const;
     RowOfStates<const float*> statesOf(int row) const;
     numerics::StressState<float> stateOf(const Crossing& triangle) const;
     // Begin and end in crossing_ of the triangles in a row of cells.
@@ -94,7 +98,8 @@ private:
                                            const PlaneVector& displacement) const;
 
     int columns_, rows_;
-    float inverseX_, inverseZ_, area_;
+    const numerics::FilmModel<float>& model_;
+    std::vector<float> inversesX_, inversesZ_; // of the undeformed edges
     std::vector<std::uint8_t> crept_; // a row of cells each: 0 where all rest shapes are the same
     TriangleArrays inverseShape_[2];
     States state_[2];

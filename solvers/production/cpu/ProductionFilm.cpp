@@ -14,9 +14,6 @@ class ProductionFilm final : public solver::FilmSolver {
 public:
     void begin(const solver::DipSetup& setup) override {
         numerics::requireValid(setup);
-        numerics::requireEven(setup.film);
-        numerics::requireNoGrowth(setup.settings);
-        numerics::requireUsualGathering(setup.settings);
         film_.reset();
         team_.emplace(setup.settings.threads);
         film_.emplace(setup);

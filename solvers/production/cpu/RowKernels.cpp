@@ -98,14 +98,28 @@ void scaleRow(std::size_t count, float factor, float* out) {
         [&](std::size_t i) { return factor * out[i]; });
 }
 
-void addDifference(std::size_t count, float factor, const float* a, const float* b, float* out) {
+void addWeighted(std::size_t count, float factor, const float* weight, const float* a,
+                 float* out) {
     const Vector scale = hn::Set(lanes, factor);
     forRow(
         0, count, out,
         [&](std::size_t i) HWY_ATTR {
-            return hn::Add(load(out + i), hn::Mul(scale, hn::Sub(load(a + i), load(b + i))));
+            return hn::Add(load(out + i),
+                           hn::Mul(hn::Mul(scale, load(weight + i)), load(a + i)));
         },
-        [&](std::size_t i) { return out[i] + factor * (a[i] - b[i]); });
+        [&](std::size_t i) { return out[i] + factor * weight[i] * a[i]; });
+}
+
+void addDifference(std::size_t count, float factor, const float* weight, const float* a,
+                   const float* b, float* out) {
+    const Vector scale = hn::Set(lanes, factor);
+    forRow(
+        0, count, out,
+        [&](std::size_t i) HWY_ATTR {
+            return hn::Add(load(out + i), hn::Mul(hn::Mul(scale, load(weight + i)),
+                                                  hn::Sub(load(a + i), load(b + i))));
+        },
+        [&](std::size_t i) { return out[i] + factor * weight[i] * (a[i] - b[i]); });
 }
 
 void multiplyBy(std::size_t count, const float* a, float* out) {
@@ -128,20 +142,24 @@ HWY_INLINE void putForces(const RowOfForces& out, std::size_t i, bool even,
     out.rightZ[i] = even ? first.vz : second.vz;
 }
 
+HWY_INLINE float areaAt(const RowOfShapes& shapes, std::size_t i) {
+    return shapes.sizes.edgesX[i] * shapes.sizes.edgeZ / 2;
+}
+
 template <bool crept>
 HWY_INLINE numerics::Matrix2<float> shapeAt(const RowOfShapes& shapes, bool second, std::size_t i) {
     if constexpr (crept) {
         const RowOfShapes::Pointers& shape = shapes.shapes[second];
         return {shape.a[i], shape.b[i], shape.c[i], shape.d[i]};
     } else {
-        return shapes.common;
+        return {shapes.sizes.inversesX[i], 0, 0, shapes.sizes.inverseZ};
     }
 }
 
 // By value: so the compiler sees that no loop writes over its own pointers.
 template <bool crept>
 HWY_INLINE void gradientCells(std::size_t cells, unsigned parity, RowOfPoints p, RowOfShapes shapes,
-                              float restX, float restZ, RowOfStates<float*> states,
+                              float gatheredResistance, RowOfStates<float*> states,
                               RowOfForces out) {
     const auto [first, second] = states.states;
     DIPWRIGHT_INDEPENDENT_LOOP
@@ -150,12 +168,16 @@ HWY_INLINE void gradientCells(std::size_t cells, unsigned parity, RowOfPoints p,
         numerics::StressState<float> state0, state1;
         const numerics::Matrix2<float> shape0 = shapeAt<crept>(shapes, false, i);
         const numerics::Matrix2<float> shape1 = shapeAt<crept>(shapes, true, i);
-        const numerics::EdgePair<float> force0 = edgeForces(
-            stress(gradientOf(cellEdges(p, i, false, even, restX, restZ), shape0), state0), shape0,
-            shapes.area);
-        const numerics::EdgePair<float> force1 = edgeForces(
-            stress(gradientOf(cellEdges(p, i, true, !even, restX, restZ), shape1), state1), shape1,
-            shapes.area);
+        const float restX = shapes.sizes.edgesX[i], restZ = shapes.sizes.edgeZ;
+        const float area = areaAt(shapes, i);
+        const numerics::EdgePair<float> force0 =
+            edgeForces(stress(gradientOf(cellEdges(p, i, false, even, restX, restZ), shape0),
+                              gatheredResistance, state0),
+                       shape0, area);
+        const numerics::EdgePair<float> force1 =
+            edgeForces(stress(gradientOf(cellEdges(p, i, true, !even, restX, restZ), shape1),
+                              gatheredResistance, state1),
+                       shape1, area);
         first.cosine[i] = state0.cosine;
         first.sine[i] = state0.sine;
         first.turn[i] = state0.turn;
@@ -187,22 +209,22 @@ HWY_INLINE void hessianCells(std::size_t cells, unsigned parity, RowOfPoints p, 
         const numerics::EdgePair<float> force0 =
             edgeForces(stressDerivative(gradientOf(cellEdges(p, i, false, even, 0, 0), shape0),
                                         state0, tangent),
-                       shape0, shapes.area);
+                       shape0, areaAt(shapes, i));
         const numerics::EdgePair<float> force1 =
             edgeForces(stressDerivative(gradientOf(cellEdges(p, i, true, !even, 0, 0), shape1),
                                         state1, tangent),
-                       shape1, shapes.area);
+                       shape1, areaAt(shapes, i));
         putForces(out, i, even, force0, force1);
     }
 }
 
 void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
-                 const RowOfShapes& shapes, float restX, float restZ,
+                 const RowOfShapes& shapes, float gatheredResistance,
                  const RowOfStates<float*>& states, const RowOfForces& forces) {
     if (shapes.isCrept) {
-        gradientCells<true>(cells, parity, points, shapes, restX, restZ, states, forces);
+        gradientCells<true>(cells, parity, points, shapes, gatheredResistance, states, forces);
     } else {
-        gradientCells<false>(cells, parity, points, shapes, restX, restZ, states, forces);
+        gradientCells<false>(cells, parity, points, shapes, gatheredResistance, states, forces);
     }
 }
 
@@ -230,7 +252,7 @@ HWY_INLINE void stiffnessCells(std::size_t cells, RowOfShapes shapes, bool secon
     DIPWRIGHT_INDEPENDENT_LOOP
     for (std::size_t i = 0; i < cells; ++i) {
         const numerics::EdgeStiffness<float> stiffness =
-            edgeStiffness(shapeAt<crept>(shapes, second, i), stateAt(states, i), shapes.area);
+            edgeStiffness(shapeAt<crept>(shapes, second, i), stateAt(states, i), areaAt(shapes, i));
         putBlock(out, 0, i, stiffness.hh);
         putBlock(out, 1, i, stiffness.hv);
         putBlock(out, 2, i, stiffness.vh);
@@ -251,14 +273,14 @@ void stiffnessRow(std::size_t cells, const RowOfShapes& shapes,
 }
 
 StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints& p,
-                          const std::array<const float*, 2>& moving, float inverseX,
-                          float inverseZ) {
+                          const std::array<const float*, 2>& moving, const RowOfSizes& sizes) {
     float largest = 0, least = 1;
     for (std::size_t i = 0; i < cells; ++i) {
         const bool even = ((unsigned(i) + parity) & 1u) == 0;
+        const float inverseX = sizes.inversesX[i], inverseZ = sizes.inverseZ;
         for (const bool second : {false, true}) {
             const numerics::EdgePair<float> e =
-                cellEdges(p, i, second, even != second, 1 / inverseX, 1 / inverseZ);
+                cellEdges(p, i, second, even != second, sizes.edgesX[i], sizes.edgeZ);
             const float squares = (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
                                   (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
             const float area = (e.hx * e.vz - e.vx * e.hz) * inverseX * inverseZ;
@@ -301,6 +323,7 @@ HWY_EXPORT(rowDot);
 HWY_EXPORT(rowWeightedSquares);
 HWY_EXPORT(addScaled);
 HWY_EXPORT(scaleRow);
+HWY_EXPORT(addWeighted);
 HWY_EXPORT(addDifference);
 HWY_EXPORT(multiplyBy);
 HWY_EXPORT(gradientRow);
@@ -323,16 +346,21 @@ void addScaled(std::size_t count, float factor, const float* a, float* out) {
 void scaleRow(std::size_t count, float factor, float* out) {
     HWY_DYNAMIC_DISPATCH(scaleRow)(count, factor, out);
 }
-void addDifference(std::size_t count, float factor, const float* a, const float* b, float* out) {
-    HWY_DYNAMIC_DISPATCH(addDifference)(count, factor, a, b, out);
+void addWeighted(std::size_t count, float factor, const float* weight, const float* a,
+                 float* out) {
+    HWY_DYNAMIC_DISPATCH(addWeighted)(count, factor, weight, a, out);
+}
+void addDifference(std::size_t count, float factor, const float* weight, const float* a,
+                   const float* b, float* out) {
+    HWY_DYNAMIC_DISPATCH(addDifference)(count, factor, weight, a, b, out);
 }
 void multiplyBy(std::size_t count, const float* a, float* out) {
     HWY_DYNAMIC_DISPATCH(multiplyBy)(count, a, out);
 }
 void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
-                 const RowOfShapes& shapes, float restX, float restZ,
+                 const RowOfShapes& shapes, float gatheredResistance,
                  const RowOfStates<float*>& states, const RowOfForces& forces) {
-    HWY_DYNAMIC_DISPATCH(gradientRow)(cells, parity, points, shapes, restX, restZ, states, forces);
+    HWY_DYNAMIC_DISPATCH(gradientRow)(cells, parity, points, shapes, gatheredResistance, states, forces);
 }
 void hessianRow(std::size_t cells, unsigned parity, const RowOfPoints& direction,
                 const RowOfShapes& shapes, const RowOfStates<const float*>& states,
@@ -345,9 +373,8 @@ void stiffnessRow(std::size_t cells, const RowOfShapes& shapes,
     HWY_DYNAMIC_DISPATCH(stiffnessRow)(cells, shapes, states, first, second);
 }
 StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints& points,
-                          const std::array<const float*, 2>& moving, float inverseX,
-                          float inverseZ) {
-    return HWY_DYNAMIC_DISPATCH(stretchRange)(cells, parity, points, moving, inverseX, inverseZ);
+                          const std::array<const float*, 2>& moving, const RowOfSizes& sizes) {
+    return HWY_DYNAMIC_DISPATCH(stretchRange)(cells, parity, points, moving, sizes);
 }
 void addForces(std::size_t cells, float sign, const float* edge, const float* left,
                const float* right, float* out) {

@@ -16,8 +16,10 @@ double rowWeightedSquares(const float* weight, const float* a, std::size_t count
 
 void addScaled(std::size_t count, float factor, const float* a, float* out); // out += factor·a
 void scaleRow(std::size_t count, float factor, float* out);                  // out *= factor
-// out += factor·(a − b)
-void addDifference(std::size_t count, float factor, const float* a, const float* b, float* out);
+// out += factor·weight·a, and out += factor·weight·(a − b)
+void addWeighted(std::size_t count, float factor, const float* weight, const float* a, float* out);
+void addDifference(std::size_t count, float factor, const float* weight, const float* a,
+                   const float* b, float* out);
 void multiplyBy(std::size_t count, const float* a, float* out); // out *= a
 
 // Several numbers for each point, cell or triangle of a row, each of them in a line of its own.
@@ -37,16 +39,21 @@ struct RowOfPoints {
 struct RowOfForces {
     float *firstX, *firstZ, *secondX, *secondZ, *leftX, *leftZ, *rightX, *rightZ;
 };
-// The film in a row of cells at rest: the inverse rest shapes of first and second triangles, or,
-// where all are the undeformed one, `common`.
+// The undeformed film in a row of cells: of each column of them the length of an edge along X and its
+// inverse, and both of the edges along Z.
+struct RowOfSizes {
+    const float *edgesX, *inversesX;
+    float edgeZ = 0, inverseZ = 0;
+};
+// The film in a row of cells at rest: the inverse rest shapes of first and second triangles, unless
+// all are as undeformed.
 struct RowOfShapes {
     struct Pointers {
         const float *a, *b, *c, *d;
     };
     bool isCrept = false;
     std::array<Pointers, 2> shapes{};
-    numerics::Matrix2<float> common;
-    float area = 0; // of a triangle
+    RowOfSizes sizes;
 };
 template <typename Pointer>
 struct RowOfStates { // StressState of first and second triangles
@@ -71,7 +78,7 @@ inline numerics::EdgePair<float> cellEdges(const RowOfPoints& p, std::size_t i, 
 // The gradient of the elastic energy at displaced points, and the states at which the Hessian is
 // taken. `parity` of the row: in an even cell the first triangle takes the right vertical edge.
 void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
-                 const RowOfShapes& shapes, float restX, float restZ,
+                 const RowOfShapes& shapes, float gatheredResistance,
                  const RowOfStates<float*>& states, const RowOfForces& forces);
 // The Hessian times a direction at the points.
 void hessianRow(std::size_t cells, unsigned parity, const RowOfPoints& direction,
@@ -87,8 +94,7 @@ struct StretchRange {
     float largestSquares = 0, leastArea = 0;
 };
 StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints& points,
-                          const std::array<const float*, 2>& moving, float inverseX,
-                          float inverseZ);
+                          const std::array<const float*, 2>& moving, const RowOfSizes& sizes);
 // Adds the forces of a row of cells to a row of points: to the lower row (`sign` −1, `edge` the
 // first horizontal edges) or to the upper row (`sign` +1, the second ones).
 void addForces(std::size_t cells, float sign, const float* edge, const float* left,

@@ -70,7 +70,8 @@ public:
         dip_.inverseShape[triangle] = {inverse.a, inverse.b, inverse.c, inverse.d};
     }
     __device__ numerics::EdgePair<float> edges(int triangle) const {
-        return triangleEdges(corners(triangle), model_.edgeX, model_.edgeZ,
+        const numerics::TriangleSize<float> size = triangleSize(model_, triangle);
+        return triangleEdges(corners(triangle), size.x, size.z,
                              [&](std::uint32_t point) { return dip_.displacement[point]; });
     }
     __device__ bool triangleMoves(int triangle) const {

@@ -115,8 +115,9 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
             model, tile, values, forces,
             [&](int triangle, const numerics::TriangleCorners& corners, int x, int z,
                 const auto& at) {
+                const numerics::TriangleSize<float> size = triangleSize(model, x, z);
                 const numerics::EdgePair<float> edges =
-                    triangleEdges(corners, model.edgeX, model.edgeZ, at);
+                    triangleEdges(corners, size.x, size.z, at);
                 const numerics::Matrix2<float> shape = shapeOf(dip, triangle);
                 const bool crosses = dip.crosses[triangle] != 0;
                 numerics::StressState<float> state;
@@ -127,11 +128,12 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
                         numerics::floatingGradient(
                             dip.anchors[triangle],
                             gradientOf(numerics::unfoldedEdges(edges, crossing), shape)),
-                        state);
-                    result = numerics::crossingForces(crossing, P, shape, model.area);
+                        model.gatheredResistance, state);
+                    result = numerics::crossingForces(crossing, P, shape, size.area());
                 } else {
-                    result = numerics::edgeForces(numerics::stress(gradientOf(edges, shape), state),
-                                                  shape, model.area);
+                    result = numerics::edgeForces(
+                        numerics::stress(gradientOf(edges, shape), model.gatheredResistance, state),
+                        shape, size.area());
                 }
                 if (x >= tile.points.x0 && z >= tile.points.z0) { // counted once
                     dip.stress[triangle] = {state.cosine, state.sine, state.turn, state.resists};
@@ -148,7 +150,8 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
                 const float2 way =
                     values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0] -
                     dip.before[point];
-                const float2 left = (sum + way * drag) * dip.masked[point];
+                const float own = drag * pointArea(model, x, z);
+                const float2 left = (sum + way * own) * dip.masked[point];
                 dip.forces[point] = left;
                 sums[0] += double(left.x * left.x + left.y * left.y);
             });
@@ -175,7 +178,9 @@ __device__ inline void multiply(const ProductionModel& model, const ProductionDi
         __syncthreads();
         gatherForces(
             model, tile, values, forces,
-            [&](int triangle, const numerics::TriangleCorners& corners, int, int, const auto& at) {
+            [&](int triangle, const numerics::TriangleCorners& corners, int x, int z,
+                const auto& at) {
+                const float area = triangleSize(model, x, z).area();
                 const numerics::Matrix2<float> shape = shapeOf(dip, triangle);
                 const float4 stress = dip.stress[triangle];
                 const numerics::StressState<float> state{stress.x, stress.y, stress.z, stress.w};
@@ -183,17 +188,18 @@ __device__ inline void multiply(const ProductionModel& model, const ProductionDi
                     gradientOf(triangleEdges(corners, 0, 0, at), shape);
                 if (dip.crosses[triangle] == 0) {
                     return numerics::edgeForces(numerics::stressDerivative(change, state, tangent),
-                                                shape, model.area);
+                                                shape, area);
                 }
                 return numerics::crossingForces(
                     dip.crossing[triangle],
                     numerics::stressDerivative(
                         numerics::floatingChange(dip.anchors[triangle], change), state, tangent),
-                    shape, model.area);
+                    shape, area);
             },
             [&](int x, int z, float2 sum) {
                 const int point = z * model.columns + x;
-                work(point, (sum + value(x, z) * drag) * dip.masked[point]);
+                const float own = drag * pointArea(model, x, z);
+                work(point, (sum + value(x, z) * own) * dip.masked[point]);
             });
     }
 }

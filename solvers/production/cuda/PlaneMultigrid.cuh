@@ -462,10 +462,11 @@ __device__ inline numerics::EdgeStiffness<float> stiffnessOf(const ProductionMod
     const float4 shape = dip.inverseShape[triangle], stress = dip.stress[triangle];
     const numerics::Matrix2<float> inverse{shape.x, shape.y, shape.z, shape.w};
     const numerics::StressState<float> state{stress.x, stress.y, stress.z, stress.w};
+    const float area = triangleSize(model, triangle).area();
     return dip.crosses[triangle] != 0
                ? numerics::edgeStiffness(dip.crossing[triangle], dip.anchors[triangle], inverse,
-                                         state, model.area)
-               : numerics::edgeStiffness(inverse, state, model.area);
+                                         state, area)
+               : numerics::edgeStiffness(inverse, state, area);
 }
 
 namespace detail {
@@ -512,7 +513,8 @@ __device__ inline void assemble(const ProductionModel& model, const ProductionDi
                 addCell<CellPoint::LowerRight>(model, dip, x, z, stencil);
                 addCell<CellPoint::UpperLeft>(model, dip, x, z, stencil);
                 addCell<CellPoint::UpperRight>(model, dip, x, z, stencil);
-                stencil[middle] = stencil[middle] + float4{drag, 0, 0, drag};
+                const float own = drag * pointArea(model, x, z);
+                stencil[middle] = stencil[middle] + float4{own, 0, 0, own};
             }
 #pragma unroll
             for (int n = 0; n < neighbours; ++n) {

@@ -129,8 +129,26 @@ private:
     std::size_t pointCount_ = 0, sharedBytes_ = 0;
 };
 
-ProductionModel modelOf(const solver::DipSetup& setup, int blocks) {
-    ProductionModel model{numerics::filmModel<float>(setup)};
+// A film's lines along one axis on the device.
+class DeviceLines {
+public:
+    explicit DeviceLines(const numerics::FilmLineValues<float>& values)
+        : places_(std::span<const double>(values.places)),
+          edges_(std::span<const float>(values.edges)),
+          spans_(std::span<const float>(values.spans)) {}
+
+    numerics::FilmLines<float> lines() const {
+        return {places_.data(), edges_.data(), spans_.data()};
+    }
+
+private:
+    DeviceArray<double> places_;
+    DeviceArray<float> edges_, spans_;
+};
+
+ProductionModel modelOf(const solver::DipSetup& setup, int blocks, const DeviceLines& columns,
+                        const DeviceLines& rows) {
+    ProductionModel model{numerics::filmModel<float>(setup, columns.lines(), rows.lines())};
     model.tiles = filmTiles(model.columns, model.rows, blocks);
     std::ranges::copy(numerics::galerkin::smoothingSteps, model.smoothing);
     std::ranges::copy(numerics::galerkin::coarsestSteps, model.coarsest);
@@ -211,6 +229,7 @@ private:
     void layFlat(const solver::DipSetup& setup, const ProductionDip& dip) const;
 
     int blocksPerDip_;
+    DeviceLines columns_, rows_;
     ProductionModel model_;
     Levels levels_;
     FieldUploads fields_;
@@ -220,18 +239,22 @@ private:
     std::vector<numerics::StepState<float>> states_;
 };
 
+// Before anything is put on the device, which is from then on the one in use.
+void requireAllValid(const Device& device, Setups setups) {
+    for (const solver::DipSetup* setup : setups) {
+        numerics::requireValid(*setup);
+    }
+    use(device);
+}
+
 ProductionDips::ProductionDips(const Device& device, Setups setups)
     : Dips(device, setups.front()->film),
       blocksPerDip_(std::max(1, std::min(device.multiprocessors, TeamMemory::mostBlocks) /
                                     int(setups.size()))),
-      model_(modelOf(*setups.front(), blocksPerDip_)),
-      levels_((use(device), device), model_, blocksPerDip_) {
-    for (const solver::DipSetup* setup : setups) {
-        numerics::requireValid(*setup);
-        numerics::requireEven(setup->film);
-        numerics::requireNoGrowth(setup->settings);
-        numerics::requireUsualGathering(setup->settings);
-    }
+      columns_((requireAllValid(device, setups), numerics::columnsOf<float>(film()))),
+      rows_(numerics::rowsOf<float>(film())),
+      model_(modelOf(*setups.front(), blocksPerDip_, columns_, rows_)),
+      levels_(device, model_, blocksPerDip_) {
     ProductionDip dip;
     const std::size_t bytes = placeArrays(dip, model_, levels_.pointCount(), nullptr);
     memory_ = DeviceArray<std::byte>(bytes * setups.size());
@@ -257,10 +280,15 @@ void ProductionDips::layFlat(const solver::DipSetup& setup, const ProductionDip&
     }
     upload(dip.free, free);
     upload(dip.masked, free);
-    const float4 shape{float(1 / film().spacingX(0)), 0, 0, float(1 / film().spacingZ(0))};
-    upload(dip.inverseShape,
-           std::vector<float4>(2 * std::size_t(film().columns - 1) * std::size_t(film().rows - 1),
-                               shape));
+    std::vector<float4> shapes;
+    for (int row = 0; row + 1 < film().rows; ++row) {
+        for (int column = 0; column + 1 < film().columns; ++column) {
+            shapes.insert(shapes.end(), 2,
+                          float4{float(1 / film().spacingX(column)), 0, 0,
+                                 float(1 / film().spacingZ(row))});
+        }
+    }
+    upload(dip.inverseShape, shapes);
     upload(dip.state, std::vector<numerics::StepState<float>>(1));
 }
 
@@ -306,13 +334,17 @@ void ProductionDips::unpackPoints(std::size_t dip, const std::byte* stored,
     const float3* attached = inCopy(own.attached);
     const std::uint8_t* held = inCopy(own.states);
     const auto frame = numerics::bodyFrame<float>(own.body.motion, dipState.descent);
+    const auto floating = [&](std::size_t point, float2 way) { // as numerics::planePosition()
+        const int row = int(point) / film().columns, column = int(point) - row * film().columns;
+        return numerics::Vector3<float>{float(film().restX(column)) + way.x, 0,
+                                        float(film().restZ(row)) + way.y};
+    };
     const std::size_t count = film().pointCount();
     for (std::size_t point = 0; point < count; ++point) {
         const auto state = solver::PointState(held[point]);
         const numerics::Vector3<float> place =
             state == solver::PointState::Free
-                ? numerics::planePosition(model_, std::uint32_t(point),
-                                          {displacement[point].x, displacement[point].y})
+                ? floating(point, displacement[point])
                 : frame.toWorld({attached[point].x, attached[point].y, attached[point].z});
         positions[3 * point] = place.x;
         positions[3 * point + 1] = place.y;

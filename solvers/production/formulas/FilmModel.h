@@ -7,6 +7,7 @@
 #include <dipwright/FilmSolver.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace dipwright::numerics {
 
@@ -16,34 +17,85 @@ struct Vector2 {
     Real x{}, z{};
 };
 
+// A film's lines along one axis, columns along X or rows along Z: where they rest, mm; the length of
+// the edges from each but the last to the next, as the forces know it; and the length of film that a
+// point on each stands for, over that of the finest cell. Owned by the film, on its device.
+template <typename Real>
+struct FilmLines {
+    const double* places = nullptr;
+    const Real* edges = nullptr;
+    const Real* spans = nullptr;
+};
+
+// What they point to.
+template <typename Real>
+struct FilmLineValues {
+    std::vector<double> places;
+    std::vector<Real> edges, spans;
+
+    FilmLines<Real> lines() const { return {places.data(), edges.data(), spans.data()}; }
+};
+
+// rest(line) and spacing(line) of `count` lines, as of solver::FilmGrid.
+template <typename Real, typename Rest, typename Spacing>
+FilmLineValues<Real> filmLineValues(int count, double leastSpacing, const Rest& rest,
+                                    const Spacing& spacing) {
+    FilmLineValues<Real> values;
+    for (int line = 0; line < count; ++line) {
+        const double before = spacing(std::max(line - 1, 0));
+        const double after = spacing(std::min(line, count - 2));
+        values.places.push_back(rest(line));
+        values.spans.push_back(Real((before + after) / 2 / leastSpacing));
+        if (line + 1 < count) {
+            values.edges.push_back(1 / Real(1 / spacing(line)));
+        }
+    }
+    return values;
+}
+template <typename Real>
+FilmLineValues<Real> columnsOf(const solver::FilmGrid& film) {
+    return filmLineValues<Real>(
+        film.columns, film.leastSpacingX(), [&](int line) { return film.restX(line); },
+        [&](int line) { return film.spacingX(line); });
+}
+template <typename Real>
+FilmLineValues<Real> rowsOf(const solver::FilmGrid& film) {
+    return filmLineValues<Real>(
+        film.rows, film.leastSpacingZ(), [&](int line) { return film.restZ(line); },
+        [&](int line) { return film.spacingZ(line); });
+}
+
 // What all steps of a dip have in common.
 template <typename Real>
 struct FilmModel {
     int columns = 0, rows = 0;
-    double width = 0, depth = 0, spacingX = 0, spacingZ = 0; // mm
-    Real cell{};                                             // mm, the smaller spacing
-    Real edgeX{}, edgeZ{}, area{};                           // of an undeformed triangle, mm, mm²
+    double spacingX = 0, spacingZ = 0; // mm, of the finest cells
+    Real cell{};                       // mm, the smaller of the two
+    FilmLines<Real> alongX, alongZ;
     double contactTravel = 0, residual = 0, tearStretch = 0, relaxationTime = 0; // as in Settings
+    double growthRate = 0, growthLimit = 0;
+    Real gatheredResistance{}; // PlaneStress.h
 };
 
 template <typename Real>
-FilmModel<Real> filmModel(const solver::DipSetup& setup) {
+FilmModel<Real> filmModel(const solver::DipSetup& setup, const FilmLines<Real>& alongX,
+                          const FilmLines<Real>& alongZ) {
     const solver::FilmGrid& film = setup.film;
     FilmModel<Real> model;
     model.columns = film.columns;
     model.rows = film.rows;
-    model.width = film.width;
-    model.depth = film.depth;
-    model.spacingX = film.spacingX(0);
-    model.spacingZ = film.spacingZ(0);
-    model.cell = Real(std::min(film.spacingX(0), film.spacingZ(0)));
-    model.edgeX = 1 / Real(1 / film.spacingX(0));
-    model.edgeZ = 1 / Real(1 / film.spacingZ(0));
-    model.area = Real(film.spacingX(0) * film.spacingZ(0) / 2);
+    model.spacingX = film.leastSpacingX();
+    model.spacingZ = film.leastSpacingZ();
+    model.cell = Real(film.leastSpacing());
+    model.alongX = alongX;
+    model.alongZ = alongZ;
     model.contactTravel = setup.settings.contactTravel;
     model.residual = setup.settings.residual;
     model.tearStretch = setup.settings.tearStretch;
     model.relaxationTime = setup.settings.relaxationTime;
+    model.growthRate = setup.settings.growthRate;
+    model.growthLimit = setup.settings.growthLimit;
+    model.gatheredResistance = Real(gatheredResistance(setup.settings.gatheringStretch));
     return model;
 }
 
@@ -57,14 +109,45 @@ DIPWRIGHT_HOST_DEVICE inline int triangleCount(const FilmModel<Real>& model) {
     return 2 * (model.columns - 1) * (model.rows - 1);
 }
 
+// Of an undeformed triangle of a column and row of cells: its edges, mm, and its area, mm².
+template <typename Real>
+struct TriangleSize {
+    Real x{}, z{};
+    DIPWRIGHT_HOST_DEVICE Real area() const { return x * z / Real(2); }
+};
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline TriangleSize<Real> triangleSize(const FilmModel<Real>& model,
+                                                             int column, int row) {
+    return {model.alongX.edges[column], model.alongZ.edges[row]};
+}
+// By number: two triangles a cell, cell after cell.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline TriangleSize<Real> triangleSize(const FilmModel<Real>& model,
+                                                             int triangle) {
+    const int cell = triangle / 2, row = cell / (model.columns - 1);
+    return triangleSize(model, cell - row * (model.columns - 1), row);
+}
+
+// The film that a point stands for, over that of the finest cell.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Real pointArea(const FilmModel<Real>& model, int column, int row) {
+    return model.alongX.spans[column] * model.alongZ.spans[row];
+}
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Real pointArea(const FilmModel<Real>& model, int point) {
+    const int row = point / model.columns;
+    return pointArea(model, point - row * model.columns, row);
+}
+
 // World place of a floating point.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Vector3<Real>
 planePosition(const FilmModel<Real>& model, std::uint32_t point, Vector2<Real> displacement) {
     const std::uint32_t row = point / std::uint32_t(model.columns);
     const std::uint32_t column = point - row * std::uint32_t(model.columns);
-    return {Real(-model.width / 2 + double(column) * model.spacingX) + displacement.x, Real(0),
-            Real(-model.depth / 2 + double(row) * model.spacingZ) + displacement.z};
+    return {Real(model.alongX.places[column]) + displacement.x, Real(0),
+            Real(model.alongZ.places[row]) + displacement.z};
 }
 
 // Where a dip stands between two steps.
@@ -75,6 +158,7 @@ struct StepState {
     int steps = 0;
     bool anyAdhered = false;
     bool driven = false; // the contact line still pulls at the film
+    double grown = 1;    // how many times as long as at the start floating film is at rest
     solver::EquilibriumAccount equilibrium;
 };
 

@@ -13,6 +13,7 @@
 
 #include "production/formulas/Equilibrium.h"
 #include "production/formulas/FilmBackend.h"
+#include "production/formulas/Growth.h"
 #include "production/formulas/StepLength.h"
 #include "production/formulas/TearLaw.h"
 #include "production/formulas/WaterDrag.h"
@@ -133,8 +134,10 @@ DIPWRIGHT_TEAM inline void findContactLine(Film& film, double descent, bool move
     const auto unfold = [&](int triangle, const TriangleCorners& points) {
         CrossingCorner<Real> corners[3];
         findCorners(film, points, frame, corners);
-        UnfoldedTriangle<Real> unfolded = unfoldedTriangle(
-            film.body(), frame, film.model().cell, points, corners, moved, film.laid(triangle));
+        const TriangleSize<Real> size = triangleSize(film.model(), triangle);
+        const Real cell = size.x < size.z ? size.x : size.z;
+        UnfoldedTriangle<Real> unfolded = unfoldedTriangle(film.body(), frame, cell, points, corners,
+                                                           moved, film.laid(triangle));
         unfolded.crossing.cell = std::uint32_t(triangle / 2);
         return unfolded;
     };
@@ -178,7 +181,8 @@ DIPWRIGHT_TEAM inline bool holdLost(Film& film, bool isRestless) {
     };
     // `isTurned`: inside out in what floats of it.
     const auto holdIfLost = [&](int triangle, const EdgePair<Real>& edges, bool isTurned) {
-        const TriangleStretch<Real> stretch = triangleStretch(edges, model.edgeX, model.edgeZ);
+        const TriangleSize<Real> size = triangleSize(model, triangle);
+        const TriangleStretch<Real> stretch = triangleStretch(edges, size.x, size.z);
         if (isTorn(stretch, Real(model.tearStretch))) {
             hold(triangle, solver::PointMark::Torn);
         } else if (isRestless && (isTurned || isFolded(stretch))) {
@@ -267,7 +271,8 @@ DIPWRIGHT_TEAM inline void relax(Film& film, typename Film::Real keep) {
         const auto shape = film.shape(triangle);
         const auto relaxed = relaxedCrossingShape(
             anchor, gradientOf(unfoldedEdges(film.edges(triangle), crossing), shape), shape, keep);
-        if (isSoundShape(relaxed, model.edgeX, model.edgeZ)) {
+        const auto size = triangleSize(model, triangle);
+        if (isSoundShape(relaxed, size.x, size.z)) {
             film.setShape(triangle, relaxed);
         }
     };
@@ -280,6 +285,32 @@ DIPWRIGHT_TEAM inline void relax(Film& film, typename Film::Real keep) {
         film.setShape(triangle,
                       relaxedInverseShape(shape, gradientOf(film.edges(triangle), shape), keep));
     });
+}
+
+// Lets the rest shapes of floating film grow to what they are in the middle of a step of `increment`:
+// what is laid in it is laid, on the average, then. What is on the body already does not count any
+// more. A barrier is yet to come.
+template <FilmBackend Film>
+DIPWRIGHT_TEAM inline void grow(Film& film, double increment) {
+    using Real = typename Film::Real;
+    const FilmModel<Real>& model = film.model();
+    StepState<Real>& dip = film.state();
+    const double seconds = (dip.descent + increment / 2) / film.body().motion.speed;
+    const double grown = grownLength(seconds, model.growthRate, model.growthLimit);
+    if (grown == dip.grown) {
+        return;
+    }
+    const Real shorter = Real(dip.grown / grown);
+    const auto scaled = [shorter](const Matrix2<Real>& m) {
+        return Matrix2<Real>{m.a * shorter, m.b * shorter, m.c * shorter, m.d * shorter};
+    };
+    film.forTriangles(
+        [&](int triangle, const auto&, auto& anchor) {
+            film.setShape(triangle, scaled(film.shape(triangle)));
+            anchor.gradient = scaled(anchor.gradient);
+        },
+        [&](int triangle) { film.setShape(triangle, scaled(film.shape(triangle))); });
+    dip.grown = grown;
 }
 
 // A point that has come within the contact distance. Whether it stays on the body.
@@ -368,9 +399,10 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
     const double increment = std::fmin(detail::nextIncrement(film), motion.travel - dip.descent);
     const double end = dip.descent + increment;
     detail::predict(film, increment);
+    detail::grow(film, increment);
     film.barrier();
     bool hasLost = false;
-    if (dip.anyAdhered) {
+    if (dip.anyAdhered || dip.grown != 1) {
         detail::findContactLine(film, end, true);
         detail::moveAnchors(film);
         const Real drag = Real(pointDrag(model.spacingX, model.spacingZ, increment));

@@ -20,7 +20,9 @@ public:
 
     explicit HostFilm(const solver::DipSetup& setup)
         : displacement_(setup.film.pointCount()), before_(setup.film.pointCount()),
-          free_(setup.film.pointCount(), 1.f), model_(filmModel<Real>(setup)),
+          free_(setup.film.pointCount(), 1.f), columns_(columnsOf<Real>(setup.film)),
+          rows_(rowsOf<Real>(setup.film)),
+          model_(filmModel<Real>(setup, columns_.lines(), rows_.lines())),
           body_(contactBody<Real>(setup)),
           states_(setup.film.pointCount(), solver::PointState::Free),
           marks_(setup.film.pointCount(), 0), attached_(setup.film.pointCount()),
@@ -29,6 +31,9 @@ public:
             free_[point] = setup.pinned[point] ? 0.f : 1.f;
         }
     }
+
+    HostFilm(const HostFilm&) = delete; // the model points into the film's lines
+    HostFilm& operator=(const HostFilm&) = delete;
 
     const FilmModel<Real>& model() const { return model_; }
     const ContactBody<Real>& body() const { return body_; }
@@ -95,6 +100,7 @@ private:
         v.z[std::size_t(point)] = way.z;
     }
 
+    FilmLineValues<Real> columns_, rows_;
     FilmModel<Real> model_;
     ContactBody<Real> body_;
     StepState<Real> state_;

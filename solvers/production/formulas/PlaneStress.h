@@ -37,8 +37,11 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> operator*(const Matrix2<Real>& m,
             m.c * n.b + m.d * n.d};
 }
 
-// h′(s) where the film gathers; P = 2F + h(s)·R in all, see stress().
-inline constexpr double gatheredResistance = -1.5;
+// h′(s) where film that begins to gather at the mean stretch `gatheringStretch` has gathered;
+// P = 2F + h(s)·R in all, see stress(). −3/2 for 4/5.
+DIPWRIGHT_HOST_DEVICE constexpr double gatheredResistance(double gatheringStretch) {
+    return 1 - 2 / gatheringStretch;
+}
 // s within so much of where it begins to gather: there h passes from the one law to the other.
 inline constexpr double gatheringWidth = 0.1;
 
@@ -52,24 +55,24 @@ struct StressState {
 
 // P = ∂W/∂F at F, and the state for stressDerivative.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stress(const Matrix2<Real>& F,
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stress(const Matrix2<Real>& F, Real gatheredResistance,
                                                   StressState<Real>& state) {
     const Real sum = F.a + F.d, skew = F.c - F.b;
     const Real s = std::sqrt(sum * sum + skew * skew) + Real(1e-12);
     const Real inverse = Real(1) / s;
     const Real cosine = sum * inverse, sine = skew * inverse;
-    // P = 2(F − R) + (s − 2)R = 2F + (s − 4)R, or 2F − 3/2·sR where the film gathers: the larger of
+    // P = 2(F − R) + (s − 2)R = 2F + (s − 4)R, or 2F + h′sR where the film gathers: the larger of
     // the two, max(a, b) = (a + b + |a − b|)/2, with a parabola in place of |a − b| near zero.
-    constexpr double change = 1 - gatheredResistance; // of h′
-    const Real firm = s - Real(4), gathered = Real(gatheredResistance) * s;
-    const Real difference = firm - gathered, width = Real(change * gatheringWidth);
+    const Real change = Real(1) - gatheredResistance; // of h′
+    const Real firm = s - Real(4), gathered = gatheredResistance * s;
+    const Real difference = firm - gathered, width = change * Real(gatheringWidth);
     const Real share = difference / width; // outside: beyond ±1
     const Real within = share < Real(-1) ? Real(-1) : share > Real(1) ? Real(1) : share;
     const Real size = difference < Real(0) ? -difference : difference;
     const Real apart = within == share ? (difference * share + width) / Real(2) : size;
     const Real rotation = (firm + gathered + apart) / Real(2);
     state = {cosine, sine, rotation * inverse,
-             (Real(1 + gatheredResistance) + Real(change) * within) / Real(2)};
+             (Real(1) + gatheredResistance + change * within) / Real(2)};
     return {Real(2) * F.a + rotation * cosine, Real(2) * F.b - rotation * sine,
             Real(2) * F.c + rotation * sine, Real(2) * F.d + rotation * cosine};
 }

@@ -26,17 +26,19 @@ std::array<std::size_t, 4> endsOf(const Triangle& triangle) {
 
 ReferenceBackend::ReferenceBackend(const solver::DipSetup& setup) : HostFilm(setup) {
     const solver::FilmGrid& grid = setup.film;
-    const Matrix2<double> rest{1 / grid.spacingX(0), 0, 0, 1 / grid.spacingZ(0)};
     for (int row = 0; row + 1 < grid.rows; ++row) {
         for (int column = 0; column + 1 < grid.columns; ++column) {
             const std::size_t lowerLeft =
                 std::size_t(row) * std::size_t(grid.columns) + std::size_t(column);
             const std::size_t upperLeft = lowerLeft + std::size_t(grid.columns);
+            const Matrix2<double> rest{1 / grid.spacingX(column), 0, 0, 1 / grid.spacingZ(row)};
+            const double area = grid.spacingX(column) * grid.spacingZ(row) / 2;
             const std::size_t side = (row + column) % 2 == 0 ? 1 : 0; // first triangle: right edge
             triangles_.push_back(
-                {lowerLeft, lowerLeft + 1, lowerLeft + side, upperLeft + side, rest});
+                {lowerLeft, lowerLeft + 1, lowerLeft + side, upperLeft + side, area, rest});
             triangles_.push_back(
-                {upperLeft, upperLeft + 1, lowerLeft + 1 - side, upperLeft + 1 - side, rest});
+                {upperLeft, upperLeft + 1, lowerLeft + 1 - side, upperLeft + 1 - side, area,
+                                  rest});
         }
     }
     states_.resize(triangles_.size());
@@ -55,10 +57,11 @@ void ReferenceBackend::setFree() {
 
 numerics::EdgePair<double> ReferenceBackend::edges(int number) const {
     const Triangle& triangle = at(number);
-    return {model().spacingX + displacement_.x[triangle.right] - displacement_.x[triangle.left],
+    const numerics::TriangleSize<double> size = triangleSize(model(), number);
+    return {size.x + displacement_.x[triangle.right] - displacement_.x[triangle.left],
             displacement_.z[triangle.right] - displacement_.z[triangle.left],
             displacement_.x[triangle.upper] - displacement_.x[triangle.lower],
-            model().spacingZ + displacement_.z[triangle.upper] - displacement_.z[triangle.lower]};
+            size.z + displacement_.z[triangle.upper] - displacement_.z[triangle.lower]};
 }
 
 bool ReferenceBackend::triangleMoves(int number) const {
@@ -69,11 +72,10 @@ bool ReferenceBackend::triangleMoves(int number) const {
 
 std::array<double, 4> ReferenceBackend::edgeForces(const Triangle& triangle,
                                                    const Matrix2<double>& P) const {
-    const double area = model().spacingX * model().spacingZ / 2;
     const numerics::EdgePair<double> f =
         triangle.crossing >= 0 ? numerics::crossingForces(crossing_[std::size_t(triangle.crossing)],
-                                                          P, triangle.inverseShape, area)
-                               : numerics::edgeForces(P, triangle.inverseShape, area);
+                                                          P, triangle.inverseShape, triangle.area)
+                               : numerics::edgeForces(P, triangle.inverseShape, triangle.area);
     return {f.hx, f.hz, f.vx, f.vz};
 }
 
@@ -91,7 +93,7 @@ double ReferenceBackend::addTriangleForces(int number, Eigen::VectorXd& force,
     } else {
         F = gradientOf(plane, triangle.inverseShape);
     }
-    const std::array<double, 4> f = edgeForces(triangle, stress(F, state));
+    const std::array<double, 4> f = edgeForces(triangle, stress(F, model().gatheredResistance, state));
     const std::array<std::size_t, 4> ends = endsOf(triangle);
     for (std::size_t end = 0; end < 4; ++end) {
         const int row = unknown_[ends[end]];
@@ -143,8 +145,9 @@ numerics::FilmForce ReferenceBackend::force(double drag) {
     for (std::size_t point = 0; point < unknown_.size(); ++point) {
         const int row = unknown_[point];
         if (row >= 0) {
-            force_[2 * row] += drag * (displacement_.x[point] - before_.x[point]);
-            force_[2 * row + 1] += drag * (displacement_.z[point] - before_.z[point]);
+            const double own = drag * pointArea(model(), int(point));
+            force_[2 * row] += own * (displacement_.x[point] - before_.x[point]);
+            force_[2 * row + 1] += own * (displacement_.z[point] - before_.z[point]);
         }
     }
     return {force_.norm(), std::sqrt(squares)};
@@ -173,8 +176,11 @@ void ReferenceBackend::solveLinear(double drag, numerics::Tangent tangent, doubl
             addTriangleJacobian(at(triangle), states_[std::size_t(triangle)], tangent, entries);
         }
     }
-    for (int i = 0; i < 2 * unknowns_; ++i) {
-        entries.emplace_back(i, i, drag);
+    for (std::size_t point = 0; point < unknown_.size(); ++point) {
+        const int row = unknown_[point];
+        for (int k = 0; row >= 0 && k < 2; ++k) {
+            entries.emplace_back(2 * row + k, 2 * row + k, drag * pointArea(model(), int(point)));
+        }
     }
     Eigen::SparseMatrix<double> jacobian(2 * unknowns_, 2 * unknowns_);
     jacobian.setFromTriplets(entries.begin(), entries.end());

@@ -76,6 +76,7 @@ private:
     // from `lower` to `upper` (grid index); one corner belongs to both.
     struct Triangle {
         std::size_t left, right, lower, upper;
+        double area; // at rest, mm²
         numerics::Matrix2<double> inverseShape;
         int crossing = -1; // index into crossing_
     };
