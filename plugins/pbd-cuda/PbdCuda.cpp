@@ -45,6 +45,7 @@ public:
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
         begun().read(0, positions, states);
     }
+    void readMarks(std::span<std::uint8_t> marks) const override { begun().readMarks(0, marks); }
     bool peek(std::span<float> positions, std::span<solver::PointState> states,
               solver::DipState& shown) override {
         if (!snapshot_) {
@@ -137,8 +138,9 @@ bool PbdCuda::runTogether(std::span<solver::BatchItem> items, solver::CancelFunc
         }
     }
     for (std::size_t dip = 0; dip < items.size(); ++dip) {
-        items[dip].finish(dips->state(dip), [&](auto positions, auto states, auto) {
+        items[dip].finish(dips->state(dip), [&](auto positions, auto states, auto marks) {
             dips->read(dip, positions, states);
+            dips->readMarks(dip, marks);
         });
     }
     return true;

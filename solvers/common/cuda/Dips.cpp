@@ -1,5 +1,6 @@
 #include "common/cuda/Dips.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -12,6 +13,10 @@ void Dips::read(std::size_t dip, std::span<float> positions,
     std::vector<std::byte> copy(source.bytes);
     check(cudaMemcpy(copy.data(), source.onDevice, source.bytes, cudaMemcpyDeviceToHost));
     unpack(dip, copy.data(), state(dip), positions, states);
+}
+
+void Dips::readMarks(std::size_t, std::span<std::uint8_t> marks) const {
+    std::fill(marks.begin(), marks.end(), std::uint8_t(0));
 }
 
 void Dips::unpack(std::size_t dip, const std::byte* stored, const solver::DipState& dipState,

@@ -6,6 +6,7 @@
 #include <dipwright/FilmSolver.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -33,6 +34,8 @@ public:
     // As solver::FilmSolver::read.
     void read(std::size_t dip, std::span<float> positions,
               std::span<solver::PointState> states) const;
+    // As solver::FilmSolver::readMarks.
+    virtual void readMarks(std::size_t dip, std::span<std::uint8_t> marks) const;
 
     virtual StoredFilm stored(std::size_t dip) const = 0;
     // What a host's copy of the stored film says, made when the dip was at `dipState`; as

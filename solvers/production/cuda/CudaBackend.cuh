@@ -56,6 +56,9 @@ public:
         dip_.attached[point] = {place.x, place.y, place.z};
         dip_.states[point] = std::uint8_t(state);
     }
+    __device__ void mark(int point, solver::PointMark why) const {
+        atomicOr(dip_.marks + point, unsigned(why));
+    }
     __device__ bool moves(int point) const { return dip_.free[point] > 0; }
     __device__ void hold(int point) const { dip_.free[point] = 0; }
     __device__ float clearance(int point) const { return dip_.clearance[point]; }

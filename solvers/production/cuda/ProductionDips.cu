@@ -196,6 +196,7 @@ std::size_t placeArrays(ProductionDip& dip, const ProductionModel& model,
     layout.place(dip.free, points);
     layout.place(dip.masked, points);
     layout.place(dip.clearance, points);
+    layout.place(dip.marks, points);
     layout.place(dip.inverseShape, triangles);
     layout.place(dip.stress, triangles);
     layout.place(dip.crosses, triangles);
@@ -220,6 +221,7 @@ public:
 
     void advance(int maximumSteps) override;
     solver::DipState state(std::size_t dip) const override;
+    void readMarks(std::size_t dip, std::span<std::uint8_t> marks) const override;
     StoredFilm stored(std::size_t dip) const override;
 
 private:
@@ -311,7 +313,16 @@ void ProductionDips::advance(int maximumSteps) {
 
 solver::DipState ProductionDips::state(std::size_t dip) const {
     const numerics::StepState<float>& state = states_[dip];
-    return {state.steps, state.descent, state.descent >= dips_[dip].body.motion.travel};
+    return {state.steps, state.descent, state.descent >= dips_[dip].body.motion.travel,
+            state.equilibrium};
+}
+
+void ProductionDips::readMarks(std::size_t dip, std::span<std::uint8_t> marks) const {
+    use(device());
+    std::vector<unsigned> words(marks.size());
+    check(cudaMemcpy(words.data(), dips_[dip].marks, words.size() * sizeof(unsigned),
+                     cudaMemcpyDeviceToHost));
+    std::ranges::transform(words, marks.begin(), [](unsigned word) { return std::uint8_t(word); });
 }
 
 StoredFilm ProductionDips::stored(std::size_t dip) const {

@@ -66,6 +66,7 @@ struct ProductionDip {
     float* masked = nullptr;    // the same, as of the last setFree()
     float* clearance = nullptr; // mm, at least so far from contact
     std::uint8_t* states = nullptr;
+    unsigned* marks = nullptr; // solver::PointMark bits
 
     // One entry a triangle, two a cell.
     float4* inverseShape = nullptr;

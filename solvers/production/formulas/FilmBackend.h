@@ -78,6 +78,8 @@ concept FilmStorage = requires(Film& film, const Film& seen, int i, Vector2<Real
     { seen.before(i) } -> std::same_as<Vector2<Real>>;
     film.setDisplacement(i, way);
     film.setBefore(i, way);
+    // Why a point lies where it does. Threads of a team may mark the same point at once.
+    film.mark(i, solver::PointMark::Torn);
     // What has become of a point, and where it sits on the body (body coordinates).
     { seen.pointState(i) } -> std::same_as<solver::PointState>;
     { seen.attached(i) } -> std::same_as<Vector3<Real>>;
@@ -96,13 +98,6 @@ concept FilmStorage = requires(Film& film, const Film& seen, int i, Vector2<Real
     { seen.edges(i) } -> std::same_as<EdgePair<Real>>;
     { seen.triangleMoves(i) } -> std::same_as<bool>;
     { film.laid(i) } -> std::same_as<LaidCorners<Real>&>;
-};
-
-// What a device may keep besides: why a point lies where it does. Threads of a team may mark the
-// same point at once.
-template <typename Film>
-concept MarkedStorage = requires(Film& film, int i) {
-    film.mark(i, solver::PointMark::Torn);
 };
 
 template <typename Film, typename Real = typename Film::Real>

@@ -34,14 +34,6 @@ DIPWRIGHT_TEAM inline bool isFree(const Film& film, int point) {
     return film.pointState(point) == solver::PointState::Free;
 }
 
-// On devices that keep marks.
-template <FilmStorage Film>
-DIPWRIGHT_TEAM inline void mark(Film& film, int point, solver::PointMark why) {
-    if constexpr (MarkedStorage<Film>) {
-        film.mark(point, why);
-    }
-}
-
 // The least distance to the body of the points that are not next to film on it, or `most` if none
 // is nearer.
 template <FilmBackend Film>
@@ -173,7 +165,7 @@ DIPWRIGHT_TEAM inline bool holdLost(Film& film, bool isRestless) {
         for (const std::uint32_t point :
              triangleCorners(model.columns, std::size_t(triangle)).points) {
             if (isFree(film, int(point))) {
-                mark(film, int(point), why);
+                film.mark(int(point), why);
             }
             film.hold(int(point));
         }
@@ -221,7 +213,7 @@ DIPWRIGHT_TEAM inline void forUnbalanced(Film& film, const Work& work) {
     most = -film.least(-most);
     film.forPoints([&](int point) {
         if (squareAt(point) >= Real(unbalancedShare * unbalancedShare) * most) {
-            mark(film, point, solver::PointMark::Unbalanced);
+            film.mark(point, solver::PointMark::Unbalanced);
             work(point);
         }
     });
@@ -378,7 +370,7 @@ DIPWRIGHT_TEAM inline bool releaseOverhang(Film& film, double descent) {
             film.setShape(triangle, change * film.shape(triangle));
             for (const std::uint32_t point : points.points) {
                 if (isFree(film, int(point))) {
-                    mark(film, int(point), solver::PointMark::LetGo);
+                    film.mark(int(point), solver::PointMark::LetGo);
                 }
             }
             any = true;
