@@ -33,6 +33,7 @@ bool haveSameBits(const Row& a, const Row& b) {
     });
 }
 
+constexpr float resistance = -1.5f; // of gathered film
 constexpr std::size_t longest = 70; // four of the longest vectors and a rest
 
 // Two rows of displaced points and shapes of the cells between them.
@@ -40,16 +41,19 @@ struct Cells {
     explicit Cells(std::size_t count)
         : cells(count), x0(randomRow(count + 1, 1, -0.2f, 0.2f)),
           z0(randomRow(count + 1, 2, -0.2f, 0.2f)), x1(randomRow(count + 1, 3, -0.2f, 0.2f)),
-          z1(randomRow(count + 1, 4, -0.2f, 0.2f)) {
+          z1(randomRow(count + 1, 4, -0.2f, 0.2f)), edgesX(randomRow(count, 7, 0.8f, 1.2f)),
+          inversesX(randomRow(count, 8, 0.8f, 1.2f)) {
         for (unsigned k = 0; k < 8; ++k) {
             const bool isDiagonal = k % 4 == 0 || k % 4 == 3;
             shapes.push_back(
                 randomRow(count, 10 + k, isDiagonal ? 0.9f : -0.1f, isDiagonal ? 1.1f : 0.1f));
         }
     }
+    RowOfSizes sizes() const { return {edgesX.data(), inversesX.data(), edgeZ, inverseZ}; }
+    float area(std::size_t i) const { return edgesX[i] * edgeZ / 2; }
     RowOfPoints points() const { return {x0.data(), z0.data(), x1.data(), z1.data()}; }
     RowOfShapes rowOfShapes(bool isCrept) const {
-        RowOfShapes row{isCrept, {}, {0.98f, 0, 0, 1.03f}, 0.5f};
+        RowOfShapes row{isCrept, {}, sizes()};
         for (std::size_t second = 0; second < 2; ++second) {
             row.shapes[second] = {shapes[4 * second].data(), shapes[4 * second + 1].data(),
                                   shapes[4 * second + 2].data(), shapes[4 * second + 3].data()};
@@ -60,12 +64,14 @@ struct Cells {
         const std::size_t k = 4 * std::size_t(second);
         return isCrept ? numerics::Matrix2<float>{shapes[k][i], shapes[k + 1][i], shapes[k + 2][i],
                                                   shapes[k + 3][i]}
-                       : rowOfShapes(false).common;
+                       : numerics::Matrix2<float>{inversesX[i], 0, 0, inverseZ};
     }
 
     std::size_t cells;
     Row x0, z0, x1, z1;
+    Row edgesX, inversesX; // a graded film
     std::vector<Row> shapes;
+    static constexpr float edgeZ = 0.97f, inverseZ = 1.03f;
 };
 
 // Forces on the edges, and states, of a row of cells, one after the other.
@@ -157,8 +163,11 @@ void RowKernelsTest::linearCombinations() {
         QVERIFY(check([&](std::size_t i, float was) { return was + factor * a[i]; }));
         scaleRow(count, factor, out.data());
         QVERIFY(check([&](std::size_t, float was) { return factor * was; }));
-        addDifference(count, factor, a.data(), b.data(), out.data());
-        QVERIFY(check([&](std::size_t i, float was) { return was + factor * (a[i] - b[i]); }));
+        addWeighted(count, factor, b.data(), a.data(), out.data());
+        QVERIFY(check([&](std::size_t i, float was) { return was + factor * b[i] * a[i]; }));
+        addDifference(count, factor, c.data(), a.data(), b.data(), out.data());
+        QVERIFY(
+            check([&](std::size_t i, float was) { return was + factor * c[i] * (a[i] - b[i]); }));
         multiplyBy(count, b.data(), out.data());
         QVERIFY(check([&](std::size_t i, float was) { return was * b[i]; }));
     }
@@ -171,7 +180,7 @@ void RowKernelsTest::forcesOfCells() {
             for (const unsigned parity : {0u, 1u}) {
                 const Tangent tangent = parity == 0 ? Tangent::True : Tangent::Projected;
                 Edges gradient(count), expected(count);
-                gradientRow(count, parity, film.points(), film.rowOfShapes(isCrept), 1.02f, 0.97f,
+                gradientRow(count, parity, film.points(), film.rowOfShapes(isCrept), resistance,
                             gradient.rowOfStates(), gradient.forces());
                 Edges hessian = gradient, expectedHessian = gradient;
                 hessianRow(count, parity, film.points(), film.rowOfShapes(isCrept),
@@ -182,20 +191,22 @@ void RowKernelsTest::forcesOfCells() {
                         const auto shape = film.shape(isCrept, second, i);
                         numerics::StressState<float> state;
                         const auto P = stress(
-                            gradientOf(cellEdges(film.points(), i, second, right, 1.02f, 0.97f),
+                            gradientOf(cellEdges(film.points(), i, second, right, film.edgesX[i],
+                                                 Cells::edgeZ),
                                        shape),
-                            state);
+                            resistance, state);
                         const auto states = expected.rowOfStates().states[second];
                         states.cosine[i] = state.cosine;
                         states.sine[i] = state.sine;
                         states.turn[i] = state.turn;
                         states.resists[i] = state.resists;
-                        expected.put(i, second, right, edgeForces(P, shape, 0.5f));
+                        expected.put(i, second, right, edgeForces(P, shape, film.area(i)));
                         const auto change =
                             gradientOf(cellEdges(film.points(), i, second, right, 0, 0), shape);
                         expectedHessian.put(
                             i, second, right,
-                            edgeForces(stressDerivative(change, state, tangent), shape, 0.5f));
+                            edgeForces(stressDerivative(change, state, tangent), shape,
+                                       film.area(i)));
                     }
                 }
                 QVERIFY(gradient == expected);
@@ -210,7 +221,7 @@ void RowKernelsTest::stiffnessOfTriangles() {
         const Cells film(count);
         for (const bool isCrept : {false, true}) {
             Edges edges(count);
-            gradientRow(count, 0, film.points(), film.rowOfShapes(isCrept), 0.8f, 0.75f,
+            gradientRow(count, 0, film.points(), film.rowOfShapes(isCrept), resistance,
                         edges.rowOfStates(), edges.forces());
             Row lines[2] = {Row(16 * count), Row(16 * count)};
             stiffnessRow(count, film.rowOfShapes(isCrept), edges.constStates(),
@@ -221,7 +232,7 @@ void RowKernelsTest::stiffnessOfTriangles() {
                     const auto stiffness = numerics::edgeStiffness<float>(
                         film.shape(isCrept, second, i),
                         {states.cosine[i], states.sine[i], states.turn[i], states.resists[i]},
-                        0.5f);
+                        film.area(i));
                     Row expected, line;
                     for (const auto& m : {stiffness.hh, stiffness.hv, stiffness.vh, stiffness.vv}) {
                         expected.insert(expected.end(), {m.a, m.b, m.c, m.d});
@@ -257,12 +268,12 @@ void RowKernelsTest::rangeOfStretch() {
     for (std::size_t count = 1; count <= longest; ++count) {
         const Cells film(count);
         const Row moving[2] = {randomRow(count, 5, 0, 1), randomRow(count, 6, 0, 1)};
-        const float inverseX = 0.98f, inverseZ = 1.03f;
         float largest = 0, least = 1;
         for (std::size_t i = 0; i < count; ++i) {
             for (const bool second : {false, true}) {
                 const auto e = cellEdges(film.points(), i, second, (i % 2 == 0) != second,
-                                         1 / inverseX, 1 / inverseZ);
+                                         film.edgesX[i], Cells::edgeZ);
+                const float inverseX = film.inversesX[i], inverseZ = Cells::inverseZ;
                 const float squares = (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
                                       (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
                 const float area = (e.hx * e.vz - e.vx * e.hz) * inverseX * inverseZ;
@@ -271,7 +282,7 @@ void RowKernelsTest::rangeOfStretch() {
             }
         }
         const StretchRange range = stretchRange(
-            count, 0, film.points(), {moving[0].data(), moving[1].data()}, inverseX, inverseZ);
+            count, 0, film.points(), {moving[0].data(), moving[1].data()}, film.sizes());
         QVERIFY(range.largestSquares == largest);
         QVERIFY(range.leastArea == least);
     }

@@ -19,13 +19,23 @@ namespace {
 // A film of 1 mm cells of which the points with free 0 are held, displaced by `way`.
 struct Film {
     Film(int columns, int rows)
-        : plane({columns, rows, double(columns - 1), double(rows - 1)}),
+        : setup(flat(columns, rows)), along(numerics::columnsOf<float>(setup.film)),
+          down(numerics::rowsOf<float>(setup.film)),
+          model(numerics::filmModel<float>(setup, along.lines(), down.lines())), plane(model),
           free(std::size_t(columns) * std::size_t(rows), 1.f), area(free.size(), 1.f),
           displacement(free.size()),
-          multigrid({columns, rows, double(columns - 1), double(rows - 1)}) {
+          multigrid(setup.film) {
         for (int row = 0; row < rows; ++row) { // two sides of it
             free[at(0, row)] = free[at(columns - 1, row)] = 0;
         }
+    }
+    Film(const Film&) = delete; // the model points into the lines
+    Film& operator=(const Film&) = delete;
+
+    static solver::DipSetup flat(int columns, int rows) {
+        solver::DipSetup setup;
+        setup.film = {columns, rows, double(columns - 1), double(rows - 1)};
+        return setup;
     }
     std::size_t at(int column, int row) const {
         return std::size_t(row) * std::size_t(plane.columns()) + std::size_t(column);
@@ -77,6 +87,9 @@ struct Film {
     }
 
     static constexpr float drag = 1e-4f;
+    solver::DipSetup setup;
+    numerics::FilmLineValues<float> along, down;
+    numerics::FilmModel<float> model;
     PlaneFilm plane;
     std::vector<float> free, area;
     PlaneVector displacement;

@@ -14,6 +14,8 @@ using namespace dipwright::numerics;
 
 namespace {
 
+const double resistance = gatheredResistance(0.8); // of gathered film
+
 using Matrix = Matrix2<double>;
 using Edges = EdgePair<double>;
 using Four = std::array<double, 4>; // hx, hz, vx, vz
@@ -89,7 +91,7 @@ std::vector<Matrix> gatheredFilm() {
 // first order about F: whose derivative is the projected one.
 Matrix stressNear(const Matrix& F, const Matrix& now) {
     StressState<double> state;
-    const Matrix at = stress(F, state);
+    const Matrix at = stress(F, resistance, state);
     const Matrix change = stressDerivative(
         Matrix{now.a - F.a, now.b - F.b, now.c - F.c, now.d - F.d}, state, Tangent::Projected);
     return {at.a + change.a, at.b + change.b, at.c + change.c, at.d + change.d};
@@ -97,7 +99,7 @@ Matrix stressNear(const Matrix& F, const Matrix& now) {
 
 EdgeStiffness<double> stiffnessAt(const Matrix& F) {
     StressState<double> state;
-    stress(F, state);
+    stress(F, resistance, state);
     return edgeStiffness(shape, state, area);
 }
 
@@ -153,7 +155,7 @@ void EdgeStiffnessTest::isTheDerivativeOfTheForces() {
     for (const Matrix& F : firmFilm()) {
         const auto force = [](const Edges& edges) {
             StressState<double> state;
-            return edgeForces(stress(gradientOf(edges, shape), state), shape, area);
+            return edgeForces(stress(gradientOf(edges, shape), resistance, state), shape, area);
         };
         QVERIFY(distance(square(stiffnessAt(F)), differences(force, edgesWith(F))) < 1e-7);
     }
@@ -208,7 +210,7 @@ void EdgeStiffnessTest::knowsTrianglesOnTheContactLine() {
                     anchorOverStep(crossingAnchor(triangle, Matrix{1.02, 0, 0.01, 0.97}), triangle);
                 const Matrix F = floatingGradient(anchor, whole);
                 StressState<double> state;
-                stress(F, state);
+                stress(F, resistance, state);
                 const auto force = [&](const Edges& edges) {
                     return crossingForces(
                         triangle, stressNear(F, floatingGradient(anchor, gradientOf(edges, shape))),

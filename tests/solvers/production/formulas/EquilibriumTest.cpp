@@ -110,7 +110,10 @@ struct Matrix {
     }
 
     StepState<double>& state() { return state_; }
-    LeastResiduals& leastResiduals() { return problem; }
+    template <typename Work>
+    double inSmallProblem(const Work& work) {
+        return work(problem);
+    }
     void startLinear() {
         step.assign(forces.size(), 0);
         residual = forces;

@@ -16,6 +16,8 @@ using namespace dipwright::numerics;
 
 namespace {
 
+const double resistance = gatheredResistance(0.8); // of gathered film
+
 constexpr int columns = 5, rows = 4;
 constexpr double spacingX = 2, spacingZ = 3;
 
@@ -56,6 +58,7 @@ private Q_SLOTS:
     void undeformedFilmHasTheGradientOne();
     void edgeForcesAreTheGradientOfTheEnergy();
     void pointsLieInTheGrid();
+    void linesNeedNotBeEven();
 };
 
 void GridTriangleTest::twoTrianglesMakeACell() {
@@ -129,7 +132,7 @@ void GridTriangleTest::edgeForcesAreTheGradientOfTheEnergy() {
     const EdgePair<double> edges{2.4, 0.2, -0.1, 3.3};
     StressState<double> state;
     const EdgePair<double> force =
-        edgeForces(stress(gradientOf(edges, inverseShape), state), inverseShape, area);
+        edgeForces(stress(gradientOf(edges, inverseShape), resistance, state), inverseShape, area);
     const auto slope = [&](double EdgePair<double>::*component) {
         EdgePair<double> ahead = edges, behind = edges;
         ahead.*component += h;
@@ -145,7 +148,8 @@ void GridTriangleTest::edgeForcesAreTheGradientOfTheEnergy() {
 void GridTriangleTest::pointsLieInTheGrid() {
     solver::DipSetup setup;
     setup.film = {columns, rows, 8, 9};
-    const auto model = filmModel<double>(setup);
+    const auto along = columnsOf<double>(setup.film), down = rowsOf<double>(setup.film);
+    const auto model = filmModel<double>(setup, along.lines(), down.lines());
     QCOMPARE(pointCount(model), columns * rows);
     QCOMPARE(triangleCount(model), 2 * (columns - 1) * (rows - 1));
     const auto corner = planePosition(model, columns * rows - 1, Vector2<double>{0.5, -0.25});
@@ -154,6 +158,29 @@ void GridTriangleTest::pointsLieInTheGrid() {
     QCOMPARE(corner.z, 4.25);
     QCOMPARE(planePosition(model, 0, Vector2<double>{}).x, -4.0);
     QCOMPARE(planePosition(model, columns, Vector2<double>{}).z, -1.5);
+}
+
+void GridTriangleTest::linesNeedNotBeEven() {
+    solver::DipSetup setup;
+    setup.film = {4, 3, 7, 4};
+    setup.film.columnPlaces = {-3.5, -1.5, -0.5, 3.5};
+    setup.film.rowPlaces = {-2, 1, 2};
+    const auto along = columnsOf<double>(setup.film), down = rowsOf<double>(setup.film);
+    const auto model = filmModel<double>(setup, along.lines(), down.lines());
+    QCOMPARE(model.cell, 1.0);
+    QCOMPARE(planePosition(model, 6, Vector2<double>{}).x, -0.5);
+    QCOMPARE(planePosition(model, 6, Vector2<double>{}).z, 1.0);
+    // The second triangle of the last cell of the first row: 4 × 3.
+    QCOMPARE(triangleSize(model, 5).x, 4.0);
+    QCOMPARE(triangleSize(model, 5).area(), 6.0);
+    // What the points stand for, over the finest cell; at an edge all of a cell.
+    QCOMPARE(pointArea(model, 6), 2.5 * 2);
+    QCOMPARE(pointArea(model, 0), 2.0 * 3);
+    double area = 0;
+    for (int triangle = 0; triangle < triangleCount(model); ++triangle) {
+        area += triangleSize(model, triangle).area();
+    }
+    QCOMPARE(area, 28.0);
 }
 
 QTEST_GUILESS_MAIN(GridTriangleTest)
