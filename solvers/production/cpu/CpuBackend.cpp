@@ -23,10 +23,10 @@ void scale(float factor, PlaneVector& v) {
 static_assert(numerics::FilmBackend<CpuBackend> && numerics::LeastResidualBackend<CpuBackend>);
 
 CpuBackend::CpuBackend(const solver::DipSetup& setup)
-    : HostFilm(setup), film_(model()), multigrid_(setup.film),
-      areas_(setup.film.pointCount()), gradient_(setup.film.pointCount()),
-      step_(setup.film.pointCount()), residual_(setup.film.pointCount()),
-      start_(setup.film.pointCount()), best_(setup.film.pointCount()),
+    : HostFilm(setup), film_(model()), multigrid_(setup.film), areas_(setup.film.pointCount()),
+      gradient_(setup.film.pointCount()), step_(setup.film.pointCount()),
+      residual_(setup.film.pointCount()), start_(setup.film.pointCount()),
+      best_(setup.film.pointCount()),
       basis_(std::size_t(numerics::mostBasisVectors) + 1, PlaneVector(setup.film.pointCount())),
       smoothed_(std::size_t(numerics::mostBasisVectors), PlaneVector(setup.film.pointCount())) {
     forPoints([&](int point) { areas_[std::size_t(point)] = pointArea(model(), point); });

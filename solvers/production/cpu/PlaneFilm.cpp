@@ -144,8 +144,7 @@ numerics::EdgePair<float> PlaneFilm::edges(int triangle, const PlaneVector& disp
               column = cell - row * (columns_ - 1);
     const bool second = triangle % 2 != 0, even = (column + row) % 2 == 0;
     return cellEdges(rowOfPoints(displacement, std::size_t(columns_), row), std::size_t(column),
-                     second, even != second, model_.alongX.edges[column],
-                     model_.alongZ.edges[row]);
+                     second, even != second, model_.alongX.edges[column], model_.alongZ.edges[row]);
 }
 
 // Whether some free triangle of a row of cells may be torn or folded.
@@ -232,8 +231,9 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
             to.turn[i] = state.turn;
             to.resists[i] = state.resists;
             putForces(forces, i, triangle,
-                      numerics::crossingForces(
-                          triangle, P, inverseShape(triangle.cell, triangle.second), areaOf(triangle)));
+                      numerics::crossingForces(triangle, P,
+                                               inverseShape(triangle.cell, triangle.second),
+                                               areaOf(triangle)));
         }
         for (const int which : {firstX, firstZ, secondX, secondZ}) {
             const std::vector<float>& moving = moving_[which == secondX || which == secondZ];

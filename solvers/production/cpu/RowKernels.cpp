@@ -98,14 +98,12 @@ void scaleRow(std::size_t count, float factor, float* out) {
         [&](std::size_t i) { return factor * out[i]; });
 }
 
-void addWeighted(std::size_t count, float factor, const float* weight, const float* a,
-                 float* out) {
+void addWeighted(std::size_t count, float factor, const float* weight, const float* a, float* out) {
     const Vector scale = hn::Set(lanes, factor);
     forRow(
         0, count, out,
         [&](std::size_t i) HWY_ATTR {
-            return hn::Add(load(out + i),
-                           hn::Mul(hn::Mul(scale, load(weight + i)), load(a + i)));
+            return hn::Add(load(out + i), hn::Mul(hn::Mul(scale, load(weight + i)), load(a + i)));
         },
         [&](std::size_t i) { return out[i] + factor * weight[i] * a[i]; });
 }
@@ -346,8 +344,7 @@ void addScaled(std::size_t count, float factor, const float* a, float* out) {
 void scaleRow(std::size_t count, float factor, float* out) {
     HWY_DYNAMIC_DISPATCH(scaleRow)(count, factor, out);
 }
-void addWeighted(std::size_t count, float factor, const float* weight, const float* a,
-                 float* out) {
+void addWeighted(std::size_t count, float factor, const float* weight, const float* a, float* out) {
     HWY_DYNAMIC_DISPATCH(addWeighted)(count, factor, weight, a, out);
 }
 void addDifference(std::size_t count, float factor, const float* weight, const float* a,
@@ -360,7 +357,8 @@ void multiplyBy(std::size_t count, const float* a, float* out) {
 void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
                  const RowOfShapes& shapes, float gatheredResistance,
                  const RowOfStates<float*>& states, const RowOfForces& forces) {
-    HWY_DYNAMIC_DISPATCH(gradientRow)(cells, parity, points, shapes, gatheredResistance, states, forces);
+    HWY_DYNAMIC_DISPATCH(gradientRow)
+    (cells, parity, points, shapes, gatheredResistance, states, forces);
 }
 void hessianRow(std::size_t cells, unsigned parity, const RowOfPoints& direction,
                 const RowOfShapes& shapes, const RowOfStates<const float*>& states,

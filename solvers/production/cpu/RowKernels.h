@@ -39,8 +39,8 @@ struct RowOfPoints {
 struct RowOfForces {
     float *firstX, *firstZ, *secondX, *secondZ, *leftX, *leftZ, *rightX, *rightZ;
 };
-// The undeformed film in a row of cells: of each column of them the length of an edge along X and its
-// inverse, and both of the edges along Z.
+// The undeformed film in a row of cells: of each column of them the length of an edge along X and
+// its inverse, and both of the edges along Z.
 struct RowOfSizes {
     const float *edgesX, *inversesX;
     float edgeZ = 0, inverseZ = 0;

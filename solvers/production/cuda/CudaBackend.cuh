@@ -218,8 +218,7 @@ public:
                      for (int i = 0; i < numerics::mostBasisVectors; ++i) {
                          if (i <= count) {
                              const float2 earlier = dip_.basis[i][point];
-                             products[i] +=
-                                 double(product.x * earlier.x + product.y * earlier.y);
+                             products[i] += double(product.x * earlier.x + product.y * earlier.y);
                          }
                      }
                  });
@@ -274,7 +273,9 @@ public:
     }
 
 private:
-    __device__ static numerics::Vector2<float> plain(float2 value) { return {value.x, value.y}; }
+    __device__ static numerics::Vector2<float> plain(float2 value) {
+        return {value.x, value.y};
+    }
     __device__ numerics::TriangleCorners corners(int triangle) const {
         return numerics::triangleCorners(model_.columns, std::size_t(triangle));
     }

@@ -92,7 +92,8 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
 // where they were taken in `stress`. Returns the roots of the sums of
 // squares of the forces on free points, and of those within the film.
 __device__ inline numerics::FilmForce force(const ProductionModel& model, const ProductionDip& dip,
-                                            float drag, const float* length, Team& team, float2* memory) {
+                                            float drag, const float* length, Team& team,
+                                            float2* memory) {
     double sums[2] = {0, 0};
 #pragma unroll 1
     for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
@@ -105,8 +106,8 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
                                      ? dip.displacement[point]
                                      : dip.start[point] + dip.newtonStep[point] * *length;
             values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0] = place;
-            if (length != nullptr && x >= tile.points.x0 && x < tile.points.x1 && z >= tile.points.z0 &&
-                z < tile.points.z1) {
+            if (length != nullptr && x >= tile.points.x0 && x < tile.points.x1 &&
+                z >= tile.points.z0 && z < tile.points.z1) {
                 dip.displacement[point] = place;
             }
         });
@@ -116,8 +117,7 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
             [&](int triangle, const numerics::TriangleCorners& corners, int x, int z,
                 const auto& at) {
                 const numerics::TriangleSize<float> size = triangleSize(model, x, z);
-                const numerics::EdgePair<float> edges =
-                    triangleEdges(corners, size.x, size.z, at);
+                const numerics::EdgePair<float> edges = triangleEdges(corners, size.x, size.z, at);
                 const numerics::Matrix2<float> shape = shapeOf(dip, triangle);
                 const bool crosses = dip.crosses[triangle] != 0;
                 numerics::StressState<float> state;
@@ -173,8 +173,7 @@ __device__ inline void multiply(const ProductionModel& model, const ProductionDi
         const auto value = [&](int x, int z) -> float2& {
             return values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0];
         };
-        forRange(tile.corners,
-                 [&](int x, int z) { value(x, z) = vector[z * model.columns + x]; });
+        forRange(tile.corners, [&](int x, int z) { value(x, z) = vector[z * model.columns + x]; });
         __syncthreads();
         gatherForces(
             model, tile, values, forces,

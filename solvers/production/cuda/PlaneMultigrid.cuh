@@ -1,9 +1,9 @@
 // The multigrid V-cycle on the GPU for the film's stiffness as it is now (GalerkinCycle.h). On the
-// way down, one tile after the other is smoothed, its residual taken and carried over to the coarser
-// level without leaving the block: it begins with so many points round the tile as the smoothing
-// steps use up. The same on the way up. The coarser levels, which one block can hold, every block
-// computes whole for itself, and so saves barriers with the others. Loops are kept from being
-// unrolled where all their copies would crowd the instructions of a step out of the caches.
+// way down, one tile after the other is smoothed, its residual taken and carried over to the
+// coarser level without leaving the block: it begins with so many points round the tile as the
+// smoothing steps use up. The same on the way up. The coarser levels, which one block can hold,
+// every block computes whole for itself, and so saves barriers with the others. Loops are kept from
+// being unrolled where all their copies would crowd the instructions of a step out of the caches.
 #pragma once
 
 #include "common/cuda/Team.cuh"
@@ -154,9 +154,8 @@ public:
                     const float2 from = isFirst ? float2{0, 0} : patch.result[index_[k]];
                     const float2 left = isFirst ? right_[k] : residual(patch, k);
                     const float3 inverse = inverse_[k];
-                    const float2 change{
-                        step.gain * (inverse.x * left.x + inverse.y * left.y),
-                        step.gain * (inverse.y * left.x + inverse.z * left.y)};
+                    const float2 change{step.gain * (inverse.x * left.x + inverse.y * left.y),
+                                        step.gain * (inverse.y * left.x + inverse.z * left.y)};
                     direction_[k] = s == 0 ? change : direction_[k] * step.keep + change;
                     patch.other[index_[k]] = from + direction_[k];
                 }
@@ -354,7 +353,8 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
 __device__ inline PlanePatch solveWhole(const ProductionModel& model, const ProductionDip& dip,
                                         ScaledVector firstRight, float2* memory) {
     const int first = model.wholeLevel, last = model.levelCount - 1;
-    // Three values a point, and the zeros round them: a level's two of its patch and its right side.
+    // Three values a point, and the zeros round them: a level's two of its patch and its right
+    // side.
     const auto patchOf = [&](int l) {
         float2* start = memory;
         for (int finer = first; finer < l; ++finer) {
@@ -390,9 +390,8 @@ __device__ inline PlanePatch solveWhole(const ProductionModel& model, const Prod
             points.smooth(patch, model.smoothing, numerics::galerkin::smoothingDegree, true);
             points.keepResidual(patch);
         });
-        forRange(coarser.range, [&](int x, int z) {
-            coarseRight[coarser.index(x, z)] = restricted(patch, x, z);
-        });
+        forRange(coarser.range,
+                 [&](int x, int z) { coarseRight[coarser.index(x, z)] = restricted(patch, x, z); });
         __syncthreads();
     }
     // Smoothing has an even number of steps: so each solution ends in `result`.
@@ -435,8 +434,7 @@ __device__ inline void multigridCycle(const ProductionModel& model, const Produc
     const PlanePatch whole = solveWhole(model, dip, rightOf(model.wholeLevel), memory);
     const float2* coarse = whole.result + whole.index(0, 0);
     int coarsePitch = whole.pitch();
-    float2* tileMemory =
-        memory + 3 * PlanePatch::values(whole.range.width(), whole.range.height());
+    float2* tileMemory = memory + 3 * PlanePatch::values(whole.range.width(), whole.range.height());
     if (model.wholeLevel == 0) {
         for (int i = team.thread(); i < model.columns * model.rows; i += team.threadCount()) {
             const int row = i / model.columns;
@@ -456,9 +454,8 @@ __device__ inline void multigridCycle(const ProductionModel& model, const Produc
 }
 
 // The stiffness of a triangle where the forces were last taken, projected.
-__device__ inline numerics::EdgeStiffness<float> stiffnessOf(const ProductionModel& model,
-                                                             const ProductionDip& dip,
-                                                             int triangle) {
+__device__ inline numerics::EdgeStiffness<float>
+stiffnessOf(const ProductionModel& model, const ProductionDip& dip, int triangle) {
     const float4 shape = dip.inverseShape[triangle], stress = dip.stress[triangle];
     const numerics::Matrix2<float> inverse{shape.x, shape.y, shape.z, shape.w};
     const numerics::StressState<float> state{stress.x, stress.y, stress.z, stress.w};
@@ -483,9 +480,9 @@ __device__ inline void addCell(const ProductionModel& model, const ProductionDip
         return;
     }
     const int triangle = 2 * (cellZ * (model.columns - 1) + cellX);
-    const auto row = numerics::cellRow<point>(stiffnessOf(model, dip, triangle),
-                                              stiffnessOf(model, dip, triangle + 1),
-                                              (cellX + cellZ) % 2 == 0);
+    const auto row =
+        numerics::cellRow<point>(stiffnessOf(model, dip, triangle),
+                                 stiffnessOf(model, dip, triangle + 1), (cellX + cellZ) % 2 == 0);
     constexpr int first = middle - (isLeft ? 0 : 1) - (isLower ? 0 : 3);
     const auto add = [&](int neighbour, const numerics::Matrix2<float>& block) {
         stencil[neighbour] = stencil[neighbour] + float4{block.a, block.b, block.c, block.d};

@@ -106,8 +106,8 @@ private:
         while (level > 0) {
             const PlaneLevel& finer = model.levels[level - 1];
             const std::size_t all =
-                bytes + 3 * std::size_t(PlanePatch::values(finer.columns, finer.rows)) *
-                            sizeof(float2);
+                bytes +
+                3 * std::size_t(PlanePatch::values(finer.columns, finer.rows)) * sizeof(float2);
             const bool isHeld = level == model.levelCount
                                     ? ManyPoints::cover(finer.columns, finer.rows)
                                     : FewPoints::cover(finer.columns, finer.rows);
@@ -285,9 +285,9 @@ void ProductionDips::layFlat(const solver::DipSetup& setup, const ProductionDip&
     std::vector<float4> shapes;
     for (int row = 0; row + 1 < film().rows; ++row) {
         for (int column = 0; column + 1 < film().columns; ++column) {
-            shapes.insert(shapes.end(), 2,
-                          float4{float(1 / film().spacingX(column)), 0, 0,
-                                 float(1 / film().spacingZ(row))});
+            shapes.insert(
+                shapes.end(), 2,
+                float4{float(1 / film().spacingX(column)), 0, 0, float(1 / film().spacingZ(row))});
         }
     }
     upload(dip.inverseShape, shapes);

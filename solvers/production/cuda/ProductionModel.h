@@ -36,7 +36,7 @@ struct PlaneTiles {
 struct PlaneLevel {
     int columns = 0, rows = 0;
     std::uint32_t offset = 0; // of its points in the arrays over all levels
-    PlaneTiles tiles; // of the coarser level
+    PlaneTiles tiles;         // of the coarser level
 };
 
 struct ProductionModel : numerics::FilmModel<float> {

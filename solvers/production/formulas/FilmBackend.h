@@ -28,9 +28,9 @@ struct LineState {
     bool driven = false; // some triangle crosses it that still moves
 };
 
-// The small least-squares problem of GMRES: the Hessenberg matrix, turned upper triangular by Givens
-// rotations as it grows; the right side, of which the last number taken is the residual; and the
-// weights of the basis vectors.
+// The small least-squares problem of GMRES: the Hessenberg matrix, turned upper triangular by
+// Givens rotations as it grows; the right side, of which the last number taken is the residual; and
+// the weights of the basis vectors.
 struct LeastResiduals {
     double matrix[mostBasisVectors][mostBasisVectors + 1] = {}; // by columns
     double cosine[mostBasisVectors] = {}, sine[mostBasisVectors] = {};

@@ -17,9 +17,9 @@ struct Vector2 {
     Real x{}, z{};
 };
 
-// A film's lines along one axis, columns along X or rows along Z: where they rest, mm; the length of
-// the edges from each but the last to the next, as the forces know it; and the length of film that a
-// point on each stands for, over that of the finest cell. Owned by the film, on its device.
+// A film's lines along one axis, columns along X or rows along Z: where they rest, mm; the length
+// of the edges from each but the last to the next, as the forces know it; and the length of film
+// that a point on each stands for, over that of the finest cell. Owned by the film, on its device.
 template <typename Real>
 struct FilmLines {
     const double* places = nullptr;

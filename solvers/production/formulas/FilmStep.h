@@ -128,8 +128,8 @@ DIPWRIGHT_TEAM inline void findContactLine(Film& film, double descent, bool move
         findCorners(film, points, frame, corners);
         const TriangleSize<Real> size = triangleSize(film.model(), triangle);
         const Real cell = size.x < size.z ? size.x : size.z;
-        UnfoldedTriangle<Real> unfolded = unfoldedTriangle(film.body(), frame, cell, points, corners,
-                                                           moved, film.laid(triangle));
+        UnfoldedTriangle<Real> unfolded =
+            unfoldedTriangle(film.body(), frame, cell, points, corners, moved, film.laid(triangle));
         unfolded.crossing.cell = std::uint32_t(triangle / 2);
         return unfolded;
     };
@@ -280,9 +280,9 @@ DIPWRIGHT_TEAM inline void relax(Film& film, typename Film::Real keep) {
     });
 }
 
-// Lets the rest shapes of floating film grow to what they are in the middle of a step of `increment`:
-// what is laid in it is laid, on the average, then. What is on the body already does not count any
-// more. A barrier is yet to come.
+// Lets the rest shapes of floating film grow to what they are in the middle of a step of
+// `increment`: what is laid in it is laid, on the average, then. What is on the body already does
+// not count any more. A barrier is yet to come.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void grow(Film& film, double increment) {
     using Real = typename Film::Real;

@@ -37,8 +37,7 @@ ReferenceBackend::ReferenceBackend(const solver::DipSetup& setup) : HostFilm(set
             triangles_.push_back(
                 {lowerLeft, lowerLeft + 1, lowerLeft + side, upperLeft + side, area, rest});
             triangles_.push_back(
-                {upperLeft, upperLeft + 1, lowerLeft + 1 - side, upperLeft + 1 - side, area,
-                                  rest});
+                {upperLeft, upperLeft + 1, lowerLeft + 1 - side, upperLeft + 1 - side, area, rest});
         }
     }
     states_.resize(triangles_.size());
@@ -93,7 +92,8 @@ double ReferenceBackend::addTriangleForces(int number, Eigen::VectorXd& force,
     } else {
         F = gradientOf(plane, triangle.inverseShape);
     }
-    const std::array<double, 4> f = edgeForces(triangle, stress(F, model().gatheredResistance, state));
+    const std::array<double, 4> f =
+        edgeForces(triangle, stress(F, model().gatheredResistance, state));
     const std::array<std::size_t, 4> ends = endsOf(triangle);
     for (std::size_t end = 0; end < 4; ++end) {
         const int row = unknown_[ends[end]];

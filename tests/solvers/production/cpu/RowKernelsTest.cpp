@@ -190,11 +190,10 @@ void RowKernelsTest::forcesOfCells() {
                         const bool right = ((i + parity) % 2 == 0) != second;
                         const auto shape = film.shape(isCrept, second, i);
                         numerics::StressState<float> state;
-                        const auto P = stress(
-                            gradientOf(cellEdges(film.points(), i, second, right, film.edgesX[i],
-                                                 Cells::edgeZ),
-                                       shape),
-                            resistance, state);
+                        const auto P = stress(gradientOf(cellEdges(film.points(), i, second, right,
+                                                                   film.edgesX[i], Cells::edgeZ),
+                                                         shape),
+                                              resistance, state);
                         const auto states = expected.rowOfStates().states[second];
                         states.cosine[i] = state.cosine;
                         states.sine[i] = state.sine;
@@ -203,10 +202,9 @@ void RowKernelsTest::forcesOfCells() {
                         expected.put(i, second, right, edgeForces(P, shape, film.area(i)));
                         const auto change =
                             gradientOf(cellEdges(film.points(), i, second, right, 0, 0), shape);
-                        expectedHessian.put(
-                            i, second, right,
-                            edgeForces(stressDerivative(change, state, tangent), shape,
-                                       film.area(i)));
+                        expectedHessian.put(i, second, right,
+                                            edgeForces(stressDerivative(change, state, tangent),
+                                                       shape, film.area(i)));
                     }
                 }
                 QVERIFY(gradient == expected);
@@ -281,8 +279,8 @@ void RowKernelsTest::rangeOfStretch() {
                 least = std::min(least, moving[second][i] * area);
             }
         }
-        const StretchRange range = stretchRange(
-            count, 0, film.points(), {moving[0].data(), moving[1].data()}, film.sizes());
+        const StretchRange range = stretchRange(count, 0, film.points(),
+                                                {moving[0].data(), moving[1].data()}, film.sizes());
         QVERIFY(range.largestSquares == largest);
         QVERIFY(range.leastArea == least);
     }

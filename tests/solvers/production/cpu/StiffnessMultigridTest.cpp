@@ -23,8 +23,7 @@ struct Film {
           down(numerics::rowsOf<float>(setup.film)),
           model(numerics::filmModel<float>(setup, along.lines(), down.lines())), plane(model),
           free(std::size_t(columns) * std::size_t(rows), 1.f), area(free.size(), 1.f),
-          displacement(free.size()),
-          multigrid(setup.film) {
+          displacement(free.size()), multigrid(setup.film) {
         for (int row = 0; row < rows; ++row) { // two sides of it
             free[at(0, row)] = free[at(columns - 1, row)] = 0;
         }
