@@ -154,9 +154,8 @@ DIPWRIGHT_TEAM inline void setAnchors(Film& film) {
     });
 }
 
-// Holds the corners of film that is stretched too far; of film on the contact line of which what
-// floats is turned inside out; and, where the film finds no rest (`isRestless`), of all that is
-// folded. Whether this thread has any.
+// Holds the corners of film that is stretched too far and, where the film finds no rest
+// (`isRestless`), of film that is folded. Whether this thread has any.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline bool holdLost(Film& film, bool isRestless) {
     using Real = typename Film::Real;
@@ -172,13 +171,13 @@ DIPWRIGHT_TEAM inline bool holdLost(Film& film, bool isRestless) {
         }
         any = true;
     };
-    // `isTurned`: it is on the contact line, and what floats of it is inside out.
+    // `isTurned`: inside out in what floats of it.
     const auto holdIfLost = [&](int triangle, const EdgePair<Real>& edges, bool isTurned) {
         const TriangleSize<Real> size = triangleSize(model, triangle);
         const TriangleStretch<Real> stretch = triangleStretch(edges, size.x, size.z);
         if (isTorn(stretch, Real(model.tearStretch))) {
             hold(triangle, solver::PointMark::Torn);
-        } else if (isTurned || (isRestless && isFolded(stretch))) {
+        } else if (isRestless && (isTurned || isFolded(stretch))) {
             hold(triangle, solver::PointMark::Unbalanced);
         }
     };
