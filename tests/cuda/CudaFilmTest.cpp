@@ -93,6 +93,12 @@ double clearanceOf(const Ending& end, std::size_t point, const solver::DipSetup&
            setup.settings.contactDistance;
 }
 
+solver::DipSetup growing(solver::DipSetup setup, double rate) {
+    setup.settings.growthRate = rate;
+    setup.settings.growthLimit = rate > 0 ? 0.2 : 0;
+    return setup;
+}
+
 // Positions within 0.02 mm, and the same points adhered but for those within 0.01 mm of touching.
 void requireAgreement(const Ending& gpu, const Ending& other, const solver::DipSetup& setup) {
     double farthest = 0, farthestDiffering = 0;
@@ -175,18 +181,21 @@ void CudaFilmTest::initTestCase() {
 void CudaFilmTest::followsTheCpu_data() {
     QTest::addColumn<QString>("body");
     QTest::addColumn<QString>("preset");
+    QTest::addColumn<double>("growth"); // 1/s
     for (const QString& preset : {paper, production}) {
         for (const char* body : {"sphere", "cone", "turtle"}) {
-            QTest::addRow("%s, %s", body, qPrintable(preset)) << QString(body) << preset;
+            QTest::addRow("%s, %s", body, qPrintable(preset)) << QString(body) << preset << 0.0;
         }
     }
+    QTest::newRow("sphere, growing film") << "sphere" << production << 0.02;
 }
 
 void CudaFilmTest::followsTheCpu() {
     QFETCH(QString, body);
     QFETCH(QString, preset);
+    QFETCH(double, growth);
     const Body dipped = bodyNamed(body);
-    const solver::DipSetup setup = wholeDip(dipped, preset);
+    const solver::DipSetup setup = growing(wholeDip(dipped, preset), growth);
     const auto onCpu = registry_.module(QStringLiteral("pbd-cpu")).create();
     requireAgreement(dipOnGpu(setup), dip(*onCpu, setup), setup);
 }
@@ -194,9 +203,10 @@ void CudaFilmTest::followsTheCpu() {
 void CudaFilmTest::followsTheReference() {
     QFETCH(QString, body);
     QFETCH(QString, preset);
+    QFETCH(double, growth);
     const Body dipped = bodyNamed(body);
     const solver::DipSetup setup =
-        coarseDip(dipped, preset, body == QLatin1String("turtle") ? 12 : 30);
+        growing(coarseDip(dipped, preset, body == QLatin1String("turtle") ? 12 : 30), growth);
     const Ending exact =
         preset == paper ? plainPaperDip(setup) : dip(*reference::makeReferenceFilm(), setup);
     requireAgreement(dipOnGpu(setup), exact, setup);

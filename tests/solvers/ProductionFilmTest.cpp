@@ -39,7 +39,9 @@ private slots:
     void aThinLegHangsOnTheStepNoMore();
     void aPartThatTouchesLaterIsMetWhenItTouches();
     void sameBitsForAnyNumberOfThreads();
+    void filmThatDoesNotGrowIsTheSameToTheBit();
     void nothingMovesBeforeContact();
+    void growsAboutItsMiddleBeforeContact();
     void pinnedEdgesHold();
     void aSmallFirstContactDoesNotSpinTheFilm();
     void doesNotHoldPastTheOverhang();
@@ -100,6 +102,41 @@ void ProductionFilmTest::sameBitsForAnyNumberOfThreads() {
         QCOMPARE(std::memcmp(one.positions.data(), more.positions.data(),
                              one.positions.size() * sizeof(float)),
                  0);
+    }
+}
+
+void ProductionFilmTest::filmThatDoesNotGrowIsTheSameToTheBit() {
+    const Body body = bodyOf(sphereMesh(35, 64, 128));
+    solver::DipSetup setup = squareDip(body, 71, 20);
+    const Ending plain = dipOnCpu(setup);
+    for (const auto& [rate, limit] : {std::pair{0.01, 0.0}, {0.0, 0.2}}) {
+        setup.settings.growthRate = rate;
+        setup.settings.growthLimit = limit;
+        const Ending same = dipOnCpu(setup);
+        QVERIFY(plain.states == same.states);
+        QVERIFY(plain.positions == same.positions);
+    }
+}
+
+// Left to itself it is 1 + limit·(1 − exp(−rate·t/limit)) times as long at the end.
+void ProductionFilmTest::growsAboutItsMiddleBeforeContact() {
+    const Body body = bodyOf(sphereMesh(35, 64, 128));
+    for (const double relaxationTime : {0.0, 2.0, std::numeric_limits<double>::infinity()}) {
+        solver::DipSetup setup = squareDip(body, 71, 20);
+        setup.motion.start[1] += 25;
+        setup.settings.relaxationTime = relaxationTime;
+        setup.settings.growthRate = 0.02;
+        setup.settings.growthLimit = 0.2;
+        const Ending ending = dipOnCpu(setup);
+        const double seconds = setup.motion.travel / setup.motion.speed;
+        const double grown = 1 + 0.2 * (1 - std::exp(-0.02 * seconds / 0.2));
+        QVERIFY(grown > 1.05);
+        for (std::size_t point = 0; point < ending.states.size(); ++point) {
+            QVERIFY(ending.states[point] == solver::PointState::Free);
+            const Eigen::Vector3d rest(setup.film.restX(int(point % 71)), 0,
+                                       setup.film.restZ(int(point / 71)));
+            QVERIFY((ending.at(point) - grown * rest).norm() < 0.01);
+        }
     }
 }
 

@@ -29,17 +29,22 @@ private slots:
 
 void ProductionReferenceTest::followsTheReference_data() {
     QTest::addColumn<int>("which");
-    QTest::newRow("sphere") << 0;
-    QTest::newRow("cone") << 1;
-    QTest::newRow("turtle") << 2;
+    QTest::addColumn<double>("growth"); // 1/s
+    QTest::newRow("sphere") << 0 << 0.0;
+    QTest::newRow("cone") << 1 << 0.0;
+    QTest::newRow("turtle") << 2 << 0.0;
+    QTest::newRow("sphere, growing film") << 0 << 0.02;
 }
 
 void ProductionReferenceTest::followsTheReference() {
     QFETCH(int, which);
+    QFETCH(double, growth);
     const Body body = which == 0   ? bodyOf(sphereMesh(35, 128, 256))
                       : which == 1 ? bodyOf(coneMesh(pi / 4, 40, 256))
                                    : turtle();
-    const solver::DipSetup setup = squareDip(body, 61, which == 2 ? 12 : 30);
+    solver::DipSetup setup = squareDip(body, 61, which == 2 ? 12 : 30);
+    setup.settings.growthRate = growth;
+    setup.settings.growthLimit = 0.2;
     const Ending fast = dipOnCpu(setup);
     const Ending exact = dip(*reference::makeReferenceFilm(), setup);
     int differing = 0;

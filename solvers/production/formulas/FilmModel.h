@@ -71,9 +71,11 @@ struct FilmModel {
     int columns = 0, rows = 0;
     double spacingX = 0, spacingZ = 0; // mm, of the finest cells
     Real cell{};                       // mm, the smaller of the two
+    double longestEdge = 0;            // mm, of all cells
     FilmLines<Real> alongX, alongZ;
     double contactTravel = 0, residual = 0, tearStretch = 0, relaxationTime = 0; // as in Settings
     double growthRate = 0, growthLimit = 0;
+    bool isFree = true;        // no point of it is held where it rests
     Real gatheredResistance{}; // PlaneStress.h
 };
 
@@ -87,6 +89,12 @@ FilmModel<Real> filmModel(const solver::DipSetup& setup, const FilmLines<Real>& 
     model.spacingX = film.leastSpacingX();
     model.spacingZ = film.leastSpacingZ();
     model.cell = Real(film.leastSpacing());
+    for (int column = 0; column + 1 < film.columns; ++column) {
+        model.longestEdge = std::max(model.longestEdge, film.spacingX(column));
+    }
+    for (int row = 0; row + 1 < film.rows; ++row) {
+        model.longestEdge = std::max(model.longestEdge, film.spacingZ(row));
+    }
     model.alongX = alongX;
     model.alongZ = alongZ;
     model.contactTravel = setup.settings.contactTravel;
@@ -95,6 +103,7 @@ FilmModel<Real> filmModel(const solver::DipSetup& setup, const FilmLines<Real>& 
     model.relaxationTime = setup.settings.relaxationTime;
     model.growthRate = setup.settings.growthRate;
     model.growthLimit = setup.settings.growthLimit;
+    model.isFree = std::ranges::none_of(setup.pinned, [](auto isPinned) { return isPinned != 0; });
     model.gatheredResistance = Real(gatheredResistance(setup.settings.gatheringStretch));
     return model;
 }

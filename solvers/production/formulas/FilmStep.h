@@ -236,7 +236,9 @@ DIPWRIGHT_TEAM inline double farthestFromRest(Film& film) {
 // have no rest in the water plane; real film gives way out of it.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline FoundEquilibrium settle(Film& film, typename Film::Real drag) {
-    const double farthest = farthestFromRest(film);
+    // In grown film the rounding of a triangle's gradient is left, times its edge.
+    const double grownEdge = film.state().grown > 1 ? film.model().longestEdge : 0;
+    const double farthest = std::fmax(farthestFromRest(film), grownEdge);
     FoundEquilibrium found = findEquilibrium(film, drag, farthest);
     for (int holds = 0; holds < mostHolds && !found.isReached; ++holds) {
         film.force(drag);
@@ -279,20 +281,22 @@ DIPWRIGHT_TEAM inline void relax(Film& film, typename Film::Real keep) {
     });
 }
 
-// Lets the rest shapes of floating film grow to what they are in the middle of a step of
-// `increment`: what is laid in it is laid, on the average, then. What is on the body already does
-// not count any more. A barrier is yet to come.
+// How many times as long as at the start floating film is at rest in a step of `increment`: in its
+// middle, for what is laid in it is laid, on the average, then; at its end while nothing is laid.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline void grow(Film& film, double increment) {
+DIPWRIGHT_TEAM inline double grownIn(Film& film, double increment) {
+    const FilmModel<typename Film::Real>& model = film.model();
+    const double share = film.state().anyAdhered ? 0.5 : 1;
+    const double seconds = (film.state().descent + share * increment) / film.body().motion.speed;
+    return grownLength(seconds, model.growthRate, model.growthLimit);
+}
+
+// Lets the rest shapes of floating film grow. What is on the body already does not count any more.
+// A barrier is yet to come.
+template <FilmBackend Film>
+DIPWRIGHT_TEAM inline void growTo(Film& film, double grown) {
     using Real = typename Film::Real;
-    const FilmModel<Real>& model = film.model();
-    StepState<Real>& dip = film.state();
-    const double seconds = (dip.descent + increment / 2) / film.body().motion.speed;
-    const double grown = grownLength(seconds, model.growthRate, model.growthLimit);
-    if (grown == dip.grown) {
-        return;
-    }
-    const Real shorter = Real(dip.grown / grown);
+    const Real shorter = Real(film.state().grown / grown);
     const auto scaled = [shorter](const Matrix2<Real>& m) {
         return Matrix2<Real>{m.a * shorter, m.b * shorter, m.c * shorter, m.d * shorter};
     };
@@ -302,7 +306,42 @@ DIPWRIGHT_TEAM inline void grow(Film& film, double increment) {
             anchor.gradient = scaled(anchor.gradient);
         },
         [&](int triangle) { film.setShape(triangle, scaled(film.shape(triangle))); });
-    dip.grown = grown;
+    film.state().grown = grown;
+}
+
+// Where `way` leads in a free film that has grown about its middle by `share` of its rest.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Vector2<Real> grownAboutMiddle(const FilmModel<Real>& model, int point,
+                                                            const Vector2<Real>& way, Real share) {
+    const Vector3<Real> rest = planePosition(model, std::uint32_t(point), Vector2<Real>{});
+    return {way.x + share * rest.x, way.z + share * rest.z};
+}
+
+// As long as nothing has touched it, a free film that grows lies so; and the water drags at film
+// that moves otherwise.
+template <FilmBackend Film>
+DIPWRIGHT_TEAM inline void growAboutMiddle(Film& film, double share) {
+    using Real = typename Film::Real;
+    const bool isUntouched = !film.state().anyAdhered;
+    film.forPoints([&](int point) {
+        const auto grown = [&](const Vector2<Real>& way) {
+            return grownAboutMiddle(film.model(), point, way, Real(share));
+        };
+        film.setBefore(point, grown(film.before(point)));
+        if (isUntouched) {
+            film.setDisplacement(point, grown(film.displacement(point)));
+        }
+    });
+}
+
+// After the equilibrium: the film's way in the step began where the film was.
+template <FilmBackend Film>
+DIPWRIGHT_TEAM inline void restoreBefore(Film& film, double share) {
+    using Real = typename Film::Real;
+    film.forPoints([&](int point) {
+        film.setBefore(point,
+                       grownAboutMiddle(film.model(), point, film.before(point), Real(-share)));
+    });
 }
 
 // A point that has come within the contact distance. Whether it stays on the body.
@@ -391,7 +430,14 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
     const double increment = std::fmin(detail::nextIncrement(film), motion.travel - dip.descent);
     const double end = dip.descent + increment;
     detail::predict(film, increment);
-    detail::grow(film, increment);
+    const double grown = detail::grownIn(film, increment);
+    const double drift = model.isFree ? grown - dip.grown : 0;
+    if (grown > dip.grown) {
+        detail::growTo(film, grown);
+    }
+    if (drift > 0) {
+        detail::growAboutMiddle(film, drift);
+    }
     film.barrier();
     bool hasLost = false;
     if (dip.anyAdhered || dip.grown != 1) {
@@ -401,6 +447,9 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
         detail::enter(detail::settle(film, drag), dip.equilibrium);
         hasLost = detail::holdLost(film, false);
         detail::relax(film, Real(keptStress(increment, motion.speed, model.relaxationTime)));
+    }
+    if (drift > 0) {
+        detail::restoreBefore(film, drift);
     }
     const bool hasTouched = detail::touch(film, increment);
     dip.anyAdhered = film.anyOf(hasTouched) || dip.anyAdhered;
