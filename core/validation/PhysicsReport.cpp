@@ -102,7 +102,7 @@ void drawLaw(QPainter& painter, const QRectF& frame, const std::vector<PhysicsRe
 QString physicsTable(const std::vector<PhysicsResult>& results) {
     QStringList lines;
     const auto row = [&](const QStringList& cells) {
-        static const std::array<int, 9> widths{27, 9, 6, 11, 11, 11, 11, 8, 7};
+        static const std::array<int, 9> widths{27, 24, 6, 11, 11, 11, 11, 8, 7};
         QString line;
         for (int i = 0; i < cells.size(); ++i) {
             const int width = widths[std::size_t(i)];

@@ -3,11 +3,14 @@
 #include "base/Error.h"
 #include "base/Units.h"
 #include "film/DippedFilm.h"
+#include "film/Growth.h"
 #include "geometry/DistanceField.h"
 #include "geometry/Shapes.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QStringList>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -20,6 +23,7 @@ namespace {
 
 constexpr double contactRadius = 35; // mm, of every body where the comparison ends
 constexpr double ringRadius = 90;    // mm, where the film is held
+constexpr double freeWidth = 300;    // mm, of the square film that nothing holds
 constexpr double gap = 0.5;          // mm between body and water before the dip
 constexpr int fieldResolution = 256;
 
@@ -63,8 +67,42 @@ struct DipRun {
     }
 };
 
+// Which film a body dips into.
+struct FilmKind {
+    FilmLaw law = FilmLaw::Elastic;
+    FilmEdge edge = FilmEdge::Held;
+    bool grows = false;
+};
+
+QString nameOf(const FilmKind& film) {
+    QStringList words(film.law == FilmLaw::Viscous ? Text::tr("viscous") : Text::tr("elastic"));
+    if (film.edge == FilmEdge::Free) {
+        words << Text::tr("free");
+    }
+    if (film.grows) {
+        words << Text::tr("growing");
+    }
+    return words.join(QStringLiteral(", "));
+}
+
+// By 9 % in the dip of the sphere: more than films do.
+void letGrow(solver::Settings& settings) {
+    settings.growthRate = 0.02;
+    settings.growthLimit = 0.2;
+}
+
+FloatingFilm floatingFilm(const FilmKind& film, const solver::DipSetup& setup) {
+    // The square's centre is as soft as that of a round film of its area.
+    const double radius =
+        film.edge == FilmEdge::Held ? ringRadius : setup.film.width / std::sqrt(pi);
+    return {film.law, film.edge, radius,
+            [settings = setup.settings, speed = setup.motion.speed](double depth) {
+                return grownLength((gap + depth) / speed, settings);
+            }};
+}
+
 solver::DipSetup setupFor(const Body& body, double width, double depth, double spacing,
-                          double travel, FilmLaw law, const PhysicsOptions& options) {
+                          double travel, const FilmKind& film, const PhysicsOptions& options) {
     solver::DipSetup setup;
     // An odd number of points: one under the pole.
     setup.film.columns = 2 * int(std::ceil(width / 2 / spacing)) + 1;
@@ -78,12 +116,43 @@ solver::DipSetup setupFor(const Body& body, double width, double depth, double s
     setup.motion.start = {0, gap - body.lowest, 0};
     setup.motion.travel = gap + travel;
     setup.settings.relaxationTime =
-        law == FilmLaw::Viscous ? 0 : std::numeric_limits<double>::infinity();
+        film.law == FilmLaw::Viscous ? 0 : std::numeric_limits<double>::infinity();
+    if (film.grows) {
+        letGrow(setup.settings);
+    }
     setup.settings.threads = options.threads;
     if (options.contactTravel > 0) {
         setup.settings.contactTravel = options.contactTravel;
     }
     return setup;
+}
+
+// Lines `spacing` apart under the body and ever farther apart beyond, as long as `width` together.
+std::vector<double> linesOf(double spacing, double width) {
+    const int fine = int(std::ceil(1.6 * contactRadius / spacing));
+    std::vector<double> places;
+    double place = 0, step = spacing;
+    for (int line = 1; place < width / 2; ++line) {
+        step = line <= fine ? spacing : std::min(step * 1.05, width / 20);
+        place += step;
+        places.push_back(place);
+    }
+    places.back() = width / 2;
+    std::vector<double> lines;
+    for (auto far = places.rbegin(); far != places.rend(); ++far) {
+        lines.push_back(-*far);
+    }
+    lines.push_back(0);
+    lines.insert(lines.end(), places.begin(), places.end());
+    return lines;
+}
+
+// A square film around the body with free edges.
+void setFree(solver::DipSetup& setup, double spacing) {
+    solver::FilmGrid& film = setup.film;
+    film.width = film.depth = freeWidth;
+    film.columnPlaces = film.rowPlaces = linesOf(spacing, freeWidth);
+    film.columns = film.rows = int(film.columnPlaces.size());
 }
 
 void pinRing(solver::DipSetup& setup) {
@@ -95,6 +164,17 @@ void pinRing(solver::DipSetup& setup) {
             const double z = film.restZ(j);
             setup.pinned[std::size_t(j) * std::size_t(film.columns) + std::size_t(i)] =
                 x * x + z * z >= ringRadius * ringRadius;
+        }
+    }
+}
+
+void pinSides(solver::DipSetup& setup) {
+    const int columns = setup.film.columns, rows = setup.film.rows;
+    setup.pinned.assign(setup.film.pointCount(), 0);
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            setup.pinned[std::size_t(j) * std::size_t(columns) + std::size_t(i)] =
+                i == 0 || i == columns - 1 || j == 0 || j == rows - 1;
         }
     }
 }
@@ -176,19 +256,27 @@ struct Revolution {
     double firstCell; // comparison from so many cells off the axis
     bool isCone;
     bool isPlotted;
-    std::function<Comparison(FilmLaw)> comparison;
+    std::function<Comparison(const FloatingFilm&)> comparison;
+    std::vector<FilmKind> films;
 };
 
 // A body that touches with its pole first.
 Revolution solid(const QString& name, const Meridian& profile, TriangleMesh mesh, double firstCell,
                  bool isCone) {
-    const auto comparison = [profile](FilmLaw law) -> Comparison {
-        return [profile, exact = ClosedForm(profile, law, ringRadius)](const Eigen::Vector3d& p) {
+    const auto comparison = [profile](const FloatingFilm& film) -> Comparison {
+        return [profile, exact = ClosedForm(profile, film)](const Eigen::Vector3d& p) {
             const double arc = profile.arc(std::hypot(p.x(), p.z()), p.y());
             return std::optional<Expected>({arc, exact.filmRadius(arc)});
         };
     };
-    return {name, std::move(mesh), profile.fullDepth, firstCell, isCone, true, comparison};
+    return {name,
+            std::move(mesh),
+            profile.fullDepth,
+            firstCell,
+            isCone,
+            true,
+            comparison,
+            {{FilmLaw::Elastic}, {FilmLaw::Viscous}}};
 }
 
 // The contact line of a lying torus' inside closes in on the film within.
@@ -208,7 +296,17 @@ Revolution insideOfTorus() {
             0,
             false,
             false,
-            [expected](FilmLaw) { return Comparison(expected); }};
+            [expected](const FloatingFilm&) { return Comparison(expected); },
+            {{FilmLaw::Elastic}, {FilmLaw::Viscous}}};
+}
+
+// Held film that grows is pushed together, and lies as if it did not.
+void addGrowingFilms(Revolution& revolution) {
+    for (const FilmEdge edge : {FilmEdge::Free, FilmEdge::Held}) {
+        for (const FilmLaw law : {FilmLaw::Elastic, FilmLaw::Viscous}) {
+            revolution.films.push_back({law, edge, true});
+        }
+    }
 }
 
 std::vector<Revolution> bodiesOfRevolution() {
@@ -217,6 +315,7 @@ std::vector<Revolution> bodiesOfRevolution() {
     const double angle = radians(Degrees(80)), rho = contactRadius / std::sin(angle);
     bodies.push_back(solid(Text::tr("Sphere to 80°"), sphereMeridian(rho, angle),
                            sphereMesh(rho, rings, segments), 3, false));
+    addGrowingFilms(bodies.back());
     for (const double along : {0.6, 1.4}) {
         bodies.push_back(
             solid(along < 1 ? Text::tr("Flat spheroid 1 : 0.6") : Text::tr("Long spheroid 1 : 1.4"),
@@ -228,6 +327,9 @@ std::vector<Revolution> bodiesOfRevolution() {
         bodies.push_back(
             solid(Text::tr("Cone of %1°").arg(degrees), coneMeridian(half, contactRadius),
                   coneMesh(half, contactRadius * 1.05 / std::tan(half), segments), 10, true));
+        if (degrees == 45) {
+            addGrowingFilms(bodies.back());
+        }
     }
     bodies.push_back(insideOfTorus());
     return bodies;
@@ -240,22 +342,26 @@ double allowedError(bool isCone, int cells) {
 }
 
 PhysicsResult compare(const solver::SolverModule& module, const Revolution& revolution,
-                      const Body& body, FilmLaw law, int cells, const PhysicsOptions& options,
-                      const Progress& progress) {
+                      const Body& body, const FilmKind& film, int cells,
+                      const PhysicsOptions& options, const Progress& progress) {
     PhysicsResult result;
     result.body = revolution.name;
-    result.film = law == FilmLaw::Viscous ? Text::tr("viscous") : Text::tr("elastic");
+    result.film = nameOf(film);
     result.cells = cells;
     result.allowed = allowedError(revolution.isCone, cells);
     const double spacing = contactRadius / cells, width = 2 * (ringRadius + 2 * spacing);
     solver::DipSetup setup =
-        setupFor(body, width, width, spacing, revolution.fullDepth, law, options);
-    pinRing(setup);
+        setupFor(body, width, width, spacing, revolution.fullDepth, film, options);
+    if (film.edge == FilmEdge::Held) {
+        pinRing(setup);
+    } else {
+        setFree(setup, spacing);
+    }
+    const Comparison exact = revolution.comparison(floatingFilm(film, setup));
     const DipRun run = simulate(module, std::move(setup), progress);
     result.steps = run.progress.steps;
     result.seconds = run.seconds;
 
-    const Comparison exact = revolution.comparison(law);
     ErrorSum errors;
     for (std::size_t point = 0; point < run.states.size(); ++point) {
         const double R = run.rest(point).norm();
@@ -269,7 +375,7 @@ PhysicsResult compare(const solver::SolverModule& module, const Revolution& revo
         const double error = R / expected->filmRadius - 1;
         errors.add(error);
         errors.addDirection(run.rest(point), error);
-        if (revolution.isPlotted && std::abs(run.rest(point).y()) < spacing / 4) {
+        if (revolution.isPlotted && !film.grows && std::abs(run.rest(point).y()) < spacing / 4) {
             result.samples.push_back({expected->arc, R, expected->filmRadius});
         }
     }
@@ -288,8 +394,7 @@ PhysicsResult compareFlatFace(const solver::SolverModule& module, const PhysicsO
     const Body body = makeBody(boxMesh({60, 20, 40}), fieldResolution, progress.part(0, 0.2));
     const double spacing = 1;
     const DipRun run =
-        simulate(module, setupFor(body, 160, 120, spacing, 15, FilmLaw::Elastic, options),
-                 progress.part(0.2, 1));
+        simulate(module, setupFor(body, 160, 120, spacing, 15, {}, options), progress.part(0.2, 1));
     result.steps = run.progress.steps;
     result.seconds = run.seconds;
     ErrorSum errors;
@@ -304,30 +409,67 @@ PhysicsResult compareFlatFace(const solver::SolverModule& module, const PhysicsO
     return result;
 }
 
-// A long cylinder along Z and a film with free edges: the film rolls on without stretch.
-PhysicsResult compareCylinder(const solver::SolverModule& module, const PhysicsOptions& options,
-                              const Progress& progress) {
+// A long cylinder along Z and a film with free edges: the film rolls on without stretch, where it
+// does not grow.
+PhysicsResult compareCylinder(const solver::SolverModule& module, const FilmKind& film,
+                              const PhysicsOptions& options, const Progress& progress) {
     PhysicsResult result;
     result.body = Text::tr("Lying cylinder to 80°");
-    result.film = Text::tr("elastic");
+    result.film = nameOf(film);
     result.inMillimetres = true;
     result.allowed = 0.1;
-    const double radius = 30, angle = radians(Degrees(80));
-    const Body body =
-        makeBody(cylinderMesh(radius, 140, 720), fieldResolution, progress.part(0, 0.2));
+    const double radius = film.grows ? 20 : 30, angle = radians(Degrees(80));
+    // A growing film long enough that it cannot grow along the cylinder in the middle.
+    const double width = film.grows ? 64 : 150, length = film.grows ? 250 : 100;
+    const Body body = makeBody(cylinderMesh(radius, film.grows ? 300 : 140, 720), fieldResolution,
+                               progress.part(0, 0.2));
     const DipRun run = simulate(
-        module,
-        setupFor(body, 150, 100, 1, radius * (1 - std::cos(angle)), FilmLaw::Elastic, options),
+        module, setupFor(body, width, length, 1, radius * (1 - std::cos(angle)), film, options),
         progress.part(0.2, 1));
     result.steps = run.progress.steps;
     result.seconds = run.seconds;
+    const FloatingFilm floating = floatingFilm(film, run.setup);
     ErrorSum errors;
     for (std::size_t point = 0; point < run.states.size(); ++point) {
-        if (run.adhered(point)) {
+        const Eigen::Vector2d rest = run.rest(point);
+        if (run.adhered(point) && (!film.grows || std::abs(rest.y()) < radius)) {
             const Eigen::Vector3d place = run.onBody(point);
             const double arc = radius * std::atan2(place.x(), radius - place.y());
-            errors.add(std::hypot(arc - run.rest(point).x(), place.z() - run.rest(point).y()));
+            errors.add(std::hypot(filmOnCylinder(radius, arc, floating) - rest.x(),
+                                  place.z() / floating.grown(0) - rest.y()));
         }
+    }
+    errors.writeTo(result);
+    return result;
+}
+
+// A film that no body has touched yet: it grows about its middle, or lies as it lay where all its
+// sides are held.
+PhysicsResult compareFloating(const solver::SolverModule& module, const FilmKind& film,
+                              const PhysicsOptions& options, const Progress& progress) {
+    PhysicsResult result;
+    result.body = Text::tr("Film before it is touched");
+    result.film = nameOf(film);
+    result.inMillimetres = true;
+    result.allowed = 0.02;
+    const Body body = makeBody(boxMesh({60, 20, 40}), 32, progress.part(0, 0.1));
+    solver::DipSetup setup = setupFor(body, 160, 120, 1, 0, film, options);
+    setup.motion.start[1] += 30;
+    setup.motion.travel = 29;
+    if (film.edge == FilmEdge::Held) {
+        pinSides(setup);
+    }
+    const DipRun run = simulate(module, std::move(setup), progress.part(0.1, 1));
+    result.steps = run.progress.steps;
+    result.seconds = run.seconds;
+    const double grown = film.edge == FilmEdge::Held
+                             ? 1
+                             : floatingFilm(film, run.setup).grown(run.setup.motion.travel - gap);
+    ErrorSum errors;
+    for (std::size_t point = 0; point < run.states.size(); ++point) {
+        const Eigen::Vector2d place(double(run.positions[3 * point]),
+                                    double(run.positions[3 * point + 2]));
+        errors.add((place - grown * run.rest(point)).norm());
     }
     errors.writeTo(result);
     return result;
@@ -344,7 +486,7 @@ PhysicsResult compareTurned(const solver::SolverModule& module, const PhysicsOpt
     const Body body =
         makeBody(ellipsoidMesh({40, 25, 24}, 240, 480), fieldResolution, progress.part(0, 0.1));
     const double spacing = 1.5, width = 2 * (ringRadius + 2 * spacing);
-    solver::DipSetup setup = setupFor(body, width, width, spacing, 20, FilmLaw::Elastic, options);
+    solver::DipSetup setup = setupFor(body, width, width, spacing, 20, {}, options);
     pinRing(setup);
     const DipRun straight = simulate(module, setup, progress.part(0.1, 0.55));
     const double cosine = std::sqrt(0.5), sine = std::sqrt(0.5);
@@ -393,26 +535,36 @@ std::vector<PhysicsResult> validatePhysics(const solver::SolverModule& module,
     const std::vector<Revolution> bodies = bodiesOfRevolution();
     // Work grows with the cube of the resolution.
     double total = 0, done = 0;
-    for (const int cells : options.resolutions) {
-        total += std::pow(double(cells), 3);
+    for (const Revolution& revolution : bodies) {
+        for (const int cells : options.resolutions) {
+            total += double(revolution.films.size()) * std::pow(double(cells), 3);
+        }
     }
-    total *= 2 * double(bodies.size()) * 1.1;
+    total *= 1.1;
     for (const Revolution& revolution : bodies) {
         const Body body =
             makeBody(revolution.mesh, fieldResolution, Progress{nullptr, progress.cancelSwitch});
-        for (const FilmLaw law : {FilmLaw::Elastic, FilmLaw::Viscous}) {
+        for (const FilmKind& film : revolution.films) {
             for (const int cells : options.resolutions) {
                 const double work = std::pow(double(cells), 3);
                 const Progress part = progress.part(done / total, (done + work) / total);
                 part(0, Text::tr("%1, %2 cells").arg(revolution.name).arg(cells));
-                results.push_back(compare(module, revolution, body, law, cells, options, part));
+                results.push_back(compare(module, revolution, body, film, cells, options, part));
                 done += work;
             }
         }
     }
     progress(0.92, Text::tr("Flat face"));
-    results.push_back(compareFlatFace(module, options, progress.part(0.92, 0.94)));
-    results.push_back(compareCylinder(module, options, progress.part(0.94, 0.97)));
+    results.push_back(compareFlatFace(module, options, progress.part(0.92, 0.93)));
+    const std::array growing{FilmKind{FilmLaw::Elastic, FilmEdge::Free, true},
+                             FilmKind{FilmLaw::Viscous, FilmEdge::Free, true}};
+    results.push_back(compareCylinder(module, {}, options, progress.part(0.93, 0.95)));
+    for (const FilmKind& film : growing) {
+        results.push_back(compareCylinder(module, film, options, progress.part(0.95, 0.96)));
+        results.push_back(compareFloating(module, film, options, progress.part(0.96, 0.965)));
+    }
+    const FilmKind held{FilmLaw::Elastic, FilmEdge::Held, true};
+    results.push_back(compareFloating(module, held, options, progress.part(0.965, 0.97)));
     results.push_back(compareTurned(module, options, progress.part(0.97, 1)));
     return results;
 }

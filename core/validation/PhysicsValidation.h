@@ -18,7 +18,7 @@ namespace dipwright {
 // form; those of the others are distances in mm.
 struct PhysicsResult {
     QString body;  // "Sphere to 80°"
-    QString film;  // "elastic", "viscous"
+    QString film;  // "elastic", "viscous, free, growing"
     int cells = 0; // in the contact radius
     bool inMillimetres = false;
     double rms = 0, mean = 0, maximum = 0; // shares of 1, or mm
@@ -39,9 +39,9 @@ struct PhysicsOptions {
     int threads = 0;
 };
 
-// Spheres to 80°, spheroids, cones and the inside of a torus, elastic and viscous, at every
-// resolution; then the flat face, the rolling cylinder and a body turned by 45°. Throws Error,
-// Cancelled.
+// Spheres to 80°, spheroids, cones and the inside of a torus, elastic and viscous, some of them in
+// film that grows too, at every resolution; then the flat face, the rolling cylinder, film that
+// only grows and a body turned by 45°. Throws Error, Cancelled.
 std::vector<PhysicsResult> validatePhysics(const solver::SolverModule& module,
                                            const PhysicsOptions& options, const Progress& progress);
 
