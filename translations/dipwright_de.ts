@@ -358,6 +358,18 @@
         <source>Flat face</source>
         <translation>Ebene Fläche</translation>
     </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>growing</source>
+        <translation>wachsend</translation>
+    </message>
+    <message>
+        <source>Film before it is touched</source>
+        <translation>Film vor der Berührung</translation>
+    </message>
 </context>
 <context>
     <name>Pipeline</name>

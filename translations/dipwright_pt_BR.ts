@@ -358,6 +358,18 @@
         <source>Flat face</source>
         <translation>Face plana</translation>
     </message>
+    <message>
+        <source>free</source>
+        <translation>livre</translation>
+    </message>
+    <message>
+        <source>growing</source>
+        <translation>em crescimento</translation>
+    </message>
+    <message>
+        <source>Film before it is touched</source>
+        <translation>Filme antes do contato</translation>
+    </message>
 </context>
 <context>
     <name>Pipeline</name>

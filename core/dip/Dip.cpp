@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "dip/FilmUnderBody.h"
+#include "film/Growth.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -165,6 +166,22 @@ solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
     return setup;
 }
 
+namespace {
+
+// Every point was touched when its place on the body came to the water.
+std::vector<float> grownWhenTouched(const DippedFilm& film, const solver::DipSetup& setup,
+                                    const Immersion& immersion) {
+    std::vector<float> grown;
+    const double begin = poseToWorld(immersion, 0).y();
+    for (const Eigen::Vector3f& place : film.positions) {
+        const double seconds = (begin + double(place.y())) / setup.motion.speed;
+        grown.push_back(float(grownLength(std::max(seconds, 0.0), setup.settings)));
+    }
+    return grown;
+}
+
+} // namespace
+
 DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion) {
     DippedFilm film;
     film.grid = dip.setup.film;
@@ -179,6 +196,9 @@ DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion) 
         const Eigen::Vector3d world =
             Eigen::Map<const Eigen::Vector3f>(&dip.positions[3 * point]).cast<double>();
         film.positions.push_back((world - shift).cast<float>());
+    }
+    if (grows(dip.setup.settings)) {
+        film.grown = grownWhenTouched(film, dip.setup, immersion);
     }
     return film;
 }

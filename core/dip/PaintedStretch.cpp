@@ -69,14 +69,13 @@ std::vector<float> meanOfConstraints(const std::vector<PaintedConstraint>& const
 // For each film point the mean of `value` over the painted triangles round it; 1 where none is.
 template <typename Value>
 std::vector<float> meanOfTriangles(const std::vector<FilmTriangle>& triangles,
-                                   const std::vector<PrincipalStretch>& stretches,
                                    const FilmContact& contact, const Value& value) {
     std::vector<float> sums(contact.surface.size(), 0);
     std::vector<int> counts(contact.surface.size(), 0);
     for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
         if (contact.painted[triangle]) {
             for (const std::uint32_t point : triangles[triangle]) {
-                sums[point] += value(stretches[triangle]);
+                sums[point] += value(triangle);
                 ++counts[point];
             }
         }
@@ -117,19 +116,20 @@ void continueToLimit(std::vector<float>& stretches, const std::vector<std::uint8
     }
 }
 
-Wrinkling wrinkling(const solver::FilmGrid& grid, const std::vector<FilmTriangle>& triangles,
+Wrinkling wrinkling(const DippedFilm& film, const std::vector<FilmTriangle>& triangles,
                     const std::vector<PrincipalStretch>& stretches, const FilmContact& contact) {
+    const auto compressionOf = [&](std::size_t triangle) {
+        return compression(film, triangles[triangle], stretches[triangle]);
+    };
     Wrinkling result;
-    result.pointStretches =
-        meanOfTriangles(triangles, stretches, contact,
-                        [](const PrincipalStretch& stretch) { return stretch.smaller; });
+    result.pointStretches = meanOfTriangles(triangles, contact, compressionOf);
     // In triangles of the first one's size, which makes whole numbers of an even film's.
-    const double unit = restArea(grid, 0);
+    const double unit = restArea(film.grid, 0);
     double painted = 0, wrinkled = 0;
     for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
         if (contact.painted[triangle]) {
-            const float smaller = stretches[triangle].smaller;
-            const double size = restArea(grid, triangle) / unit;
+            const float smaller = compressionOf(triangle);
+            const double size = restArea(film.grid, triangle) / unit;
             painted += size;
             wrinkled += smaller < wrinkledBelow ? size : 0;
             result.least = std::min(result.least, double(smaller));
@@ -157,11 +157,10 @@ PaintedStretch paintedStretch(const DippedFilm& film, const std::vector<FilmTria
             result.areas.push_back(stretches[triangle].area());
         }
     }
-    result.pointAreas =
-        meanOfTriangles(triangles, stretches, contact,
-                        [](const PrincipalStretch& stretch) { return stretch.area(); });
+    result.pointAreas = meanOfTriangles(
+        triangles, contact, [&](std::size_t triangle) { return stretches[triangle].area(); });
     continueToLimit(result.pointAreas, result.points, triangles, contact);
-    result.wrinkling = wrinkling(film.grid, triangles, stretches, contact);
+    result.wrinkling = wrinkling(film, triangles, stretches, contact);
     return result;
 }
 

@@ -7,8 +7,9 @@
 
 namespace dipwright {
 
-// How film on the body is compressed: its smaller principal stretch λ2 is below 1. The model lets
-// it thicken; real film may fold there (docs/film-model.md, "Measures").
+// How film on the body is compressed: its smaller principal stretch λ2 is below 1, against the film
+// as it floated when it was touched (compression()). The model lets it thicken; real film may fold
+// there (docs/film-model.md, "Measures").
 struct Wrinkling {
     std::vector<float> pointStretches; // a film point each: mean λ2 of its painted triangles; or 1
     double area = 0;                   // mm² of flat film with λ2 below wrinkledBelow

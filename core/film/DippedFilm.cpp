@@ -118,6 +118,18 @@ std::vector<PrincipalStretch> principalStretches(const DippedFilm& film) {
     return stretches;
 }
 
+float compression(const DippedFilm& film, const FilmTriangle& triangle,
+                  const PrincipalStretch& stretch) {
+    if (film.grown.empty()) {
+        return stretch.smaller;
+    }
+    float grown = 0;
+    for (const std::uint32_t point : triangle) {
+        grown += film.grown[point] / 3;
+    }
+    return stretch.smaller / grown;
+}
+
 std::vector<float> constraintStretches(const DippedFilm& film) {
     const auto columns = std::size_t(film.grid.columns);
     const auto rows = std::size_t(film.grid.rows);

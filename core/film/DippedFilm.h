@@ -19,6 +19,9 @@ struct DippedFilm {
     std::vector<Eigen::Vector3f> positions;
     std::vector<solver::PointState> states;
     std::vector<std::uint8_t> marks; // solver::PointMark bits
+    // How many times as long as when the dip began film was, left to itself, when the point was
+    // touched; means nothing of points that were not. Empty of film that does not grow.
+    std::vector<float> grown;
     std::int64_t steps = 0;
     solver::EquilibriumAccount equilibrium;
     double wallSeconds = 0; // of the solver alone
@@ -63,6 +66,10 @@ PrincipalStretch principalStretch(const solver::FilmGrid& grid, const FilmTriang
                                   const std::array<Eigen::Vector3f, 3>& places);
 // Of each film triangle.
 std::vector<PrincipalStretch> principalStretches(const DippedFilm& film);
+// The smaller principal stretch of a film triangle against the film as it floated when the triangle
+// was touched: below 1 it is compressed, which of film that grows is sooner than λ2.
+float compression(const DippedFilm& film, const FilmTriangle& triangle,
+                  const PrincipalStretch& stretch);
 // Final over rest length of every horizontal and vertical constraint: first the
 // rows·(columns−1) horizontal ones, then the columns·(rows−1) vertical ones.
 std::vector<float> constraintStretches(const DippedFilm& film);

@@ -64,6 +64,10 @@ FilmReading::FilmReading(std::shared_ptr<const LaidFilm> laid)
         mean([](const PrincipalStretch& stretch) { return stretch.larger; });
     values_[std::size_t(FilmQuantity::Smaller)] =
         mean([](const PrincipalStretch& stretch) { return stretch.smaller; });
+    // As wrinkling is measured: against the film as it floated when it was touched.
+    for (std::size_t point = 0; point < film().grown.size(); ++point) {
+        values_[std::size_t(FilmQuantity::Smaller)][point] /= film().grown[point];
+    }
     for (std::size_t quantity = 0; quantity < filmQuantityCount; ++quantity) {
         painted_[quantity] = chosen(values_[quantity], painted.points);
     }
