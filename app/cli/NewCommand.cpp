@@ -128,6 +128,7 @@ public:
         Project project;
         project.name = QFileInfo(path).completeBaseName();
         project.date = QDate::currentDate().toString(Qt::ISODate);
+        project.film.resolution = FilmResolution::Automatic;
         applyPresetOption(project, parser.value(presetOption));
         applyImmersions(project, parser.values(immersionOption));
         applySettings(project, parser);

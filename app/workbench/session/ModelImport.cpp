@@ -55,6 +55,7 @@ Project newProject(const ImportedModel& imported, const QString& path,
     Project project;
     project.name = QFileInfo(path).completeBaseName();
     project.date = QDate::currentDate().toString(Qt::ISODate);
+    project.film.resolution = FilmResolution::Automatic;
     project.immersions.front().name =
         QCoreApplication::translate("ModelImport", "Immersion %1").arg(1);
     project.model = std::make_shared<const TexturedMesh>(imported.model);

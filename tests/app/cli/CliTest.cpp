@@ -307,7 +307,7 @@ private slots:
     }
 
     void aBodySmallerThanTheFilmsCellsIsRefused() {
-        QCOMPARE(cli({"new", path("speck.dipw"), "--model", path("ball.obj"), "--size-mm", "1"})
+        QCOMPARE(cli({"new", path("speck.dipw"), "--model", path("ball.obj"), "--size-mm", "0.1"})
                      .exitCode,
                  0);
         const Outcome refused = cli({"validate", path("speck.dipw")});
