@@ -143,7 +143,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(driver.find<QDialog>("certaintyDialog"), patience());
         auto* dialog = driver.find<QDialog>("certaintyDialog");
         const auto* verdict = dialog->findChild<QLabel*>(QStringLiteral("verdict"));
-        QVERIFY2(verdict->text().contains(QStringLiteral("not certain")),
+        QVERIFY2(verdict->text().contains(QStringLiteral("this sheet is certain")),
                  qPrintable(verdict->text()));
         const auto* figures = dialog->findChild<QTableWidget*>(QStringLiteral("figures"));
         QCOMPARE(figures->rowCount(), 2);

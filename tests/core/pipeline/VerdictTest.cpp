@@ -99,11 +99,17 @@ private slots:
         }
     }
 
+    void filmThatTwoFeetShareIsSomethingToLookAt() {
+        const ImmersionResult result = run(onTwoFeet());
+        QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Look at these places first"));
+        QVERIFY(!isCertain(fullCheck(onTwoFeet())));
+        QVERIFY(!result.verdict.places.empty());
+    }
+
     void aSheetOfFarTooFewPointsIsNotToBePrinted() {
         const ImmersionResult result = run(ball(17));
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Do not print"));
         QVERIFY(!isCertain(fullCheck(ball(17))));
-        QCOMPARE(adviceText(run(onTwoFeet()).verdict.advice), QStringLiteral("Do not print"));
     }
 
 private:
