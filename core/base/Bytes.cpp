@@ -32,7 +32,7 @@ bool writeAll(QFileDevice& file, const QByteArray& bytes) {
         }
         written += more;
     }
-    return file.flush();
+    return file.flush() || file.flush(); // the same of what was buffered
 }
 
 QString replaceFile(const QString& path, const QByteArray& bytes) {
