@@ -59,10 +59,6 @@ public:
 
     // Sets all bytes to zero.
     void clear() { check(cudaMemset(values_, 0, count_ * sizeof(Value))); }
-    // Copies `count` values from `first` on to the host.
-    void copyTo(Value* host, std::size_t first, std::size_t count) const {
-        check(cudaMemcpy(host, values_ + first, count * sizeof(Value), cudaMemcpyDeviceToHost));
-    }
 
 private:
     Value* values_ = nullptr;

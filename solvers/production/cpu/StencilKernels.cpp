@@ -5,6 +5,7 @@
 
 #include "production/cpu/IndependentLoop.h"
 #include "production/formulas/EdgeStiffness.h"
+#include "production/formulas/GalerkinCycle.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "production/cpu/StencilKernels.cpp"
@@ -103,12 +104,12 @@ void holdPoints(std::size_t columns, const RowsOfFree& free, float drag, const f
 
 void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
                   const Lines<float>& inverse) {
-    constexpr float leastDeterminant = 1e-4f; // over the square of the trace
     for (std::size_t i = 0; i < columns; ++i) {
         const Matrix2<float> own = blockAt(stencil, middleLine / 4, i);
         const float mixed = (own.b + own.c) / 2, trace = own.a + own.d;
         const float determinant = own.a * own.d - mixed * mixed;
-        const bool isRegular = trace > 0 && determinant > leastDeterminant * trace * trace;
+        const bool isRegular =
+            trace > 0 && determinant > numerics::galerkin::leastDeterminant * trace * trace;
         const float scale = isRegular ? 1 / determinant : 0;
         const float common = !isRegular && trace > 0 ? 1 / trace : 0;
         inverse[0][i] = own.d * scale + common;

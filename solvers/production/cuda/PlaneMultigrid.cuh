@@ -183,11 +183,11 @@ private:
     // Of the symmetric part of the point's own block; of one that is nearly singular, of its trace;
     // nothing for a point that is held.
     __device__ void setInverse(int k) {
-        constexpr float leastDeterminant = 1e-4f; // over the square of the trace
         const float4 own = stencils_.at(middle, point_[k]);
         const float mixed = (own.y + own.z) / 2, trace = own.x + own.w;
         const float determinant = own.x * own.w - mixed * mixed;
-        const bool isRegular = trace > 0 && determinant > leastDeterminant * trace * trace;
+        const bool isRegular =
+            trace > 0 && determinant > numerics::galerkin::leastDeterminant * trace * trace;
         const float scale = isRegular ? __fdividef(1.0f, determinant) : 0;
         const float common = !isRegular && trace > 0 ? __fdividef(1.0f, trace) : 0;
         inverse_[k] = {own.w * scale + common, -mixed * scale, own.x * scale + common};

@@ -71,10 +71,6 @@ struct CellRow {
 namespace detail {
 
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> scaled(const Matrix2<Real>& m, Real factor) {
-    return {m.a * factor, m.b * factor, m.c * factor, m.d * factor};
-}
-template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> plus(const Matrix2<Real>& m, const Matrix2<Real>& n) {
     return {m.a + n.a, m.b + n.b, m.c + n.c, m.d + n.d};
 }
@@ -103,12 +99,9 @@ DIPWRIGHT_HOST_DEVICE inline CellRow<Real> cellRow(const EdgeStiffness<Real>& fi
     const Real ofRight = isLower ? isEven : isOdd, ofLeft = isLower ? isOdd : isEven;
     // Of the point's vertical edge: with itself, and with the lower and the upper horizontal one.
     const Real ofFirst = isLeft ? isOdd : isEven, ofSecond = isLeft ? isEven : isOdd;
-    const Matrix2<Real> vv =
-        plus(detail::scaled(first.vv, ofFirst), detail::scaled(second.vv, ofSecond));
-    const Matrix2<Real> toLower = detail::scaled(first.vh, ofFirst),
-                        toUpper = detail::scaled(second.vh, ofSecond);
-    const Matrix2<Real> toLeft = detail::scaled(along.hv, ofLeft),
-                        toRight = detail::scaled(along.hv, ofRight);
+    const Matrix2<Real> vv = plus(scaled(first.vv, ofFirst), scaled(second.vv, ofSecond));
+    const Matrix2<Real> toLower = scaled(first.vh, ofFirst), toUpper = scaled(second.vh, ofSecond);
+    const Matrix2<Real> toLeft = scaled(along.hv, ofLeft), toRight = scaled(along.hv, ofRight);
     const Real signH = isLeft ? -one : one, signV = isLower ? -one : one;
     const auto signedSum = [&](const Matrix2<Real>& h, const Matrix2<Real>& v) {
         return Matrix2<Real>{signH * h.a + signV * v.a, signH * h.b + signV * v.b,
@@ -120,7 +113,7 @@ DIPWRIGHT_HOST_DEVICE inline CellRow<Real> cellRow(const EdgeStiffness<Real>& fi
     const Matrix2<Real> upper = signedSum(isLower ? zero : along.hh, toUpper);
     const Matrix2<Real> left = signedSum(toLeft, isLeft ? vv : zero);
     const Matrix2<Real> right = signedSum(toRight, isLeft ? zero : vv);
-    return {detail::scaled(plus(lower, left), -one), minus(lower, right), minus(left, upper),
+    return {scaled(plus(lower, left), -one), minus(lower, right), minus(left, upper),
             plus(upper, right)};
 }
 

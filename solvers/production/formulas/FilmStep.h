@@ -297,15 +297,12 @@ template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void growTo(Film& film, double grown) {
     using Real = typename Film::Real;
     const Real shorter = Real(film.state().grown / grown);
-    const auto scaled = [shorter](const Matrix2<Real>& m) {
-        return Matrix2<Real>{m.a * shorter, m.b * shorter, m.c * shorter, m.d * shorter};
-    };
     film.forTriangles(
         [&](int triangle, const auto&, auto& anchor) {
-            film.setShape(triangle, scaled(film.shape(triangle)));
-            anchor.gradient = scaled(anchor.gradient);
+            film.setShape(triangle, scaled(film.shape(triangle), shorter));
+            anchor.gradient = scaled(anchor.gradient, shorter);
         },
-        [&](int triangle) { film.setShape(triangle, scaled(film.shape(triangle))); });
+        [&](int triangle) { film.setShape(triangle, scaled(film.shape(triangle), shorter)); });
     film.state().grown = grown;
 }
 

@@ -17,6 +17,8 @@ inline constexpr double largestEigenvalue = 2.4;
 inline constexpr double smallestSmoothed = 0.4;
 inline constexpr int smoothingDegree = 2;
 inline constexpr int coarsestDegree = 16;
+// A point's own block counts as singular below this determinant, over the square of its trace.
+inline constexpr float leastDeterminant = 1e-4f;
 inline constexpr int coarsestPoints = 5; // along the shorter edge: no coarser
 
 // One step of the polynomial: direction ← keep·direction + gain·block⁻¹·residual, added to the

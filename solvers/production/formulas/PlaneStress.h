@@ -36,6 +36,10 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> operator*(const Matrix2<Real>& m,
     return {m.a * n.a + m.b * n.c, m.a * n.b + m.b * n.d, m.c * n.a + m.d * n.c,
             m.c * n.b + m.d * n.d};
 }
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> scaled(const Matrix2<Real>& m, Real factor) {
+    return {m.a * factor, m.b * factor, m.c * factor, m.d * factor};
+}
 
 // h′(s) where film that begins to gather at the mean stretch `gatheringStretch` has gathered;
 // P = 2F + h(s)·R in all, see stress(). −3/2 for 4/5.
