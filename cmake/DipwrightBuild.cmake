@@ -33,8 +33,10 @@ else()
         $<$<BOOL:${DIPWRIGHT_WERROR}>:-Werror>>)
 endif()
 if(DIPWRIGHT_SANITIZE)
-    # GCC's warning about uninitialised values is wrong too often in code that it instruments.
-    target_compile_options(dipwright_options INTERFACE -fsanitize=${DIPWRIGHT_SANITIZE} -fno-omit-frame-pointer
+    # The first fault ends the program, which is checked in half the code then, and compiled in half the
+    # time. GCC's warning about uninitialised values is wrong too often in code that it instruments.
+    target_compile_options(dipwright_options INTERFACE
+        -fsanitize=${DIPWRIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(dipwright_options INTERFACE -fsanitize=${DIPWRIGHT_SANITIZE})
 endif()
