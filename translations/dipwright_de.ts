@@ -175,6 +175,30 @@
         <source>With these cells the film would have %1 million points, and it may have %2; give it larger cells</source>
         <translation>Mit diesen Zellen hätte die Folie %1 Millionen Punkte, und sie darf %2 haben; geben Sie ihr größere Zellen</translation>
     </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>Film that tore</source>
+        <translation>Gerissener Film</translation>
+    </message>
+    <message>
+        <source>Film that found no rest</source>
+        <translation>Film, der keine Ruhe fand</translation>
+    </message>
+    <message>
+        <source>Film let go of</source>
+        <translation>Losgelassener Film</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 % of what is painted, depend on marked film. %3.</source>
+        <translation>%1, %2 % der bemalten Fläche, hängen von markiertem Film ab. %3.</translation>
+    </message>
 </context>
 <context>
     <name>DipJob</name>
@@ -1540,6 +1564,14 @@
         <source>Texture read back, mean and 95 %</source>
         <translation>Textur zurückgelesen, Mittel und 95 %</translation>
     </message>
+    <message>
+        <source>Of that, by marked film</source>
+        <translation>Davon durch markierten Film</translation>
+    </message>
+    <message>
+        <source>%1 mm² · %2</source>
+        <translation>%1 mm² · %2</translation>
+    </message>
 </context>
 <context>
     <name>ResultFolder</name>
@@ -2096,6 +2128,17 @@
     <message>
         <source>The results are out of date: they were made before the last changes.</source>
         <translation>Die Ergebnisse sind veraltet: Sie entstanden vor den letzten Änderungen.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::DipScene</name>
+    <message>
+        <source>Painted</source>
+        <translation>Bemalt</translation>
+    </message>
+    <message>
+        <source>Not painted</source>
+        <translation>Nicht bemalt</translation>
     </message>
 </context>
 <context>

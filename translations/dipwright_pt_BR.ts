@@ -175,6 +175,30 @@
         <source>With these cells the film would have %1 million points, and it may have %2; give it larger cells</source>
         <translation>Com estas células o filme teria %1 milhões de pontos, e pode ter %2; dê-lhe células maiores</translation>
     </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>Film that tore</source>
+        <translation>Filme que rasgou</translation>
+    </message>
+    <message>
+        <source>Film that found no rest</source>
+        <translation>Filme que não encontrou repouso</translation>
+    </message>
+    <message>
+        <source>Film let go of</source>
+        <translation>Filme que se soltou</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 % of what is painted, depend on marked film. %3.</source>
+        <translation>%1, %2 % do que é pintado, dependem de filme marcado. %3.</translation>
+    </message>
 </context>
 <context>
     <name>DipJob</name>
@@ -1540,6 +1564,14 @@
         <source>Texture read back, mean and 95 %</source>
         <translation>Textura lida de volta, média e 95 %</translation>
     </message>
+    <message>
+        <source>Of that, by marked film</source>
+        <translation>Disso, por filme marcado</translation>
+    </message>
+    <message>
+        <source>%1 mm² · %2</source>
+        <translation>%1 mm² · %2</translation>
+    </message>
 </context>
 <context>
     <name>ResultFolder</name>
@@ -2096,6 +2128,17 @@
     <message>
         <source>The results are out of date: they were made before the last changes.</source>
         <translation>Os resultados estão desatualizados: foram feitos antes das últimas mudanças.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::DipScene</name>
+    <message>
+        <source>Painted</source>
+        <translation>Pintado</translation>
+    </message>
+    <message>
+        <source>Not painted</source>
+        <translation>Não pintado</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,10 @@ void printVerdict(const ImmersionResult& result, QTextStream& out) {
     for (const VerdictReason& reason : verdict.reasons) {
         out << QStringLiteral("  %1\n").arg(reasonText(reason, millimetres));
     }
+    const Coverage& coverage = *result.coverage;
+    if (coverage.marked.any > 0) {
+        out << QStringLiteral("  %1\n").arg(markedText(coverage.marked, coverage.paintedArea));
+    }
     if (verdict.advice <= Advice::Print) {
         return;
     }

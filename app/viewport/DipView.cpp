@@ -9,6 +9,7 @@
 #include <QThread>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -32,7 +33,8 @@ struct DipView::State {
     bool drawing = false; // a picture is on its way
     bool again = false;   // and another one is wanted after it
     ViewPicture shown;
-    QColor background = Qt::gray;
+    QColor background = Qt::gray, ink = Qt::black;
+    std::vector<ViewLegendEntry> legend;
 
     RotationRings rings;
     QPointF pressed;
@@ -120,6 +122,11 @@ void DipView::setBodyVisible(bool visible) {
     change([visible](ViewScene& scene) { scene.body().setVisible(visible); });
 }
 
+void DipView::setLegend(std::vector<ViewLegendEntry> entries) {
+    state_->legend = std::move(entries);
+    update();
+}
+
 void DipView::setFilm(FilmShape shape, std::vector<float> positions) {
     change([shape = std::move(shape), positions = std::move(positions)](ViewScene& scene) {
         scene.film().setShape(shape, positions);
@@ -185,6 +192,7 @@ void DipView::fit() {
 
 void DipView::setColours(const ViewColours& colours) {
     state_->background = colours.bottom;
+    state_->ink = colours.ink;
     change([colours](ViewScene& scene) { scene.setColours(colours); });
 }
 
@@ -254,6 +262,35 @@ void DipView::paintEvent(QPaintEvent* event) {
         painter.fillRect(rect(), state_->background);
     } else {
         painter.drawImage(rect(), picture); // of another size until the next one has been drawn
+    }
+    if (isUsable() && !state_->legend.empty()) {
+        paintLegend(painter);
+    }
+}
+
+void DipView::paintLegend(QPainter& painter) const {
+    const int line = fontMetrics().height(), gap = line / 2;
+    int widest = 0;
+    for (const ViewLegendEntry& entry : state_->legend) {
+        widest = std::max(widest, fontMetrics().horizontalAdvance(entry.text));
+    }
+    const int count = int(state_->legend.size());
+    QRect box(0, 0, widest + 2 * line + 3 * gap, count * (line + gap) + gap);
+    box.moveBottomLeft(rect().bottomLeft() + QPoint(gap, -gap));
+    QColor ground = state_->background;
+    ground.setAlpha(225);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(box, gap, gap);
+    QPoint place = box.topLeft() + QPoint(gap, gap);
+    for (const ViewLegendEntry& entry : state_->legend) {
+        painter.setPen(state_->ink);
+        painter.setBrush(entry.colour);
+        painter.drawRect(QRectF(place, QSizeF(2 * line, line)).adjusted(0.5, 1.5, -0.5, -1.5));
+        painter.drawText(QRect(place.x() + 2 * line + gap, place.y(), widest, line),
+                         Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, entry.text);
+        place.ry() += line + gap;
     }
 }
 

@@ -10,6 +10,7 @@
 #include "model/TexturedMesh.h"
 
 #include <Eigen/Geometry>
+#include <QColor>
 #include <QImage>
 #include <QWidget>
 #include <functional>
@@ -17,6 +18,8 @@
 #include <memory>
 #include <optional>
 #include <vector>
+
+class QPainter;
 
 namespace dipwright {
 
@@ -48,6 +51,12 @@ struct ViewColours {
     QColor water;
 };
 
+// What one of the body's colours means.
+struct ViewLegendEntry {
+    QColor colour;
+    QString text;
+};
+
 class DipView : public QWidget {
     Q_OBJECT
 
@@ -68,6 +77,8 @@ public:
     // A colour a triangle instead of the texture; empty: the texture.
     void setBodyColours(const std::vector<QRgb>& colours);
     void setBodyVisible(bool visible);
+    // In the lower left corner, in this order; empty: none.
+    void setLegend(std::vector<ViewLegendEntry> entries);
 
     // Film. Positions: x, y, z a point; the transform takes them to the world.
     void setFilm(FilmShape shape, std::vector<float> positions);
@@ -134,6 +145,7 @@ private:
     void take(const ViewPicture& picture);
     void dragRing(const QMouseEvent& event);
     void lightRing(int axis);
+    void paintLegend(QPainter& painter) const;
 
     std::unique_ptr<State> state_;
 };

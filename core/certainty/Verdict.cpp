@@ -55,15 +55,14 @@ public:
     // `pointsOffBy` empty: nothing is known of it.
     OffByAreas(const LaidFilm& own, std::vector<float> pointsOffBy)
         : own_(own), offBy_(std::move(pointsOffBy)), parts_(own.film().positions.size()) {
-        const std::vector<FilmTriangle>& triangles = own.triangles();
-        for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
+        for (std::size_t triangle = 0; triangle < own.triangles().size(); ++triangle) {
             if (own.contact().painted[triangle]) {
-                add(triangles[triangle]);
+                add(std::uint32_t(triangle));
             }
         }
     }
 
-    double painted = 0, uncertain = 0, marked = 0, far = 0; // mm² of the body
+    double painted = 0, uncertain = 0, far = 0; // mm² of the body
 
     std::vector<UncertainPlace> places() const {
         std::map<std::uint32_t, UncertainPlace> byPart; // in the points' order
@@ -90,18 +89,16 @@ public:
     }
 
 private:
-    void add(const FilmTriangle& corners) {
+    void add(std::uint32_t triangle) {
+        const FilmTriangle& corners = own_.triangles()[triangle];
         const double here = area(own_.contact(), corners);
         double worst = 0;
-        std::uint8_t marks = 0;
         for (const std::uint32_t point : corners) {
             worst = std::max(worst, offBy(point));
-            marks |= own_.film().marks[point];
         }
         painted += here;
-        marked += marks != 0 ? here : 0;
         far += worst > farOff ? here : 0;
-        if (worst > certainOffBy || has(marks, solver::PointMark::Unbalanced)) {
+        if (worst > certainOffBy || has(own_.marks(triangle), solver::PointMark::Unbalanced)) {
             uncertain += here;
             uncertainTriangles_.emplace_back(corners, here);
             parts_.join(corners[0], corners[1]);
@@ -182,8 +179,7 @@ QString percent(double share) {
 
 Verdict verdict(const LaidFilm& own, const CertaintyEstimate* estimate) {
     const OffByAreas areas(own, estimate ? estimate->pointsOffBy : std::vector<float>());
-    Verdict result{Advice::NotJudged, {{Kind::NotAsked}}, areas.places(),
-                   areas.uncertain,   areas.marked,       areas.painted};
+    Verdict result{Advice::NotJudged, {{Kind::NotAsked}}, areas.places(), areas.uncertain};
     if (estimate) {
         const double farShare = areas.painted > 0 ? areas.far / areas.painted : 0;
         Objections found = objections(own.film().equilibrium, *estimate, farShare);

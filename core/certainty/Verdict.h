@@ -41,9 +41,7 @@ struct Verdict {
     Advice advice = Advice::NotJudged;
     std::vector<VerdictReason> reasons; // the worst first, never empty
     std::vector<UncertainPlace> places; // the largest first, mostPlaces at most
-    // mm² of the body: of all such places; where film tore, was let go of or wanted equilibrium
-    // (solver::PointMark); and all that is painted.
-    double uncertainArea = 0, markedArea = 0, paintedArea = 0;
+    double uncertainArea = 0;           // of all such places, mm² of the body
 };
 
 // A sheet of which 95 % may be off by no more than this can be looked at; one that is farther off

@@ -16,27 +16,53 @@ constexpr double samplesPerFilmCell = 4;
 constexpr int mostPieces = 64; // a triangle's samples are at most the square of this
 constexpr int samplesOfBody = 40'000;
 
+// What the samples of one body triangle say.
+struct TriangleCover {
+    double painted = 0; // mm²
+    MarkedArea marked;
+    std::uint8_t marks = 0; // of at least half of what is painted
+    bool isCovered = false; // at least half of it
+};
+
+TriangleCover triangleCover(const LaidFilm& laid, std::size_t triangle, double sampleArea) {
+    const double area = triangleArea(laid.body().model.mesh, triangle);
+    const int pieces =
+        int(std::clamp(std::ceil(std::sqrt(area / sampleArea)), 1.0, double(mostPieces)));
+    const double pieceArea = area / (pieces * pieces);
+    int hits = 0;
+    TriangleCover cover;
+    forEachPiece(std::uint32_t(triangle), pieces, [&](const SurfacePoint& sample) {
+        if (const auto place = laid.place(sample)) {
+            ++hits;
+            cover.marked.add(laid.marks(place->triangle), pieceArea);
+        }
+    });
+    cover.painted = area * hits / (pieces * pieces);
+    cover.isCovered = 2 * hits >= pieces * pieces;
+    for (std::size_t mark = 0; mark < filmMarks.size(); ++mark) {
+        if (hits > 0 && 2 * cover.marked.each[mark] >= cover.painted) {
+            cover.marks |= std::uint8_t(filmMarks[mark]);
+        }
+    }
+    return cover;
+}
+
 } // namespace
 
 Coverage coverage(const LaidFilm& laid) {
     const TriangleMesh& mesh = laid.body().model.mesh;
     const solver::FilmGrid& grid = laid.film().grid;
     const double sampleArea = grid.leastSpacingX() * grid.leastSpacingZ() / samplesPerFilmCell;
-    std::vector<double> painted(mesh.triangles.size(), 0);
-    Coverage result;
-    result.covered.assign(mesh.triangles.size(), 0);
+    std::vector<TriangleCover> covers(mesh.triangles.size());
     parallelFor(std::size_t(0), mesh.triangles.size(), [&](std::size_t triangle) {
-        const double area = triangleArea(mesh, triangle);
-        const int pieces =
-            int(std::clamp(std::ceil(std::sqrt(area / sampleArea)), 1.0, double(mostPieces)));
-        int hits = 0;
-        forEachPiece(std::uint32_t(triangle), pieces,
-                     [&](const SurfacePoint& sample) { hits += laid.place(sample) ? 1 : 0; });
-        painted[triangle] = area * hits / (pieces * pieces);
-        result.covered[triangle] = 2 * hits >= pieces * pieces ? 1 : 0;
+        covers[triangle] = triangleCover(laid, triangle, sampleArea);
     });
-    for (const double area : painted) {
-        result.paintedArea += area;
+    Coverage result;
+    for (const TriangleCover& cover : covers) {
+        result.covered.push_back(cover.isCovered ? 1 : 0);
+        result.marks.push_back(cover.marks);
+        result.paintedArea += cover.painted;
+        result.marked.add(cover.marked);
     }
     result.share = result.paintedArea / surfaceArea(mesh);
     result.trappedAirArea = trappedAirArea(laid.body());

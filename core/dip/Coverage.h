@@ -2,15 +2,18 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "dip/LaidFilm.h"
+#include "dip/FilmMarks.h"
 
 namespace dipwright {
 
 struct Coverage {
     std::vector<std::uint8_t> covered; // a body triangle each: 1 where at least half is painted
-    double paintedArea = 0;            // mm²
-    double share = 0;                  // of the body's surface, 0 … 1
-    double trappedAirArea = 0;         // mm² that film cannot reach because air is caught there
+    // A body triangle each: the solver::PointMark bits of at least half of what is painted of it.
+    std::vector<std::uint8_t> marks;
+    double paintedArea = 0;    // mm²
+    MarkedArea marked;         // of that
+    double share = 0;          // of the body's surface, 0 … 1
+    double trappedAirArea = 0; // mm² that film cannot reach because air is caught there
 };
 
 // Of one dip. By samples of every body triangle, a few for each film cell's area. All cores,

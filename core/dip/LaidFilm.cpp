@@ -15,6 +15,16 @@ LaidFilm::LaidFilm(std::shared_ptr<const PosedBody> body, DippedFilm film, FilmC
 
 LaidFilm::~LaidFilm() = default;
 
+std::uint8_t LaidFilm::marks(std::uint32_t triangle) const {
+    std::uint8_t marks = 0;
+    if (!film_.marks.empty()) {
+        for (const std::uint32_t point : triangles_[triangle]) {
+            marks |= contact_.surface[point].isValid() ? film_.marks[point] : std::uint8_t(0);
+        }
+    }
+    return marks;
+}
+
 std::optional<FilmPlace> LaidFilm::place(const SurfacePoint& point) const {
     return onBody_->place(point);
 }

@@ -39,6 +39,10 @@ public:
     // A film triangle each, painted or not.
     const std::vector<PrincipalStretch>& stretches() const { return stretches_; }
     const PaintedStretch& painted() const { return painted_; }
+    // The solver::PointMark bits of a film triangle: those of its corners that are on the body,
+    // together. What it paints depends on a law without measurement behind it, or on film that
+    // found no rest.
+    std::uint8_t marks(std::uint32_t triangle) const;
 
     // The place on the flat film of the film that covers `point` of the body; nothing where none
     // does.

@@ -18,7 +18,7 @@ struct DippedFilm {
     bool isotropic = true; // the lattice, which says which constraints there are
     std::vector<Eigen::Vector3f> positions;
     std::vector<solver::PointState> states;
-    std::vector<std::uint8_t> marks; // solver::PointMark bits
+    std::vector<std::uint8_t> marks; // solver::PointMark bits; empty: none
     // How many times as long as when the dip began film was, left to itself, when the point was
     // touched; means nothing of points that were not. Empty of film that does not grow.
     std::vector<float> grown;

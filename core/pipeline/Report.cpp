@@ -62,6 +62,16 @@ QJsonObject certaintyJson(const ImmersionResult& result) {
     return json;
 }
 
+QJsonObject markedJson(const Coverage& coverage) {
+    const MarkedArea& marked = coverage.marked;
+    const double painted = coverage.paintedArea;
+    return {{"area_mm2", marked.any},
+            {"share", painted > 0 ? marked.any / painted : 0},
+            {"torn_mm2", marked.of(solver::PointMark::Torn)},
+            {"unbalanced_mm2", marked.of(solver::PointMark::Unbalanced)},
+            {"let_go_mm2", marked.of(solver::PointMark::LetGo)}};
+}
+
 QJsonObject filmJson(const DippedFilm& film) {
     return {{"columns", film.grid.columns},
             {"rows", film.grid.rows},
@@ -102,7 +112,8 @@ QJsonObject immersionJson(const ImmersionResult& result) {
                                     {"filled", qint64(contact.filledCount)},
                                     {"seam_triangles", qint64(result.texture->seamTriangles)}}},
             {"certainty", certaintyJson(result)},
-            {"marked_area_mm2", result.verdict.markedArea},
+            {"marked", markedJson(*result.coverage)},
+            {"marked_area_mm2", result.coverage->marked.any}, // as in earlier versions
             {"read_back_mm", toJson(result.readBack)},
             {"registration_mm", toJson(result.readBack)}, // its name in earlier versions
             {"ink", QJsonObject{{"shortfall_area", result.texture->shortfallArea}}},

@@ -1,6 +1,8 @@
 #include "results/Results.h"
 
+#include "dip/FilmMarks.h"
 #include "parallel/ParallelFor.h"
+#include "results/Hatch.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -21,7 +23,8 @@ const QColor ink(38, 42, 48);
 const QColor paleInk(105, 112, 120);
 const QColor unknown(208, 60, 140); // in none of the colour maps
 
-// A value a film point, NaN where it is not known, and which of the film is on the body.
+// A value a film point, NaN where it is not known, which of the film is on the body, and how that
+// is marked.
 class FilmValues {
 public:
     FilmValues(const LaidFilm& laid, std::vector<float> values)
@@ -40,15 +43,21 @@ public:
                y * ((1 - x) * lower[0] + x * lower[1]);
     }
 
-    bool isPainted(double column, double row) const {
-        const int i = std::clamp(int(column), 0, grid_.columns - 2);
-        const int j = std::clamp(int(row), 0, grid_.rows - 2);
-        const double x = column - i;
-        const double y = row - j;
-        // As filmTriangles() cuts the cells: the first triangle is the left one.
-        const bool first = (i + j) % 2 == 0 ? y >= x : x + y <= 1;
-        return painted_[2 * (std::size_t(j) * std::size_t(grid_.columns - 1) + std::size_t(i)) +
-                        (first ? 0 : 1)] != 0;
+    bool isPainted(double column, double row) const { return painted_[triangle(column, row)] != 0; }
+
+    // Of painted film; nothing before showMarks().
+    std::optional<solver::PointMark> mark(double column, double row) const {
+        return marks_.empty() ? std::nullopt : gravestMark(marks_[triangle(column, row)]);
+    }
+    // Returns the solver::PointMark bits that are shown.
+    std::uint8_t showMarks(const LaidFilm& laid) {
+        std::uint8_t shown = 0;
+        marks_.assign(painted_.size(), 0);
+        for (std::uint32_t triangle = 0; triangle < painted_.size(); ++triangle) {
+            marks_[triangle] = painted_[triangle] ? laid.marks(triangle) : std::uint8_t(0);
+            shown |= marks_[triangle];
+        }
+        return shown;
     }
 
     // Those known of the points that belong to painted film, or of all where nothing is painted.
@@ -66,10 +75,22 @@ public:
     }
 
 private:
+    std::size_t triangle(double column, double row) const {
+        const int i = std::clamp(int(column), 0, grid_.columns - 2);
+        const int j = std::clamp(int(row), 0, grid_.rows - 2);
+        const double x = column - i;
+        const double y = row - j;
+        // As filmTriangles() cuts the cells: the first triangle is the left one.
+        const bool first = (i + j) % 2 == 0 ? y >= x : x + y <= 1;
+        return 2 * (std::size_t(j) * std::size_t(grid_.columns - 1) + std::size_t(i)) +
+               (first ? 0 : 1);
+    }
+
     solver::FilmGrid grid_;
     std::vector<float> values_;
-    std::vector<std::uint8_t> painted_;
-    std::vector<std::uint8_t> isOn_;
+    std::vector<std::uint8_t> painted_; // a film triangle each, as
+    std::vector<std::uint8_t> marks_;   // solver::PointMark bits; empty: not shown
+    std::vector<std::uint8_t> isOn_;    // a film point each
 };
 
 // The values that the colours span, and which colours.
@@ -150,32 +171,67 @@ QRgb faded(QRgb colour) {
                 part(qBlue(colour), background.blue()));
 }
 
-// The film in colours; pale where it is not on the body, a dark line round what is.
-QImage filmPicture(const FilmValues& film, const solver::FilmGrid& grid, const Scale& scale,
-                   QSize size) {
-    const std::array<QRgb, 256> colours = colourTable(scale);
-    const auto column = [&](int x) { return columnAt(grid, (x + 0.5) / size.width()); };
-    const auto row = [&](int y) { return rowAt(grid, (y + 0.5) / size.height()); };
-    const int reach = std::max(1, size.height() / 1000); // of the line, to each side
-    QImage picture(size, QImage::Format_RGB32);
-    uchar* bits = picture.bits();
-    parallelFor(0, size.height(), [&, stride = picture.bytesPerLine()](int y) {
-        auto* line = reinterpret_cast<QRgb*>(bits + y * stride);
-        for (int x = 0; x < size.width(); ++x) {
-            const bool painted = film.isPainted(column(x), row(y));
-            const bool border = painted && !(film.isPainted(column(x - reach), row(y)) &&
-                                             film.isPainted(column(x + reach), row(y)) &&
-                                             film.isPainted(column(x), row(y - reach)) &&
-                                             film.isPainted(column(x), row(y + reach)));
-            const double value = film.at(column(x), row(y));
-            const QRgb colour = std::isnan(value)
-                                    ? unknown.rgb()
-                                    : colours[std::size_t(std::lround(255 * scale.share(value)))];
-            line[x] = border ? ink.rgb() : painted ? colour : faded(colour);
+// The film in colours; pale where it is not on the body, a dark line round what is, hatched and in
+// a line of its colour what is marked.
+class FilmPicture {
+public:
+    FilmPicture(const FilmValues& film, const solver::FilmGrid& grid, const Scale& scale,
+                QSize size)
+        : film_(film), grid_(grid), scale_(scale), size_(size), colours_(colourTable(scale)),
+          reach_(std::max(1, size.height() / 1000)), hatch_(std::max(size.width(), size.height())) {
+    }
+
+    QImage draw() const {
+        QImage picture(size_, QImage::Format_RGB32);
+        uchar* bits = picture.bits();
+        parallelFor(0, size_.height(), [&, stride = picture.bytesPerLine()](int y) {
+            auto* line = reinterpret_cast<QRgb*>(bits + y * stride);
+            for (int x = 0; x < size_.width(); ++x) {
+                line[x] = pixel(x, y);
+            }
+        });
+        return picture;
+    }
+
+private:
+    QRgb pixel(int x, int y) const {
+        const auto painted = [this](double i, double j) { return film_.isPainted(i, j); };
+        const auto marked = [this](double i, double j) { return film_.mark(i, j).has_value(); };
+        const double value = film_.at(column(x), row(y));
+        const QRgb colour = std::isnan(value)
+                                ? unknown.rgb()
+                                : colours_[std::size_t(std::lround(255 * scale_.share(value)))];
+        if (!painted(column(x), row(y))) {
+            return faded(colour);
         }
-    });
-    return picture;
-}
+        if (isBorder(x, y, reach_, painted)) {
+            return ink.rgb();
+        }
+        const auto mark = film_.mark(column(x), row(y));
+        return !mark                                ? colour
+               : isBorder(x, y, 2 * reach_, marked) ? markColour(*mark).rgb()
+               : hatch_.isOn(x, y)                  ? hatch_.colour(x, y, *mark)
+                                                    : colour;
+    }
+
+    double column(int x) const { return columnAt(grid_, (x + 0.5) / size_.width()); }
+    double row(int y) const { return rowAt(grid_, (y + 0.5) / size_.height()); }
+
+    // Whether one of the pixels at this reach to all sides is not what this one `is`.
+    template <typename Is>
+    bool isBorder(int x, int y, int reach, const Is& is) const {
+        return !(is(column(x - reach), row(y)) && is(column(x + reach), row(y)) &&
+                 is(column(x), row(y - reach)) && is(column(x), row(y + reach)));
+    }
+
+    const FilmValues& film_;
+    const solver::FilmGrid& grid_;
+    const Scale& scale_;
+    QSize size_;
+    std::array<QRgb, 256> colours_;
+    int reach_; // of the line round what is on the body, to each side, pixels
+    Hatch hatch_;
+};
 
 // What a map is of, in words and colours.
 struct MapSubject {
@@ -183,7 +239,8 @@ struct MapSubject {
     QString unit;    // under the scale
     QString summary; // under the map
     Scale scale;
-    bool goesOn = false; // there are values past the scale's upper end
+    bool goesOn = false;    // there are values past the scale's upper end
+    std::uint8_t marks = 0; // solver::PointMark bits that are hatched somewhere
 };
 
 // The picture's parts, all measured in hundredths of its height.
@@ -198,9 +255,10 @@ public:
         if (grid_.width > grid_.depth) {
             plot_.setHeight(width * grid_.depth / grid_.width);
         }
-        picture_ =
-            QImage(QSizeF((plot_.right() + 22) * unit_, (plot_.bottom() + 10) * unit_).toSize(),
-                   QImage::Format_RGB32);
+        picture_ = QImage(QSizeF((plot_.right() + 22) * unit_,
+                                 (plot_.bottom() + (subject_.marks ? 12.4 : 10)) * unit_)
+                              .toSize(),
+                          QImage::Format_RGB32);
     }
 
     QImage draw() {
@@ -210,7 +268,7 @@ public:
         painter.scale(unit_, unit_);
         drawTitle(painter);
         const QSize pixels = (plot_.size() * unit_).toSize();
-        painter.drawImage(plot_, filmPicture(values_, grid_, subject_.scale, pixels));
+        painter.drawImage(plot_, FilmPicture(values_, grid_, subject_.scale, pixels).draw());
         drawFrame(painter);
         drawScale(painter);
         drawSummary(painter);
@@ -308,6 +366,17 @@ private:
         letter(painter, box, Qt::AlignLeft, subject_.summary, 1.6, ink);
         letter(painter, box.translated(0, 2.4), Qt::AlignLeft,
                Text::tr("Outlined: film on the body · pale: film left over"), 1.5, paleInk);
+        drawMarks(painter, box.translated(0, 4.8));
+    }
+
+    void drawMarks(QPainter& painter, QRectF box) const {
+        for (const solver::PointMark mark : filmMarks) {
+            if (has(subject_.marks, mark)) {
+                paintHatched(painter, QRectF(box.left(), box.top(), 3.2, 1.8), mark);
+                letter(painter, box.translated(4, 0), Qt::AlignLeft, markText(mark), 1.5, ink);
+                box.setLeft(box.left() + 24);
+            }
+        }
     }
 
     solver::FilmGrid grid_;
@@ -362,7 +431,7 @@ Scale changeScale(std::vector<float> values) {
     return scale;
 }
 
-MapSubject certaintySubject(const FilmValues& values) {
+MapSubject certaintySubject(const FilmValues& values, std::uint8_t marks) {
     const std::vector<float> painted = values.paintedValues();
     const Scale scale = changeScale(painted);
     return {Text::tr("Certainty of the sheet"),
@@ -370,7 +439,8 @@ MapSubject certaintySubject(const FilmValues& values) {
             Text::tr("change\nmm"),
             Text::tr("Magenta: film that paints in one of the dips only"),
             scale,
-            *std::max_element(painted.begin(), painted.end()) > scale.high};
+            *std::max_element(painted.begin(), painted.end()) > scale.high,
+            marks};
 }
 
 } // namespace
@@ -387,8 +457,10 @@ QImage wrinklingMap(const LaidFilm& laid, int longEdge) {
 }
 
 QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, int longEdge) {
-    const FilmValues values(laid, changes);
-    return FilmMap(laid.film().grid, values, certaintySubject(values), longEdge).draw();
+    FilmValues values(laid, changes);
+    const std::uint8_t marks = values.showMarks(laid);
+    const MapSubject subject = certaintySubject(values, marks);
+    return FilmMap(laid.film().grid, values, subject, longEdge).draw();
 }
 
 } // namespace dipwright

@@ -1,6 +1,8 @@
 #include "parallel/ParallelFor.h"
 #include "results/Results.h"
 
+#include "dip/FilmMarks.h"
+#include "results/Hatch.h"
 #include "results/ProofScene.h"
 #include "texture/Ink.h"
 
@@ -89,6 +91,15 @@ public:
         return paint.cover == 1 ? colour : (1 - paint.cover) * under() + paint.cover * colour;
     }
 
+    // solver::PointMark bits of its paint there; nothing where it has put none.
+    std::optional<std::uint8_t> marks(const SurfacePoint& point) const {
+        const std::optional<FilmPlace> place = laid_->place(point);
+        if (!place || picture_.at(place->rest).cover <= 0) {
+            return std::nullopt;
+        }
+        return laid_->marks(place->triangle);
+    }
+
 private:
     float areaStretch(const FilmPlace& place) const {
         const auto& [a, b, c] = laid_->triangles()[place.triangle];
@@ -153,7 +164,21 @@ public:
           middle_(stage.box.center()), size_(stage.box.diagonal().norm()) {
         for (const WornFilm& worn : films) {
             films_.push_back(std::make_unique<PaintedFilm>(worn, compensatedInk));
+            marks_ |= paintedMarks(*worn.laid);
         }
+    }
+
+    // solver::PointMark bits of any film.
+    std::uint8_t marks() const { return marks_; }
+    // How the paint is marked that a ray meets first, that of the film that was dipped last.
+    std::optional<solver::PointMark> mark(const Ray& ray) const {
+        const RayHit hit = query_.hit(ray.origin, ray.direction);
+        for (std::size_t film = hit.point.isValid() ? films_.size() : 0; film-- > 0;) {
+            if (const auto marks = films_[film]->marks(hit.point)) {
+                return gravestMark(*marks);
+            }
+        }
+        return std::nullopt;
     }
 
     LinearColour light(const Ray& ray, const Camera& camera) const {
@@ -200,6 +225,7 @@ private:
     Eigen::Vector3f middle_;
     float size_;
     std::vector<std::unique_ptr<PaintedFilm>> films_;
+    std::uint8_t marks_ = 0;
 };
 
 // One view of the scene as light a pixel. Most pixels show light that hardly changes: one ray tells
@@ -223,6 +249,9 @@ public:
     Pixel pixel(int x, int y) const {
         return isEven(x, y) ? shown_[index(x, y)] : encoded(meanLight(x, y));
     }
+    std::optional<solver::PointMark> mark(int x, int y) const {
+        return scene_.mark(ray(float(x) + 0.5f, float(y) + 0.5f));
+    }
 
 private:
     std::size_t index(int x, int y) const {
@@ -233,12 +262,16 @@ private:
         return {encodedByte(light[0]), encodedByte(light[1]), encodedByte(light[2])};
     }
 
-    // The light at a place of the view, in pixels.
-    LinearColour sample(float x, float y) const {
+    // Through a place of the view, in pixels.
+    Ray ray(float x, float y) const {
         const float aspect = float(size_.width()) / float(size_.height());
         const float right = x / float(size_.width());
         const float down = y / float(size_.height());
-        return scene_.light(camera_.ray(2 * right - 1, 1 - 2 * down, span_, aspect), camera_)
+        return camera_.ray(2 * right - 1, 1 - 2 * down, span_, aspect);
+    }
+
+    LinearColour sample(float x, float y) const {
+        return scene_.light(ray(x, y), camera_)
             .min(1.0f); // before any mean, so that edges of highlights stay smooth
     }
 
@@ -280,19 +313,37 @@ private:
     std::vector<Pixel> shown_;          // the same as a picture has it
 };
 
+// Over what marked film paints, in row `y` of a view; `out`: that row's pixels.
+void hatchRow(uchar* out, int y, const Hatch& hatch, const View& view, int width) {
+    for (int x = 0; x < width; ++x, out += 3) {
+        const auto mark = hatch.isOn(x, y) ? view.mark(x, y) : std::nullopt;
+        if (mark) {
+            const QColor colour = hatch.colour(x, y, *mark);
+            out[0] = uchar(colour.red());
+            out[1] = uchar(colour.green());
+            out[2] = uchar(colour.blue());
+        }
+    }
+}
+
 void traceView(QImage& picture, const QRect& tile, const Scene& scene, const Camera& camera,
                float span, const Progress& progress) {
     const View view(scene, camera, span, tile.size());
     uchar* bits = picture.bits();
     const qsizetype stride = picture.bytesPerLine();
+    const Hatch hatch(picture.height());
     parallelFor(0, tile.height(), [&](int y) {
         if (progress.cancelSwitch.isCancelled()) {
             return;
         }
-        uchar* out = bits + (tile.y() + y) * stride + qsizetype(tile.x()) * 3;
+        uchar* row = bits + (tile.y() + y) * stride + qsizetype(tile.x()) * 3;
+        uchar* out = row;
         for (int x = 0; x < tile.width(); ++x, out += 3) {
             const View::Pixel pixel = view.pixel(x, y);
             std::copy(pixel.begin(), pixel.end(), out);
+        }
+        if (scene.marks() != 0) {
+            hatchRow(row, y, hatch, view, tile.width());
         }
     });
     progress.cancelSwitch.throwIfCancelled();
@@ -314,6 +365,28 @@ void drawNames(QImage& picture, QSize tile, const QStringList& names) {
     painter.setPen(QColor(208, 211, 214));
     painter.drawLine(tile.width(), 0, tile.width(), picture.height());
     painter.drawLine(0, tile.height(), picture.width(), tile.height());
+}
+
+// What the hatches mean that are in the picture, along its lower edge.
+void drawMarks(QImage& picture, std::uint8_t marks) {
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setStyleHint(QFont::SansSerif);
+    font.setPixelSize(std::max(8, picture.height() / 64));
+    painter.setFont(font);
+    painter.setPen(QColor(60, 64, 70));
+    const double line = painter.fontMetrics().height();
+    QPointF place(line, picture.height() - 1.8 * line);
+    for (const solver::PointMark mark : filmMarks) {
+        if (has(marks, mark)) {
+            const QString text = markText(mark);
+            paintHatched(painter, QRectF(place, QSizeF(1.8 * line, line)), mark);
+            place.rx() += 2.3 * line;
+            painter.drawText(place + QPointF(0, painter.fontMetrics().ascent()), text);
+            place.rx() += painter.fontMetrics().horizontalAdvance(text) + 1.5 * line;
+        }
+    }
 }
 
 } // namespace
@@ -341,6 +414,7 @@ QImage proofPicture(const ProofStage& stage, const std::vector<WornFilm>& films,
     }
     drawNames(picture, options.tile,
               {Text::tr("Front"), Text::tr("Right"), Text::tr("Back"), Text::tr("Left")});
+    drawMarks(picture, scene.marks());
     return picture;
 }
 

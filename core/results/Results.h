@@ -26,7 +26,8 @@ QImage stretchMap(const LaidFilm& laid, int longEdge);
 QImage wrinklingMap(const LaidFilm& laid, int longEdge);
 
 // How far the sheet moves when it is computed more finely: `changes` in mm, one of each film point,
-// NaN where it paints in one of the dips only; over the flat film, drawn like stretchMap().
+// NaN where it paints in one of the dips only; over the flat film, drawn like stretchMap(). Marked
+// film on the body is hatched.
 QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, int longEdge);
 
 // Colour maps of even lightness steps, made in OKLab: "lagoon" (dark blue over green to yellow),
@@ -35,6 +36,9 @@ QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, int
 QStringList colourMaps();
 // The colour at `value`, clamped to 0 … 1. Throws Error on an unknown map.
 QColor mapColour(const QString& map, double value);
+
+// By which film that is marked so is told from other film in maps, proof and views.
+QColor markColour(solver::PointMark mark);
 
 // One immersion's film, on the body in its own pose, wearing a picture.
 struct WornFilm {
@@ -54,7 +58,8 @@ std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model);
 
 // The body as it will come out, four views (front, right, back, left, from slightly above) two by
 // two, in model orientation: front looks along −Z. Later films lie over earlier ones, unpainted
-// body is light grey. Traced by Embree on all cores, without OpenGL; throws Cancelled.
+// body is light grey, what marked film paints is hatched. Traced by Embree on all cores, without
+// OpenGL; throws Cancelled.
 QImage proofPicture(const ProofStage& stage, const std::vector<WornFilm>& films,
                     const ProofOptions& options, const Progress& progress);
 

@@ -121,6 +121,7 @@ QByteArray filmVtp(const LaidFilm& laid) {
     const std::vector<float> stretches = pointStretches(film);
     vtkNew<vtkFloatArray> rest = floatArray("rest", 3, count);
     vtkNew<vtkUnsignedCharArray> adhered = byteArray("adhered", count);
+    vtkNew<vtkUnsignedCharArray> marks = byteArray("marks", count);
     vtkNew<vtkFloatArray> uv = floatArray("uv", 2, count);
     vtkNew<vtkFloatArray> stretch = floatArray("stretch", 1, count);
     for (std::size_t point = 0; point < count; ++point) {
@@ -128,6 +129,7 @@ QByteArray filmVtp(const LaidFilm& laid) {
         const Eigen::Vector2f flat = restPosition(film.grid, point);
         rest->SetTuple3(tuple, flat.x(), 0, flat.y());
         adhered->SetValue(tuple, film.adhered(point) ? 1 : 0);
+        marks->SetValue(tuple, film.marks.empty() ? 0 : film.marks[point]);
         const SurfacePoint& place = laid.contact().surface[point];
         const Eigen::Vector2f texture = place.isValid() ? laid.body().model.textureCoordinate(place)
                                                         : Eigen::Vector2f(none, none);
@@ -139,6 +141,7 @@ QByteArray filmVtp(const LaidFilm& laid) {
     data->SetPolys(cells(laid.triangles()));
     data->GetPointData()->AddArray(rest);
     data->GetPointData()->AddArray(adhered);
+    data->GetPointData()->AddArray(marks);
     data->GetPointData()->AddArray(uv);
     data->GetPointData()->AddArray(stretch);
     addPrincipalStretches(laid.stretches(), *data->GetCellData());
@@ -152,14 +155,17 @@ QByteArray bodyVtp(const PosedBody& body, const Coverage& coverage) {
         texture->SetTypedTuple(vtkIdType(i), split.textureCoordinates[i].data());
     }
     vtkNew<vtkUnsignedCharArray> covered = byteArray("covered", split.triangles.size());
+    vtkNew<vtkUnsignedCharArray> marks = byteArray("marks", split.triangles.size());
     for (std::size_t i = 0; i < split.triangles.size(); ++i) {
         covered->SetValue(vtkIdType(i), coverage.covered[i]);
+        marks->SetValue(vtkIdType(i), coverage.marks[i]);
     }
     vtkNew<vtkPolyData> data;
     data->SetPoints(points(split.positions));
     data->SetPolys(cells(split.triangles));
     data->GetPointData()->SetTCoords(texture);
     data->GetCellData()->AddArray(covered);
+    data->GetCellData()->AddArray(marks);
     return vtpBytes(data);
 }
 

@@ -8,6 +8,9 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 namespace dipwright {
 
 namespace {
@@ -18,7 +21,7 @@ struct Text {
 
 constexpr double mapPixelsPerMillimetre = 5; // the map has no size of its own
 constexpr int shownPlaces = 5;
-constexpr int textHeight = 250; // pixels; longer ones are scrolled
+constexpr double mostText = 0.5; // of the height; longer ones are scrolled
 
 QString colourOf(Advice advice) { // of the band beside the words; read on light and dark
     switch (advice) {
@@ -32,6 +35,10 @@ QString colourOf(Advice advice) { // of the band beside the words; read on light
         break;
     }
     return QStringLiteral("#808080");
+}
+
+QString paragraph(const QString& text) {
+    return QStringLiteral("<p style='margin:4px 0'>%1</p>").arg(text.toHtmlEscaped());
 }
 
 QString placeHtml(const UncertainPlace& place, std::size_t number, LengthUnit unit) {
@@ -51,8 +58,7 @@ QString html(const ImmersionResult& result, LengthUnit unit) {
                              result.immersion.name.toHtmlEscaped());
     for (const VerdictReason& reason : verdict.reasons) {
         const auto length = [unit](double millimetres) { return shownLength(millimetres, unit); };
-        words += QStringLiteral("<p style='margin:4px 0'>%1</p>")
-                     .arg(reasonText(reason, length).toHtmlEscaped());
+        words += paragraph(reasonText(reason, length));
     }
     if (verdict.advice > Advice::Print) {
         words += QStringLiteral("<ol style='margin:2px 0'>");
@@ -62,7 +68,8 @@ QString html(const ImmersionResult& result, LengthUnit unit) {
         }
         words += QStringLiteral("</ol>");
     }
-    return words;
+    const Coverage& coverage = *result.coverage;
+    return words + paragraph(markedText(coverage.marked, coverage.paintedArea));
 }
 
 } // namespace
@@ -75,7 +82,6 @@ CertaintyPanel::CertaintyPanel(QWidget* parent)
     text_->setObjectName(QStringLiteral("verdict"));
     text_->setAccessibleName(tr("Verdict"));
     text_->setOpenLinks(false);
-    text_->setMaximumHeight(textHeight);
     text_->hide();
     connect(text_, &QTextBrowser::anchorClicked, this, &CertaintyPanel::choosePlace);
     auto* layout = new QVBoxLayout(this);
@@ -94,10 +100,24 @@ void CertaintyPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion
     const ImmersionResult& result = outcome.result->immersions[immersion];
     places_ = result.verdict.places;
     text_->setHtml(html(result, unit));
+    fitText();
     const QImage& map = outcome.certaintyMaps[immersion];
     if (!map.isNull()) {
         map_->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
     }
+}
+
+void CertaintyPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitText();
+}
+
+// As tall as its words are at this width.
+void CertaintyPanel::fitText() {
+    const QMargins around = layout()->contentsMargins();
+    text_->document()->setTextWidth(width() - around.left() - around.right());
+    const int words = int(std::ceil(text_->document()->size().height()));
+    text_->setFixedHeight(std::min(words, int(mostText * height())));
 }
 
 void CertaintyPanel::choosePlace(const QUrl& link) {

@@ -23,11 +23,15 @@ public:
     // Of an immersion that has an outcome, or of none.
     void setOutcome(const DipOutcome& outcome, std::size_t immersion, LengthUnit unit);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 signals:
     void placeChosen(Eigen::Vector2f rest); // on the floating film
 
 private:
     void choosePlace(const QUrl& link);
+    void fitText();
 
     std::vector<UncertainPlace> places_;
     QTextBrowser* text_;

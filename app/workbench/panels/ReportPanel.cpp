@@ -54,6 +54,17 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
     const QLocale locale;
     Table table;
     table.row(Text::tr("Body painted"), percent(result.coverage->share));
+    const Coverage& coverage = *result.coverage;
+    table.row(Text::tr("Of that, by marked film"),
+              Text::tr("%1 mm² · %2")
+                  .arg(number(coverage.marked.any, 0),
+                       percent(coverage.paintedArea > 0 ? coverage.marked.any / coverage.paintedArea
+                                                        : 0)));
+    for (const solver::PointMark mark : filmMarks) {
+        if (coverage.marked.of(mark) > 0) {
+            table.row(markText(mark), Text::tr("%1 mm²").arg(number(coverage.marked.of(mark), 0)));
+        }
+    }
     table.row(Text::tr("Film points on the body"),
               Text::tr("%1 of %2")
                   .arg(locale.toString(qulonglong(adhered)),

@@ -1,5 +1,6 @@
 #include "view/DipScene.h"
 
+#include "dip/FilmMarks.h"
 #include "dip/Pose.h"
 #include "look/Theme.h"
 #include "results/Results.h"
@@ -210,18 +211,9 @@ void DipScene::showEnd() {
             positions.insert(positions.end(), film.positions[point].begin(),
                              film.positions[point].end());
         }
-        shape.triangles = filmTriangles(film.grid);
         shape.longestSide = longestDrawnSide(film.grid, thinFilm(film.grid, film.grid.pointCount()),
                                              result_->project.process.tearStretch);
-        if (extent_ == FilmExtent::OnBody) {
-            std::size_t kept = 0;
-            for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
-                if (result.laid->contact().painted[t]) {
-                    shape.triangles[kept++] = shape.triangles[t];
-                }
-            }
-            shape.triangles.resize(kept);
-        }
+        shape.triangles = shownTriangles(*result.laid);
         shapeGrid_ = film.grid;
         view_.setFilm(shape, positions);
         filmSource_ = reading_;
@@ -229,6 +221,19 @@ void DipScene::showEnd() {
     const Eigen::Isometry3d poseToModel = result.body->modelToPose.inverse();
     view_.setFilmTransform(modelToWorld_ * poseToModel);
     dressFilm();
+}
+
+std::vector<FilmTriangle> DipScene::shownTriangles(const LaidFilm& laid) const {
+    const FilmContact& contact = laid.contact();
+    std::vector<FilmTriangle> shown;
+    for (std::uint32_t triangle = 0; triangle < laid.triangles().size(); ++triangle) {
+        const bool isHidden = (extent_ == FilmExtent::OnBody && !contact.painted[triangle]) ||
+                              (coverage_ && contact.reaches(triangle));
+        if (!isHidden) {
+            shown.push_back(laid.triangles()[triangle]);
+        }
+    }
+    return shown;
 }
 
 void DipScene::setFilmLook(FilmLook look, const QImage& picture) {
@@ -239,6 +244,10 @@ void DipScene::setFilmLook(FilmLook look, const QImage& picture) {
 
 void DipScene::setFilmExtent(FilmExtent extent) {
     extent_ = extent;
+    showEndAnew();
+}
+
+void DipScene::showEndAnew() {
     if (moment_ == Moment::End) {
         filmSource_ = {};
         showEnd();
@@ -256,6 +265,7 @@ void DipScene::setHeat(FilmQuantity quantity, const HeatScale& scale) {
 void DipScene::setShowCoverage(bool show) {
     coverage_ = show;
     dressBody();
+    showEndAnew();
 }
 
 void DipScene::setShowRings(bool show) {
@@ -342,13 +352,26 @@ void DipScene::dressBody() {
     if (!coverage_ || !result_ || result_->project.model != project_.model ||
         immersion_ >= result_->immersions.size()) {
         view_.setBodyColours({});
+        view_.setLegend({});
         return;
     }
+    const Coverage& coverage = *result_->immersions[immersion_].coverage;
+    const QRgb painted = mapColour(QStringLiteral("balance"), 0.1).rgb();
     std::vector<QRgb> colours;
-    for (const std::uint8_t covered : result_->immersions[immersion_].coverage->covered) {
-        colours.push_back(covered ? mapColour(QStringLiteral("balance"), 0.1).rgb() : bareFilm);
+    for (std::size_t triangle = 0; triangle < coverage.covered.size(); ++triangle) {
+        const auto mark = gravestMark(coverage.marks[triangle]);
+        colours.push_back(mark                         ? markColour(*mark).rgb()
+                          : coverage.covered[triangle] ? painted
+                                                       : bareFilm);
     }
     view_.setBodyColours(colours);
+    std::vector<ViewLegendEntry> legend{{painted, tr("Painted")}, {bareFilm, tr("Not painted")}};
+    for (const solver::PointMark mark : filmMarks) {
+        if (coverage.marked.of(mark) > 0) {
+            legend.push_back({markColour(mark), markText(mark)});
+        }
+    }
+    view_.setLegend(legend);
 }
 
 std::optional<Eigen::Isometry3d> DipScene::worldToEnd() const {

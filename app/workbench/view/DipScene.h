@@ -35,6 +35,8 @@ public:
     void setFilmLook(FilmLook look, const QImage& picture = {});
     void setFilmExtent(FilmExtent extent);
     void setHeat(FilmQuantity quantity, const HeatScale& scale);
+    // Painted, bare and marked parts of the body, in the place of its texture and of the film on
+    // it.
     void setShowCoverage(bool show);
     void setShowRings(bool show);
 
@@ -58,6 +60,9 @@ private:
                   const std::vector<float>& positions);
     void dressFilm();
     void dressBody();
+    void showEndAnew(); // where the end is shown
+    // At the end: by the extent, and none over the body whose coverage is shown.
+    std::vector<FilmTriangle> shownTriangles(const LaidFilm& laid) const;
     std::vector<QRgb> frameColours() const;
 
     DipView& view_;

@@ -158,6 +158,10 @@ private slots:
             const QJsonObject certainty = immersion["certainty"].toObject();
             QVERIFY(hasNumbers(certainty["off_by_mm"].toObject(), {"min", "mean", "p95", "max"}));
             QVERIFY(!certainty["reasons"].toArray().isEmpty());
+            const QJsonObject marked = immersion["marked"].toObject();
+            QVERIFY(hasNumbers(marked,
+                               {"area_mm2", "share", "torn_mm2", "unbalanced_mm2", "let_go_mm2"}));
+            QCOMPARE(immersion["marked_area_mm2"], marked["area_mm2"]); // its earlier name
             QVERIFY(hasNumbers(immersion["ink"].toObject(), {"shortfall_area"}));
         }
         const double first = immersions[0].toObject()["coverage"].toDouble();

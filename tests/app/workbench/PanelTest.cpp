@@ -4,6 +4,7 @@
 #include "geometry/Shapes.h"
 #include "look/HeatScale.h"
 #include "look/Theme.h"
+#include "panels/CertaintyPanel.h"
 #include "panels/FilmFacts.h"
 #include "panels/PictureView.h"
 #include "panels/PropertyField.h"
@@ -17,6 +18,7 @@
 #include <QSet>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTextBrowser>
 
 using namespace dipwright;
 
@@ -214,6 +216,27 @@ private slots:
         const HeatScale scale = automaticScale({}, values);
         QCOMPARE(scale.low, 1.0);
         QVERIFY(scale.high > 1.45 && scale.high < 1.6);
+    }
+
+    void theVerdictTellsWhatMarkedFilmPaints() {
+        auto coverage = std::make_shared<Coverage>();
+        coverage->paintedArea = 1000;
+        auto result = std::make_shared<JobResult>();
+        result->immersions.resize(1);
+        CertaintyPanel panel;
+        const auto text = [&](const MarkedArea& marked) {
+            coverage->marked = marked;
+            result->immersions[0].coverage = std::make_shared<const Coverage>(*coverage);
+            panel.setOutcome({std::make_shared<const JobResult>(*result), {}, {}, {QImage()}}, 0,
+                             LengthUnit::Millimetre);
+            return panel.findChild<QTextBrowser*>(QStringLiteral("verdict"))->toPlainText();
+        };
+        MarkedArea marked;
+        marked.add(std::uint8_t(solver::PointMark::Torn), 25);
+        const QString told = text(marked);
+        QVERIFY2(told.contains(QStringLiteral("25 mm²")), qPrintable(told));
+        QVERIFY2(told.contains(QStringLiteral("2.5 %")), qPrintable(told));
+        QVERIFY(!text({}).contains(QStringLiteral("mm²")));
     }
 
     void thePictureTellsTheMillimetreUnderTheCursor() {

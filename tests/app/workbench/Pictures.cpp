@@ -80,6 +80,9 @@ void photographResults(WindowDriver& driver, MainWindow& window, const Photograp
     driver.trigger("filmOnBody");
     camera.take(window, QStringLiteral("dipped"));
     driver.trigger("filmOnBody");
+    driver.trigger("coverage");
+    camera.take(window, QStringLiteral("coverage"));
+    driver.trigger("coverage");
     driver.trigger("filmLines");
 }
 
@@ -202,7 +205,8 @@ int main(int argc, char* argv[]) {
          {QStringLiteral("theme"), {}, QStringLiteral("light|dark")},
          {QStringLiteral("language"), {}, QStringLiteral("CODE"), QStringLiteral("en")},
          {QStringLiteral("sample-thumbnail"), {}, QStringLiteral("FILE")},
-         {QStringLiteral("only-window"), {}}});
+         {QStringLiteral("only-window"), {}},
+         {QStringLiteral("only-results"), {}}});
     parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
     parser.process(*qApp);
     installLanguage(*qApp, parser.value(QStringLiteral("language")));
@@ -244,6 +248,8 @@ int main(int argc, char* argv[]) {
     camera.take(window, QStringLiteral("window"));
     if (all) {
         photographResults(driver, window, camera);
+    }
+    if (all && !parser.isSet(QStringLiteral("only-results"))) {
         photographCertainty(driver, camera);
         photographDialogs(window, workbench, camera);
         driver.action("live")->setChecked(false);

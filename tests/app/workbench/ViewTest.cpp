@@ -2,6 +2,7 @@
 #include "WindowDriver.h"
 #include "geometry/Shapes.h"
 #include "view/BodyTurn.h"
+#include "view/DipScene.h"
 #include "view/ViewTheme.h"
 
 #include <QApplication>
@@ -167,6 +168,40 @@ private slots:
         const double then =
             QLineF(view_->positionOf({0, 0, 0}), view_->positionOf({50, 0, 0})).length();
         QVERIFY(std::abs(near - then) < 1);
+    }
+
+    void coverageShowsWhatMarkedFilmPaints() {
+        DipScene scene(*view_);
+        Project project;
+        project.model = redSphere();
+        scene.setProject(project, 0);
+        auto coverage = std::make_shared<Coverage>();
+        const std::size_t count = project.model->mesh.triangles.size();
+        coverage->covered.assign(count, 1);
+        coverage->marks.assign(count, 0);
+        auto result = std::make_shared<JobResult>();
+        result->project = project;
+        result->immersions.resize(1);
+        const auto show = [&](std::uint8_t marks) {
+            coverage->marks.assign(count, marks);
+            coverage->marked = {};
+            coverage->marked.add(marks, 100);
+            result->immersions[0].coverage = std::make_shared<const Coverage>(*coverage);
+            scene.setResult(std::make_shared<const JobResult>(*result), nullptr);
+        };
+        scene.setShowRings(false); // one of them is red
+        show(0);
+        scene.setShowCoverage(true);
+        QCOMPARE(countReddish(view_->picture()), 0);
+        const QImage unmarked = view_->grab().toImage();
+        show(std::uint8_t(solver::PointMark::Torn));
+        QVERIFY(countReddish(view_->picture()) > 500);
+        // The legend has a line more.
+        const QRect corner(0, 200, 130, 160);
+        QVERIFY(countReddish(view_->grab().toImage().copy(corner)) >
+                countReddish(unmarked.copy(corner)) + 100);
+        scene.setShowCoverage(false);
+        QCOMPARE(countReddish(view_->grab().toImage().copy(corner)), 0);
     }
 
     void arrowKeysTurnTheCameraToo() {

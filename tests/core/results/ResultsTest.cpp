@@ -3,6 +3,7 @@
 #include "results/Results.h"
 
 #include "base/Error.h"
+#include "dip/FilmMarks.h"
 #include "dip/PaintedStretch.h"
 #include "geometry/CornerNormals.h"
 #include "geometry/Shapes.h"
@@ -75,6 +76,15 @@ struct Dip {
     const DippedFilm& film = laid->film();
     Coverage covered = coverage(*laid);
 
+    // The same with all film right of the middle marked, or left of it.
+    std::shared_ptr<const LaidFilm> marked(solver::PointMark mark, bool right) const {
+        DippedFilm other = film;
+        for (std::size_t point = 0; point < film.positions.size(); ++point) {
+            const bool isRight = restPosition(film.grid, point).x() > 0;
+            other.marks.push_back(isRight == right ? std::uint8_t(mark) : std::uint8_t(0));
+        }
+        return layFilm(body, other, ProcessSettings{});
+    }
     // Another film that the same of is on the body.
     LaidFilm withFilm(const DippedFilm& other) const { return {body, other, laid->contact()}; }
 };
@@ -134,6 +144,7 @@ class ResultsTest : public QObject {
 private slots:
     void filmFileHoldsTheFilm();
     void bodyFileHoldsTheBody();
+    void filesHoldTheMarks();
     void filesAreTheSameEveryTime();
     void colourMapsGrowEvenlyLighter_data();
     void colourMapsGrowEvenlyLighter();
@@ -142,6 +153,8 @@ private slots:
     void stretchMapShowsWhereFilmStretched();
     void stretchMapFitsWideFilm();
     void wrinklingIsToldFromThinning();
+    void markedFilmIsHatchedOnTheMap();
+    void markedFilmIsHatchedOnTheProof();
     void proofShowsTheImageOnTheBody();
     void proofTakesInkBackToWhatShows();
     void laterFilmsLieOverEarlierOnes();
@@ -193,6 +206,20 @@ void ResultsTest::bodyFileHoldsTheBody() {
     double bounds[6];
     data->GetBounds(bounds);
     QVERIFY(std::abs(bounds[2]) < 1e-4 && std::abs(bounds[3] - 70) < 1e-3);
+}
+
+void ResultsTest::filesHoldTheMarks() {
+    const auto laid = dip_.marked(solver::PointMark::LetGo, true);
+    const auto film = readBack(filmVtp(*laid));
+    auto* marks = film->GetPointData()->GetArray("marks");
+    QVERIFY(marks);
+    QCOMPARE(marks->GetComponent(0, 0), 0.0);
+    QCOMPARE(marks->GetComponent(80, 0), 2.0);
+    const auto body = readBack(bodyVtp(*dip_.body, coverage(*laid)));
+    auto* onBody = body->GetCellData()->GetArray("marks");
+    QVERIFY(onBody);
+    QCOMPARE(onBody->GetRange()[0], 0.0);
+    QCOMPARE(onBody->GetRange()[1], 2.0);
 }
 
 void ResultsTest::filesAreTheSameEveryTime() {
@@ -289,6 +316,64 @@ void ResultsTest::wrinklingIsToldFromThinning() {
     keep(map, "wrinkling.png");
     QCOMPARE(map.size(), stretchMap(*dip_.laid, 1000).size());
     QVERIFY(map != wrinklingMap(compressed, 1000));
+}
+
+namespace {
+// Pixels of this very colour to the left and to the right of the picture's column.
+std::pair<int, int> countBeside(const QImage& image, const QColor& colour, int column,
+                                const QRect& part) {
+    std::pair<int, int> count{0, 0};
+    for (int y = part.top(); y <= part.bottom(); ++y) {
+        for (int x = part.left(); x <= part.right(); ++x) {
+            if (image.pixelColor(x, y) == colour) {
+                ++(x < column ? count.first : count.second);
+            }
+        }
+    }
+    return count;
+}
+} // namespace
+
+void ResultsTest::markedFilmIsHatchedOnTheMap() {
+    const std::vector<float> changes(dip_.film.positions.size(), 0.01f);
+    const QImage plain = certaintyMap(*dip_.laid, changes, 1000);
+    for (const solver::PointMark mark : filmMarks) {
+        const auto marked = dip_.marked(mark, true);
+        const QImage map = certaintyMap(*marked, changes, 1000);
+        keep(map, QStringLiteral("marked-%1.png").arg(int(mark)));
+        QVERIFY(map.height() > plain.height()); // a line of its legend
+        // The film's part of the picture, in FilmMap's hundredths.
+        const QRect film(90, 120, int(780 * 140 / 196.0), 780);
+        const auto [left, right] = countBeside(map, markColour(mark), film.center().x(), film);
+        QVERIFY2(left < 100 && right > 5000, qPrintable(QString::number(right)));
+        QCOMPARE(countBeside(plain, markColour(mark), 0, plain.rect()).second, 0);
+    }
+}
+
+void ResultsTest::markedFilmIsHatchedOnTheProof() {
+    QImage image(400, 560, QImage::Format_RGBA8888);
+    image.fill(QColor(90, 90, 90));
+    ProofOptions options;
+    options.tile = QSize(200, 200);
+    const auto of = [&](const std::shared_ptr<const LaidFilm>& laid) {
+        return proofPicture(*proofStage(dip_.model), {{laid, image}}, options, {});
+    };
+    const QImage plain = of(dip_.laid);
+    const solver::PointMark mark = solver::PointMark::Torn;
+    const QImage proof = of(dip_.marked(mark, true));
+    keep(proof, "marked-proof.png");
+    // On the front to the right, on the back to the left; and in the legend below.
+    const auto front = countBeside(proof, markColour(mark), 100, QRect(0, 0, 200, 200));
+    const auto back = countBeside(proof, markColour(mark), 100, QRect(0, 200, 200, 180));
+    QVERIFY(front.first < 20 && front.second > 300);
+    QVERIFY(back.second < 20 && back.first > 300);
+    QCOMPARE(countBeside(plain, markColour(mark), 0, plain.rect()).second, 0);
+    // Film that is marked where it does not paint changes nothing.
+    DippedFilm beside = dip_.film;
+    for (std::size_t point = 0; point < beside.positions.size(); ++point) {
+        beside.marks.push_back(beside.adhered(point) ? 0 : std::uint8_t(mark));
+    }
+    QCOMPARE(of(layFilm(dip_.body, beside, ProcessSettings{})), plain);
 }
 
 void ResultsTest::proofShowsTheImageOnTheBody() {

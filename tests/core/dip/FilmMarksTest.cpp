@@ -1,0 +1,101 @@
+// Which paint depends on marked film, on films laid by hand.
+#include "dip/Coverage.h"
+
+#include "DippedByHand.h"
+#include "geometry/Shapes.h"
+
+#include <QtTest>
+
+using namespace dipwright;
+using solver::PointMark;
+
+namespace {
+
+constexpr double side = 20; // of the quarter of the box, mm
+const Eigen::Vector3d boxSize(40, 30, 40);
+
+// A film of cells of 1 mm under the box, whose points are marked as `markAt` says of their places.
+template <typename MarkAt>
+std::shared_ptr<const LaidFilm> markedFilm(const MarkAt& markAt) {
+    DippedFilm film = test::flatUnderBox({61, 61, 60, 60}, boxSize);
+    for (std::size_t point = 0; point < film.positions.size(); ++point) {
+        film.marks.push_back(markAt(restPosition(film.grid, point)));
+    }
+    return test::laid(test::plainModel(boxMesh(boxSize), Qt::gray), film);
+}
+
+constexpr std::uint8_t torn = std::uint8_t(PointMark::Torn);
+constexpr std::uint8_t letGo = std::uint8_t(PointMark::LetGo);
+
+} // namespace
+
+class FilmMarksTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void paintIsMarkedWhereItsFilmIs() {
+        // A quarter of the box, and the cells that it shares points with.
+        const auto laid = markedFilm([](const Eigen::Vector2f& rest) {
+            return rest.x() >= 0 && rest.y() >= 0 ? letGo : std::uint8_t(0);
+        });
+        const Coverage cover = coverage(*laid);
+        QVERIFY(cover.marked.any > side * side);
+        QVERIFY(cover.marked.any < 1.02 * (side + 1) * (side + 1));
+        QCOMPARE(cover.marked.of(PointMark::LetGo), cover.marked.any);
+        QCOMPARE(cover.marked.of(PointMark::Torn), 0.0);
+    }
+
+    void filmWithTwoMarksCountsOnceAltogether() {
+        const auto laid = markedFilm([](const Eigen::Vector2f& rest) {
+            return std::uint8_t((rest.x() >= 0 ? letGo : 0) | (rest.x() >= 0 ? torn : 0));
+        });
+        const Coverage cover = coverage(*laid);
+        QCOMPARE(cover.marked.of(PointMark::LetGo), cover.marked.any);
+        QCOMPARE(cover.marked.of(PointMark::Torn), cover.marked.any);
+        QCOMPARE(gravestMark(paintedMarks(*laid)), std::optional(PointMark::Torn));
+    }
+
+    void filmBesideTheBodyMarksNothing() {
+        const auto laid = markedFilm([](const Eigen::Vector2f& rest) {
+            return std::abs(rest.x()) > 20 ? torn : std::uint8_t(0);
+        });
+        QCOMPARE(coverage(*laid).marked.any, 0.0);
+        QCOMPARE(paintedMarks(*laid), std::uint8_t(0));
+        QVERIFY(!gravestMark(0));
+    }
+
+    void filmWithoutMarksIsNotMarked() {
+        const auto laid = test::laid(test::plainModel(boxMesh(boxSize), Qt::gray),
+                                     test::flatUnderBox({61, 61, 60, 60}, boxSize));
+        const Coverage cover = coverage(*laid);
+        QCOMPARE(cover.marked.any, 0.0);
+        QVERIFY(markedText(cover.marked, cover.paintedArea).isEmpty());
+    }
+
+    void facesOfTheBodyAreMarkedByTheMostOfTheirPaint() {
+        const auto laid = markedFilm([](const Eigen::Vector2f& rest) {
+            return rest.x() + rest.y() > 0 ? letGo : std::uint8_t(0);
+        });
+        const TriangleMesh& mesh = laid->body().model.mesh;
+        const Coverage cover = coverage(*laid);
+        int marked = 0;
+        for (std::size_t triangle = 0; triangle < cover.marks.size(); ++triangle) {
+            marked += cover.marks[triangle] == letGo;
+            QVERIFY(cover.marks[triangle] == 0 || triangleNormal(mesh, triangle).y() < -0.9f);
+        }
+        QVERIFY(marked > 0);
+    }
+
+    void wordsHaveAreaShareAndCause() {
+        MarkedArea marked;
+        marked.add(torn, 30);
+        marked.add(letGo, 20);
+        const QString text = markedText(marked, 1000);
+        for (const char* part : {"50 mm²", "5.0 %", "tore: 30 mm²", "let go of: 20 mm²"}) {
+            QVERIFY2(text.contains(QString::fromUtf8(part)), qPrintable(text));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(FilmMarksTest)
+#include "FilmMarksTest.moc"
