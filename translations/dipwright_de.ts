@@ -16,20 +16,12 @@
         <translation>Die Datei ist leer</translation>
     </message>
     <message>
-        <source>The file is too large for a project</source>
-        <translation>Die Datei ist zu groß für ein Projekt</translation>
-    </message>
-    <message>
         <source>The file cannot be read: %1</source>
         <translation>Die Datei kann nicht gelesen werden: %1</translation>
     </message>
     <message>
         <source>This is not a Dipwright project, or the file is cut off or damaged</source>
         <translation>Das ist kein Dipwright-Projekt, oder die Datei ist abgeschnitten oder beschädigt</translation>
-    </message>
-    <message>
-        <source>The file holds more entries than any project has</source>
-        <translation>Die Datei enthält mehr Einträge, als ein Projekt hat</translation>
     </message>
     <message>
         <source>The file is cut off or damaged</source>
@@ -46,10 +38,6 @@
     <message>
         <source>The file is encrypted, save it without a password</source>
         <translation>Die Datei ist verschlüsselt; speichern Sie sie ohne Kennwort</translation>
-    </message>
-    <message>
-        <source>The file would unpack to more than any project needs and is not opened</source>
-        <translation>Die Datei würde entpackt größer als jedes Projekt und wird nicht geöffnet</translation>
     </message>
     <message>
         <source>The project lacks %1</source>
@@ -1042,10 +1030,6 @@
         <translation>project.json ist bei Zeichen %1 beschädigt: %2</translation>
     </message>
     <message>
-        <source>The texture %1 cannot be read</source>
-        <translation>Die Textur %1 kann nicht gelesen werden</translation>
-    </message>
-    <message>
         <source>The model in the project is not the one that was saved, its sha256 differs</source>
         <translation>Das Modell im Projekt ist nicht das gespeicherte, sein sha256 weicht ab</translation>
     </message>
@@ -1064,6 +1048,10 @@
     <message>
         <source>The project names no model, model.mesh is missing</source>
         <translation>Das Projekt nennt kein Modell, model.mesh fehlt</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
     </message>
 </context>
 <context>
@@ -1809,6 +1797,65 @@
     </message>
 </context>
 <context>
+    <name>dipwright::Budgets</name>
+    <message>
+        <source>The file is larger than %1 MB; reduce it</source>
+        <translation>Die Datei ist größer als %1 MB; verkleinern Sie sie</translation>
+    </message>
+    <message>
+        <source>The model names more than %1 other files; reduce it</source>
+        <translation>Das Modell nennt mehr als %1 andere Dateien; verkleinern Sie es</translation>
+    </message>
+    <message>
+        <source>The model has more than %1 million triangles, too many for a file of its size or for any computer; reduce it</source>
+        <translation>Das Modell hat mehr als %1 Millionen Dreiecke, zu viele für eine Datei dieser Größe oder für jeden Rechner; verkleinern Sie es</translation>
+    </message>
+    <message>
+        <source>A face of the model has more than %1 corners; cut it into triangles in a modelling program</source>
+        <translation>Eine Fläche des Modells hat mehr als %1 Ecken; zerlegen Sie sie in einem Modellierprogramm in Dreiecke</translation>
+    </message>
+    <message>
+        <source>The model cannot be read: its parts hold one another more than %1 deep; join them in a modelling program</source>
+        <translation>Das Modell kann nicht gelesen werden: Seine Teile enthalten einander mehr als %1-fach; verbinden Sie sie in einem Modellierprogramm</translation>
+    </message>
+    <message>
+        <source>The model has more than %1 materials; reduce them</source>
+        <translation>Das Modell hat mehr als %1 Materialien; verringern Sie ihre Zahl</translation>
+    </message>
+    <message>
+        <source>The file would unpack to more than %1 MB, more than any of its size needs, and is not opened; ask whoever made it for another</source>
+        <translation>Die Datei ergäbe entpackt mehr als %1 MB, mehr als jede von ihrer Größe braucht, und wird nicht geöffnet; bitten Sie um eine andere</translation>
+    </message>
+    <message>
+        <source>The file holds more entries than %1 and is not opened; ask whoever made it for another</source>
+        <translation>Die Datei enthält mehr Einträge als %1 und wird nicht geöffnet; bitten Sie um eine andere</translation>
+    </message>
+    <message>
+        <source>project.json is larger than %1 MB and is not read; ask whoever made the project for another</source>
+        <translation>project.json ist größer als %1 MB und wird nicht gelesen; bitten Sie um ein anderes Projekt</translation>
+    </message>
+    <message>
+        <source>The project holds more than %1 MB that is not its own; take that out with an archive program</source>
+        <translation>Das Projekt enthält mehr als %1 MB, die nicht zu ihm gehören; entfernen Sie diese mit einem Archivprogramm</translation>
+    </message>
+    <message>
+        <source>The texture has more than %1 pixels a side; make it smaller</source>
+        <translation>Die Textur hat mehr als %1 Pixel je Seite; verkleinern Sie sie</translation>
+    </message>
+    <message>
+        <source>The textures have more than %1 million pixels together, too many for files of their size or for any sheet; make them smaller</source>
+        <translation>Die Texturen haben zusammen mehr als %1 Millionen Pixel, zu viele für Dateien ihrer Größe oder für jeden Bogen; verkleinern Sie sie</translation>
+    </message>
+    <message>
+        <source>Reading the file takes more than %1 MB of memory, more than any of its size needs; reduce it or save it anew</source>
+        <translation>Die Datei zu lesen braucht mehr als %1 MB Speicher, mehr als jede von ihrer Größe braucht; verkleinern Sie sie oder speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>Reading the file takes more than %1 seconds, more than any of its size needs; reduce it or save it anew</source>
+        <translation>Die Datei zu lesen dauert länger als %1 Sekunden, länger als jede von ihrer Größe braucht; verkleinern Sie sie oder speichern Sie sie neu</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::CalibrationDialog</name>
     <message>
         <source> mm</source>
@@ -2233,10 +2280,6 @@
         <translation>%1 geöffnet</translation>
     </message>
     <message>
-        <source>Reading the model</source>
-        <translation>Modell wird gelesen</translation>
-    </message>
-    <message>
         <source>New Project</source>
         <translation>Neues Projekt</translation>
     </message>
@@ -2422,10 +2465,6 @@
         <translation>er zählt mehr Werte, als er enthalten kann, in Zeile %1</translation>
     </message>
     <message>
-        <source>packed Collada is not read, unpack it</source>
-        <translation>gepacktes Collada wird nicht gelesen, entpacken Sie es</translation>
-    </message>
-    <message>
         <source>its array %1 has fewer values than are read</source>
         <translation>sein Array %1 hat weniger Werte, als gelesen werden</translation>
     </message>
@@ -2543,10 +2582,6 @@
         <translation>Die Textur %1 wurde neben dem Modell nicht gefunden; stattdessen wird die Farbe ihres Materials verwendet</translation>
     </message>
     <message>
-        <source>The model has more than %1 million triangles; reduce it</source>
-        <translation>Das Modell hat mehr als %1 Millionen Dreiecke; verkleinern Sie es</translation>
-    </message>
-    <message>
         <source>it ends too early</source>
         <translation>es endet zu früh</translation>
     </message>
@@ -2583,10 +2618,6 @@
         <translation>Die Farben der Punkte des Modells werden nicht verwendet; backen Sie sie in eine Textur, um sie zu drucken</translation>
     </message>
     <message>
-        <source>it has more than 65,536 materials</source>
-        <translation>es hat mehr als 65.536 Materialien</translation>
-    </message>
-    <message>
         <source>texture %1 in %2</source>
         <translation>Textur %1 in %2</translation>
     </message>
@@ -2601,10 +2632,6 @@
     <message>
         <source>it is not a 3MF package</source>
         <translation>es ist kein 3MF-Paket</translation>
-    </message>
-    <message>
-        <source>%1 in it is encrypted or too large</source>
-        <translation>%1 darin ist verschlüsselt oder zu groß</translation>
     </message>
     <message>
         <source>%1 in it is damaged</source>
@@ -2639,12 +2666,28 @@
         <translation>Das Modell hat keine Texturkoordinaten, daher lässt sich kein Bild darauf legen; wickeln Sie es erst in einem Modellierprogramm ab</translation>
     </message>
     <message>
-        <source>an object holds itself</source>
-        <translation>ein Objekt enthält sich selbst</translation>
-    </message>
-    <message>
         <source>The model cannot be read: %1; save it anew, or as %2</source>
         <translation>Das Modell kann nicht gelesen werden: %1; speichern Sie es neu oder als %2</translation>
+    </message>
+    <message>
+        <source>its format is none of those that are read</source>
+        <translation>sein Format ist keines von denen, die gelesen werden</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>die Datei kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>%1 names a picture before any material</source>
+        <translation>%1 nennt ein Bild vor jedem Material</translation>
+    </message>
+    <message>
+        <source>%1 in it is encrypted</source>
+        <translation>%1 darin ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>The model names files that do not belong to its folder, such as %1, and is not read; put them beside it, or allow it to read them (--allow-outside)</source>
+        <translation>Das Modell nennt Dateien, die nicht zu seinem Ordner gehören, etwa %1, und wird nicht gelesen; legen Sie sie daneben, oder erlauben Sie, sie zu lesen (--allow-outside)</translation>
     </message>
 </context>
 <context>
@@ -2874,8 +2917,8 @@
         <translation>Textur</translation>
     </message>
     <message>
-        <source>Choose a file: %1 …</source>
-        <translation>Wählen Sie eine Datei: %1 …</translation>
+        <source>Choose a file: %1</source>
+        <translation>Wählen Sie eine Datei: %1</translation>
     </message>
 </context>
 <context>
@@ -4238,16 +4281,16 @@ mm</translation>
         <translation>Die Textur hat keine Bildpunkte; wählen Sie ein anderes Bild</translation>
     </message>
     <message>
-        <source>The texture has %1 × %2 pixels; make it %3 pixels a side at the most</source>
-        <translation>Die Textur hat %1 × %2 Bildpunkte; machen Sie sie höchstens %3 Bildpunkte je Seite groß</translation>
-    </message>
-    <message>
         <source>The texture is not a picture that can be read; save it as PNG or JPEG</source>
         <translation>Die Textur ist kein lesbares Bild; speichern Sie sie als PNG oder JPEG</translation>
     </message>
     <message>
         <source>The texture is damaged: %1; save it anew</source>
         <translation>Die Textur ist beschädigt: %1; speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>%1, with %2 × %3 pixels</source>
+        <translation>%1, mit %2 × %3 Pixeln</translation>
     </message>
 </context>
 <context>
@@ -4309,10 +4352,6 @@ mm</translation>
     <message>
         <source>Reading the picture</source>
         <translation>Bild wird gelesen</translation>
-    </message>
-    <message>
-        <source>The picture cannot be read: %1</source>
-        <translation>Das Bild kann nicht gelesen werden: %1</translation>
     </message>
 </context>
 <context>
@@ -4818,6 +4857,24 @@ mm</translation>
     <message>
         <source>Film Wears</source>
         <translation>Film trägt</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::WindowMessages</name>
+    <message numerus="yes">
+        <source>The model names %n file(s) outside its own folder:</source>
+        <translation>
+            <numerusform>Das Modell nennt eine Datei außerhalb seines Ordners:</numerusform>
+            <numerusform>Das Modell nennt %n Dateien außerhalb seines Ordners:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Read them only if they belong to the model. A model from a stranger may name private files, so that they travel on inside the project.</source>
+        <translation>Lesen Sie sie nur, wenn sie zum Modell gehören. Ein Modell von Fremden kann private Dateien nennen, damit sie im Projekt mit weiterreisen.</translation>
+    </message>
+    <message>
+        <source>Read Them</source>
+        <translation>Lesen</translation>
     </message>
 </context>
 <context>

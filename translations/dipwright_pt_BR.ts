@@ -16,20 +16,12 @@
         <translation>O arquivo está vazio</translation>
     </message>
     <message>
-        <source>The file is too large for a project</source>
-        <translation>O arquivo é grande demais para um projeto</translation>
-    </message>
-    <message>
         <source>The file cannot be read: %1</source>
         <translation>O arquivo não pode ser lido: %1</translation>
     </message>
     <message>
         <source>This is not a Dipwright project, or the file is cut off or damaged</source>
         <translation>Isto não é um projeto do Dipwright, ou o arquivo está truncado ou danificado</translation>
-    </message>
-    <message>
-        <source>The file holds more entries than any project has</source>
-        <translation>O arquivo contém mais entradas do que qualquer projeto</translation>
     </message>
     <message>
         <source>The file is cut off or damaged</source>
@@ -46,10 +38,6 @@
     <message>
         <source>The file is encrypted, save it without a password</source>
         <translation>O arquivo está criptografado; salve-o sem senha</translation>
-    </message>
-    <message>
-        <source>The file would unpack to more than any project needs and is not opened</source>
-        <translation>O arquivo descompactado seria maior do que qualquer projeto e não foi aberto</translation>
     </message>
     <message>
         <source>The project lacks %1</source>
@@ -1042,10 +1030,6 @@
         <translation>project.json está danificado no caractere %1: %2</translation>
     </message>
     <message>
-        <source>The texture %1 cannot be read</source>
-        <translation>A textura %1 não pode ser lida</translation>
-    </message>
-    <message>
         <source>The model in the project is not the one that was saved, its sha256 differs</source>
         <translation>O modelo no projeto não é o que foi salvo; seu sha256 difere</translation>
     </message>
@@ -1064,6 +1048,10 @@
     <message>
         <source>The project names no model, model.mesh is missing</source>
         <translation>O projeto não nomeia nenhum modelo, falta model.mesh</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 em %2</translation>
     </message>
 </context>
 <context>
@@ -1809,6 +1797,65 @@
     </message>
 </context>
 <context>
+    <name>dipwright::Budgets</name>
+    <message>
+        <source>The file is larger than %1 MB; reduce it</source>
+        <translation>O arquivo é maior que %1 MB; reduza-o</translation>
+    </message>
+    <message>
+        <source>The model names more than %1 other files; reduce it</source>
+        <translation>O modelo cita mais de %1 outros arquivos; reduza-o</translation>
+    </message>
+    <message>
+        <source>The model has more than %1 million triangles, too many for a file of its size or for any computer; reduce it</source>
+        <translation>O modelo tem mais de %1 milhões de triângulos, demais para um arquivo deste tamanho ou para qualquer computador; reduza-o</translation>
+    </message>
+    <message>
+        <source>A face of the model has more than %1 corners; cut it into triangles in a modelling program</source>
+        <translation>Uma face do modelo tem mais de %1 cantos; divida-a em triângulos em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>The model cannot be read: its parts hold one another more than %1 deep; join them in a modelling program</source>
+        <translation>O modelo não pode ser lido: suas partes contêm umas às outras em mais de %1 níveis; una-as em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>The model has more than %1 materials; reduce them</source>
+        <translation>O modelo tem mais de %1 materiais; reduza-os</translation>
+    </message>
+    <message>
+        <source>The file would unpack to more than %1 MB, more than any of its size needs, and is not opened; ask whoever made it for another</source>
+        <translation>O arquivo ocuparia descompactado mais de %1 MB, mais do que qualquer um do seu tamanho precisa, e não é aberto; peça outro a quem o fez</translation>
+    </message>
+    <message>
+        <source>The file holds more entries than %1 and is not opened; ask whoever made it for another</source>
+        <translation>O arquivo contém mais entradas que %1 e não é aberto; peça outro a quem o fez</translation>
+    </message>
+    <message>
+        <source>project.json is larger than %1 MB and is not read; ask whoever made the project for another</source>
+        <translation>project.json é maior que %1 MB e não é lido; peça outro projeto a quem o fez</translation>
+    </message>
+    <message>
+        <source>The project holds more than %1 MB that is not its own; take that out with an archive program</source>
+        <translation>O projeto contém mais de %1 MB que não são seus; retire-os com um programa de arquivamento</translation>
+    </message>
+    <message>
+        <source>The texture has more than %1 pixels a side; make it smaller</source>
+        <translation>A textura tem mais de %1 pixels por lado; diminua-a</translation>
+    </message>
+    <message>
+        <source>The textures have more than %1 million pixels together, too many for files of their size or for any sheet; make them smaller</source>
+        <translation>As texturas têm juntas mais de %1 milhões de pixels, demais para arquivos do seu tamanho ou para qualquer folha; diminua-as</translation>
+    </message>
+    <message>
+        <source>Reading the file takes more than %1 MB of memory, more than any of its size needs; reduce it or save it anew</source>
+        <translation>Ler o arquivo exige mais de %1 MB de memória, mais do que qualquer um do seu tamanho precisa; reduza-o ou salve-o de novo</translation>
+    </message>
+    <message>
+        <source>Reading the file takes more than %1 seconds, more than any of its size needs; reduce it or save it anew</source>
+        <translation>Ler o arquivo leva mais de %1 segundos, mais do que qualquer um do seu tamanho precisa; reduza-o ou salve-o de novo</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::CalibrationDialog</name>
     <message>
         <source> mm</source>
@@ -2233,10 +2280,6 @@
         <translation>%1 aberto</translation>
     </message>
     <message>
-        <source>Reading the model</source>
-        <translation>Lendo o modelo</translation>
-    </message>
-    <message>
         <source>New Project</source>
         <translation>Novo projeto</translation>
     </message>
@@ -2422,10 +2465,6 @@
         <translation>ele conta mais valores do que pode conter, na linha %1</translation>
     </message>
     <message>
-        <source>packed Collada is not read, unpack it</source>
-        <translation>Collada compactado não é lido, descompacte-o</translation>
-    </message>
-    <message>
         <source>its array %1 has fewer values than are read</source>
         <translation>sua lista %1 tem menos valores do que se leem</translation>
     </message>
@@ -2543,10 +2582,6 @@
         <translation>A textura %1 não foi encontrada ao lado do modelo; usa-se a cor do material</translation>
     </message>
     <message>
-        <source>The model has more than %1 million triangles; reduce it</source>
-        <translation>O modelo tem mais de %1 milhões de triângulos; reduza-o</translation>
-    </message>
-    <message>
         <source>it ends too early</source>
         <translation>termina cedo demais</translation>
     </message>
@@ -2583,10 +2618,6 @@
         <translation>As cores dos pontos do modelo não são usadas; grave-as em uma textura para imprimi-las</translation>
     </message>
     <message>
-        <source>it has more than 65,536 materials</source>
-        <translation>tem mais de 65.536 materiais</translation>
-    </message>
-    <message>
         <source>texture %1 in %2</source>
         <translation>textura %1 em %2</translation>
     </message>
@@ -2601,10 +2632,6 @@
     <message>
         <source>it is not a 3MF package</source>
         <translation>não é um pacote 3MF</translation>
-    </message>
-    <message>
-        <source>%1 in it is encrypted or too large</source>
-        <translation>%1 nele está criptografado ou é grande demais</translation>
     </message>
     <message>
         <source>%1 in it is damaged</source>
@@ -2639,12 +2666,28 @@
         <translation>O modelo não tem coordenadas de textura, portanto nenhuma imagem pode ser posta nele; planifique-o antes em um programa de modelagem</translation>
     </message>
     <message>
-        <source>an object holds itself</source>
-        <translation>um objeto contém a si mesmo</translation>
-    </message>
-    <message>
         <source>The model cannot be read: %1; save it anew, or as %2</source>
         <translation>O modelo não pode ser lido: %1; salve-o de novo ou como %2</translation>
+    </message>
+    <message>
+        <source>its format is none of those that are read</source>
+        <translation>seu formato não é nenhum dos que são lidos</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>o arquivo não pode ser aberto</translation>
+    </message>
+    <message>
+        <source>%1 names a picture before any material</source>
+        <translation>%1 cita uma imagem antes de qualquer material</translation>
+    </message>
+    <message>
+        <source>%1 in it is encrypted</source>
+        <translation>%1 nele está criptografado</translation>
+    </message>
+    <message>
+        <source>The model names files that do not belong to its folder, such as %1, and is not read; put them beside it, or allow it to read them (--allow-outside)</source>
+        <translation>O modelo cita arquivos que não pertencem à sua pasta, como %1, e não é lido; coloque-os ao lado dele ou permita que sejam lidos (--allow-outside)</translation>
     </message>
 </context>
 <context>
@@ -2874,8 +2917,8 @@
         <translation>Textura</translation>
     </message>
     <message>
-        <source>Choose a file: %1 …</source>
-        <translation>Escolha um arquivo: %1…</translation>
+        <source>Choose a file: %1</source>
+        <translation>Escolha um arquivo: %1</translation>
     </message>
 </context>
 <context>
@@ -4238,16 +4281,16 @@ mm</translation>
         <translation>A textura não tem pixels; escolha outra imagem</translation>
     </message>
     <message>
-        <source>The texture has %1 × %2 pixels; make it %3 pixels a side at the most</source>
-        <translation>A textura tem %1 × %2 pixels; use no máximo %3 pixels por lado</translation>
-    </message>
-    <message>
         <source>The texture is not a picture that can be read; save it as PNG or JPEG</source>
         <translation>A textura não é uma imagem legível; salve-a como PNG ou JPEG</translation>
     </message>
     <message>
         <source>The texture is damaged: %1; save it anew</source>
         <translation>A textura está danificada: %1; salve-a de novo</translation>
+    </message>
+    <message>
+        <source>%1, with %2 × %3 pixels</source>
+        <translation>%1, com %2 × %3 pixels</translation>
     </message>
 </context>
 <context>
@@ -4309,10 +4352,6 @@ mm</translation>
     <message>
         <source>Reading the picture</source>
         <translation>Lendo a imagem</translation>
-    </message>
-    <message>
-        <source>The picture cannot be read: %1</source>
-        <translation>A imagem não pode ser lida: %1</translation>
     </message>
 </context>
 <context>
@@ -4818,6 +4857,24 @@ mm</translation>
     <message>
         <source>Film Wears</source>
         <translation>Filme veste</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::WindowMessages</name>
+    <message numerus="yes">
+        <source>The model names %n file(s) outside its own folder:</source>
+        <translation>
+            <numerusform>O modelo cita um arquivo fora da sua pasta:</numerusform>
+            <numerusform>O modelo cita %n arquivos fora da sua pasta:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Read them only if they belong to the model. A model from a stranger may name private files, so that they travel on inside the project.</source>
+        <translation>Leia-os apenas se pertencerem ao modelo. Um modelo de um desconhecido pode citar arquivos privados, para que sigam viagem dentro do projeto.</translation>
+    </message>
+    <message>
+        <source>Read Them</source>
+        <translation>Ler</translation>
     </message>
 </context>
 <context>

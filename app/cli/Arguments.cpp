@@ -1,9 +1,8 @@
 #include "cli/Arguments.h"
 
 #include "base/Error.h"
+#include "import/ReadPictures.h"
 #include "project/ProjectStore.h"
-
-#include <QImageReader>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +13,6 @@ namespace {
 const QString setOption = QStringLiteral("set");
 const QString threadsOption = QStringLiteral("threads");
 const QString filmImageOption = QStringLiteral("film-image");
-constexpr int mostPictureMegabytes = 4096;
 constexpr int mostThreads = 1024;
 
 struct Setting {
@@ -32,18 +30,6 @@ Setting parsedSetting(const QString& text) {
             QStringLiteral("--set %1").arg(text));
     }
     return {text.left(equals).trimmed(), text.mid(equals + 1).trimmed()};
-}
-
-QImage readPicture(const QString& path) {
-    QImageReader::setAllocationLimit(mostPictureMegabytes);
-    QImageReader reader(path);
-    reader.setDecideFormatFromContent(true);
-    QImage picture = reader.read();
-    if (picture.isNull()) {
-        throw Error(QStringLiteral("The picture cannot be read: %1").arg(reader.errorString()),
-                    path);
-    }
-    return picture;
 }
 
 [[noreturn]] void throwTooMany(const QString& argument) {
@@ -167,7 +153,7 @@ void applyFilmImage(JobOptions& options, const QCommandLineParser& parser) {
     const QString picture = parser.value(filmImageOption);
     options.chessboard = picture == QLatin1String("chessboard");
     if (!picture.isEmpty() && !options.chessboard) {
-        options.filmImage = readPicture(picture);
+        options.filmImage = readPictureFile(picture);
     }
 }
 

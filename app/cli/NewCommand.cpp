@@ -1,6 +1,6 @@
 #include "cli/Arguments.h"
 
-#include "model/ImportModel.h"
+#include "import/ImportModel.h"
 #include "model/ModelFormats.h"
 #include "project/ProjectStore.h"
 
@@ -14,6 +14,7 @@ constexpr int mostImmersions = 2;
 
 const QString modelOption = QStringLiteral("model");
 const QString textureOption = QStringLiteral("texture");
+const QString outsideOption = QStringLiteral("allow-outside");
 const QString sizeOption = QStringLiteral("size-mm");
 const QString presetOption = QStringLiteral("preset");
 const QString immersionOption = QStringLiteral("immersion");
@@ -65,6 +66,7 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
     const QString path = parser.value(modelOption);
     ImportOptions options;
     options.texture = parser.value(textureOption);
+    options.allowOutside = parser.isSet(outsideOption);
     if (parser.isSet(sizeOption)) {
         options.longestEdge = Millimetres(numberOption(parser, sizeOption, 0.1, 10'000));
     }
@@ -98,10 +100,13 @@ public:
         parser.addPositionalArgument(
             QStringLiteral("OUT.dipw"),
             QStringLiteral("The project to write. A file of that name is replaced."));
-        parser.addOption({modelOption, QStringLiteral("The model: %1 …").arg(modelFormatNames()),
+        parser.addOption({modelOption, QStringLiteral("The model: %1.").arg(modelFormatNames()),
                           QStringLiteral("FILE")});
         parser.addOption({textureOption, QStringLiteral("A picture in place of the model's own."),
                           QStringLiteral("FILE")});
+        parser.addOption(
+            {outsideOption, QStringLiteral("Reads files that the model names outside its folder, "
+                                           "too. Without it such a model is refused.")});
         parser.addOption({sizeOption,
                           QStringLiteral("Scales the longest edge of the bounding box to N mm. "
                                          "Without it one unit of the file is one millimetre."),

@@ -1,4 +1,4 @@
-// Putting an imported mesh right. Private to this folder.
+// Putting an imported mesh right.
 #pragma once
 
 #include "model/TexturedMesh.h"

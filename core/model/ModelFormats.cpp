@@ -26,8 +26,21 @@ const std::vector<ModelFormat>& modelFormats() {
         {QStringLiteral("PLY"), {QStringLiteral("ply")}},
         {QStringLiteral("STL"), {QStringLiteral("stl")}},
         {QStringLiteral("glTF"), {QStringLiteral("gltf"), QStringLiteral("glb")}},
-        {QStringLiteral("3MF"), {QStringLiteral("3mf")}}};
+        {QStringLiteral("3MF"), {QStringLiteral("3mf")}},
+        {QStringLiteral("Collada"), {QStringLiteral("dae")}},
+        {QStringLiteral("FBX"), {QStringLiteral("fbx")}},
+        {QStringLiteral("3DS"), {QStringLiteral("3ds")}}};
     return formats;
+}
+
+QStringList modelFilePatterns() {
+    QStringList patterns;
+    for (const ModelFormat& format : modelFormats()) {
+        for (const QString& suffix : format.suffixes) {
+            patterns.push_back(QStringLiteral("*.%1").arg(suffix));
+        }
+    }
+    return patterns;
 }
 
 QString modelFormatNames() {

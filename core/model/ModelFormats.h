@@ -1,5 +1,4 @@
-// The formats of models that are read for certain, and that texts and dialogs name; assimp reads
-// others too. Reentrant.
+// The formats of models that are read, all of them: texts and dialogs name these. Reentrant.
 #pragma once
 
 #include <QString>
@@ -15,7 +14,10 @@ struct ModelFormat {
 // In the order in which they are named.
 const std::vector<ModelFormat>& modelFormats();
 
-// "OBJ, PLY, STL", all of them, for a list that goes on.
+// The file filters for dialogs: "*.obj", "*.ply" …
+QStringList modelFilePatterns();
+
+// "OBJ, PLY, STL", all of them.
 QString modelFormatNames();
 // "OBJ, PLY or STL", all of them, in the user's language.
 QString anyModelFormat();

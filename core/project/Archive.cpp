@@ -1,5 +1,6 @@
 #include "project/Archive.h"
 
+#include "base/Budgets.h"
 #include "base/Error.h"
 
 #include <QCoreApplication>
@@ -15,6 +16,7 @@ struct Text {
 };
 
 constexpr quint16 encryptedFlag = 1;
+constexpr quint64 largestSize = quint64(1) << 40; // that can be added up; more than any
 
 bool isSafeName(const QString& name) {
     if (name.isEmpty() || name.startsWith(QLatin1Char('/')) || name.contains(QLatin1Char('\\')) ||
@@ -23,13 +25,6 @@ bool isSafeName(const QString& name) {
     }
     const QStringList parts = name.split(QLatin1Char('/'));
     return !parts.contains(QStringLiteral("..")) && !parts.contains(QStringLiteral("."));
-}
-
-bool isBomb(const QuaZipFileInfo64& entry) {
-    const auto unpacked = qint64(entry.uncompressedSize);
-    const auto packed = qint64(entry.compressedSize);
-    return unpacked < 0 || packed < 0 ||
-           (unpacked > harmlessBytes && unpacked / maximumPackingRatio > packed);
 }
 
 } // namespace
@@ -45,9 +40,7 @@ ArchiveReader::ArchiveReader(const QString& path) : path_(path), file_(path) {
     if (info.size() == 0) {
         throw Error(Text::tr("The file is empty"), path);
     }
-    if (info.size() > maximumFileBytes) {
-        throw Error(Text::tr("The file is too large for a project"), path);
-    }
+    requireWithin(Budget::FileBytes, info.size(), path);
     if (!file_.open(QIODevice::ReadOnly)) {
         throw Error(Text::tr("The file cannot be read: %1").arg(file_.errorString()), path);
     }
@@ -66,9 +59,7 @@ ArchiveReader::~ArchiveReader() {
 }
 
 void ArchiveReader::judgeDirectory() {
-    if (zip_->getEntriesCount() > maximumEntries) {
-        throw Error(Text::tr("The file holds more entries than any project has"), path_);
-    }
+    requireWithin(Budget::Entries, zip_->getEntriesCount(), path_);
     const QList<QuaZipFileInfo64> entries = zip_->getFileInfoList64();
     if (entries.isEmpty() || entries.size() != zip_->getEntriesCount()) {
         throw Error(Text::tr("The file is cut off or damaged"), path_);
@@ -85,12 +76,8 @@ void ArchiveReader::judgeDirectory() {
         if ((entry.flags & encryptedFlag) != 0) {
             throw Error(Text::tr("The file is encrypted, save it without a password"), path_);
         }
-        unpacked += qint64(entry.uncompressedSize);
-        if (isBomb(entry) || unpacked > maximumUnpackedBytes) {
-            throw Error(Text::tr("The file would unpack to more than any project needs and is not "
-                                 "opened"),
-                        path_);
-        }
+        unpacked += qint64(std::min(entry.uncompressedSize, largestSize));
+        requireWithin(Budget::UnpackedBytes, unpacked, path_, file_.size());
         names_.insert(entry.name);
     }
 }

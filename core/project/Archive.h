@@ -12,16 +12,9 @@ class QuaZip;
 
 namespace dipwright {
 
-// What a project file may hold when unpacked. Far above any real project, far below what hurts.
-inline constexpr qint64 maximumFileBytes = qint64(4) << 30;
-inline constexpr qint64 maximumUnpackedBytes = qint64(4) << 30;
-inline constexpr int maximumEntries = 10'000;
-inline constexpr qint64 maximumPackingRatio = 200; // of entries larger than `harmlessBytes`
-inline constexpr qint64 harmlessBytes = qint64(16) << 20;
-
 // A zip to read from. All of the directory is judged before anything is unpacked: the constructor
 // throws Error for a file that is missing, empty, truncated, not a zip, encrypted, has unsafe or
-// repeated names, or would be too large when unpacked.
+// repeated names, or is or would be larger than Budgets.h allows.
 class ArchiveReader {
 public:
     explicit ArchiveReader(const QString& path);

@@ -1,9 +1,11 @@
 #include "project/ProjectStore.h"
 
+#include "base/Budgets.h"
 #include "base/Bytes.h"
 #include "base/Error.h"
 #include "base/Png.h"
-#include "model/ImportModel.h"
+#include "import/ReadPictures.h"
+#include "model/StoredModel.h"
 #include "project/Archive.h"
 
 #include <QCoreApplication>
@@ -84,8 +86,10 @@ QJsonObject readDocument(ArchiveReader& archive, const QString& path) {
     if (!archive.contains(documentEntry)) {
         throw Error(Text::tr("This is not a Dipwright project, it holds no project.json"), path);
     }
+    const QByteArray bytes = archive.read(documentEntry);
+    requireWithin(Budget::DocumentBytes, bytes.size(), path);
     QJsonParseError error;
-    const auto document = QJsonDocument::fromJson(archive.read(documentEntry), &error);
+    const auto document = QJsonDocument::fromJson(bytes, &error);
     if (document.isArray()) {
         throw Error(Text::tr("project.json holds a list where a project should be"), path);
     }
@@ -96,14 +100,6 @@ QJsonObject readDocument(ArchiveReader& archive, const QString& path) {
                     path);
     }
     return document.object();
-}
-
-QImage readTexture(ArchiveReader& archive, const QString& entry, const QString& path) {
-    const QImage image = QImage::fromData(archive.read(entry), "PNG");
-    if (image.isNull()) {
-        throw Error(Text::tr("The texture %1 cannot be read").arg(entry), path);
-    }
-    return image.convertToFormat(QImage::Format_RGBA8888);
 }
 
 // "texture" is the first; "textures", all of them, is there for models of several.
@@ -120,6 +116,21 @@ QJsonArray textureNames(const QJsonObject& model) {
     return names;
 }
 
+// What several textures share is unpacked once.
+std::vector<PackedPicture> packedPictures(ArchiveReader& archive, const QJsonArray& names,
+                                          const QString& path) {
+    std::map<QString, QByteArray> unpacked;
+    std::vector<PackedPicture> pictures;
+    for (const auto& entry : names) {
+        const QString name = entry.toString();
+        if (!unpacked.contains(name)) {
+            unpacked.emplace(name, archive.read(name));
+        }
+        pictures.push_back({unpacked.at(name), Text::tr("%1 in %2").arg(name, path)});
+    }
+    return pictures;
+}
+
 std::shared_ptr<const TexturedMesh> readAssets(ArchiveReader& archive, const QJsonObject& json,
                                                const QString& path) {
     const QJsonObject entries = json.value(QLatin1String("model")).toObject();
@@ -133,22 +144,21 @@ std::shared_ptr<const TexturedMesh> readAssets(ArchiveReader& archive, const QJs
                              "differs"),
                     path);
     }
-    auto model = std::make_shared<TexturedMesh>(readModel(mesh, path));
+    StoredModel stored = readModel(mesh, path); // its own pictures only hold their places
     const QJsonArray textures = textureNames(entries);
-    if (std::size_t(textures.size()) != model->textures.size()) {
+    if (std::size_t(textures.size()) != stored.pictures.size()) {
         throw Error(Text::tr("The project lists %1 textures and its model needs %2")
                         .arg(textures.size())
-                        .arg(model->textures.size()),
+                        .arg(stored.pictures.size()),
                     path);
     }
-    for (std::size_t index = 0; index < model->textures.size(); ++index) {
-        model->textures[index] = readTexture(archive, textures.at(int(index)).toString(), path);
-    }
-    return model;
+    stored.model.textures = readPictures(packedPictures(archive, textures, path));
+    return std::make_shared<TexturedMesh>(std::move(stored.model));
 }
 
 // All that is neither the document nor an asset that it names.
-std::map<QString, QByteArray> readOthers(ArchiveReader& archive, const QJsonObject& json) {
+std::map<QString, QByteArray> readOthers(ArchiveReader& archive, const QJsonObject& json,
+                                         const QString& path) {
     const QJsonObject model = json.value(QLatin1String("model")).toObject();
     QSet<QString> others = archive.names();
     others -= {mimeEntry, documentEntry, model.value(QLatin1String("mesh")).toString()};
@@ -156,9 +166,11 @@ std::map<QString, QByteArray> readOthers(ArchiveReader& archive, const QJsonObje
         others.remove(texture.toString());
     }
     std::map<QString, QByteArray> entries;
+    qint64 total = 0;
     for (const QString& name : others) {
         if (!name.endsWith(QLatin1Char('/'))) { // a folder
-            entries.emplace(name, archive.read(name));
+            total += entries.emplace(name, archive.read(name)).first->second.size();
+            requireWithin(Budget::OtherBytes, total, path);
         }
     }
     return entries;
@@ -171,7 +183,7 @@ Project loadProject(const QString& path) {
     const QJsonObject json = readDocument(archive, path);
     Project project = fromJson(json, path);
     project.model = readAssets(archive, json, path);
-    project.unknownEntries = readOthers(archive, json);
+    project.unknownEntries = readOthers(archive, json, path);
     return project;
 }
 

@@ -61,7 +61,7 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
     setWindowTitle(tr("New Project"));
     setObjectName(QStringLiteral("newProjectDialog"));
     setMinimumWidth(540);
-    model_->setPlaceholderText(tr("Choose a file: %1 …").arg(modelFormatNames()));
+    model_->setPlaceholderText(tr("Choose a file: %1").arg(modelFormatNames()));
     model_->setAccessibleName(tr("Model"));
     texture_->setAccessibleName(tr("Texture"));
     model_->setToolTip(tr("The file of the body that is to be dipped."));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/Preferences.h"
-#include "model/ImportModel.h"
+#include "import/ImportModel.h"
 #include "project/Project.h"
 
 #include <QDialog>

@@ -5,7 +5,7 @@
 #include "document/RecentProjects.h"
 #include "main/WindowActions.h"
 #include "main/Workbench.h"
-#include "model/ImportModel.h"
+#include "model/ModelFormats.h"
 #include "project/ProjectStore.h"
 
 #include <QDir>

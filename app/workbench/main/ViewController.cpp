@@ -1,7 +1,7 @@
 #include "main/ViewController.h"
 
-#include "base/Error.h"
 #include "dialogs/NewProjectDialog.h"
+#include "import/ReadPictures.h"
 #include "main/WindowActions.h"
 #include "panels/StretchPanel.h"
 #include "session/StartJob.h"
@@ -9,7 +9,6 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QFileDialog>
-#include <QImageReader>
 
 namespace dipwright {
 
@@ -67,14 +66,7 @@ void ViewController::setFilmLook(FilmLook look) {
 void ViewController::wearPicture(const QString& path) {
     startJob(
         jobs_, messages_, tr("Reading the picture"), tr("Picture on the Film"),
-        [path](const Progress&) {
-            QImageReader reader(path);
-            QImage picture = reader.read();
-            if (picture.isNull()) {
-                throw Error(tr("The picture cannot be read: %1").arg(reader.errorString()), path);
-            }
-            return picture;
-        },
+        [path](const Progress&) { return readPictureFile(path); },
         [this](const QImage& picture) { scene_.setFilmLook(FilmLook::Picture, picture); });
 }
 

@@ -5,8 +5,10 @@
 #include "panels/NoticeBar.h"
 #include "session/Messages.h"
 
+#include <QDir>
 #include <QMainWindow>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QStatusBar>
 
 namespace dipwright {
@@ -18,12 +20,40 @@ WindowMessages::WindowMessages(const Messages& messages, const WindowParts& part
     connect(&messages, &Messages::said, window.statusBar(), &QStatusBar::showMessage);
     connect(&messages, &Messages::noticed, parts.notice, &NoticeBar::say);
     connect(&messages, &Messages::failed, this, &WindowMessages::showFailure);
+    connect(&messages, &Messages::askedToRead, this, &WindowMessages::askToRead);
 }
 
 void WindowMessages::showFailure(const QString& title, const QString& sentence) {
     auto* box = new QMessageBox(QMessageBox::Critical, title, sentence, QMessageBox::Ok, &window_);
     box->setObjectName(QStringLiteral("failure"));
     box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+void WindowMessages::askToRead(const QString& title, const QStringList& files,
+                               const std::function<void()>& allowed) {
+    constexpr qsizetype mostShown = 8;
+    QStringList shown;
+    for (const QString& file : files.first(std::min(files.size(), mostShown))) {
+        shown << QDir::toNativeSeparators(file);
+    }
+    if (files.size() > mostShown) {
+        shown << QStringLiteral("…");
+    }
+    auto* box = new QMessageBox(
+        QMessageBox::Warning, title,
+        tr("The model names %n file(s) outside its own folder:", nullptr, int(files.size())) +
+            QStringLiteral("\n\n") + shown.join(u'\n'),
+        QMessageBox::Cancel, &window_);
+    box->setTextFormat(Qt::PlainText); // names of files are not ours
+    box->setInformativeText(
+        tr("Read them only if they belong to the model. A model from a stranger may name "
+           "private files, so that they travel on inside the project."));
+    box->setObjectName(QStringLiteral("outsideQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    const QPushButton* read = box->addButton(tr("Read Them"), QMessageBox::AcceptRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    connect(read, &QPushButton::clicked, this, allowed);
     box->open();
 }
 

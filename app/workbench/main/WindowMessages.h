@@ -1,8 +1,9 @@
 // Shows what the work of a window tells its user: in the log, in the status bar, in the bar over
-// the view, and what has failed in a box.
+// the view, and what has failed or is to be decided in a box.
 #pragma once
 
 #include <QObject>
+#include <functional>
 
 class QMainWindow;
 
@@ -19,6 +20,8 @@ public:
 
 private:
     void showFailure(const QString& title, const QString& sentence);
+    void askToRead(const QString& title, const QStringList& files,
+                   const std::function<void()>& allowed);
 
     QMainWindow& window_;
 };

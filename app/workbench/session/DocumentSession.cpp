@@ -77,23 +77,19 @@ void DocumentSession::openCopy(const QString& path) {
 
 void DocumentSession::importModel(const QString& path, const ImportOptions& options,
                                   const std::function<void(Project&)>& complete) {
-    startJob(
-        jobs_, messages_, tr("Reading the model"), tr("New Project"),
-        [path, options](const Progress& progress) {
-            return dipwright::importModel(path, options, progress);
-        },
-        [this, path, options, complete](const ImportedModel& imported) {
-            logImport(imported, messages_);
-            Project project = newProject(imported, path, options);
-            if (complete) {
-                complete(project);
-            }
-            DocumentSession& shown = vacant();
-            shown.take(std::make_unique<Document>(project));
-            if (const auto length = doubtfulLength(project.model->mesh)) {
-                emit shown.lengthDoubted(*length);
-            }
-        });
+    startImport(path, options, tr("New Project"), jobs_, messages_,
+                [this, path, options, complete](const ImportedModel& imported) {
+                    logImport(imported, messages_);
+                    Project project = newProject(imported, path, options);
+                    if (complete) {
+                        complete(project);
+                    }
+                    DocumentSession& shown = vacant();
+                    shown.take(std::make_unique<Document>(project));
+                    if (const auto length = doubtfulLength(project.model->mesh)) {
+                        emit shown.lengthDoubted(*length);
+                    }
+                });
 }
 
 bool DocumentSession::lockOrAsk(Document& document) {

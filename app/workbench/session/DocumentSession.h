@@ -5,8 +5,8 @@
 
 #include "document/Document.h"
 #include "document/Recovery.h"
+#include "import/ImportModel.h"
 #include "jobs/JobRunner.h"
-#include "model/ImportModel.h"
 #include "session/Messages.h"
 
 namespace dipwright {

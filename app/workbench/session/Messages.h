@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 #include <exception>
+#include <functional>
 
 namespace dipwright {
 
@@ -23,12 +25,19 @@ public:
     void logAndSay(const QString& sentence);
     void notice(const QString& text) { emit noticed(text); }
     void fail(const QString& title, const std::exception_ptr& failure);
+    // Whether these files, which a model names, may be read; `allowed` is called if so, later.
+    void askToRead(const QString& title, const QStringList& files,
+                   const std::function<void()>& allowed) {
+        emit askedToRead(title, files, allowed);
+    }
 
 signals:
     void logged(const QString& line); // kept, for who looks it up
     void said(const QString& sentence, int milliseconds);
     void noticed(const QString& text); // to be read and closed; empty: the last one is over
     void failed(const QString& title, const QString& sentence);
+    void askedToRead(const QString& title, const QStringList& files,
+                     const std::function<void()>& allowed);
 };
 
 } // namespace dipwright

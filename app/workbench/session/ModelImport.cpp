@@ -12,10 +12,6 @@ namespace {
 
 enum class Pose { Kept, Reset };
 
-QString readingTheModel() {
-    return QCoreApplication::translate("ModelImport", "Reading the model");
-}
-
 void exchangeModel(Project& project, const TexturedMesh& model, const QString& source,
                    const QString& texture) {
     project.model = std::make_shared<const TexturedMesh>(model);
@@ -34,9 +30,8 @@ void importInto(Document& document, const QString& path, const QString& texture,
         options.longestEdge =
             Millimetres(double(boundingBox(document.project().model->mesh).sizes().maxCoeff()));
     }
-    startJob(
-        jobs, messages, readingTheModel(), undoText,
-        [path, options](const Progress& progress) { return importModel(path, options, progress); },
+    startImport(
+        path, options, undoText, jobs, messages,
         [&document, &messages, path, texture, pose, undoText](const ImportedModel& imported) {
             logImport(imported, messages);
             document.edit(undoText, {}, [&](Project& project) {
@@ -75,6 +70,28 @@ std::optional<double> doubtfulLength(const TriangleMesh& mesh) {
     constexpr double smallest = 5, largest = 3000; // mm, of what is dipped
     const double longest = double(boundingBox(mesh).sizes().maxCoeff());
     return longest < smallest || longest > largest ? std::optional(longest) : std::nullopt;
+}
+
+void startImport(const QString& path, const ImportOptions& options, const QString& failureTitle,
+                 JobRunner& jobs, Messages& messages,
+                 const std::function<void(const ImportedModel&)>& done) {
+    const auto failed = [=, &jobs, &messages](const std::exception_ptr& failure) {
+        try {
+            std::rethrow_exception(failure);
+        } catch (const OutsideFiles& outside) {
+            ImportOptions again = options;
+            again.outsideFiles += outside.files();
+            messages.askToRead(failureTitle, outside.files(), [=, &jobs, &messages] {
+                startImport(path, again, failureTitle, jobs, messages, done);
+            });
+        } catch (...) {
+            messages.fail(failureTitle, failure);
+        }
+    };
+    jobs.start(std::make_unique<ValueJob<ImportedModel>>(
+        QCoreApplication::translate("ModelImport", "Reading the model"),
+        [path, options](const Progress& progress) { return importModel(path, options, progress); },
+        done, failed));
 }
 
 void reloadModel(Document& document, JobRunner& jobs, Messages& messages) {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "document/Document.h"
+#include "import/ImportModel.h"
 #include "jobs/JobRunner.h"
-#include "model/ImportModel.h"
 #include "session/Messages.h"
 
 namespace dipwright {
@@ -17,6 +17,12 @@ void logImport(const ImportedModel& imported, Messages& messages);
 // How long the body is, mm, if it is longer or shorter than what is ever dipped: files often do not
 // say in which unit they are.
 std::optional<double> doubtfulLength(const TriangleMesh& mesh);
+
+// Reads a model; `done` takes it on the UI thread. Files outside the model's folder are asked for
+// first. `failureTitle` stands over what went wrong. Jobs and messages must live until then.
+void startImport(const QString& path, const ImportOptions& options, const QString& failureTitle,
+                 JobRunner& jobs, Messages& messages,
+                 const std::function<void(const ImportedModel&)>& done);
 
 // The document must live as long as `jobs` has this to do.
 void reloadModel(Document& document, JobRunner& jobs, Messages& messages); // keeps all settings

@@ -3,7 +3,7 @@
 #include "ObjFile.h"
 #include "Samples.h"
 #include "base/Error.h"
-#include "model/ImportModel.h"
+#include "import/ImportModel.h"
 #include "project/ProjectStore.h"
 
 #include <QDir>

@@ -66,6 +66,9 @@ private slots:
         writeFile(path("text.png"), "this is no picture");
         writeFile(path("none.png"), pngClaiming(0, 0));
         writeFile(path("vast.png"), pngClaiming(100'000, 100'000));
+        QVERIFY(QDir(folder_.path()).mkpath("deep"));
+        writeFile(path("deep/outside.obj"),
+                  bytesOf(path("ball.obj")).replace("mtllib ", "mtllib ../"));
         const QByteArray project = bytesOf(path("ball.dipw"));
         writeFile(path("empty.dipw"), {});
         writeFile(path("cut.dipw"), project.left(project.size() / 2));
@@ -116,6 +119,8 @@ private slots:
                                   "points.obj", "nan.obj", "flat.obj"}) {
             QTest::newRow(model) << QStringList{"new", path("out"), "--model", path(model)};
         }
+        QTest::newRow("a file outside")
+            << QStringList{"new", path("out"), "--model", path("deep/outside.obj")};
         for (const char* texture :
              {"missing.png", "empty.png", "text.png", "none.png", "vast.png"}) {
             QTest::newRow(texture) << newWith({"--texture", path(texture)});
@@ -138,6 +143,13 @@ private slots:
         QTest::newRow("out is below a file") << QStringList{"run", job, "--out", path("file/out")};
     }
     void failureIsOne() { refused(1); }
+
+    void filesOutsideAreReadWhereThatIsAllowed() {
+        const Outcome outcome = cli(
+            {"new", path("allowed.dipw"), "--model", path("deep/outside.obj"), "--allow-outside"});
+        QVERIFY2(outcome.exitCode == 0, outcome.err);
+        QVERIFY(QFile::remove(path("allowed.dipw")));
+    }
 
 #ifdef Q_OS_UNIX
     // The file size limit stands for a full disk: a write fails in the middle of a file.

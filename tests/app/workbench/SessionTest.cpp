@@ -245,6 +245,44 @@ private slots:
         QVERIFY(document.project().model == before);
     }
 
+    void filesOutsideTheModelsFolderAreAskedFor() {
+        SessionHost host(recovery());
+        const QString model = writeModel(*folder_, 80);
+        QVERIFY(QDir(folder_->path()).mkdir("in"));
+        QFile picture(folder_->filePath("key.png"));
+        QVERIFY(picture.open(QIODevice::WriteOnly));
+        picture.close();
+        QImage(2, 2, QImage::Format_RGB32).save(picture.fileName());
+        QFile names(folder_->filePath("in/names.mtl"));
+        QVERIFY(names.open(QIODevice::WriteOnly));
+        names.write("newmtl a\nmap_Kd ../key.png\n");
+        names.close();
+        QFile text(model);
+        QVERIFY(text.open(QIODevice::ReadOnly));
+        QFile naming(folder_->filePath("in/names.obj"));
+        QVERIFY(naming.open(QIODevice::WriteOnly));
+        naming.write("mtllib names.mtl\nusemtl a\n" + text.readAll());
+        naming.close();
+
+        QStringList asked;
+        std::function<void()> allow;
+        connect(
+            &host.messages, &Messages::askedToRead, this,
+            [&](const QString&, const QStringList& files, const std::function<void()>& allowed) {
+                asked = files;
+                allow = allowed;
+            });
+        host.session.importModel(naming.fileName(), {});
+        QVERIFY(host.waitUntilIdle());
+        QVERIFY(!host.session.document());
+        QCOMPARE(asked.size(), 1);
+        QCOMPARE(QFileInfo(asked.first()).canonicalFilePath(),
+                 QFileInfo(picture.fileName()).canonicalFilePath());
+        allow();
+        QVERIFY(host.waitUntilIdle());
+        QVERIFY(host.session.document());
+    }
+
     void aChangeRunsAgainOnceThereIsAResult() {
         Document document(boxProject());
         LiveRun live;

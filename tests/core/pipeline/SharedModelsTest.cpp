@@ -1,6 +1,6 @@
 // Needs models that are not in the repository: those in ../shared beside it. Without them its cases
 // are skipped, and scripts/test counts them.
-#include "model/ImportModel.h"
+#include "import/ImportModel.h"
 #include "pipeline/SheetCertainty.h"
 
 #include <QDir>

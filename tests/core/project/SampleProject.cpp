@@ -1,7 +1,7 @@
 #include "SampleProject.h"
 
 #include "geometry/Shapes.h"
-#include "model/ImportModel.h"
+#include "model/StoredModel.h"
 
 namespace dipwright::test {
 namespace {

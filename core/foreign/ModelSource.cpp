@@ -1,8 +1,8 @@
-#include "model/ModelSource.h"
+#include "foreign/ModelSource.h"
 
+#include "base/Budgets.h"
 #include "base/Error.h"
 #include "model/ModelFormats.h"
-#include "model/Texture.h"
 
 #include <QCoreApplication>
 
@@ -17,15 +17,14 @@ struct Text {
 } // namespace
 
 QImage ModelSource::readPicture(const QString& name, QStringList& warnings) const {
-    const QString found = folder.find(name);
-    const auto bytes = found.isEmpty() ? std::nullopt : readFile(found);
-    if (!bytes) {
+    const auto found = files.read(name);
+    if (!found) {
         warnings.push_back(Text::tr("The texture %1 was not found beside the model; its material's "
                                     "colour is used instead")
                                .arg(name));
         return QImage();
     }
-    return readTexture(*bytes, found);
+    return pictures.read(*found, Text::tr("texture %1 in %2").arg(name, path));
 }
 
 void ModelSource::throwDamaged(const QString& reason) const {
@@ -35,11 +34,7 @@ void ModelSource::throwDamaged(const QString& reason) const {
 }
 
 void ModelSource::checkTriangleCount(std::size_t count) const {
-    if (count > maximumModelTriangles) {
-        throw Error(Text::tr("The model has more than %1 million triangles; reduce it")
-                        .arg(maximumModelTriangles / 1'000'000),
-                    path);
-    }
+    requireWithin(Budget::Triangles, qint64(count), path, files.bytesRead());
 }
 
 } // namespace dipwright

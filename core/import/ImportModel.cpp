@@ -1,25 +1,13 @@
-#include "model/ImportModel.h"
+#include "import/ImportModel.h"
 
-#include "base/Error.h"
-#include "model/ColladaCheck.h"
+#include "foreign/ForeignModel.h"
+#include "import/ModelFolder.h"
+#include "import/ReadPictures.h"
 #include "model/MeshRepair.h"
-#include "model/ModelFolder.h"
-#include "model/ModelFormats.h"
-#include "model/ModelSource.h"
-#include "model/PlyReader.h"
-#include "model/SceneConversion.h"
-#include "model/Texture.h"
-#include "model/ThreeMfReader.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
-
-#include <assimp/BaseImporter.h>
-#include <assimp/Importer.hpp>
-#include <assimp/MemoryIOWrapper.h>
-#include <assimp/ProgressHandler.hpp>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 
 #include <cmath>
 
@@ -30,75 +18,6 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
 };
-
-// A file in memory, as assimp reads it.
-class FileStream : public Assimp::MemoryIOStream {
-public:
-    explicit FileStream(QByteArray bytes)
-        : MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes.constData()),
-                         std::size_t(bytes.size())),
-          bytes_(std::move(bytes)) {}
-
-private:
-    QByteArray bytes_; // shares its data with the one given
-};
-
-// Lets assimp read through Qt, so that paths of every language work on every system, finds the
-// files that the model names as ModelFolder does, and remembers those that are missing.
-class ModelFileSystem : public Assimp::IOSystem {
-public:
-    explicit ModelFileSystem(const QString& path, const ModelFolder& folder)
-        : path_(path), folder_(folder) {}
-
-    bool Exists(const char* name) const override { return !resolve(name).isEmpty(); }
-    char getOsSeparator() const override { return '/'; }
-    Assimp::IOStream* Open(const char* name, const char* /*mode*/) override {
-        const QString path = resolve(name);
-        auto bytes = path.isEmpty() ? std::nullopt : readFile(path);
-        if (!bytes) {
-            remember(QFileInfo(QString::fromUtf8(name)).fileName());
-            return nullptr;
-        }
-        return new FileStream(std::move(*bytes));
-    }
-    void Close(Assimp::IOStream* stream) override { delete stream; }
-
-    const QStringList& missing() const { return missing_; }
-
-private:
-    void remember(const QString& missing) {
-        // Having failed with the name in the model, readers also try the model's own name.
-        const bool isSecondTry = !missing_.isEmpty() && QFileInfo(missing).completeBaseName() ==
-                                                            QFileInfo(path_).completeBaseName();
-        if (!missing_.contains(missing) && !isSecondTry) {
-            missing_.push_back(missing);
-        }
-    }
-
-    QString resolve(const char* name) const {
-        const QString file = QString::fromUtf8(name);
-        return file == path_ ? path_ : folder_.find(file);
-    }
-
-    QString path_;
-    const ModelFolder& folder_;
-    QStringList missing_;
-};
-
-class ReadingProgress : public Assimp::ProgressHandler {
-public:
-    explicit ReadingProgress(const Progress& progress) : progress_(progress) {}
-    bool Update(float share) override {
-        progress_(std::clamp(double(share), 0.0, 1.0), Text::tr("Reading the model"));
-        return true;
-    }
-
-private:
-    const Progress& progress_;
-};
-
-// A zip file, which assimp would read past our check of what is in it.
-const QString packedCollada = QStringLiteral("zae");
 
 // mm; larger than any dip tank by far.
 constexpr double maximumEdge = 1e5;
@@ -133,16 +52,9 @@ void checkFile(const QString& path) {
     }
 }
 
+// Null without a file.
 QImage replacementTexture(const QString& path) {
-    if (path.isEmpty()) {
-        return QImage();
-    }
-    const auto bytes = readFile(path);
-    if (!bytes) {
-        throw Error(Text::tr("The texture file cannot be read; check its name and permissions"),
-                    path);
-    }
-    return readTexture(*bytes, path);
+    return path.isEmpty() ? QImage() : readPictureFile(path);
 }
 
 void checkPositions(const TriangleMesh& mesh, const QString& path) {
@@ -244,64 +156,6 @@ void dropUselessTextures(TexturedMesh& model, QStringList& warnings) {
     }
 }
 
-TexturedMesh readByAssimp(const ModelSource& source, QStringList& warnings,
-                          const Progress& progress) {
-    const QString absolutePath = QFileInfo(source.path).absoluteFilePath();
-    const Progress readingPart = progress.part(0, 0.8);
-    ReadingProgress reading(readingPart);
-    Assimp::Importer importer;
-    for (const char* format : {"ply", "3mf"}) { // which it would try on files of other names too
-        const std::unique_ptr<Assimp::BaseImporter> unused(importer.GetImporter(format));
-        importer.UnregisterLoader(unused.get());
-    }
-    auto* files = new ModelFileSystem(absolutePath, source.folder);
-    importer.SetIOHandler(files); // takes it over
-    importer.SetProgressHandler(&reading);
-    const aiScene* scene = importer.ReadFile(absolutePath.toUtf8().constData(),
-                                             aiProcess_Triangulate | aiProcess_TransformUVCoords);
-    importer.SetProgressHandler(nullptr);
-    progress.cancelSwitch.throwIfCancelled();
-    if (!scene) {
-        source.throwDamaged(QString::fromUtf8(importer.GetErrorString()).simplified());
-    }
-    for (const QString& name : files->missing()) {
-        warnings.push_back(Text::tr("The file %1, which the model names, was not found").arg(name));
-    }
-    const QString suffix = QFileInfo(source.path).suffix().toLower();
-    const bool isGltf = suffix == QStringLiteral("gltf") || suffix == QStringLiteral("glb");
-    return convertScene(*scene, source, isGltf, warnings, progress.part(0.8, 1));
-}
-
-// The format of a file is known by how it begins where that says enough, else by its name.
-TexturedMesh readTriangles(const ModelSource& source, QStringList& warnings,
-                           const Progress& progress) {
-    constexpr qint64 longestPrologue = 4096;
-    QFile file(source.path);
-    const QByteArray begin =
-        file.open(QIODevice::ReadOnly) ? file.read(longestPrologue) : QByteArray();
-    const QString suffix = QFileInfo(source.path).suffix().toLower();
-    const bool isPly =
-        suffix == QStringLiteral("ply") || begin.startsWith("ply\n") || begin.startsWith("ply\r");
-    if (suffix == packedCollada) {
-        source.throwDamaged(Text::tr("packed Collada is not read, unpack it"));
-    }
-    const bool isDae = suffix == QStringLiteral("dae") || isCollada(begin);
-    if (!isPly && !isDae && suffix != QStringLiteral("3mf")) {
-        return readByAssimp(source, warnings, progress);
-    }
-    progress(0, Text::tr("Reading the model"));
-    const auto bytes = readFile(source.path);
-    if (!bytes) {
-        source.throwDamaged(file.errorString());
-    }
-    if (isDae) {
-        checkCollada(*bytes, source);
-        return readByAssimp(source, warnings, progress);
-    }
-    return isPly ? readPly(*bytes, source, warnings, progress.cancelSwitch)
-                 : readThreeMf(*bytes, source, warnings, progress.cancelSwitch);
-}
-
 void dropUnusableCoordinates(TexturedMesh& model, QStringList& warnings) {
     std::size_t dropped = 0;
     for (auto& corners : model.textureCoordinates) {
@@ -309,7 +163,7 @@ void dropUnusableCoordinates(TexturedMesh& model, QStringList& warnings) {
             const bool isUnusable = uv.cwiseAbs().maxCoeff() > maximumTextureCoordinate;
             dropped += isUnusable;
             if (isUnusable) {
-                corners = noCoordinates();
+                corners.fill(Eigen::Vector2f::Constant(std::nanf("")));
             }
         }
     }
@@ -328,16 +182,36 @@ void replaceTextures(TexturedMesh& model, const QImage& texture) {
     }
 }
 
+// Where files outside the folder were named, that is said, whatever else came of their lack.
+ForeignModel readModelFile(const QString& path, const ImportOptions& options, bool withTextures,
+                           const Progress& progress) {
+    ModelFolder folder(path, options.allowOutside, options.outsideFiles);
+    const auto checkOutside = [&] {
+        if (!folder.outside().isEmpty()) {
+            throw OutsideFiles(folder.outside(), path);
+        }
+    };
+    try {
+        ForeignModel model = readForeignModel(path, folder, withTextures, progress);
+        checkOutside();
+        return model;
+    } catch (const Error&) {
+        checkOutside();
+        throw;
+    }
+}
+
 ImportedModel import(const QString& path, const ImportOptions& options, const Progress& progress) {
     checkOptions(options);
     checkFile(path);
     const QImage texture = replacementTexture(options.texture);
-    const ModelSource source{path, ModelFolder(path), texture.isNull()};
     ImportedModel result;
     TexturedMesh& model = result.model;
     ImportReport& report = result.report;
 
-    model = readTriangles(source, report.warnings, progress.part(0, 0.7));
+    ForeignModel foreign = readModelFile(path, options, texture.isNull(), progress.part(0, 0.7));
+    model = std::move(foreign.mesh);
+    report.warnings = foreign.warnings;
     if (model.mesh.triangles.empty()) {
         throw Error(Text::tr("The model has no triangles; save it with its surface"), path);
     }
@@ -359,6 +233,14 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
 
 } // namespace
 
+OutsideFiles::OutsideFiles(const QStringList& files, const QString& model)
+    : Error(
+          Text::tr("The model names files that do not belong to its folder, such as %1, and is not "
+                   "read; put them beside it, or allow it to read them (--allow-outside)")
+              .arg(QDir::toNativeSeparators(files.first())),
+          model),
+      files_(files) {}
+
 TexturedMesh withTexture(const TexturedMesh& model, const QString& path) {
     if (!hasAnyTextureCoordinates(model)) {
         throw Error(Text::tr("The model has no texture coordinates, so no picture can be placed on "
@@ -377,23 +259,6 @@ ImportedModel importModel(const QString& path, const ImportOptions& options,
     } catch (const std::bad_alloc&) {
         throw Error(Text::tr("The model needs more memory than there is; reduce it"), path);
     }
-}
-
-QStringList modelFilePatterns() {
-    QStringList patterns;
-    for (const ModelFormat& format : modelFormats()) {
-        for (const QString& suffix : format.suffixes) {
-            patterns.push_back(QStringLiteral("*.%1").arg(suffix));
-        }
-    }
-    aiString others;
-    Assimp::Importer().GetExtensionList(others);
-    for (const QString& pattern : QString::fromUtf8(others.C_Str()).split(u';')) {
-        if (!patterns.contains(pattern) && !pattern.endsWith(packedCollada)) {
-            patterns.push_back(pattern);
-        }
-    }
-    return patterns;
 }
 
 } // namespace dipwright

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "model/ModelSource.h"
+#include "foreign/ModelSource.h"
 
 struct aiScene;
 

@@ -1,4 +1,4 @@
-#include "model/ColladaCheck.h"
+#include "foreign/ColladaCheck.h"
 
 #include <QCoreApplication>
 #include <QHash>
@@ -50,17 +50,17 @@ bool isCollada(const QByteArray& begin) {
     return begin.contains("<COLLADA");
 }
 
-void checkCollada(const QByteArray& bytes, const ModelSource& source) {
+void checkCollada(const ModelSource& source) {
     QHash<QString, double> lengths; // of arrays, by name
     std::vector<Accessor> accessors;
-    QXmlStreamReader xml(bytes);
+    QXmlStreamReader xml(source.bytes);
     while (!xml.atEnd()) {
         if (xml.readNext() != QXmlStreamReader::StartElement) {
             continue;
         }
         const QXmlStreamAttributes attributes = xml.attributes();
         // assimp makes room for so many at once.
-        if (number(attributes, "count", 0) > double(bytes.size())) {
+        if (number(attributes, "count", 0) > double(source.bytes.size())) {
             source.throwDamaged(Text::tr("it counts more values than it can hold, in line %1")
                                     .arg(xml.lineNumber()));
         }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "model/ModelSource.h"
+#include "foreign/ModelSource.h"
 
 namespace dipwright {
 
@@ -17,7 +17,7 @@ namespace dipwright {
 // every object that places the one before twice, so that a file of a few kilobytes can keep it for
 // hours, where this reader counts first; its interface is gone from the 2.x that other systems
 // have; and the units, supports and materials would still be ours to apply.
-TexturedMesh readThreeMf(const QByteArray& bytes, const ModelSource& source, QStringList& warnings,
+TexturedMesh readThreeMf(const ModelSource& source, QStringList& warnings,
                          const CancelSwitch& cancelSwitch);
 
 } // namespace dipwright

@@ -1,6 +1,6 @@
-#include "model/ThreeMfReader.h"
+#include "foreign/ThreeMfReader.h"
 
-#include "model/Texture.h"
+#include "base/Budgets.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -16,9 +16,6 @@ namespace dipwright {
 
 namespace {
 
-constexpr qint64 maximumEntryBytes = qint64(2) << 30;
-constexpr int maximumDepth = 32;
-
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
 };
@@ -26,12 +23,13 @@ struct Text {
 // The files in the package, by their names in it.
 class Package {
 public:
-    Package(const QByteArray& bytes, const ModelSource& source) : source_(source) {
-        buffer_.setData(bytes);
+    explicit Package(const ModelSource& source) : source_(source) {
+        buffer_.setData(source.bytes);
         zip_.setIoDevice(&buffer_);
         if (!zip_.open(QuaZip::mdUnzip)) {
             source.throwDamaged(Text::tr("it is not a 3MF package"));
         }
+        requireWithin(Budget::Entries, zip_.getEntriesCount(), source.path);
     }
 
     // Nothing where there is no such file; throws where it is damaged.
@@ -41,13 +39,15 @@ public:
         if (!zip_.setCurrentFile(path, QuaZip::csInsensitive) || !zip_.getCurrentFileInfo(&info)) {
             return std::nullopt;
         }
-        if (info.isEncrypted() || info.uncompressedSize > quint64(maximumEntryBytes)) {
-            source_.throwDamaged(Text::tr("%1 in it is encrypted or too large").arg(path));
+        if (info.isEncrypted()) {
+            source_.throwDamaged(Text::tr("%1 in it is encrypted").arg(path));
         }
+        unpacked_ += qint64(std::min(info.uncompressedSize, quint64(1) << 62));
+        requireWithin(Budget::UnpackedBytes, unpacked_, source_.path, source_.bytes.size());
         QuaZipFile file(&zip_);
         QByteArray bytes;
         if (file.open(QIODevice::ReadOnly)) {
-            bytes = file.readAll();
+            bytes = file.read(qint64(info.uncompressedSize) + 1); // no more, whatever there is
             file.close(); // tells whether the checksum is right
         }
         if (file.getZipError() != UNZ_OK || quint64(bytes.size()) != info.uncompressedSize) {
@@ -60,6 +60,7 @@ private:
     const ModelSource& source_;
     QBuffer buffer_;
     QuaZip zip_;
+    qint64 unpacked_ = 0; // so far
 };
 
 // A list of properties that triangles choose from: materials, colours or texture coordinates.
@@ -254,10 +255,9 @@ private:
 
 class ThreeMfReader {
 public:
-    ThreeMfReader(const QByteArray& bytes, const ModelSource& source, QStringList& warnings,
+    ThreeMfReader(const ModelSource& source, QStringList& warnings,
                   const CancelSwitch& cancelSwitch)
-        : source_(source), warnings_(warnings), cancelSwitch_(cancelSwitch),
-          package_(bytes, source) {}
+        : source_(source), warnings_(warnings), cancelSwitch_(cancelSwitch), package_(source) {}
 
     TexturedMesh read() {
         const Part& root = part(rootPart());
@@ -300,14 +300,6 @@ private:
             .first->second;
     }
 
-    // In functions of their own: lupdate loses a text's context where a std:: type is returned.
-    [[noreturn]] void throwHoldsItself() const {
-        source_.throwDamaged(Text::tr("an object holds itself"));
-    }
-    [[noreturn]] void throwTooManyMaterials() const {
-        source_.throwDamaged(Text::tr("it has more than 65,536 materials"));
-    }
-
     const Object& object(const Placement& placement) {
         const auto& objects = part(placement.part).objects;
         const auto found = objects.find(placement.object);
@@ -325,11 +317,11 @@ private:
         if (known != triangleCounts_.end()) {
             return known->second;
         }
-        if (depth > maximumDepth) {
-            throwHoldsItself();
-        }
+        requireWithin(Budget::Nesting, depth, source_.path);
         const Object& placed = object(placement);
-        std::size_t count = placed.isSupport ? 0 : placed.triangles.size();
+        // Points count too: an object may have many that no triangle uses.
+        std::size_t count =
+            placed.isSupport ? 0 : std::max(placed.triangles.size(), placed.positions.size() / 3);
         for (const Placement& component : placed.components) {
             count += placed.isSupport ? 0 : triangleCount(component, depth + 1);
             source_.checkTriangleCount(count);
@@ -399,9 +391,7 @@ private:
         if (known != materials_.end()) {
             return known->second;
         }
-        if (model_.materials.size() > 0xffff) {
-            throwTooManyMaterials();
-        }
+        requireWithin(Budget::Materials, qint64(model_.materials.size()) + 1, source_.path);
         Material material =
             isPlain ? group->materials[std::size_t(triangle.properties[0])] : Material();
         if (group && !group->picture.isEmpty() && source_.withTextures) {
@@ -419,8 +409,8 @@ private:
         int index = -1;
         if (const auto bytes = package_.find(name)) {
             index = int(model_.textures.size());
-            model_.textures.push_back(
-                readTexture(*bytes, Text::tr("texture %1 in %2").arg(name, source_.path)));
+            model_.textures.push_back(source_.pictures.read(
+                *bytes, Text::tr("texture %1 in %2").arg(name, source_.path)));
         } else {
             warnings_.push_back(
                 Text::tr("The texture %1 is not in the model's package; its material's "
@@ -443,9 +433,9 @@ private:
 
 } // namespace
 
-TexturedMesh readThreeMf(const QByteArray& bytes, const ModelSource& source, QStringList& warnings,
+TexturedMesh readThreeMf(const ModelSource& source, QStringList& warnings,
                          const CancelSwitch& cancelSwitch) {
-    return ThreeMfReader(bytes, source, warnings, cancelSwitch).read();
+    return ThreeMfReader(source, warnings, cancelSwitch).read();
 }
 
 } // namespace dipwright

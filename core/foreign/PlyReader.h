@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "model/ModelSource.h"
+#include "foreign/ModelSource.h"
 
 namespace dipwright {
 
@@ -15,7 +15,7 @@ namespace dipwright {
 // which scans store a corner (texcoord), the last face's overwrites the others'; of several
 // pictures it keeps the last name and not which face has which; and it never returns from most
 // files that end within their header. ImportModelTest has files of all three kinds.
-TexturedMesh readPly(const QByteArray& bytes, const ModelSource& source, QStringList& warnings,
+TexturedMesh readPly(const ModelSource& source, QStringList& warnings,
                      const CancelSwitch& cancelSwitch);
 
 } // namespace dipwright

@@ -1,6 +1,6 @@
-#include "model/SceneConversion.h"
+#include "foreign/SceneConversion.h"
 
-#include "model/Texture.h"
+#include "base/Budgets.h"
 
 #include <QCoreApplication>
 
@@ -44,9 +44,7 @@ public:
         if (known != found_.end()) {
             return known->second;
         }
-        if (model_.materials.size() > 0xffff) {
-            source_.throwDamaged(Text::tr("it has more than 65,536 materials"));
-        }
+        requireWithin(Budget::Materials, qint64(model_.materials.size()) + 1, source_.path);
         const Found found{std::uint16_t(model_.materials.size()), read(sceneMaterial)};
         return found_.emplace(sceneMaterial, found).first->second;
     }
@@ -101,13 +99,14 @@ private:
         return source_.readPicture(shownName, warnings_);
     }
 
-    static QImage readEmbedded(const aiTexture& texture, const QString& where) {
+    QImage readEmbedded(const aiTexture& texture, const QString& where) {
         if (texture.mHeight == 0) {
-            return readTexture(QByteArray::fromRawData(
-                                   reinterpret_cast<const char*>(texture.pcData), texture.mWidth),
-                               where);
+            return source_.pictures.read(
+                QByteArray::fromRawData(reinterpret_cast<const char*>(texture.pcData),
+                                        texture.mWidth),
+                where);
         }
-        checkTextureSize(QSize(int(texture.mWidth), int(texture.mHeight)), where);
+        requireWithin(Budget::PictureSide, std::max(texture.mWidth, texture.mHeight), where);
         QImage image(int(texture.mWidth), int(texture.mHeight), QImage::Format_ARGB32);
         const aiTexel* texel = texture.pcData;
         for (int y = 0; y < image.height(); ++y) {
@@ -116,7 +115,7 @@ private:
                 line[x] = qRgba(texel->r, texel->g, texel->b, texel->a);
             }
         }
-        return asTexture(std::move(image));
+        return source_.pictures.take(std::move(image), where);
     }
 
     const aiScene& scene_;
@@ -155,7 +154,8 @@ private:
     // A small file can show one mesh many times.
     void count(const aiNode& node) {
         for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-            total_ += scene_.mMeshes[node.mMeshes[m]]->mNumFaces;
+            const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[m]];
+            total_ += std::max(mesh.mNumFaces, mesh.mNumVertices / 3); // some may be in no face
         }
         source_.checkTriangleCount(total_);
         for (unsigned child = 0; child < node.mNumChildren; ++child) {

@@ -1,11 +1,11 @@
-// Reading textured models from files (assimp) and putting them right, or refusing them.
+// Reading textured models from files and putting them right, or refusing them.
 #pragma once
 
+#include "base/Error.h"
 #include "base/Progress.h"
 #include "base/Units.h"
 #include "model/TexturedMesh.h"
 
-#include <QByteArray>
 #include <QStringList>
 #include <optional>
 
@@ -15,6 +15,20 @@ struct ImportOptions {
     std::optional<Millimetres> longestEdge; // scale so that the bounding box's longest edge is this
     double unitMillimetres = 1;             // else: one unit of the file in mm
     QString texture;                        // a picture that replaces the model's own, or empty
+    // Files outside the model's folder that are read all the same: all, or these, absolute.
+    bool allowOutside = false;
+    QStringList outsideFiles;
+};
+
+// Thrown where a model names files that are there but do not belong to its folder: they lie outside
+// of it, by a link too, or are hidden. They have not been read.
+class OutsideFiles : public Error {
+public:
+    OutsideFiles(const QStringList& files, const QString& model);
+    const QStringList& files() const { return files_; } // absolute
+
+private:
+    QStringList files_;
 };
 
 // What was found, put right, or is still wrong, in sentences for the user.
@@ -32,25 +46,16 @@ struct ImportedModel {
     ImportReport report;
 };
 
-// Reads `path` (OBJ+MTL, PLY, STL, glTF/GLB, 3MF and what else assimp knows) with textures beside
-// it or embedded. Repairs: duplicate positions welded, degenerate triangles dropped, unset normals
-// recomputed, turned triangles and inside-out closed parts turned back. Refuses with Error:
-// unreadable, no triangles, coordinates that are not finite, no extent, textures over 32,768 pixels
-// a side or unreadable.
+// Reads `path`, of one of modelFormats(), with textures beside it or embedded. Repairs: duplicate
+// positions welded, degenerate triangles dropped, unset normals recomputed, turned triangles and
+// inside-out closed parts turned back. Refuses with Error: unreadable, no triangles, coordinates
+// that are not finite, no extent, textures that are unreadable, or more than Budgets.h allows; with
+// OutsideFiles unless these are allowed.
 ImportedModel importModel(const QString& path, const ImportOptions& options,
                           const Progress& progress);
 
 // The model with the picture of a file in place of all its own. Throws Error where the picture
 // cannot be read or the model has no texture coordinates.
 TexturedMesh withTexture(const TexturedMesh& model, const QString& path);
-
-// The file filters of the formats, for dialogs: "*.obj" …
-QStringList modelFilePatterns();
-
-// The model as one self-contained file for a project's assets (binary glTF or the like, textures
-// as PNG inside or returned beside), lossless in positions to float, texture coordinates, charts
-// and pictures; readModel(writeModel(m)) equals m.
-QByteArray writeModel(const TexturedMesh& model);
-TexturedMesh readModel(const QByteArray& bytes, const QString& where);
 
 } // namespace dipwright

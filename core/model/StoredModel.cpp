@@ -4,15 +4,15 @@
 //   charts (u32), materials of the triangles (u16),
 //   materials: name (u32 length, UTF-8), colour (u64, 16 bits each of red, green, blue and alpha),
 //   texture (i32), textures: u32 length, PNG.
-#include "model/ImportModel.h"
+#include "model/StoredModel.h"
 
-#include "base/Bytes.h"
+#include "base/Budgets.h"
 #include "base/Error.h"
 #include "base/Png.h"
-#include "model/Texture.h"
 
 #include <QCoreApplication>
 #include <QDataStream>
+#include <QIODevice>
 #include <QtEndian>
 
 #include <cmath>
@@ -50,11 +50,14 @@ public:
         prepare(stream_);
     }
 
-    TexturedMesh read() {
+    StoredModel read() {
         readSignature();
         const auto positions = readNumber<quint64>(), triangles = readNumber<quint64>();
         const auto materials = readNumber<quint32>(), textures = readNumber<quint32>();
-        TexturedMesh model;
+        requireWithin(Budget::Triangles, qint64(std::min(triangles, quint64(1) << 62)), where_,
+                      bytes_.size());
+        StoredModel stored;
+        TexturedMesh& model = stored.model;
         readNumbers<quint32>(model.mesh.positions, positions);
         readNumbers<quint32>(model.mesh.triangles, triangles);
         readNumbers<quint32>(model.textureCoordinates, triangles);
@@ -64,11 +67,11 @@ public:
             model.materials.push_back(readMaterial());
         }
         for (quint32 texture = 0; texture < textures; ++texture) {
-            model.textures.push_back(readTexture(readBlock(), where_));
+            stored.pictures.push_back(readBlock());
         }
         require(stream_.atEnd());
-        check(model);
-        return model;
+        check(stored);
+        return stored;
     }
 
 private:
@@ -126,7 +129,8 @@ private:
         return material;
     }
 
-    void check(const TexturedMesh& model) const {
+    void check(const StoredModel& stored) const {
+        const TexturedMesh& model = stored.model;
         require(!model.mesh.triangles.empty() && !model.materials.empty());
         const auto isPlace = [](const Eigen::Vector3f& position) { return position.allFinite(); };
         require(std::all_of(model.mesh.positions.begin(), model.mesh.positions.end(), isPlace));
@@ -140,7 +144,7 @@ private:
             require(model.material[t] < model.materials.size());
         }
         for (const Material& material : model.materials) {
-            require(material.texture >= -1 && material.texture < qint64(model.textures.size()));
+            require(material.texture >= -1 && material.texture < qint64(stored.pictures.size()));
         }
     }
 
@@ -176,7 +180,7 @@ QByteArray writeModel(const TexturedMesh& model) {
     return bytes;
 }
 
-TexturedMesh readModel(const QByteArray& bytes, const QString& where) {
+StoredModel readModel(const QByteArray& bytes, const QString& where) {
     return ModelReader(bytes, where).read();
 }
 

@@ -1,7 +1,7 @@
 // Damage to Collada files (.dae) that assimp does not survive. Private to this folder.
 #pragma once
 
-#include "model/ModelSource.h"
+#include "foreign/ModelSource.h"
 
 namespace dipwright {
 
@@ -9,6 +9,6 @@ namespace dipwright {
 bool isCollada(const QByteArray& begin);
 // Throws Error where the file is not well-formed, counts more than it can hold, has indices that
 // are no numbers, or an accessor that reads past the end of its array.
-void checkCollada(const QByteArray& bytes, const ModelSource& source);
+void checkCollada(const ModelSource& source);
 
 } // namespace dipwright

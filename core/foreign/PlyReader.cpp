@@ -1,4 +1,6 @@
-#include "model/PlyReader.h"
+#include "foreign/PlyReader.h"
+
+#include "base/Budgets.h"
 
 #include <QCoreApplication>
 #include <QtEndian>
@@ -64,7 +66,7 @@ struct Header {
 // Takes a file apart into lines of the header and numbers of the body.
 class Scanner {
 public:
-    Scanner(const QByteArray& bytes, const ModelSource& source) : rest_(bytes), source_(source) {}
+    explicit Scanner(const ModelSource& source) : rest_(source.bytes), source_(source) {}
 
     QByteArrayView line() {
         const qsizetype end = rest_.indexOf('\n');
@@ -142,10 +144,8 @@ private:
 
 class PlyReader {
 public:
-    PlyReader(const QByteArray& bytes, const ModelSource& source, QStringList& warnings,
-              const CancelSwitch& cancelSwitch)
-        : source_(source), warnings_(warnings), cancelSwitch_(cancelSwitch),
-          scanner_(bytes, source) {}
+    PlyReader(const ModelSource& source, QStringList& warnings, const CancelSwitch& cancelSwitch)
+        : source_(source), warnings_(warnings), cancelSwitch_(cancelSwitch), scanner_(source) {}
 
     TexturedMesh read() {
         readHeader();
@@ -214,6 +214,7 @@ private:
     }
 
     void addMaterials() {
+        requireWithin(Budget::Materials, header_.pictures.size(), source_.path);
         for (const QString& picture : header_.pictures) {
             Material& material = model_.materials.emplace_back();
             if (!source_.withTextures) {
@@ -302,6 +303,7 @@ private:
 
     void addFace(const std::vector<double>& corners, const std::vector<double>& coordinates,
                  double material) {
+        requireWithin(Budget::PolygonCorners, qint64(corners.size()), source_.path);
         for (const double corner : corners) {
             if (!(corner >= 0 && corner < double(SurfacePoint::noTriangle))) {
                 throwUnknownPoint();
@@ -360,9 +362,9 @@ private:
 
 } // namespace
 
-TexturedMesh readPly(const QByteArray& bytes, const ModelSource& source, QStringList& warnings,
+TexturedMesh readPly(const ModelSource& source, QStringList& warnings,
                      const CancelSwitch& cancelSwitch) {
-    return PlyReader(bytes, source, warnings, cancelSwitch).read();
+    return PlyReader(source, warnings, cancelSwitch).read();
 }
 
 } // namespace dipwright

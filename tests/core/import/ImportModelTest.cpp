@@ -4,8 +4,10 @@
 #include "base/Error.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
-#include "model/ImportModel.h"
+#include "import/ImportModel.h"
+#include "model/ModelFormats.h"
 
+#include <QBuffer>
 #include <QColorSpace>
 #include <QtTest>
 
@@ -196,6 +198,16 @@ private Q_SLOTS:
     void absurdColladaIsRefused_data();
     void absurdColladaIsRefused();
     void cancelEndsTheImport();
+    void filesOutsideTheFolderAreNotRead_data();
+    void filesOutsideTheFolderAreNotRead();
+    void filesOfTheFolderNeedNoLeave();
+    void formatsThatAreNotListedAreNotTried_data();
+    void formatsThatAreNotListedAreNotTried();
+    void picturesAreKnownByTheirContent();
+    void aPictureBeforeAnyMaterialIsRefused();
+    void manyCornersAreRefused();
+    void smallFilesCannotAskForMuch_data();
+    void smallFilesCannotAskForMuch();
 
 private:
     QString at(const QString& name) const { return folder_.filePath(name); }
@@ -379,7 +391,8 @@ void ImportModelTest::threeMfPlacesComponentsInMillimetres() {
 
 void ImportModelTest::everyFormatIsInTheFilters() {
     const QStringList patterns = modelFilePatterns();
-    QCOMPARE(patterns.mid(0, 6).join(u' '), QStringLiteral("*.obj *.ply *.stl *.gltf *.glb *.3mf"));
+    QCOMPARE(patterns.join(u' '),
+             QStringLiteral("*.obj *.ply *.stl *.gltf *.glb *.3mf *.dae *.fbx *.3ds"));
     QCOMPARE(QSet<QString>(patterns.begin(), patterns.end()).size(), patterns.size());
 }
 
@@ -872,6 +885,160 @@ void ImportModelTest::cancelEndsTheImport() {
     QVERIFY_EXCEPTION_THROWN(
         importModel(write(QStringLiteral("cancel.obj"), cubeObj()), ImportOptions(), progress),
         Cancelled);
+}
+
+void ImportModelTest::filesOutsideTheFolderAreNotRead_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("above") << QStringLiteral("../secret/key.png");
+    QTest::newRow("above, in percent codes") << QStringLiteral("%2e%2e/secret/key.png");
+    QTest::newRow("above, by a detour") << QStringLiteral("maps/../../secret/key.png");
+    QTest::newRow("above, with backslashes") << QStringLiteral("..\\secret\\key.png");
+    QTest::newRow("above, in another case") << QStringLiteral("../SECRET/Key.PNG");
+    QTest::newRow("absolute") << at(QStringLiteral("secret/key.png"));
+    QTest::newRow("an address") << QStringLiteral("file://") + at(QStringLiteral("secret/key.png"));
+    QTest::newRow("a link to a file") << QStringLiteral("link.png");
+    QTest::newRow("a link to a folder") << QStringLiteral("folder/key.png");
+    QTest::newRow("hidden") << QStringLiteral(".hidden/key.png");
+}
+
+void ImportModelTest::filesOutsideTheFolderAreNotRead() {
+    QFETCH(QString, name);
+    QDir(folder_.path()).mkpath(QStringLiteral("secret"));
+    QDir(folder_.path()).mkpath(QStringLiteral("in/maps"));
+    QDir(folder_.path()).mkpath(QStringLiteral("in/.hidden"));
+    const QString key = write(QStringLiteral("secret/key.png"), png(quarters()));
+    write(QStringLiteral("in/.hidden/key.png"), png(quarters()));
+    QFile::link(key, at(QStringLiteral("in/link.png")));
+    QFile::link(at(QStringLiteral("secret")), at(QStringLiteral("in/folder")));
+    write(QStringLiteral("in/names.mtl"), "newmtl skin\nmap_Kd " + name.toUtf8() + "\n");
+    const QString obj =
+        write(QStringLiteral("in/names.obj"), cubeObj("mtllib names.mtl\nusemtl skin\n"));
+    const QString ply = write(QStringLiteral("in/names.ply"), squarePly(name.toUtf8()));
+    for (const QString& path : {obj, ply}) {
+        QStringList outside;
+        try {
+            import(path);
+        } catch (const OutsideFiles& refused) {
+            outside = refused.files();
+            QVERIFY(refused.sentence().contains(QStringLiteral("--allow-outside")));
+        }
+        QCOMPARE(outside.size(), 1);
+        ImportOptions allowed;
+        allowed.outsideFiles = outside;
+        QCOMPARE(import(path, allowed).model.textures.front(), quarters());
+        allowed.outsideFiles = QStringList{at(QStringLiteral("another.png"))};
+        QVERIFY(!refusal(path, allowed).isEmpty());
+        allowed.allowOutside = true;
+        QCOMPARE(import(path, allowed).model.textures.front(), quarters());
+    }
+}
+
+// Not even told apart from files that are missing.
+void ImportModelTest::filesOfTheFolderNeedNoLeave() {
+    QDir(folder_.path()).mkpath(QStringLiteral("own/maps"));
+    write(QStringLiteral("own/maps/skin.png"), png(quarters()));
+    QFile::link(at(QStringLiteral("own/maps/skin.png")), at(QStringLiteral("own/link.png")));
+    for (const char* name : {"link.png", "maps/../maps/skin.png", "../own/maps/skin.png"}) {
+        const QString path = write(QStringLiteral("own/square.ply"), squarePly(name));
+        QCOMPARE(import(path).model.textures.front(), quarters());
+    }
+    // A buffer that is nowhere is missing, not outside.
+    const QString lost = write(QStringLiteral("own/lost.gltf"),
+                               squareGltf(png(quarters())).replace("data:application", "../x"));
+    QVERIFY(refusal(lost).contains(QStringLiteral("cannot be read")));
+}
+
+void ImportModelTest::formatsThatAreNotListedAreNotTried_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::newRow("off") << QStringLiteral("a.off")
+                         << QByteArray("OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0\n");
+    QTest::newRow("csm") << QStringLiteral("a.csm") << QByteArray("$order\na\n$points\n0 0 0\n");
+    QTest::newRow("ogex") << QStringLiteral("a.ogex")
+                          << QByteArray("Metric (key=\"up\") {string {\"z\"}}\n");
+    QTest::newRow("an off named txt") << QStringLiteral("a.txt") << QByteArray("OFF\n4 1 0\n");
+    QTest::newRow("an off named stl")
+        << QStringLiteral("b.stl") << QByteArray("OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n");
+    QTest::newRow("packed collada") << QStringLiteral("a.zae") << QByteArray("PK\3\4");
+}
+
+void ImportModelTest::formatsThatAreNotListedAreNotTried() {
+    QFETCH(QString, file);
+    QFETCH(QByteArray, bytes);
+    const QString sentence = refusal(write(file, bytes));
+    QVERIFY2(sentence.contains(QStringLiteral("cannot be read")), qPrintable(sentence));
+    QVERIFY(sentence.contains(QStringLiteral("OBJ, PLY, STL, glTF, 3MF")));
+}
+
+void ImportModelTest::picturesAreKnownByTheirContent() {
+    ImportOptions options;
+    const QString cube = write(QStringLiteral("content.obj"), cubeObj());
+    QByteArray bitmap;
+    QBuffer buffer(&bitmap);
+    QVERIFY(quarters().convertToFormat(QImage::Format_RGB32).save(&buffer, "BMP"));
+    options.texture = write(QStringLiteral("bitmap.png"), bitmap);
+    QCOMPARE(import(cube, options).model.textures.front(), quarters());
+    const std::pair<const char*, QByteArray> others[] = {
+        {"drawing.png", "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'></svg>"},
+        {"icon.png", QByteArray("\0\0\1\0\1\0\1\1\0\0", 10)},
+        {"pixels.png", "/* XPM */\nstatic char* a[] = {\"1 1 1 1\", \"a c red\", \"a\"};"},
+        {"text.png", "P3 1 1 255 9 9 9"}};
+    for (const auto& [name, bytes] : others) {
+        options.texture = write(QString::fromLatin1(name), bytes);
+        const QString sentence = refusal(cube, options);
+        QVERIFY2(sentence.contains(QStringLiteral("not a picture")), qPrintable(sentence));
+    }
+}
+
+void ImportModelTest::aPictureBeforeAnyMaterialIsRefused() {
+    write(QStringLiteral("early.mtl"), "# nothing\r\n  map_Kd t.png\nnewmtl skin\n");
+    const QString sentence =
+        refusal(write(QStringLiteral("early.obj"), cubeObj("mtllib early.mtl\nusemtl skin\n")));
+    QVERIFY2(sentence.contains(QStringLiteral("early.mtl")), qPrintable(sentence));
+}
+
+void ImportModelTest::manyCornersAreRefused() {
+    QByteArray text, face = "f";
+    constexpr int corners = 60000;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2 * M_PI * i / corners, radius = i % 2 == 0 ? 10 : 9;
+        text += QStringLiteral("v %1 %2 0\n")
+                    .arg(radius * std::cos(angle))
+                    .arg(radius * std::sin(angle))
+                    .toUtf8();
+        face += ' ' + QByteArray::number(i + 1);
+    }
+    const QString sentence = refusal(write(QStringLiteral("star.obj"), text + face + "\n"));
+    QVERIFY2(sentence.contains(QStringLiteral("corners")), qPrintable(sentence));
+}
+
+void ImportModelTest::smallFilesCannotAskForMuch_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("says");
+    QImage black(16000, 9000, QImage::Format_Mono);
+    black.fill(0);
+    QTest::newRow("a picture") << QStringLiteral("black.png") << png(black)
+                               << QStringLiteral("million pixels");
+    const QByteArray head = R"(<?xml version="1.0"?><model unit="millimeter"><resources>)";
+    write3mf(at(QStringLiteral("vast.3mf")),
+             {{QStringLiteral("3D/3dmodel.model"), head + QByteArray(200 << 20, ' ')}});
+    QTest::newRow("a package") << QStringLiteral("vast.3mf") << QByteArray()
+                               << QStringLiteral("unpack");
+}
+
+void ImportModelTest::smallFilesCannotAskForMuch() {
+    QFETCH(QString, file);
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, says);
+    QString path = bytes.isEmpty() ? at(file) : write(file, bytes);
+    ImportOptions options;
+    if (!bytes.isEmpty()) {
+        options.texture = path;
+        path = write(QStringLiteral("small.obj"), cubeObj());
+    }
+    const QString sentence = refusal(path, options);
+    QVERIFY2(sentence.contains(says), qPrintable(sentence));
 }
 
 QTEST_GUILESS_MAIN(ImportModelTest)

@@ -1,0 +1,186 @@
+#include "foreign/AssimpReader.h"
+
+#include "base/Budgets.h"
+#include "foreign/MaterialFileCheck.h"
+#include "foreign/SceneConversion.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <assimp/BaseImporter.h>
+#include <assimp/Importer.hpp>
+#include <assimp/MemoryIOWrapper.h>
+#include <assimp/ProgressHandler.hpp>
+#include <assimp/importerdesc.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <map>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
+
+// A file in memory, as assimp reads it.
+class FileStream : public Assimp::MemoryIOStream {
+public:
+    explicit FileStream(QByteArray bytes)
+        : MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes.constData()),
+                         std::size_t(bytes.size())),
+          bytes_(std::move(bytes)) {}
+
+private:
+    QByteArray bytes_; // shares its data with the one given
+};
+
+// All that assimp sees of the disk: the model file and those that it names, of which it remembers
+// the missing and what is wrong with them.
+class ModelFileSystem : public Assimp::IOSystem {
+public:
+    ModelFileSystem(const ModelSource& source, std::string modelName)
+        : source_(source), modelName_(std::move(modelName)) {}
+
+    bool Exists(const char* name) const override { return modelName_ == name || find(name); }
+    char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char* name, const char* /*mode*/) override {
+        if (modelName_ == name) {
+            return new FileStream(source_.bytes);
+        }
+        const auto bytes = find(name);
+        const QString file = QFileInfo(QString::fromUtf8(name)).fileName();
+        if (!bytes) {
+            remember(file);
+            return nullptr;
+        }
+        if (file.endsWith(QStringLiteral(".mtl"), Qt::CaseInsensitive)) {
+            fault_ = faultOfMaterials(*bytes, file);
+        }
+        return fault_.isEmpty() ? new FileStream(*bytes) : nullptr;
+    }
+    void Close(Assimp::IOStream* stream) override { delete stream; }
+
+    const QStringList& missing() const { return missing_; }
+    const QString& fault() const { return fault_; } // empty: none
+
+private:
+    void remember(const QString& missing) {
+        // Having failed with the name in the model, readers also try the model's own name.
+        const bool isSecondTry =
+            !missing_.isEmpty() &&
+            QFileInfo(missing).completeBaseName() == QFileInfo(source_.path).completeBaseName();
+        if (!missing_.contains(missing) && !isSecondTry) {
+            missing_.push_back(missing);
+        }
+    }
+
+    // Loaders ask whether a file is there and then open it.
+    std::optional<QByteArray> find(const char* name) const {
+        const auto known = found_.find(name);
+        return known != found_.end()
+                   ? known->second
+                   : found_.emplace(name, source_.files.read(QString::fromUtf8(name)))
+                         .first->second;
+    }
+
+    const ModelSource& source_;
+    std::string modelName_;
+    mutable std::map<std::string, std::optional<QByteArray>> found_;
+    QStringList missing_;
+    QString fault_;
+};
+
+class ReadingProgress : public Assimp::ProgressHandler {
+public:
+    explicit ReadingProgress(const Progress& progress) : progress_(progress) {}
+    bool Update(float share) override {
+        progress_(std::clamp(double(share), 0.0, 1.0), Text::tr("Reading the model"));
+        return true;
+    }
+
+private:
+    const Progress& progress_;
+};
+
+// assimp's name for the loader of a format; null where none is allowed.
+const char* loaderOf(const QString& format) {
+    static const std::map<QString, const char*> loaders{
+        {QStringLiteral("obj"), "Wavefront Object Importer"},
+        {QStringLiteral("stl"), "Stereolithography (STL) Importer"},
+        {QStringLiteral("gltf"), "glTF2 Importer"},
+        {QStringLiteral("glb"), "glTF2 Importer"},
+        {QStringLiteral("dae"), "Collada Importer"},
+        {QStringLiteral("fbx"), "Autodesk FBX Importer"},
+        {QStringLiteral("3ds"), "Discreet 3DS Importer"}};
+    const auto found = loaders.find(format);
+    return found == loaders.end() ? nullptr : found->second;
+}
+
+void keepOnly(const char* loader, Assimp::Importer& importer) {
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        if (qstrcmp(importer.GetImporterInfo(i)->mName, loader) != 0) {
+            const std::unique_ptr<Assimp::BaseImporter> unused(importer.GetImporter(i));
+            importer.UnregisterLoader(unused.get());
+        }
+    }
+}
+
+// Before assimp cuts polygons into triangles, and before anything goes down its nodes.
+void checkScene(const aiScene& scene, const ModelSource& source) {
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        const aiMesh& mesh = *scene.mMeshes[m];
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            requireWithin(Budget::PolygonCorners, mesh.mFaces[f].mNumIndices, source.path);
+        }
+    }
+    std::vector<std::pair<const aiNode*, qint64>> open{{scene.mRootNode, 0}};
+    while (!open.empty()) {
+        const auto [node, depth] = open.back();
+        open.pop_back();
+        requireWithin(Budget::Nesting, depth, source.path);
+        for (unsigned child = 0; node && child < node->mNumChildren; ++child) {
+            open.emplace_back(node->mChildren[child], depth + 1);
+        }
+    }
+}
+
+} // namespace
+
+TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStringList& warnings,
+                          const Progress& progress) {
+    const char* loader = loaderOf(format);
+    if (!loader) {
+        source.throwDamaged(Text::tr("its format is none of those that are read"));
+    }
+    const Progress readingPart = progress.part(0, 0.8);
+    Assimp::Importer importer;
+    keepOnly(loader, importer);
+    // By a name without a place, with which assimp finds the loader and a material file beside it.
+    const std::string name =
+        (QFileInfo(source.path).completeBaseName() + u'.' + format).toStdString();
+    auto* files = new ModelFileSystem(source, name);
+    importer.SetIOHandler(files);                                  // takes this over
+    importer.SetProgressHandler(new ReadingProgress(readingPart)); // and this
+    const aiScene* scene = importer.ReadFile(name, 0);
+    if (scene) {
+        checkScene(*scene, source);
+        scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_TransformUVCoords);
+    }
+    progress.cancelSwitch.throwIfCancelled();
+    if (!files->fault().isEmpty() || !scene) {
+        source.throwDamaged(files->fault().isEmpty()
+                                ? QString::fromUtf8(importer.GetErrorString()).simplified()
+                                : files->fault());
+    }
+    for (const QString& missing : files->missing()) {
+        warnings.push_back(
+            Text::tr("The file %1, which the model names, was not found").arg(missing));
+    }
+    return convertScene(*scene, source, format.startsWith(QStringLiteral("gl")), warnings,
+                        progress.part(0.8, 1));
+}
+
+} // namespace dipwright

@@ -1,0 +1,26 @@
+// Reading models of all formats, from bytes that nobody has looked at yet.
+#pragma once
+
+#include "base/Progress.h"
+#include "foreign/ForeignFiles.h"
+#include "model/TexturedMesh.h"
+
+#include <QStringList>
+
+namespace dipwright {
+
+// As read, neither welded nor repaired nor scaled: all triangles in the file's units, with corners
+// that exist, the materials and pictures in use, and no charts.
+struct ForeignModel {
+    TexturedMesh mesh;
+    QStringList warnings; // what was left out, in sentences for the user
+};
+
+// Reads the model file `path` and what it names, all of it through `files`. `path` also tells the
+// format, where its content does not, and stands in messages. `withTextures`: false where another
+// picture will replace the model's own. Throws Error for what is no model, is damaged or asks for
+// more than Budgets.h allows.
+ForeignModel readForeignModel(const QString& path, ForeignFiles& files, bool withTextures,
+                              const Progress& progress);
+
+} // namespace dipwright

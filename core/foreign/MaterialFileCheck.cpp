@@ -1,0 +1,44 @@
+#include "foreign/MaterialFileCheck.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
+
+bool namesPicture(QByteArrayView line) {
+    for (const char* word : {"map_", "bump", "disp", "decal", "refl", "norm"}) {
+        if (line.size() >= qsizetype(qstrlen(word)) &&
+            line.first(qsizetype(qstrlen(word))).compare(word, Qt::CaseInsensitive) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+QString faultOfMaterials(const QByteArray& bytes, const QString& name) {
+    QByteArrayView rest(bytes);
+    while (!rest.isEmpty()) {
+        const auto end = std::find_if(rest.begin(), rest.end(),
+                                      [](char byte) { return byte == '\n' || byte == '\r'; });
+        const QByteArrayView line = QByteArrayView(rest.begin(), end).trimmed();
+        rest = rest.sliced(std::min(qsizetype(end - rest.begin()) + 1, rest.size()));
+        if (line.startsWith("newmtl")) {
+            return QString();
+        }
+        if (namesPicture(line)) {
+            return Text::tr("%1 names a picture before any material").arg(name);
+        }
+    }
+    return QString();
+}
+
+} // namespace dipwright

@@ -1,0 +1,13 @@
+// Damage to OBJ's material files (.mtl) that assimp does not survive. Private to this folder.
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+
+namespace dipwright {
+
+// What is wrong with the file of this name, empty where nothing is: assimp 5.2.5 ends the program
+// at a picture that belongs to no material, because none was begun.
+QString faultOfMaterials(const QByteArray& bytes, const QString& name);
+
+} // namespace dipwright

@@ -1,0 +1,109 @@
+#include "foreign/PictureReader.h"
+
+#include "base/Budgets.h"
+#include "base/Error.h"
+
+#include <QBuffer>
+#include <QColorSpace>
+#include <QCoreApplication>
+#include <QImageReader>
+
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Texture)
+};
+
+// A picture that only states a gamma near 2.2 means sRGB, as every program shows it.
+bool isAsGoodAsSRgb(const QColorSpace& space) {
+    return !space.isValid() || space == QColorSpace::SRgb ||
+           (space.primaries() == QColorSpace::Primaries::SRgb &&
+            space.transferFunction() == QColorSpace::TransferFunction::Gamma &&
+            std::abs(space.gamma() - 2.2F) < 0.05F);
+}
+
+QImage asTexture(QImage image) {
+    if (!isAsGoodAsSRgb(image.colorSpace())) {
+        image.convertToColorSpace(QColorSpace::SRgb);
+    }
+    image.convertTo(QImage::Format_RGBA8888);
+    image.setColorSpace(QColorSpace());
+    return image;
+}
+
+// Qt's name for the format, by the first bytes; empty for all that is not read. A name in a model
+// says nothing: an SVG called .png would draw what it likes, from wherever it likes.
+QByteArray formatOf(const QByteArray& bytes) {
+    if (bytes.startsWith("\x89PNG\r\n\x1a\n")) {
+        return "png";
+    }
+    if (bytes.startsWith("\xff\xd8\xff")) {
+        return "jpeg";
+    }
+    if (bytes.startsWith("BM")) {
+        return "bmp";
+    }
+    if (bytes.startsWith(QByteArrayView("II*\0", 4)) ||
+        bytes.startsWith(QByteArrayView("MM\0*", 4))) {
+        return "tiff";
+    }
+    return bytes.startsWith("RIFF") && bytes.mid(8, 4) == "WEBP" ? "webp" : QByteArray();
+}
+
+} // namespace
+
+void PictureReader::count(const QSize& size, qint64 fileBytes, const QString& where) {
+    if (size.isEmpty()) {
+        throw Error(Text::tr("The texture has no pixels; choose another picture"), where);
+    }
+    const QString place =
+        Text::tr("%1, with %2 × %3 pixels").arg(where).arg(size.width()).arg(size.height());
+    requireWithin(Budget::PictureSide, std::max(size.width(), size.height()), place);
+    pixels_ += qint64(size.width()) * size.height();
+    fileBytes_ += fileBytes;
+    requireWithin(Budget::Pixels, pixels_, place, fileBytes_);
+}
+
+QImage PictureReader::read(const QByteArray& bytes, const QString& where) {
+    // Qt's own limit refuses 8192 × 8192; ours is the size checked before anything is decoded.
+    constexpr int mostBytesPerPixel = 8;
+    QImageReader::setAllocationLimit(
+        int(mostOf(Budget::Pixels, bytes.size()) * mostBytesPerPixel >> 20));
+    QBuffer buffer;
+    buffer.setData(bytes);
+    buffer.open(QIODevice::ReadOnly);
+    const QByteArray format = formatOf(bytes);
+    QImageReader reader;
+    reader.setAutoDetectImageFormat(false);
+    reader.setFormat(format);
+    reader.setDevice(&buffer);
+    if (format.isEmpty() || !reader.canRead()) {
+        throw Error(
+            Text::tr("The texture is not a picture that can be read; save it as PNG or JPEG"),
+            where);
+    }
+    const QSize announced = reader.size();
+    if (announced.isValid()) {
+        count(announced, bytes.size(), where);
+    }
+    QImage image = reader.read();
+    if (image.isNull()) {
+        throw Error(Text::tr("The texture is damaged: %1; save it anew").arg(reader.errorString()),
+                    where);
+    }
+    if (!announced.isValid()) {
+        count(image.size(), bytes.size(), where);
+    }
+    return asTexture(std::move(image));
+}
+
+QImage PictureReader::take(QImage image, const QString& where) {
+    count(image.size(), image.sizeInBytes(), where);
+    return asTexture(std::move(image));
+}
+
+} // namespace dipwright

@@ -1,0 +1,28 @@
+// Pictures from bytes that nobody has looked at yet.
+#pragma once
+
+#include <QByteArray>
+#include <QImage>
+#include <QString>
+
+namespace dipwright {
+
+// Decodes one after the other and counts their pixels together, as often as each comes. One thread.
+class PictureReader {
+public:
+    // To RGBA8888 in sRGB. PNG, JPEG, BMP, TIFF and WebP by their content; nothing else is tried.
+    // Throws Error, naming `where`, for what is no such picture, has no pixels or more than
+    // Budgets.h allows; nothing is decoded before its size is known to do.
+    QImage read(const QByteArray& bytes, const QString& where);
+
+    // Pixels that came in no file of their own: checks them as the others and brings them to
+    // RGBA8888.
+    QImage take(QImage image, const QString& where);
+
+private:
+    void count(const QSize& size, qint64 fileBytes, const QString& where);
+
+    qint64 pixels_ = 0, fileBytes_ = 0;
+};
+
+} // namespace dipwright

@@ -1,0 +1,24 @@
+// Pictures from files of users and out of projects.
+#pragma once
+
+#include <QByteArray>
+#include <QImage>
+#include <QString>
+#include <vector>
+
+namespace dipwright {
+
+// A picture file in memory, and what the user knows it by.
+struct PackedPicture {
+    QByteArray bytes; // PNG, JPEG, BMP, TIFF or WebP
+    QString where;
+};
+
+// All of them, RGBA8888 in sRGB. Equal ones share their pixels and count as often as they come.
+// Throws Error for what cannot be read or is more than Budgets.h allows together.
+std::vector<QImage> readPictures(const std::vector<PackedPicture>& pictures);
+
+// One from a file that the user has chosen.
+QImage readPictureFile(const QString& path);
+
+} // namespace dipwright
