@@ -120,8 +120,8 @@ ReverseTexture textureOf(const LaidFilm& laid, const TextureInputs& inputs,
 
 // The films that one immersion's is to be compared with, dipped beside everything else.
 struct Comparison {
-    Tasks dips;
     CoarserFilms films;
+    Tasks dips; // after what they fill in: they are waited for before it goes
     bool isWanted = false;
 };
 
@@ -236,16 +236,17 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
                    SolverChoice& solver, const Progress& progress) {
     std::vector<ImmersionResult>& immersions = result.immersions;
     immersions.resize(inputs.size());
+    const bool hasProof = hasProofOf(run.previous, inputs);
+    // Before the tasks that use them: with an exception these are waited for first.
+    CancelSwitch left; // with an exception: the comparisons are not finished
+    std::shared_ptr<const ProofStage> stage;
     std::vector<Comparison> comparisons(inputs.size());
     Tasks sheets;
     Tasks pictures; // each begins a sheet
-    const bool hasProof = hasProofOf(run.previous, inputs);
-    std::shared_ptr<const ProofStage> stage;
+    const auto leave = qScopeGuard([&left] { left.cancel(); });
     if (!hasProof) {
         pictures.run([&] { stage = proofStage(*run.project.model); });
     }
-    CancelSwitch left; // with an exception: nobody waits for the comparisons
-    const auto leave = qScopeGuard([&left] { left.cancel(); });
     const double share = dipsDone / double(inputs.size());
     for (std::size_t number = 0; number < inputs.size(); ++number) {
         const double begin = share * double(number);
