@@ -129,6 +129,10 @@
         <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left.</source>
         <translation>%1 Schritte des Tauchgangs endeten ohne Gleichgewicht, mit bis zu %2 % der elastischen Kräfte als Rest.</translation>
     </message>
+    <message>
+        <source>%1: %2. %3</source>
+        <translation>%1: %2. %3</translation>
+    </message>
 </context>
 <context>
     <name>CertaintyPanel</name>
@@ -468,13 +472,6 @@
     <message>
         <source>Writing the report</source>
         <translation>Bericht wird geschrieben</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n step(s) ended without equilibrium, with forces left of up to %2 % of those in the film; see how certain the sheet is</source>
-        <translation>
-            <numerusform>%1: %n Schritt endete ohne Gleichgewicht, mit übrigen Kräften bis zu %2 % von denen in der Folie; prüfen Sie, wie verlässlich der Bogen ist</numerusform>
-            <numerusform>%1: %n Schritte endeten ohne Gleichgewicht, mit übrigen Kräften bis zu %2 % von denen in der Folie; prüfen Sie, wie verlässlich der Bogen ist</numerusform>
-        </translation>
     </message>
     <message>
         <source>Reversing the texture</source>

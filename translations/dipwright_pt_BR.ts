@@ -129,6 +129,10 @@
         <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left.</source>
         <translation>%1 passos da imersão terminaram sem equilíbrio, com até %2 % das forças elásticas restantes.</translation>
     </message>
+    <message>
+        <source>%1: %2. %3</source>
+        <translation>%1: %2. %3</translation>
+    </message>
 </context>
 <context>
     <name>CertaintyPanel</name>
@@ -468,13 +472,6 @@
     <message>
         <source>Writing the report</source>
         <translation>Gravando o relatório</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n step(s) ended without equilibrium, with forces left of up to %2 % of those in the film; see how certain the sheet is</source>
-        <translation>
-            <numerusform>%1: %n passo terminou sem equilíbrio, com forças restantes de até %2 % das que há no filme; verifique quão confiável é a folha</numerusform>
-            <numerusform>%1: %n passos terminaram sem equilíbrio, com forças restantes de até %2 % das que há no filme; verifique quão confiável é a folha</numerusform>
-        </translation>
     </message>
     <message>
         <source>Reversing the texture</source>

@@ -156,13 +156,14 @@ void objectToEstimate(Objections& found, const CertaintyEstimate& estimate, doub
     }
 }
 
-Objections objections(const solver::EquilibriumAccount& account, const CertaintyEstimate& estimate,
+// `estimate` null: none was asked for.
+Objections objections(const solver::EquilibriumAccount& account, const CertaintyEstimate* estimate,
                       double farShare) {
     Objections found;
-    if (estimate.failure.isEmpty()) {
-        objectToEstimate(found, estimate, farShare);
-    } else {
-        found.add(Advice::LookFirst, {Kind::NotCompared, 0, estimate.failure});
+    if (estimate && estimate->failure.isEmpty()) {
+        objectToEstimate(found, *estimate, farShare);
+    } else if (estimate) {
+        found.add(Advice::LookFirst, {Kind::NotCompared, 0, estimate->failure});
     }
     if (account.stepsWithout > 0) {
         found.add(Advice::LookFirst,
@@ -179,17 +180,16 @@ QString percent(double share) {
 
 Verdict verdict(const LaidFilm& own, const CertaintyEstimate* estimate) {
     const OffByAreas areas(own, estimate ? estimate->pointsOffBy : std::vector<float>());
-    Verdict result{Advice::NotJudged, {{Kind::NotAsked}}, areas.places(), areas.uncertain};
-    if (estimate) {
-        const double farShare = areas.painted > 0 ? areas.far / areas.painted : 0;
-        Objections found = objections(own.film().equilibrium, *estimate, farShare);
-        if (found.reasons.empty()) {
-            found.reasons.push_back({Kind::Certain, estimate->offBy.percentile95});
-        }
-        result.advice = found.advice;
-        result.reasons = std::move(found.reasons);
+    const double farShare = areas.painted > 0 ? areas.far / areas.painted : 0;
+    Objections found = objections(own.film().equilibrium, estimate, farShare);
+    std::vector<VerdictReason>& reasons = found.reasons;
+    if (!estimate) {
+        found.advice = Advice::NotJudged;
+        reasons.insert(reasons.begin(), {Kind::NotAsked});
+    } else if (reasons.empty()) {
+        reasons.push_back({Kind::Certain, estimate->offBy.percentile95});
     }
-    return result;
+    return {found.advice, std::move(reasons), areas.places(), areas.uncertain};
 }
 
 QString adviceText(Advice advice) {
@@ -242,6 +242,15 @@ QString reasonText(const VerdictReason& reason, const LengthText& length) {
             .arg(QLocale().toString(qlonglong(reason.value)), percent(reason.most));
     }
     return {};
+}
+
+QString verdictText(const QString& immersion, const Verdict& verdict) {
+    QStringList sentences;
+    for (const VerdictReason& reason : verdict.reasons) {
+        sentences.append(reasonText(reason, millimetres));
+    }
+    return Text::tr("%1: %2. %3")
+        .arg(immersion, adviceText(verdict.advice), sentences.join(QLatin1Char(' ')));
 }
 
 QString adviceKey(Advice advice) {

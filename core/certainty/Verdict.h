@@ -51,7 +51,7 @@ inline constexpr double mostFarOffArea = 0.01;    // of the painted area, of a c
 inline constexpr double spoiltPaintedOnce = 0.15; // of the body's surface
 inline constexpr std::size_t mostPlaces = 12;
 
-// `estimate` null: none was asked for.
+// The one place that tells of steps without equilibrium. `estimate` null: none was asked for.
 Verdict verdict(const LaidFilm& own, const CertaintyEstimate* estimate);
 
 // For the user: "Print it", and why, in a sentence. `length` words a length given in mm.
@@ -59,6 +59,8 @@ QString adviceText(Advice advice);
 using LengthText = std::function<QString(double)>;
 QString millimetres(double length); // "0.12 mm"
 QString reasonText(const VerdictReason& reason, const LengthText& length);
+// All of it in a line: "Top: Print it. 95 % of the sheet is off by …".
+QString verdictText(const QString& immersion, const Verdict& verdict);
 // "print", "look_first", "do_not_print", "not_judged".
 QString adviceKey(Advice advice);
 

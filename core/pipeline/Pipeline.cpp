@@ -278,14 +278,6 @@ QStringList notesOf(const JobResult& result) {
     }
     for (const ImmersionResult& immersion : result.immersions) {
         notes += immersion.solverNotes;
-        const solver::EquilibriumAccount& account = immersion.laid->film().equilibrium;
-        if (account.stepsWithout > 0) {
-            notes.append(Text::tr("%1: %n step(s) ended without equilibrium, with forces left of "
-                                  "up to %2 % of those in the film; see how certain the sheet is",
-                                  nullptr, int(account.stepsWithout))
-                             .arg(immersion.immersion.name)
-                             .arg(100 * account.worstForceLeft, 0, 'g', 2));
-        }
         if (edgeIsOnBody(*immersion.laid)) {
             notes.append(Text::tr("%1: the film's edge ends up on the body; take a larger "
                                   "film, or place the body further from the edge")

@@ -66,6 +66,9 @@ void DipController::takeResult() {
         messages_.log(note);
     }
     messages_.notice(result.notes.join(QLatin1Char('\n')));
+    for (const ImmersionResult& immersion : result.immersions) {
+        messages_.log(verdictText(immersion.immersion.name, immersion.verdict));
+    }
     messages_.log(
         tr("Simulated with %1 on %2").arg(shownName(result.solver.name), result.solver.device));
     showResults();

@@ -1,0 +1,66 @@
+// What a verdict says of films laid by hand, with and without a comparison.
+#include "certainty/Verdict.h"
+
+#include "DippedByHand.h"
+#include "geometry/Shapes.h"
+
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+const Eigen::Vector3d boxSize(40, 30, 40);
+
+std::shared_ptr<const LaidFilm> filmWith(const solver::EquilibriumAccount& account) {
+    DippedFilm film = test::flatUnderBox({61, 61, 60, 60}, boxSize);
+    film.equilibrium = account;
+    return test::laid(test::plainModel(boxMesh(boxSize), Qt::gray), film);
+}
+
+// Of a film that all coarser dips agree with.
+CertaintyEstimate agreement(const LaidFilm& laid) {
+    const auto same = test::laid(laid.body().model, laid.film());
+    return certaintyEstimate(laid, {same, same, {}});
+}
+
+qsizetype mentions(const Verdict& verdict) {
+    return verdictText(QStringLiteral("Top"), verdict).count(QStringLiteral("equilibrium"));
+}
+
+} // namespace
+
+class VerdictReasonsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void stepsWithoutEquilibriumAreToldOnce() {
+        const auto laid = filmWith({3, 0.25, 900});
+        const CertaintyEstimate estimate = agreement(*laid);
+        const Verdict judged = verdict(*laid, &estimate);
+        QCOMPARE(judged.advice, Advice::LookFirst);
+        QCOMPARE(mentions(judged), qsizetype(1));
+    }
+
+    void theyAreToldOfSheetsThatNobodyAskedAboutToo() {
+        const Verdict unjudged = verdict(*filmWith({3, 0.25, 900}), nullptr);
+        QCOMPARE(unjudged.advice, Advice::NotJudged);
+        QCOMPARE(unjudged.reasons.front().kind, VerdictReason::Kind::NotAsked);
+        QCOMPARE(mentions(unjudged), qsizetype(1));
+    }
+
+    void whereAllAgreesThereIsNothingElseToTell() {
+        const auto laid = filmWith({});
+        const CertaintyEstimate estimate = agreement(*laid);
+        const Verdict judged = verdict(*laid, &estimate);
+        QCOMPARE(judged.advice, Advice::Print);
+        QCOMPARE(judged.reasons.size(), std::size_t(1));
+        QCOMPARE(mentions(judged), qsizetype(0));
+        const QString line = verdictText(QStringLiteral("Top"), judged);
+        QVERIFY2(line.startsWith(QStringLiteral("Top: Print it. 95 % of the sheet")),
+                 qPrintable(line));
+    }
+};
+
+QTEST_GUILESS_MAIN(VerdictReasonsTest)
+#include "VerdictReasonsTest.moc"
