@@ -53,13 +53,6 @@
     </message>
 </context>
 <context>
-    <name>Bytes</name>
-    <message>
-        <source>The file cannot be written: %1</source>
-        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
-    </message>
-</context>
-<context>
     <name>Certainty</name>
     <message>
         <source>the solver failed: %1</source>
@@ -201,6 +194,21 @@
     <message>
         <source>Preparing the views</source>
         <translation>Ansichten werden vorbereitet</translation>
+    </message>
+</context>
+<context>
+    <name>FileLock</name>
+    <message>
+        <source>%1 on %2, process %3</source>
+        <translation>%1 auf %2, Prozess %3</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>an unknown machine</source>
+        <translation>einem unbekannten Rechner</translation>
     </message>
 </context>
 <context>
@@ -920,6 +928,14 @@
         <source>There is no such value in this profile, there are %1</source>
         <translation>Diesen Wert gibt es in diesem Profil nicht; es gibt %1</translation>
     </message>
+    <message>
+        <source>The profile is being written elsewhere (%1), try again</source>
+        <translation>Das Profil wird gerade anderswo geschrieben (%1); versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>Another program has changed the profile since it was read, nothing is saved; look at what it says now and do it again</source>
+        <translation>Ein anderes Programm hat das Profil geändert, seit es gelesen wurde; nichts ist gespeichert. Sehen Sie nach, was es nun sagt, und ändern Sie es noch einmal</translation>
+    </message>
 </context>
 <context>
     <name>Project</name>
@@ -1014,6 +1030,17 @@
     <message>
         <source>A value is missing, give %1</source>
         <translation>Hier fehlt ein Wert; geben Sie %1 an</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectFile</name>
+    <message>
+        <source>Another program has written the project since it was read, nothing is saved; look at what it holds now and do it again</source>
+        <translation>Ein anderes Programm hat das Projekt geschrieben, seit es gelesen wurde; nichts ist gespeichert. Sehen Sie nach, was es nun enthält, und wiederholen Sie den Schritt</translation>
+    </message>
+    <message>
+        <source>The project is open elsewhere (%1); close it there, or work on a copy</source>
+        <translation>Das Projekt ist anderswo geöffnet (%1); schließen Sie es dort, oder arbeiten Sie an einer Kopie</translation>
     </message>
 </context>
 <context>
@@ -1565,10 +1592,6 @@
         <translation>Die Ergebnisse können nicht geschrieben werden, %1 ist kein Ordner</translation>
     </message>
     <message>
-        <source>The folder cannot be written: %1</source>
-        <translation>In den Ordner kann nicht geschrieben werden: %1</translation>
-    </message>
-    <message>
         <source>The results cannot be written: %1</source>
         <translation>Die Ergebnisse können nicht geschrieben werden: %1</translation>
     </message>
@@ -1579,6 +1602,22 @@
     <message>
         <source>%1 is in the way of the results; move it, or choose another folder</source>
         <translation>%1 steht den Ergebnissen im Weg; verschieben Sie es oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>Another program is writing results there (%1); wait for it, or choose another folder</source>
+        <translation>Ein anderes Programm schreibt dort Ergebnisse (%1); warten Sie darauf, oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>Earlier results there were not completed and cannot be now; is a file there in use?</source>
+        <translation>Frühere Ergebnisse dort wurden nicht vollendet und können es jetzt nicht werden; wird dort eine Datei benutzt?</translation>
+    </message>
+    <message>
+        <source>The folder cannot be written, choose another</source>
+        <translation>In den Ordner kann nicht geschrieben werden; wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
+        <translation>Die Ergebnisse sind nur zum Teil in den Ordner verschoben; schließen Sie, was dort Dateien geöffnet hat, und starten Sie das Programm neu: Es verschiebt den Rest</translation>
     </message>
 </context>
 <context>
@@ -1695,10 +1734,6 @@
         <translation>Sein Modul %1 fehlt</translation>
     </message>
     <message>
-        <source>It brought the program down when it was last loaded; set DIPWRIGHT_RETRY_SOLVERS=1 to try it again</source>
-        <translation>Er brachte das Programm beim letzten Laden zum Absturz; setzen Sie DIPWRIGHT_RETRY_SOLVERS=1, um es wieder zu versuchen</translation>
-    </message>
-    <message>
         <source>Its module cannot be loaded: %1</source>
         <translation>Sein Modul kann nicht geladen werden: %1</translation>
     </message>
@@ -1737,6 +1772,10 @@
     <message>
         <source>Its module does not fit this program&apos;s solver interface %1, whatever its description says; build it anew</source>
         <translation>Sein Modul passt nicht zur Löserschnittstelle %1 dieses Programms, was auch immer seine Beschreibung sagt; bauen Sie es neu</translation>
+    </message>
+    <message>
+        <source>It has crashed twice; replace it, or set DIPWRIGHT_RETRY_SOLVERS=1 to try it again</source>
+        <translation>Er ist zweimal abgestürzt; ersetzen Sie ihn, oder setzen Sie DIPWRIGHT_RETRY_SOLVERS=1, um ihn wieder zu versuchen</translation>
     </message>
 </context>
 <context>
@@ -1784,6 +1823,29 @@
     <message>
         <source> %/s</source>
         <translation> %/s</translation>
+    </message>
+</context>
+<context>
+    <name>WholeFile</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>it may not be written</source>
+        <translation>sie darf nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>another program is writing it at this moment, try again</source>
+        <translation>ein anderes Programm schreibt sie in diesem Augenblick, versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>it does not reach the disk: %1</source>
+        <translation>sie kommt nicht auf die Platte: %1</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
     </message>
 </context>
 <context>
@@ -2208,6 +2270,13 @@
     </message>
 </context>
 <context>
+    <name>dipwright::Document</name>
+    <message>
+        <source>The project is open elsewhere (%1); choose another name</source>
+        <translation>Das Projekt ist anderswo geöffnet (%1); wählen Sie einen anderen Namen</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::DocumentController</name>
     <message>
         <source>Open Project</source>
@@ -2224,10 +2293,6 @@
     <message>
         <source>an unknown machine</source>
         <translation>einem unbekannten Rechner</translation>
-    </message>
-    <message>
-        <source>Whoever saves last overwrites what the other has done.</source>
-        <translation>Wer zuletzt speichert, überschreibt die Arbeit des anderen.</translation>
     </message>
     <message>
         <source>Open Anyway</source>
@@ -2260,6 +2325,30 @@
     <message>
         <source>%1 is neither a project, a model nor a picture</source>
         <translation>%1 ist weder ein Projekt noch ein Modell noch ein Bild</translation>
+    </message>
+    <message>
+        <source>If both of you save, the second is asked whose work is to stay.</source>
+        <translation>Speichern beide, so wird der zweite gefragt, wessen Arbeit bleiben soll.</translation>
+    </message>
+    <message>
+        <source>Project Changed Elsewhere</source>
+        <translation>Projekt anderswo geändert</translation>
+    </message>
+    <message>
+        <source>Another program has written “%1” since it was opened here.</source>
+        <translation>Ein anderes Programm hat „%1“ geschrieben, seit es hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>Save under another name to keep both. Overwriting loses what the other has done.</source>
+        <translation>Speichern Sie unter einem anderen Namen, um beides zu behalten. Überschreiben verliert, was der andere getan hat.</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>Ü&amp;berschreiben</translation>
     </message>
 </context>
 <context>
@@ -3592,6 +3681,22 @@
     <message>
         <source>ICC profiles (%1)</source>
         <translation>ICC-Profile (%1)</translation>
+    </message>
+    <message>
+        <source>Profile Changed Elsewhere</source>
+        <translation>Profil anderswo geändert</translation>
+    </message>
+    <message>
+        <source>Another program has changed the profile “%1” meanwhile.</source>
+        <translation>Ein anderes Programm hat das Profil „%1“ inzwischen geändert.</translation>
+    </message>
+    <message>
+        <source>Show the Other’s</source>
+        <translation>Das andere zeigen</translation>
+    </message>
+    <message>
+        <source>Keep &amp;Mine</source>
+        <translation>&amp;Meines behalten</translation>
     </message>
 </context>
 <context>

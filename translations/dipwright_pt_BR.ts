@@ -53,13 +53,6 @@
     </message>
 </context>
 <context>
-    <name>Bytes</name>
-    <message>
-        <source>The file cannot be written: %1</source>
-        <translation>O arquivo não pode ser gravado: %1</translation>
-    </message>
-</context>
-<context>
     <name>Certainty</name>
     <message>
         <source>the solver failed: %1</source>
@@ -201,6 +194,21 @@
     <message>
         <source>Preparing the views</source>
         <translation>Preparando as vistas</translation>
+    </message>
+</context>
+<context>
+    <name>FileLock</name>
+    <message>
+        <source>%1 on %2, process %3</source>
+        <translation>%1 em %2, processo %3</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>outro programa</translation>
+    </message>
+    <message>
+        <source>an unknown machine</source>
+        <translation>uma máquina desconhecida</translation>
     </message>
 </context>
 <context>
@@ -920,6 +928,14 @@
         <source>There is no such value in this profile, there are %1</source>
         <translation>Não há esse valor neste perfil; existem %1</translation>
     </message>
+    <message>
+        <source>The profile is being written elsewhere (%1), try again</source>
+        <translation>O perfil está sendo gravado em outro lugar (%1); tente de novo</translation>
+    </message>
+    <message>
+        <source>Another program has changed the profile since it was read, nothing is saved; look at what it says now and do it again</source>
+        <translation>Outro programa mudou o perfil desde que foi lido; nada foi salvo. Veja o que ele diz agora e faça de novo</translation>
+    </message>
 </context>
 <context>
     <name>Project</name>
@@ -1014,6 +1030,17 @@
     <message>
         <source>A value is missing, give %1</source>
         <translation>Falta um valor, informe %1</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectFile</name>
+    <message>
+        <source>Another program has written the project since it was read, nothing is saved; look at what it holds now and do it again</source>
+        <translation>Outro programa gravou o projeto desde que foi lido; nada foi salvo. Veja o que ele contém agora e faça de novo</translation>
+    </message>
+    <message>
+        <source>The project is open elsewhere (%1); close it there, or work on a copy</source>
+        <translation>O projeto está aberto em outro lugar (%1); feche-o lá ou trabalhe em uma cópia</translation>
     </message>
 </context>
 <context>
@@ -1565,10 +1592,6 @@
         <translation>Os resultados não podem ser gravados; %1 não é uma pasta</translation>
     </message>
     <message>
-        <source>The folder cannot be written: %1</source>
-        <translation>Não é possível gravar na pasta: %1</translation>
-    </message>
-    <message>
         <source>The results cannot be written: %1</source>
         <translation>Os resultados não podem ser gravados: %1</translation>
     </message>
@@ -1579,6 +1602,22 @@
     <message>
         <source>%1 is in the way of the results; move it, or choose another folder</source>
         <translation>%1 está no caminho dos resultados; mova-o ou escolha outra pasta</translation>
+    </message>
+    <message>
+        <source>Another program is writing results there (%1); wait for it, or choose another folder</source>
+        <translation>Outro programa está gravando resultados ali (%1); espere por ele ou escolha outra pasta</translation>
+    </message>
+    <message>
+        <source>Earlier results there were not completed and cannot be now; is a file there in use?</source>
+        <translation>Resultados anteriores ali não foram concluídos e não podem ser agora; algum arquivo ali está em uso?</translation>
+    </message>
+    <message>
+        <source>The folder cannot be written, choose another</source>
+        <translation>Não é possível gravar na pasta; escolha outra</translation>
+    </message>
+    <message>
+        <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
+        <translation>Os resultados foram movidos para a pasta só em parte; feche o que tem arquivos abertos ali e inicie o programa de novo, que move o resto</translation>
     </message>
 </context>
 <context>
@@ -1695,10 +1734,6 @@
         <translation>Falta seu módulo %1</translation>
     </message>
     <message>
-        <source>It brought the program down when it was last loaded; set DIPWRIGHT_RETRY_SOLVERS=1 to try it again</source>
-        <translation>Derrubou o programa na última vez em que foi carregado; defina DIPWRIGHT_RETRY_SOLVERS=1 para tentar de novo</translation>
-    </message>
-    <message>
         <source>Its module cannot be loaded: %1</source>
         <translation>Seu módulo não pode ser carregado: %1</translation>
     </message>
@@ -1737,6 +1772,10 @@
     <message>
         <source>Its module does not fit this program&apos;s solver interface %1, whatever its description says; build it anew</source>
         <translation>O módulo dele não corresponde à interface de solucionador %1 deste programa, seja o que for que diga a descrição; compile-o de novo</translation>
+    </message>
+    <message>
+        <source>It has crashed twice; replace it, or set DIPWRIGHT_RETRY_SOLVERS=1 to try it again</source>
+        <translation>Ele travou duas vezes; substitua-o ou defina DIPWRIGHT_RETRY_SOLVERS=1 para tentar de novo</translation>
     </message>
 </context>
 <context>
@@ -1784,6 +1823,29 @@
     <message>
         <source> %/s</source>
         <translation> %/s</translation>
+    </message>
+</context>
+<context>
+    <name>WholeFile</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>é uma pasta</translation>
+    </message>
+    <message>
+        <source>it may not be written</source>
+        <translation>não há permissão para gravá-lo</translation>
+    </message>
+    <message>
+        <source>another program is writing it at this moment, try again</source>
+        <translation>outro programa está gravando-o neste momento, tente de novo</translation>
+    </message>
+    <message>
+        <source>it does not reach the disk: %1</source>
+        <translation>não chega ao disco: %1</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>O arquivo não pode ser gravado: %1</translation>
     </message>
 </context>
 <context>
@@ -2208,6 +2270,13 @@
     </message>
 </context>
 <context>
+    <name>dipwright::Document</name>
+    <message>
+        <source>The project is open elsewhere (%1); choose another name</source>
+        <translation>O projeto está aberto em outro lugar (%1); escolha outro nome</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::DocumentController</name>
     <message>
         <source>Open Project</source>
@@ -2224,10 +2293,6 @@
     <message>
         <source>an unknown machine</source>
         <translation>uma máquina desconhecida</translation>
-    </message>
-    <message>
-        <source>Whoever saves last overwrites what the other has done.</source>
-        <translation>Quem salvar por último sobrescreve o trabalho do outro.</translation>
     </message>
     <message>
         <source>Open Anyway</source>
@@ -2260,6 +2325,30 @@
     <message>
         <source>%1 is neither a project, a model nor a picture</source>
         <translation>%1 não é um projeto, nem um modelo, nem uma imagem</translation>
+    </message>
+    <message>
+        <source>If both of you save, the second is asked whose work is to stay.</source>
+        <translation>Se os dois salvarem, o segundo é perguntado qual trabalho fica.</translation>
+    </message>
+    <message>
+        <source>Project Changed Elsewhere</source>
+        <translation>Projeto mudado em outro lugar</translation>
+    </message>
+    <message>
+        <source>Another program has written “%1” since it was opened here.</source>
+        <translation>Outro programa gravou “%1” desde que foi aberto aqui.</translation>
+    </message>
+    <message>
+        <source>Save under another name to keep both. Overwriting loses what the other has done.</source>
+        <translation>Salve com outro nome para guardar os dois. Sobrescrever perde o que o outro fez.</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Salvar &amp;como…</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>&amp;Sobrescrever</translation>
     </message>
 </context>
 <context>
@@ -3592,6 +3681,22 @@
     <message>
         <source>ICC profiles (%1)</source>
         <translation>Perfis ICC (%1)</translation>
+    </message>
+    <message>
+        <source>Profile Changed Elsewhere</source>
+        <translation>Perfil mudado em outro lugar</translation>
+    </message>
+    <message>
+        <source>Another program has changed the profile “%1” meanwhile.</source>
+        <translation>Outro programa mudou o perfil “%1” nesse meio-tempo.</translation>
+    </message>
+    <message>
+        <source>Show the Other’s</source>
+        <translation>Mostrar o do outro</translation>
+    </message>
+    <message>
+        <source>Keep &amp;Mine</source>
+        <translation>&amp;Manter o meu</translation>
     </message>
 </context>
 <context>

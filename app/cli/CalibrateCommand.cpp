@@ -1,7 +1,7 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
 
-#include "base/Bytes.h"
+#include "disk/WholeFile.h"
 #include "printing/Calibration.h"
 
 #include <QRegularExpression>
@@ -24,10 +24,10 @@ QSizeF paperSize(const QString& name) {
                      QStringLiteral("--paper %1").arg(name));
 }
 
-// The profile named, or a new one of that name.
-PrinterProfile namedProfile(const QString& name) {
-    if (ProfileLibrary().contains(ProfileKind::Printer, name)) {
-        return std::get<PrinterProfile>(ProfileLibrary().profile(ProfileKind::Printer, name));
+// The profile found, or a new one of that name.
+PrinterProfile profileOf(const std::optional<Profile>& found, const QString& name) {
+    if (found) {
+        return std::get<PrinterProfile>(*found);
     }
     PrinterProfile profile;
     profile.name = name;
@@ -62,10 +62,10 @@ Measured measured(const QCommandLineParser& parser) {
     return {parsedLength(parts[0]), parsedLength(parts[1])};
 }
 
-void takeOver(const Measured& lengths, const CalibrationPage& page, PrinterProfile profile,
-              QTextStream& out) {
+void takeOver(const Measured& lengths, const CalibrationPage& page,
+              const std::optional<Profile>& known, PrinterProfile profile, QTextStream& out) {
     profile = calibrated(profile, page, lengths.x, lengths.y);
-    ProfileLibrary().save(profile);
+    ProfileLibrary().save(profile, known);
     out << QStringLiteral("The printer profile %1 now has the scale %2 × %3\n")
                .arg(profile.name)
                .arg(profile.scaleX, 0, 'f', 5)
@@ -117,11 +117,12 @@ public:
                                "NAME"),
                 QStringLiteral("--profile"));
         }
-        const PrinterProfile profile = namedProfile(name);
+        const std::optional<Profile> known = ProfileLibrary().found(ProfileKind::Printer, name);
+        const PrinterProfile profile = profileOf(known, name);
         const CalibrationPage page = calibrationPage(profile, paperSize(parser.value(paperOption)),
                                                      parser.isSet(verifyOption));
         if (parser.isSet(measuredOption)) {
-            takeOver(measured(parser), page, profile, console.out());
+            takeOver(measured(parser), page, known, profile, console.out());
             return;
         }
         const PrintTarget target = printTarget(parser);

@@ -1,8 +1,9 @@
 #include "cli/Arguments.h"
 
+#include "disk/WholeFile.h"
 #include "import/ImportModel.h"
 #include "model/ModelFormats.h"
-#include "project/ProjectStore.h"
+#include "project/ProjectFile.h"
 
 #include <QDate>
 #include <QFileInfo>
@@ -130,6 +131,8 @@ public:
         }
         requireOther(path, parser, modelOption);
         requireOther(path, parser, textureOption);
+        ProjectFile file(path);
+        checkWritable(path); // better now than after the work
         Project project;
         project.name = QFileInfo(path).completeBaseName();
         project.date = QDate::currentDate().toString(Qt::ISODate);
@@ -138,7 +141,7 @@ public:
         applyImmersions(project, parser.values(immersionOption));
         applySettings(project, parser);
         importInto(project, parser, console);
-        saveProject(project, path);
+        file.save(project);
         console.out() << QStringLiteral("Wrote %1\n").arg(path);
     }
 };

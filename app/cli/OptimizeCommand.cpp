@@ -1,7 +1,9 @@
 #include "cli/Arguments.h"
 
+#include "disk/WholeFile.h"
 #include "pipeline/PoseSearch.h"
 #include "pipeline/SolverChoice.h"
+#include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 
 namespace dipwright::cli {
@@ -67,7 +69,10 @@ public:
         PoseSearchOptions options;
         options.immersions = wholeNumberOption(parser, immersionsOption, 1, 2);
         options.candidates = wholeNumberOption(parser, candidatesOption, 6, 2000);
+        const QString path = positionalArgument(parser, QStringLiteral("JOB.dipw"));
+        ProjectFile file(path);
         const Project project = projectArgument(parser);
+        checkWritable(path); // better now than after the work
         const SolverRegistry registry;
         SolverChoice solver = chooseSolver(parser.isSet(solverOption) ? parser.value(solverOption)
                                                                       : project.process.solver,
@@ -78,16 +83,10 @@ public:
             });
         printWarnings(solver.notes, console.out());
         printRanking(ranking, console.out());
-        writeBest(parser, ranking.front());
-    }
-
-private:
-    // Into the file as it is: what --set changed was for the search alone.
-    static void writeBest(const QCommandLineParser& parser, const RankedPoses& best) {
-        const QString path = positionalArgument(parser, QStringLiteral("JOB.dipw"));
+        // Into the file as it is: what --set changed was for the search alone.
         Project stored = loadProject(path);
-        stored.immersions = best.immersions;
-        saveProject(stored, path);
+        stored.immersions = ranking.front().immersions;
+        file.save(stored);
     }
 };
 

@@ -1,8 +1,8 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
 
-#include "base/Bytes.h"
 #include "base/Png.h"
+#include "disk/WholeFile.h"
 #include "pipeline/Pipeline.h"
 
 namespace dipwright::cli {

@@ -2,6 +2,7 @@
 
 #include "project/ProfileFields.h"
 #include "project/ProfileLibrary.h"
+#include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 
 #include <QFile>
@@ -98,7 +99,8 @@ void change(Words words, const QCommandLineParser& parser, QTextStream& out) {
     const QString name = words.take(QStringLiteral("NAME"));
     words.finish();
     const ProfileLibrary library;
-    Profile profile = library.contains(kind, name) ? library.profile(kind, name) : newProfile(kind);
+    const std::optional<Profile> known = library.found(kind, name);
+    Profile profile = known.value_or(newProfile(kind));
     std::visit([&](auto& value) { value.name = name; }, profile);
     for (const QString& setting : parser.values(setOption)) {
         const auto equals = setting.indexOf(QLatin1Char('='));
@@ -116,7 +118,7 @@ void change(Words words, const QCommandLineParser& parser, QTextStream& out) {
     if (parser.isSet(iccOption)) {
         setIccProfile(profile, parser.value(iccOption));
     }
-    library.save(profile);
+    library.save(profile, known);
     out << QStringLiteral("Saved the %1 profile %2\n").arg(profileKindName(kind), nameOf(profile));
 }
 
@@ -124,7 +126,7 @@ void import(Words words, QTextStream& out) {
     const QString path = words.take(QStringLiteral("FILE"));
     words.finish();
     const Profile profile = importProfile(path);
-    ProfileLibrary().save(profile);
+    ProfileLibrary().replace(profile);
     out << QStringLiteral("Saved the %1 profile %2\n")
                .arg(profileKindName(kindOf(profile)), nameOf(profile));
 }
@@ -151,9 +153,10 @@ void use(Words words, QTextStream& out) {
     const QString name = words.take(QStringLiteral("NAME"));
     const QString path = words.take(QStringLiteral("JOB.dipw"));
     words.finish();
+    ProjectFile file(path);
     Project project = loadProject(path);
     applyProfile(project, ProfileLibrary().profile(kind, name));
-    saveProject(project, path);
+    file.save(project);
     out << QStringLiteral("%1 uses the %2 profile %3 from now on\n")
                .arg(path, profileKindName(kind), name);
 }

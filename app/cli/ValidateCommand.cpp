@@ -1,7 +1,7 @@
 #include "cli/Arguments.h"
 
-#include "base/Bytes.h"
 #include "base/Png.h"
+#include "disk/WholeFile.h"
 #include "pipeline/SheetCertainty.h"
 #include "pipeline/ValidateJob.h"
 #include "pipeline/WriteResults.h"
@@ -101,7 +101,7 @@ void validateTheSheet(const QCommandLineParser& parser, Console& console) {
         project.process.solver = parser.value(solverOption);
     }
     if (parser.isSet(mapsOption)) {
-        checkResultFolder(parser.value(mapsOption)); // better now than after the work
+        checkMapFolder(parser.value(mapsOption)); // better now than after the work
     }
     const SolverRegistry registry;
     const std::vector<ImmersionCertainty> certainty =

@@ -1,6 +1,7 @@
 // dipwright-cli: everything the workbench computes, without a display.
 #include "base/ProgramName.h"
 #include "cli/Command.h"
+#include "disk/Unfinished.h"
 
 #include <QGuiApplication>
 #include <QLoggingCategory>
@@ -151,6 +152,7 @@ int main(int argc, char* argv[]) {
         QStringLiteral("*.debug=false\n*.info=false\n*.warning=false"));
     const QGuiApplication application(argc, argv);
     dipwright::nameProgram();
+    dipwright::tidyUnfinished();
     dipwright::cli::Console console;
     return dipwright::cli::guardedRun(QCoreApplication::arguments(), console);
 }

@@ -1,6 +1,6 @@
 #include "printing/PrintFile.h"
 
-#include "base/Bytes.h"
+#include "disk/WholeFile.h"
 #include "sheet/SheetFiles.h"
 
 namespace dipwright {

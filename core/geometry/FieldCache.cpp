@@ -1,12 +1,13 @@
 #include "geometry/DistanceField.h"
 
+#include "disk/WholeFile.h"
+
 #include <QCryptographicHash>
 #include <QDataStream>
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <QStandardPaths>
 
 #include <span>
@@ -109,14 +110,15 @@ void store(const QString& path, const DistanceField& field) {
         return;
     }
     makeRoom(folder, bytes);
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) {
+    WholeFile file(path);
+    if (!file.open().isEmpty()) {
         return;
     }
-    QDataStream stream(&file);
+    QDataStream stream(&file.device());
     stream << header(field);
-    file.write(bytesOf(field.distance).data(), bytes);
-    file.commit();
+    if (file.device().write(bytesOf(field.distance).data(), bytes) == bytes) {
+        file.commit();
+    }
 }
 
 void markUsed(const QString& path) {

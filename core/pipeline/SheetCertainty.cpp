@@ -5,7 +5,7 @@
 #include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
 #include "dip/LaidFilm.h"
-#include "pipeline/ResultFolder.h"
+#include "disk/ResultFolder.h"
 #include "pipeline/SolverChoice.h"
 #include "project/FilmSizes.h"
 #include "results/Results.h"
@@ -126,15 +126,27 @@ sheetCertainty(const Project& project, const SolverRegistry& registry, const Pro
     return result;
 }
 
+namespace {
+
+// Both, so that no second map of an earlier check stays beside that of a single immersion.
+QStringList mapNames() {
+    return {QStringLiteral("certainty-1.png"), QStringLiteral("certainty-2.png")};
+}
+
+} // namespace
+
+void checkMapFolder(const QString& folder) {
+    const ResultFolder trial(folder, mapNames());
+}
+
 void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder) {
-    // Both, so that no second map of an earlier check stays beside that of a single immersion.
-    const QStringList names{QStringLiteral("certainty-1.png"), QStringLiteral("certainty-2.png")};
-    ResultFolder results(folder);
+    const QStringList names = mapNames();
+    ResultFolder results(folder, names);
     for (std::size_t number = 0; number < certainty.size(); ++number) {
         const QString& name = names[qsizetype(number)];
         results.write(name, pngBytes(certainty[number].map, name));
     }
-    results.commit(names);
+    results.commit();
 }
 
 QJsonObject certaintyJson(const std::vector<ImmersionCertainty>& certainty) {

@@ -29,7 +29,9 @@ std::vector<ImmersionCertainty>
 sheetCertainty(const Project& project, const SolverRegistry& registry, const Progress& progress);
 
 // Writes the maps into `folder`, certainty-N.png for immersion N, in place of those of an earlier
-// check; other files are left alone. All of them or none. Throws Error.
+// check; other files are left alone. All of them or none (disk/ResultFolder.h). Throws Error, and
+// so does checkMapFolder where this could not be: worth asking before the work.
+void checkMapFolder(const QString& folder);
 void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder);
 
 // {"version":1,"immersions":[{"name","certain","half_step":{"mean_mm","p95_mm","max_mm","painted",

@@ -3,10 +3,10 @@
 #include "base/Bytes.h"
 #include "base/Error.h"
 #include "base/Png.h"
+#include "disk/ResultFolder.h"
 #include "parallel/Tasks.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
-#include "pipeline/ResultFolder.h"
 #include "results/Results.h"
 #include "sheet/SheetFiles.h"
 
@@ -138,19 +138,14 @@ std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
 void commit(ResultFolder& folder, const Progress& progress) {
     progress(1, Text::tr("Moving the results in place"));
     progress.cancelSwitch.throwIfCancelled();
-    folder.commit(resultFiles());
+    folder.commit();
 }
 
 } // namespace
 
-void checkResultFolder(const QString& folder) {
-    const ResultFolder trial(folder);
-    trial.write(QStringLiteral("trial"), QByteArrayLiteral("trial"));
-}
-
 void writeResults(const Project& project, const JobResult& result, const QString& folder,
                   const Progress& progress) {
-    ResultFolder results(folder);
+    ResultFolder results(folder, resultFiles());
     std::vector<Piece> pieces = jobPieces(project, result, results);
     for (std::size_t number = 0; number < result.immersions.size(); ++number) {
         for (Piece& piece : immersionPieces(result.immersions[number], number, results)) {
@@ -163,8 +158,7 @@ void writeResults(const Project& project, const JobResult& result, const QString
 
 JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
                       const JobOptions& options, const QString& folder, const Progress& progress) {
-    checkResultFolder(folder);
-    ResultFolder results(folder);
+    ResultFolder results(folder, resultFiles());
     Tasks writing;
     JobOptions watched = options;
     watched.finished = [&](std::size_t number, const ImmersionResult& immersion) {

@@ -1,8 +1,10 @@
 #include "project/ProfileLibrary.h"
 
-#include "base/Bytes.h"
 #include "base/Error.h"
 #include "base/ProgramName.h"
+#include "disk/FileLock.h"
+#include "disk/WholeFile.h"
+#include "project/ProjectFile.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -105,7 +107,38 @@ Profile ProfileLibrary::profile(ProfileKind kind, const QString& name) const {
                 name);
 }
 
-void ProfileLibrary::save(const Profile& profile) const {
+std::optional<Profile> ProfileLibrary::found(ProfileKind kind, const QString& name) const {
+    for (const ProfileEntry& entry : profiles(kind)) {
+        if (entry.name == name) {
+            return importProfile(entry.path);
+        }
+    }
+    return std::nullopt;
+}
+
+void ProfileLibrary::save(const Profile& profile, const std::optional<Profile>& known) const {
+    const QString path = pathFor(profile);
+    FileLock lock;
+    const LockState state = lock.acquire(path);
+    if (!state.acquired) {
+        throw Error(Text::tr("The profile is being written elsewhere (%1), try again")
+                        .arg(holderText(state)),
+                    nameOf(profile));
+    }
+    if (found(kindOf(profile), nameOf(profile)) != known) {
+        throw ChangedFile(Text::tr("Another program has changed the profile since it was read, "
+                                   "nothing is saved; look at what it says now and do it again"),
+                          nameOf(profile));
+    }
+    exportProfile(profile, path);
+}
+
+void ProfileLibrary::replace(const Profile& profile) const {
+    exportProfile(profile, pathFor(profile));
+}
+
+// Makes its folder.
+QString ProfileLibrary::pathFor(const Profile& profile) const {
     const QString folder = folder_ + QLatin1Char('/') + profileKindName(kindOf(profile));
     if (!QDir().mkpath(folder)) {
         throw Error(Text::tr("The folder for profiles cannot be made, choose another with "
@@ -119,7 +152,7 @@ void ProfileLibrary::save(const Profile& profile) const {
             path = entry.path;
         }
     }
-    exportProfile(profile, path);
+    return path;
 }
 
 void ProfileLibrary::remove(ProfileKind kind, const QString& name) const {

@@ -30,12 +30,21 @@ public:
     // Throws Error when there is none of that name, or its file is damaged.
     Profile profile(ProfileKind kind, const QString& name) const;
 
-    // Writes a user's profile whole or not at all, over one of the same name. Throws Error.
-    void save(const Profile& profile) const;
+    // Nothing where there is none of that name. Throws Error when its file is damaged.
+    std::optional<Profile> found(ProfileKind kind, const QString& name) const;
+
+    // Writes a user's profile whole or not at all, over one of the same name. `known` is what was
+    // found under that name when the profile was read: where another program has changed it since,
+    // ChangedFile is thrown and nothing written. Throws Error.
+    void save(const Profile& profile, const std::optional<Profile>& known) const;
+    // The same whatever is there.
+    void replace(const Profile& profile) const;
     // Removes a user's profile; the program's own of that name comes back. Throws Error.
     void remove(ProfileKind kind, const QString& name) const;
 
 private:
+    QString pathFor(const Profile& profile) const;
+
     QString folder_;
 };
 

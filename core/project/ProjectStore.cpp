@@ -1,9 +1,9 @@
 #include "project/ProjectStore.h"
 
 #include "base/Budgets.h"
-#include "base/Bytes.h"
 #include "base/Error.h"
 #include "base/Png.h"
+#include "disk/WholeFile.h"
 #include "import/ReadPictures.h"
 #include "model/StoredModel.h"
 #include "project/Archive.h"
@@ -187,11 +187,13 @@ Project loadProject(const QString& path) {
     return project;
 }
 
-void saveProject(const Project& project, const QString& path) {
-    const QString failure = replaceFile(path, projectBytes(project));
+FileVersion saveProject(const Project& project, const QString& path) {
+    const QByteArray bytes = projectBytes(project);
+    const QString failure = replaceFile(path, bytes);
     if (!failure.isEmpty()) {
         throw Error(Text::tr("The project cannot be saved: %1").arg(failure), path);
     }
+    return FileVersion::ofBytes(bytes);
 }
 
 } // namespace dipwright

@@ -2,6 +2,7 @@
 // else others have put there (docs/files-and-commands.md, "The project file").
 #pragma once
 
+#include "disk/FileVersion.h"
 #include "project/Project.h"
 
 namespace dipwright {
@@ -10,8 +11,9 @@ namespace dipwright {
 // encrypted, not a zip, larger than sane when unpacked, entries with unsafe paths, a newer version.
 Project loadProject(const QString& path);
 
-// Writes the whole file or leaves the old one whole: to a temporary file beside it, flushed to the
-// disk, then renamed over it. Throws Error (not writable, disk full).
-void saveProject(const Project& project, const QString& path);
+// Writes the whole file or leaves the old one whole (disk/WholeFile.h), whatever it holds now: who
+// read it before and wants to know uses ProjectFile. Returns what the file now holds. Throws Error
+// (not writable, disk full).
+FileVersion saveProject(const Project& project, const QString& path);
 
 } // namespace dipwright

@@ -1,15 +1,15 @@
 #include "solver/LoadMarker.h"
 
+#include "solver/CrashSignals.h"
+
 #include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
-#include <QLockFile>
 #include <QStandardPaths>
 
 namespace dipwright {
-
 namespace {
 
 QDir markerFolder() {
@@ -17,7 +17,6 @@ QDir markerFolder() {
             QStringLiteral("/solver-loading")};
 }
 
-// Names this very file: a module that was repaired or replaced gets another name.
 QString moduleKey(const QString& modulePath) {
     const QFileInfo file(modulePath);
     const QString identity = QStringLiteral("%1|%2|%3")
@@ -29,10 +28,12 @@ QString moduleKey(const QString& modulePath) {
     return QString::fromLatin1(hash);
 }
 
-QString crashedPath(const QString& modulePath) {
-    return markerFolder().filePath(moduleKey(modulePath) + QStringLiteral(".crashed"));
+// As many bytes as crashes.
+QString crashesPath(const QString& modulePath) {
+    return markerFolder().filePath(moduleKey(modulePath) + QStringLiteral(".crashes"));
 }
 
+// Of this process and dead ones.
 QStringList loadingPaths(const QString& modulePath) {
     const QDir folder = markerFolder();
     QStringList paths;
@@ -43,43 +44,55 @@ QStringList loadingPaths(const QString& modulePath) {
     return paths;
 }
 
-QString newLoadingPath(const QString& modulePath) {
-    const QDir folder = markerFolder();
-    folder.mkpath(QStringLiteral("."));
-    return folder.filePath(QStringLiteral("%1.%2.loading")
-                               .arg(moduleKey(modulePath))
-                               .arg(QCoreApplication::applicationPid()));
-}
-
-bool isOwnerDead(const QString& loadingPath) {
-    QLockFile probe(loadingPath);
-    probe.setStaleLockTime(0);
-    return probe.tryLock(0); // takes the lock of a dead process over, and removes it again
+// Takes away the markers of dead processes; how many of them crashed.
+int takeCrashed(const QString& modulePath) {
+    int crashed = 0;
+    for (const QString& path : loadingPaths(modulePath)) {
+        LockedFile marker;
+        if (marker.open(path) == LockedFile::Outcome::Opened) {
+            crashed += marker.device().size() > 0 ? 1 : 0;
+            marker.remove();
+        }
+    }
+    return crashed;
 }
 
 } // namespace
 
-LoadMarker::LoadMarker(const QString& modulePath) : lock_(newLoadingPath(modulePath)) {
-    lock_.setStaleLockTime(0); // no age makes it stale, only the death of its process
-    lock_.tryLock(0);
+int crashesOf(const QString& modulePath) {
+    for (int crashed = takeCrashed(modulePath); crashed > 0; --crashed) {
+        rememberCrash(modulePath);
+    }
+    return int(QFileInfo(crashesPath(modulePath)).size());
 }
 
-bool LoadMarker::crashedBefore(const QString& modulePath) {
-    const QString record = crashedPath(modulePath);
-    for (const QString& path : loadingPaths(modulePath)) {
-        if (isOwnerDead(path)) {
-            QFile file(record);
-            file.open(QIODevice::WriteOnly);
-        }
+void rememberCrash(const QString& modulePath) {
+    markerFolder().mkpath(QStringLiteral("."));
+    QFile file(crashesPath(modulePath));
+    if (file.open(QIODevice::Append)) {
+        file.write("x");
     }
-    return QFile::exists(record);
 }
 
-void LoadMarker::forget(const QString& modulePath) {
-    QFile::remove(crashedPath(modulePath));
-    for (const QString& path : loadingPaths(modulePath)) {
-        isOwnerDead(path);
+void forgetCrashes(const QString& modulePath) {
+    takeCrashed(modulePath);
+    QFile::remove(crashesPath(modulePath));
+}
+
+LoadMarker::LoadMarker(const QString& modulePath) {
+    const QDir folder = markerFolder();
+    folder.mkpath(QStringLiteral("."));
+    const QString path = folder.filePath(QStringLiteral("%1.%2.loading")
+                                             .arg(moduleKey(modulePath))
+                                             .arg(QCoreApplication::applicationPid()));
+    if (file_.open(path) == LockedFile::Outcome::Opened) {
+        tellCrashesTo(file_.device().handle());
     }
+}
+
+LoadMarker::~LoadMarker() {
+    tellCrashesTo(-1);
+    file_.remove();
 }
 
 } // namespace dipwright

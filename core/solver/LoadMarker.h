@@ -1,27 +1,35 @@
-// Notes on disk that a module is being loaded, so that one which brings the program down is left
-// out at the next start instead of doing it again.
+// What is remembered of modules that brought a program down, so that one which does so again and
+// again is left out instead.
 #pragma once
 
-#include <QLockFile>
+#include "disk/LockedFile.h"
+
 #include <QString>
 
 namespace dipwright {
 
-// While an object lives, the module counts as being loaded by this process. If the process dies in
-// that time, crashedBefore() says so from then on. Nothing is noted where the folder cannot be
-// written.
+// Crashes count; being killed does not: by the system for want of memory, by a limit of time, by
+// the user. A module is known by its very file, place, size and time: one that was replaced starts
+// anew.
+inline constexpr int crashesAllowed = 1; // one more, and the module is left out
+
+int crashesOf(const QString& modulePath);
+void rememberCrash(const QString& modulePath);
+void forgetCrashes(const QString& modulePath);
+
+// While an object lives, this process is loading the module. If it dies in that time of a fault of
+// its own (a signal such as that of a wrong address), this is told in a file, and crashesOf counts
+// it from the next start on. One object at a time. Nothing is told where the user's folder for
+// program data cannot be written.
 class LoadMarker {
 public:
     explicit LoadMarker(const QString& modulePath);
-
-    // Whether an earlier process died while loading this very file (same place, size and time).
-    static bool crashedBefore(const QString& modulePath);
-    // Forgets what crashedBefore() knows of the module.
-    static void forget(const QString& modulePath);
+    ~LoadMarker();
+    LoadMarker(const LoadMarker&) = delete;
+    LoadMarker& operator=(const LoadMarker&) = delete;
 
 private:
-    // Knows whether the process that made it still lives, on every system.
-    QLockFile lock_;
+    LockedFile file_;
 };
 
 } // namespace dipwright

@@ -108,10 +108,10 @@ void readMetadata(SolverInfo& info) {
 
 void refuseCrashed(const QString& modulePath) {
     if (qEnvironmentVariableIsSet("DIPWRIGHT_RETRY_SOLVERS")) {
-        LoadMarker::forget(modulePath);
+        forgetCrashes(modulePath);
     }
-    if (LoadMarker::crashedBefore(modulePath)) {
-        throw Refusal(Text::tr("It brought the program down when it was last loaded; set "
+    if (crashesOf(modulePath) > crashesAllowed) {
+        throw Refusal(Text::tr("It has crashed twice; replace it, or set "
                                "DIPWRIGHT_RETRY_SOLVERS=1 to try it again"));
     }
 }

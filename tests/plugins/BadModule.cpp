@@ -2,6 +2,7 @@
 
 #include <dipwright/FilmSolver.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -82,6 +83,8 @@ DIPWRIGHT_BAD_NAME([[maybe_unused]] int hostInterfaceVersion) {
     }
 #elif defined(DIPWRIGHT_BAD_ABORT)
     std::abort();
+#elif defined(DIPWRIGHT_BAD_KILLED)
+    std::raise(SIGKILL); // as the system does for want of memory
 #endif
     static const Module module;
     return &module;

@@ -70,7 +70,8 @@ private slots:
     void automaticChoiceLeavesThemOut();
     void failuresInADipReachTheUser_data();
     void failuresInADipReachTheUser();
-    void aModuleThatCrashedIsLeftOutNextTime();
+    void aModuleThatCrashedTwiceIsLeftOut();
+    void beingKilledWhileLoadingIsNotTheModulesFault();
 };
 
 void BadModulesTest::initTestCase() {
@@ -167,23 +168,35 @@ void BadModulesTest::failuresInADipReachTheUser() {
     QVERIFY2(failure.contains(reasonPart), qPrintable(failure));
 }
 
-void BadModulesTest::aModuleThatCrashedIsLeftOutNextTime() {
+void BadModulesTest::aModuleThatCrashedTwiceIsLeftOut() {
     const PluginFolder folder;
     folder.add(QStringLiteral("crashing"), builtModule(QStringLiteral("abort")));
     folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
     QVERIFY(listedByProgram(folder).crashed);
+    QVERIFY(listedByProgram(folder).crashed); // it may have been something else once
     for (int start = 0; start < 2; ++start) {
         const Listing next = listedByProgram(folder);
         QVERIFY(!next.crashed);
-        QVERIFY2(next.output.contains(QLatin1String("crashing It brought the program down")),
+        QVERIFY2(next.output.contains(QLatin1String("crashing It has crashed twice")),
                  qPrintable(next.output));
         QVERIFY(next.output.contains(QLatin1String("good available")));
     }
     QVERIFY(listedByProgram(folder, true).crashed); // asked to try again
+    QVERIFY(listedByProgram(folder).crashed);
     QVERIFY(!listedByProgram(folder).crashed);
     // A module that was replaced gets a new chance.
     folder.add(QStringLiteral("crashing"), builtModule(QStringLiteral("good")));
     QVERIFY(listedByProgram(folder).output.contains(QLatin1String("crashing available")));
+}
+
+void BadModulesTest::beingKilledWhileLoadingIsNotTheModulesFault() {
+    const PluginFolder folder;
+    folder.add(QStringLiteral("killed"), builtModule(QStringLiteral("killed")));
+    for (int start = 0; start < 4; ++start) {
+        QVERIFY(listedByProgram(folder).crashed);
+    }
+    folder.add(QStringLiteral("killed"), builtModule(QStringLiteral("good")));
+    QVERIFY(listedByProgram(folder).output.contains(QLatin1String("killed available")));
 }
 
 QTEST_GUILESS_MAIN(BadModulesTest)

@@ -1,8 +1,8 @@
 // The paper's Figures 6 and 7 with our figures: steps per second by constraints, and by the field.
 
-#include "base/Bytes.h"
 #include "base/Png.h"
 #include "cli/bench/BenchReport.h"
+#include "disk/WholeFile.h"
 
 #include <QImage>
 #include <QPainter>

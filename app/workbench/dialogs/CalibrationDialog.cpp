@@ -1,10 +1,11 @@
 #include "dialogs/CalibrationDialog.h"
 
-#include "base/Bytes.h"
 #include "base/Error.h"
+#include "disk/WholeFile.h"
 #include "panels/PictureView.h"
 #include "panels/ShippedNames.h"
 #include "printing/Calibration.h"
+#include "project/ProjectFile.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -263,7 +264,7 @@ void CalibrationDialog::takeOver() {
     try {
         const PrinterProfile result = dipwright::calibrated(
             current_, page(), Millimetres(x_->value()), Millimetres(y_->value()));
-        library_.save(result);
+        library_.save(result, Profile(current_));
         emit calibrated(result);
         if (verifies_->isChecked()) {
             showPage();
@@ -272,6 +273,10 @@ void CalibrationDialog::takeOver() {
         }
         tell(tr("%1 now has the scale X %2, Y %3. Print the second page to verify it.")
                  .arg(result.name, shown(result.scaleX, 5), shown(result.scaleY, 5)));
+    } catch (const ChangedFile&) {
+        const std::exception_ptr failure = std::current_exception();
+        showPage(); // as the other has left it
+        showFailure(failure);
     } catch (const Error&) {
         showFailure(std::current_exception());
     }

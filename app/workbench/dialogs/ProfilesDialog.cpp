@@ -6,6 +6,7 @@
 #include "panels/ShippedNames.h"
 #include "printing/PrintFile.h"
 #include "project/ProfileFields.h"
+#include "project/ProjectFile.h"
 
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -14,6 +15,7 @@
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSplitter>
@@ -121,7 +123,7 @@ QWidget* ProfilesDialog::makeList() {
                 QMetaObject::invokeMethod(this, &ProfilesDialog::fillList, Qt::QueuedConnection);
                 return;
             }
-            chosen_ = library_.profile(kind, name);
+            chosen_ = known_ = library_.profile(kind, name);
             storedName_ = name;
             changed_ = false;
             showChosen();
@@ -288,7 +290,10 @@ bool ProfilesDialog::keep() {
             throw Error(tr("There is a profile of this name already, choose another"), name);
         }
         std::visit([&](auto& profile) { profile.name = name; }, *chosen_);
-        library_.save(*chosen_);
+        if (!store(name == storedName_ ? known_ : std::nullopt)) {
+            return;
+        }
+        known_ = chosen_;
         const std::vector<ProfileEntry> all = library_.profiles(kind);
         if (name != storedName_ && std::any_of(all.begin(), all.end(), [&](const auto& entry) {
                 return entry.name == storedName_ && entry.isUsers();
@@ -302,6 +307,33 @@ bool ProfilesDialog::keep() {
         QMetaObject::invokeMethod(this, &ProfilesDialog::fillList, Qt::QueuedConnection);
     });
     return kept;
+}
+
+bool ProfilesDialog::store(const std::optional<Profile>& known) {
+    try {
+        library_.save(*chosen_, known);
+        return true;
+    } catch (const ChangedFile&) {
+        QMessageBox question(QMessageBox::Warning, tr("Profile Changed Elsewhere"),
+                             tr("Another program has changed the profile “%1” meanwhile.")
+                                 .arg(shownName(nameOf(*chosen_))),
+                             QMessageBox::NoButton, this);
+        question.setObjectName(QStringLiteral("changedQuestion"));
+        QPushButton* theirs = question.addButton(tr("Show the Other’s"), QMessageBox::AcceptRole);
+        QPushButton* mine = question.addButton(tr("Keep &Mine"), QMessageBox::DestructiveRole);
+        question.setDefaultButton(theirs);
+        question.setEscapeButton(theirs);
+        question.exec();
+        if (question.clickedButton() == mine) {
+            library_.replace(*chosen_);
+            return true;
+        }
+    }
+    changed_ = false;
+    chosen_ = known_ = library_.profile(kindOf(*chosen_), storedName_);
+    // Not while one of the fields that go with it is telling that it was left.
+    QMetaObject::invokeMethod(this, &ProfilesDialog::showChosen, Qt::QueuedConnection);
+    return false;
 }
 
 void ProfilesDialog::removeChosen() {
@@ -319,7 +351,7 @@ void ProfilesDialog::removeChosen() {
 void ProfilesDialog::importFile(const QString& path) {
     keep();
     const Profile imported = importProfile(path);
-    library_.save(imported);
+    library_.replace(imported);
     chosen_.reset();
     fillList();
     choose(kindOf(imported), nameOf(imported));
@@ -346,7 +378,7 @@ void ProfilesDialog::copyAs(const QString& name) {
     if (library_.contains(kindOf(copy), nameOf(copy))) {
         throw Error(tr("There is a profile of this name already, choose another"), nameOf(copy));
     }
-    library_.save(copy);
+    library_.save(copy, std::nullopt);
     fillList();
     choose(kindOf(copy), nameOf(copy));
 }

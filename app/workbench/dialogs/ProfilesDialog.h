@@ -43,6 +43,8 @@ private:
     void addIccRow(QFormLayout& form);
     void edit(const QString& path, const QJsonValue& value);
     bool keep(); // what was changed; false: refused, and said why
+    // Under its name, where `known` stands. Else the user is asked; false: the other's stays.
+    bool store(const std::optional<Profile>& known);
     void removeChosen();
     void tell(const QString& sentence);
     void attempt(const std::function<void()>& action);
@@ -54,7 +56,8 @@ private:
     ProfileLibrary library_;
     LengthUnit unit_;
     std::optional<Profile> chosen_;
-    QString storedName_; // under which the chosen one stands in the library
+    std::optional<Profile> known_; // the chosen one as it was read
+    QString storedName_;           // under which the chosen one stands in the library
     bool changed_ = false;
     QTreeWidget* list_;
     QScrollArea* editor_;

@@ -1,5 +1,6 @@
 #include "document/Document.h"
 
+#include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 
 #include <QFileInfo>
@@ -21,8 +22,8 @@ public:
         : QUndoCommand(text), document_(document), mergeKey_(mergeKey),
           mergeRound_(document.mergeRound_), before_(document.project_), after_(std::move(after)) {}
 
-    void undo() override { document_.replaceProject(before_); }
-    void redo() override { document_.replaceProject(after_); }
+    void undo() override { document_.showProject(before_); }
+    void redo() override { document_.showProject(after_); }
     int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
 
     bool mergeWith(const QUndoCommand* next) override {
@@ -42,8 +43,9 @@ private:
     Project before_, after_;
 };
 
-Document::Document(Project project, const QString& path, QObject* parent)
-    : QObject(parent), project_(std::move(project)), path_(path) {
+Document::Document(Project project, const QString& path, const FileVersion& version,
+                   QObject* parent)
+    : QObject(parent), project_(std::move(project)), path_(path), version_(version) {
     undoStack_.setUndoLimit(undoLimit);
     connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::fileChanged);
 }
@@ -59,7 +61,7 @@ void Document::edit(const QString& text, const QString& mergeKey,
     }
 }
 
-void Document::replaceProject(const Project& project) {
+void Document::showProject(const Project& project) {
     project_ = project;
     emit projectChanged();
 }
@@ -69,18 +71,29 @@ QString Document::title() const {
 }
 
 void Document::save() {
-    saveProject(project_, path_);
-    recovered_ = false;
-    undoStack_.setClean();
-    emit fileChanged();
+    replaceProject(project_, path_, version_);
+    setSaved();
 }
 
 void Document::saveAs(const QString& path) {
-    saveProject(project_, path);
-    if (path != path_) {
+    if (path == path_) {
+        version_ = saveProject(project_, path);
+    } else {
+        auto lock = std::make_unique<FileLock>();
+        const LockState state = lock->acquire(path);
+        if (!state.acquired) {
+            throw Error(tr("The project is open elsewhere (%1); choose another name")
+                            .arg(holderText(state)),
+                        path);
+        }
+        version_ = saveProject(project_, path);
         path_ = path;
-        lock_.acquireByForce(path);
+        lock_ = std::move(lock);
     }
+    setSaved();
+}
+
+void Document::setSaved() {
     recovered_ = false;
     undoStack_.setClean();
     emit fileChanged();

@@ -2,7 +2,8 @@
 // of the last run with what of it is out of date. No widgets. UI thread only.
 #pragma once
 
-#include "document/FileLock.h"
+#include "disk/FileLock.h"
+#include "disk/FileVersion.h"
 #include "pipeline/JobResult.h"
 
 #include <QObject>
@@ -25,8 +26,10 @@ class Document : public QObject {
     Q_OBJECT
 
 public:
-    // `path` empty: a new document without a file.
-    explicit Document(Project project, const QString& path = {}, QObject* parent = nullptr);
+    // `path` empty: a new document without a file. `version`: of the file, taken before it was
+    // read.
+    explicit Document(Project project, const QString& path = {}, const FileVersion& version = {},
+                      QObject* parent = nullptr);
     ~Document() override;
 
     const Project& project() const { return project_; }
@@ -50,10 +53,12 @@ public:
         emit fileChanged();
     }
     // Takes the file's lock; what it found is returned and nothing is taken unless it was free.
-    LockState lock() { return lock_.acquire(path_); }
-    void lockAnyway() { lock_.acquireByForce(path_); }
-    // Throws Error; then file and document are as they were.
+    LockState lock() { return lock_->acquire(path_); }
+    // Throws ChangedFile where another program has written the file since, and Error; then file and
+    // document are as they were.
     void save();
+    // The same into another file, which is replaced; Error, too, where another has that open. Into
+    // its own: whatever another program has written.
     void saveAs(const QString& path);
 
     // The last run's result, which names the project it belongs to; null before the first.
@@ -72,14 +77,16 @@ signals:
 
 private:
     friend class ProjectEdit;
-    void replaceProject(const Project& project);
+    void showProject(const Project& project);
+    void setSaved();
 
     Project project_;
     QString path_;
     QUndoStack undoStack_;
     int mergeRound_ = 0;
     bool recovered_ = false;
-    FileLock lock_;
+    FileVersion version_;
+    std::unique_ptr<FileLock> lock_ = std::make_unique<FileLock>();
     std::shared_ptr<const JobResult> result_;
 };
 

@@ -1,7 +1,7 @@
 #include "document/Recovery.h"
 
-#include "base/Bytes.h"
 #include "base/Error.h"
+#include "disk/WholeFile.h"
 #include "document/Document.h"
 #include "project/ProjectStore.h"
 
@@ -22,6 +22,17 @@ QString besides(const QString& copy, const char* extension) {
     return copy.left(copy.lastIndexOf(QLatin1Char('.'))) + QLatin1String(extension);
 }
 
+// Descriptions without a copy: whoever was to write it was killed before.
+void removeRests(const QDir& folder) {
+    for (const QString& description : folder.entryList({QStringLiteral("*.json")}, QDir::Files)) {
+        const QString copy = besides(folder.filePath(description), ".dipw");
+        FileLock lock;
+        if (!QFileInfo::exists(copy) && lock.acquire(copy).acquired) {
+            QFile::remove(folder.filePath(description));
+        }
+    }
+}
+
 } // namespace
 
 QString recoveryFolder() {
@@ -32,11 +43,11 @@ QString recoveryFolder() {
 std::vector<RecoveredDocument> findRecoveredDocuments(const QString& folder) {
     std::vector<RecoveredDocument> found;
     const QDir directory(folder);
+    removeRests(directory);
     for (const QFileInfo& copy :
          directory.entryInfoList({QStringLiteral("*.dipw")}, QDir::Files, QDir::Time)) {
-        QLockFile lock(besides(copy.filePath(), ".lock"));
-        lock.setStaleLockTime(0);
-        if (!lock.tryLock(0)) {
+        FileLock lock;
+        if (!lock.acquire(copy.filePath()).acquired) {
             continue; // open in a program that lives
         }
         QFile description(besides(copy.filePath(), ".json"));
@@ -52,7 +63,7 @@ std::vector<RecoveredDocument> findRecoveredDocuments(const QString& folder) {
 }
 
 void discardRecovered(const RecoveredDocument& recovered) {
-    for (const char* extension : {".dipw", ".json", ".lock"}) {
+    for (const char* extension : {".dipw", ".json"}) {
         QFile::remove(besides(recovered.copy, extension));
     }
 }
@@ -102,9 +113,8 @@ void AutoSaver::keepNow() {
 void AutoSaver::write() {
     QDir().mkpath(folder_);
     if (!lock_) {
-        lock_ = std::make_unique<QLockFile>(file(".lock"));
-        lock_->setStaleLockTime(0);
-        lock_->tryLock(0);
+        lock_ = std::make_unique<FileLock>();
+        lock_->acquire(file(".dipw"));
     }
     const QJsonObject description{
         {QStringLiteral("original"), document_.path()},
@@ -112,8 +122,10 @@ void AutoSaver::write() {
     };
     writer_.start(
         [project = document_.project(), description, copy = file(".dipw"), about = file(".json")] {
-            replaceFile(about, QJsonDocument(description).toJson());
             try {
+                writeWhole(about, [&](QIODevice& device) {
+                    device.write(QJsonDocument(description).toJson());
+                });
                 saveProject(project, copy);
             } catch (const Error& error) {
                 qWarning("No recovery copy: %s", qUtf8Printable(error.sentence()));

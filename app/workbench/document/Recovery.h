@@ -1,13 +1,13 @@
 // Copies of edited documents, kept while they are open, from which work is restored after a crash.
 //
-// A document's copy is NAME.dipw with NAME.json beside it (which file it belongs to) and NAME.lock,
+// A document's copy is NAME.dipw with NAME.json beside it (which file it belongs to) and a lock,
 // held by the program that edits it. A copy whose lock nobody holds was left behind by a crash. The
 // copy goes when the document is saved or its user has let it go; nothing else removes it.
 #pragma once
 
+#include "disk/FileLock.h"
 #include "project/Project.h"
 
-#include <QLockFile>
 #include <QThreadPool>
 #include <QTimer>
 
@@ -50,7 +50,7 @@ private:
 
     Document& document_;
     QString folder_, name_;
-    std::unique_ptr<QLockFile> lock_;
+    std::unique_ptr<FileLock> lock_;
     QTimer timer_;
     QThreadPool writer_;
 };

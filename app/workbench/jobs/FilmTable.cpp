@@ -1,6 +1,6 @@
 #include "jobs/FilmTable.h"
 
-#include "base/Bytes.h"
+#include "disk/WholeFile.h"
 
 #include <QTextStream>
 

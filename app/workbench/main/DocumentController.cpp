@@ -6,7 +6,7 @@
 #include "main/WindowActions.h"
 #include "main/Workbench.h"
 #include "model/ModelFormats.h"
-#include "project/ProjectStore.h"
+#include "project/ProjectFile.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -61,7 +61,8 @@ bool DocumentController::askToOpenLocked(const Document& document, const LockSta
             .arg(document.title(), holder.host.isEmpty() ? tr("an unknown machine") : holder.host)
             .arg(holder.process),
         QMessageBox::Cancel, &window_);
-    question.setInformativeText(tr("Whoever saves last overwrites what the other has done."));
+    question.setInformativeText(
+        tr("If both of you save, the second is asked whose work is to stay."));
     question.setObjectName(QStringLiteral("lockQuestion"));
     QPushButton* anyway = question.addButton(tr("Open Anyway"), QMessageBox::AcceptRole);
     question.exec();
@@ -70,7 +71,36 @@ bool DocumentController::askToOpenLocked(const Document& document, const LockSta
 
 bool DocumentController::save() {
     const QString path = session_.document()->path();
-    return path.isEmpty() ? saveAs() : saveTo(path);
+    if (path.isEmpty()) {
+        return saveAs();
+    }
+    try {
+        session_.save();
+    } catch (const ChangedFile&) {
+        return askToReplaceChanged(path);
+    } catch (const Error&) {
+        messages_.fail(tr("Save"), std::current_exception());
+        return false;
+    }
+    return true;
+}
+
+bool DocumentController::askToReplaceChanged(const QString& path) {
+    QMessageBox question(QMessageBox::Warning, tr("Project Changed Elsewhere"),
+                         tr("Another program has written “%1” since it was opened here.")
+                             .arg(session_.document()->title()),
+                         QMessageBox::Cancel, &window_);
+    question.setInformativeText(
+        tr("Save under another name to keep both. Overwriting loses what the other has done."));
+    question.setObjectName(QStringLiteral("changedQuestion"));
+    QPushButton* another = question.addButton(tr("Save &As…"), QMessageBox::AcceptRole);
+    QPushButton* overwrite = question.addButton(tr("&Overwrite"), QMessageBox::DestructiveRole);
+    question.setDefaultButton(another);
+    question.exec();
+    if (question.clickedButton() == another) {
+        return saveAs();
+    }
+    return question.clickedButton() == overwrite && saveTo(path);
 }
 
 bool DocumentController::saveAs() {

@@ -27,6 +27,8 @@ public:
     bool save();   // false: not saved
     bool saveAs(); // false: not saved
     bool mayClose();
+    // Another program has written the file since: whether the document is saved all the same.
+    bool askToReplaceChanged(const QString& path);
     void fillRecentMenu(QMenu& menu);
     void takeFiles(const QList<QUrl>& files); // dropped on the window
 

@@ -1,9 +1,9 @@
 #include "main/ExportController.h"
 
-#include "base/Bytes.h"
 #include "base/Png.h"
 #include "dialogs/CertaintyDialog.h"
 #include "dialogs/PrintDialog.h"
+#include "disk/WholeFile.h"
 #include "jobs/FilmTable.h"
 #include "main/WindowActions.h"
 #include "panels/StretchPanel.h"

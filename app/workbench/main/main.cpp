@@ -1,5 +1,6 @@
 // The workbench: dipwright [FILE.dipw …]
 #include "base/ProgramName.h"
+#include "disk/Unfinished.h"
 #include "document/Recovery.h"
 #include "look/Languages.h"
 #include "main/MainWindow.h"
@@ -14,6 +15,7 @@ int main(int argc, char* argv[]) {
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication application(argc, argv);
     dipwright::nameProgram();
+    dipwright::tidyUnfinished();
     QApplication::setApplicationDisplayName(QStringLiteral("Dipwright"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/dipwright.svg")));
     QApplication::setDesktopFileName(QStringLiteral("dipwright"));

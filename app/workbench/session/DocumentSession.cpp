@@ -12,11 +12,18 @@ namespace dipwright {
 
 namespace {
 
+// A project, and the version of the file that it will be saved to.
+struct ReadProject {
+    Project project;
+    FileVersion version;
+};
+
 // Nothing is shown of one that was cancelled while it was read.
-Project projectFrom(const QString& path, const Progress& progress) {
-    Project project = loadProject(path);
+ReadProject projectFrom(const QString& path, const QString& file, const Progress& progress) {
+    const FileVersion version = FileVersion::of(file); // before it is read
+    ReadProject read{loadProject(path), version};
     progress.cancelSwitch.throwIfCancelled();
-    return project;
+    return read;
 }
 
 } // namespace
@@ -56,9 +63,9 @@ void DocumentSession::openProject(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     startJob(
         jobs_, messages_, tr("Opening the project"), tr("Open Project"),
-        [absolute](const Progress& progress) { return projectFrom(absolute, progress); },
-        [this, absolute](const Project& project) {
-            auto document = std::make_unique<Document>(project, absolute);
+        [absolute](const Progress& progress) { return projectFrom(absolute, absolute, progress); },
+        [this, absolute](const ReadProject& read) {
+            auto document = std::make_unique<Document>(read.project, absolute, read.version);
             if (!lockOrAsk(*document)) {
                 return;
             }
@@ -71,8 +78,10 @@ void DocumentSession::openProject(const QString& path) {
 void DocumentSession::openCopy(const QString& path) {
     startJob(
         jobs_, messages_, tr("Opening the project"), tr("Open Project"),
-        [path](const Progress& progress) { return projectFrom(path, progress); },
-        [this](const Project& project) { vacant().take(std::make_unique<Document>(project)); });
+        [path](const Progress& progress) { return projectFrom(path, {}, progress); },
+        [this](const ReadProject& read) {
+            vacant().take(std::make_unique<Document>(read.project));
+        });
 }
 
 void DocumentSession::importModel(const QString& path, const ImportOptions& options,
@@ -97,19 +106,18 @@ bool DocumentSession::lockOrAsk(Document& document) {
     if (state.acquired) {
         return true;
     }
-    if (!window_.opensLocked(document, state)) {
-        return false;
-    }
-    document.lockAnyway();
-    return true;
+    return window_.opensLocked(document, state);
 }
 
 void DocumentSession::restore(const RecoveredDocument& recovered) {
     startJob(
         jobs_, messages_, tr("Restoring the project"), tr("Restore Project"),
-        [copy = recovered.copy](const Progress& progress) { return projectFrom(copy, progress); },
-        [this, recovered](const Project& project) {
-            auto document = std::make_unique<Document>(project, recovered.original);
+        [recovered](const Progress& progress) {
+            return projectFrom(recovered.copy, recovered.original, progress);
+        },
+        [this, recovered](const ReadProject& read) {
+            auto document =
+                std::make_unique<Document>(read.project, recovered.original, read.version);
             if (!lockOrAsk(*document)) {
                 return;
             }
@@ -121,8 +129,17 @@ void DocumentSession::restore(const RecoveredDocument& recovered) {
         });
 }
 
+void DocumentSession::save() {
+    document_->save();
+    tellSaved(document_->path());
+}
+
 void DocumentSession::saveAs(const QString& path) {
     document_->saveAs(path);
+    tellSaved(path);
+}
+
+void DocumentSession::tellSaved(const QString& path) {
     addRecentProject(path);
     emit saved(path);
     messages_.log(tr("Saved %1").arg(QDir::toNativeSeparators(path)));

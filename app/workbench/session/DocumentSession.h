@@ -40,8 +40,10 @@ public:
                      const std::function<void(Project&)>& complete = {});
     void restore(const RecoveredDocument& recovered); // only where there is no document
 
-    void saveAs(const QString& path); // throws Error
-    void discardChanges();            // the copy of what is not saved goes
+    // Both as the document's, which throw Error.
+    void save();
+    void saveAs(const QString& path);
+    void discardChanges(); // the copy of what is not saved goes
 
 signals:
     void documentChanged(); // it is another one now; the earlier one goes when all have been told
@@ -50,6 +52,7 @@ signals:
 
 private:
     bool lockOrAsk(Document& document);
+    void tellSaved(const QString& path);
     void take(std::unique_ptr<Document> document);
     DocumentSession& vacant();
 

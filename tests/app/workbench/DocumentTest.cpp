@@ -1,11 +1,12 @@
 // The document without a window: undo, freshness, file, lock and recovery.
 #include "document/Document.h"
 #include "BoxProject.h"
-#include "document/FileLock.h"
+#include "disk/FileLock.h"
 #include "document/ImmersionEdits.h"
 #include "document/ProjectValue.h"
 #include "document/RecentProjects.h"
 #include "document/Recovery.h"
+#include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 #include "project/Schema.h"
 
@@ -218,6 +219,28 @@ private slots:
         QCOMPARE(state.process, QCoreApplication::applicationPid());
         QVERIFY(mine.acquire({}).acquired); // lets go
         QVERIFY(other.acquire(path).acquired);
+    }
+
+    void whatAnotherHasSavedIsNotOverwrittenUnasked() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("box.dipw"));
+        Document document(boxProject());
+        document.saveAs(path);
+        setWidth(document, "", 123);
+        document.save(); // mine, twice
+        Project theirs = boxProject();
+        theirs.name = QStringLiteral("Theirs");
+        saveProject(theirs, path);
+        setWidth(document, "", 124);
+        QVERIFY_EXCEPTION_THROWN(document.save(), ChangedFile);
+        QVERIFY(document.isModified());
+        QCOMPARE(loadProject(path).name, QStringLiteral("Theirs"));
+        document.saveAs(path); // the user has said so
+        QCOMPARE(loadProject(path).film.width.value(), 124.0);
+        setWidth(document, "", 125);
+        document.save();
+        Document other(boxProject());
+        QVERIFY_EXCEPTION_THROWN(other.saveAs(path), Error); // it is open here
     }
 
     void aLockLeftByACrashIsTakenOver() {

@@ -48,7 +48,7 @@ private slots:
     void initTestCase() {
         PrinterProfile mine;
         mine.name = QStringLiteral("Mine");
-        library_.save(mine);
+        library_.replace(mine);
     }
 
     void everyValueOfAProfileHasAField() {
@@ -92,7 +92,7 @@ private slots:
         QVERIFY(!library_.contains(ProfileKind::Printer, "Mine"));
         PrinterProfile back = printer(library_, "Ours");
         back.name = QStringLiteral("Mine");
-        library_.save(back);
+        library_.replace(back);
         library_.remove(ProfileKind::Printer, "Ours");
     }
 

@@ -3,9 +3,9 @@
 #include "PluginFolder.h"
 #include "TestFiles.h"
 #include "base/Error.h"
+#include "disk/ResultFolder.h"
 #include "geometry/Shapes.h"
 #include "pipeline/Report.h"
-#include "pipeline/ResultFolder.h"
 #include "pipeline/ValidateJob.h"
 #include "pipeline/WriteResults.h"
 #include "texture/Chessboard.h"
@@ -339,14 +339,15 @@ private slots:
         QTemporaryDir home;
         const QString target = home.filePath("deep/down/results");
         {
-            const ResultFolder folder(target);
+            const ResultFolder folder(target, {"proof.png"});
             folder.write("proof.png", "half of it");
         }
         QVERIFY(filesBelow(home.path()).isEmpty());
-        ResultFolder folder(target);
+        ResultFolder folder(target,
+                            {"proof.png", "immersion-1/sheet.png", "immersion-2/sheet.png"});
         folder.write("proof.png", "new");
         folder.write("immersion-1/sheet.png", "sheet");
-        folder.commit({"proof.png", "immersion-1/sheet.png", "immersion-2/sheet.png"});
+        folder.commit();
         QCOMPARE(filesBelow(target), (QStringList{"immersion-1/sheet.png", "proof.png"}));
         QVERIFY(!QFileInfo::exists(target + "/immersion-2"));
     }

@@ -117,9 +117,9 @@ void ProfilesTest::usersProfileStandsInForTheProgramsOwn() {
     const ProfileEntry shipped = library_.profiles(ProfileKind::Printer).front();
     auto changed = std::get<PrinterProfile>(library_.profile(ProfileKind::Printer, shipped.name));
     changed.scaleX = 1.01;
-    library_.save(changed);
+    library_.replace(changed);
     changed.scaleX = 1.02;
-    library_.save(changed);
+    library_.replace(changed);
     QCOMPARE(std::get<PrinterProfile>(library_.profile(ProfileKind::Printer, shipped.name)).scaleX,
              1.02);
     library_.remove(ProfileKind::Printer, shipped.name);
@@ -131,7 +131,7 @@ void ProfilesTest::usersProfileStandsInForTheProgramsOwn() {
 void ProfilesTest::importAndExportCarryOneProfile() {
     const QString path = folder_.filePath("out.json");
     exportProfile(printer(), path);
-    library_.save(importProfile(path));
+    library_.replace(importProfile(path));
     QVERIFY(library_.profile(ProfileKind::Printer, printer().name) == Profile(printer()));
     QVERIFY_EXCEPTION_THROWN(exportProfile(printer(), folder_.filePath("no/such/folder/x.json")),
                              Error);
@@ -252,7 +252,7 @@ void ProfilesTest::findsWhatTheCommandLineKeptElsewhere() {
     nameProgram();
     const QString earlier = earlierDataFolder() + QStringLiteral("/profiles");
     const auto clean = qScopeGuard([&] { QDir(earlier).removeRecursively(); });
-    ProfileLibrary(earlier).save(printer());
+    ProfileLibrary(earlier).replace(printer());
     const ProfileLibrary library;
     const Profile found = library.profile(ProfileKind::Printer, printer().name);
     QCOMPARE(std::get<PrinterProfile>(found).scaleX, printer().scaleX);

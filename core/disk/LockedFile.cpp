@@ -1,0 +1,166 @@
+#include "disk/LockedFile.h"
+
+#include <QFileInfo>
+#include <filesystem>
+#include <system_error>
+
+#ifdef _WIN32
+#include <fcntl.h>
+#include <io.h>
+#include <windows.h>
+#else
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+namespace dipwright {
+namespace {
+
+struct Handle {
+    int number = -1;
+    LockedFile::Outcome outcome = LockedFile::Outcome::Failed;
+};
+
+#ifdef _WIN32
+
+// Others may read it and take it away, and not write.
+Handle lockedHandle(const QString& path) {
+    const HANDLE handle = CreateFileW(
+        QFileInfo(path).filesystemAbsoluteFilePath().c_str(), GENERIC_READ | GENERIC_WRITE | DELETE,
+        FILE_SHARE_READ | FILE_SHARE_DELETE, nullptr, OPEN_ALWAYS, FILE_ATTRIBUTE_NORMAL, nullptr);
+    if (handle == INVALID_HANDLE_VALUE) {
+        return {-1, GetLastError() == ERROR_SHARING_VIOLATION ? LockedFile::Outcome::HeldByAnother
+                                                              : LockedFile::Outcome::Failed};
+    }
+    return {_open_osfhandle(reinterpret_cast<intptr_t>(handle), _O_RDWR | _O_BINARY),
+            LockedFile::Outcome::Opened};
+}
+
+#else
+
+// Between opening and locking the file may have been renamed or removed by whoever had it.
+bool isStillAt(const QByteArray& path, int handle) {
+    struct stat opened {};
+    struct stat named {};
+    return fstat(handle, &opened) == 0 && lstat(path.constData(), &named) == 0 &&
+           opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+bool isPlainFile(int handle) {
+    struct stat opened {};
+    const bool plain = fstat(handle, &opened) == 0 && S_ISREG(opened.st_mode);
+    if (!plain) {
+        errno = EEXIST;
+    }
+    return plain;
+}
+
+Handle lockedHandle(const QString& path) {
+    const QByteArray name = QFile::encodeName(path);
+    while (true) {
+        const int handle =
+            open(name.constData(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+        if (handle < 0) {
+            return {};
+        }
+        if (!isPlainFile(handle)) {
+            close(handle);
+            errno = EEXIST;
+            return {};
+        }
+        if (flock(handle, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            close(handle);
+            return {-1, LockedFile::Outcome::HeldByAnother};
+        }
+        if (isStillAt(name, handle)) {
+            return {handle, LockedFile::Outcome::Opened};
+        }
+        close(handle);
+    }
+}
+
+#endif
+
+QString systemsWords() {
+#ifdef _WIN32
+    const std::error_code error(int(GetLastError()), std::system_category());
+#else
+    const std::error_code error(errno, std::generic_category());
+#endif
+    return QString::fromStdString(error.message());
+}
+
+} // namespace
+
+LockedFile::Outcome LockedFile::open(const QString& path) {
+    path_ = path;
+    const Handle handle = lockedHandle(path);
+    if (handle.outcome != Outcome::Opened) {
+        failure_ = systemsWords();
+        return handle.outcome;
+    }
+    if (!file_.open(handle.number, QIODevice::ReadWrite, QFileDevice::AutoCloseHandle)) {
+        failure_ = file_.errorString();
+        return Outcome::Failed;
+    }
+    return Outcome::Opened;
+}
+
+QString LockedFile::errorString() const {
+    return failure_.isEmpty() ? file_.errorString() : failure_;
+}
+
+bool LockedFile::remove() {
+    const bool removed = !isOpen() || QFile::remove(path_);
+    file_.close();
+    return removed;
+}
+
+bool LockedFile::moveOver(const QString& target) {
+#ifdef _WIN32
+    file_.close(); // an open file cannot be renamed over another there
+#endif
+    const bool moved = dipwright::moveOver(path_, target);
+    if (!moved) {
+        failure_ = systemsWords();
+    }
+    file_.close();
+    return moved;
+}
+
+bool syncToDisk(QFile& file) {
+    if (!file.flush()) {
+        return false;
+    }
+#ifdef _WIN32
+    return _commit(file.handle()) == 0;
+#else
+    return fsync(file.handle()) == 0;
+#endif
+}
+
+void syncFolder([[maybe_unused]] const QString& path) {
+#ifndef _WIN32
+    const int handle =
+        open(QFile::encodeName(path).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (handle >= 0) {
+        fsync(handle);
+        close(handle);
+    }
+#endif
+}
+
+bool moveOver(const QString& from, const QString& to) {
+    std::error_code error;
+    std::filesystem::rename(QFileInfo(from).filesystemFilePath(),
+                            QFileInfo(to).filesystemFilePath(), error);
+#ifndef _WIN32
+    errno = error.value();
+#endif
+    return !error;
+}
+
+} // namespace dipwright

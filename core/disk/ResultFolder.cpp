@@ -1,0 +1,336 @@
+#include "disk/ResultFolder.h"
+
+#include "base/Bytes.h"
+#include "base/Error.h"
+#include "disk/WholeFile.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSet>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ResultFolder)
+};
+
+// In the hidden folder.
+const QString newFiles = QStringLiteral("new/");
+const QString oldFiles = QStringLiteral("old/");
+const QString journalName = QStringLiteral("journal.json"); // there: the new files count
+const QString undoName = QStringLiteral("undo.json");       // there: the old ones do
+constexpr qint64 longestJournal = 1 << 20;
+
+QString folderOf(const QString& name) {
+    return QFileInfo(name).path();
+}
+
+// What of the names is written, and what of them is there. Paths relative to the target.
+struct Journal {
+    QStringList written; // moved in place
+    QStringList there;   // set aside first, to be put back should the moving fail
+};
+
+QByteArray bytesOf(const Journal& journal) {
+    return QJsonDocument(QJsonObject{{"written", QJsonArray::fromStringList(journal.written)},
+                                     {"there", QJsonArray::fromStringList(journal.there)}})
+        .toJson();
+}
+
+QStringList textsOf(const QJsonValue& value) {
+    QStringList texts;
+    for (const QJsonValue& text : value.toArray()) {
+        texts << text.toString();
+    }
+    return texts;
+}
+
+Journal journalOf(const QString& path) {
+    QFile file(path);
+    file.open(QIODevice::ReadOnly);
+    const QJsonObject json = QJsonDocument::fromJson(file.read(longestJournal)).object();
+    return {textsOf(json[QLatin1String("written")]), textsOf(json[QLatin1String("there")])};
+}
+
+bool isBelow(const QString& name) {
+    return QDir::isRelativePath(name) && QDir::cleanPath(name) == name &&
+           name != QLatin1String("..") && !name.startsWith(QLatin1String("../")) &&
+           !name.contains(QLatin1Char(':')) && !name.contains(QLatin1Char('\\'));
+}
+
+// The hidden folder of a target, and the moving between the two. Every step can be taken again
+// after it, or one behind it, has been taken already.
+class Work {
+public:
+    explicit Work(const QString& target)
+        : target_(target), work_(target_.filePath(ResultFolder::workName())) {}
+
+    QString path(const QString& name) const { return work_.filePath(name); }
+    bool has(const QString& name) const { return work_.exists(name); }
+    // Moves in place what is written, and sets aside what is there instead.
+    bool forward(const Journal& journal) const {
+        const QSet<QString> written(journal.written.begin(), journal.written.end());
+        for (const QString& name : journal.there) {
+            const bool isDue = has(newFiles + name) || !written.contains(name);
+            if (isDue && !has(oldFiles + name) && target_.exists(name) &&
+                !moveOver(target_.filePath(name), path(oldFiles + name))) {
+                return false;
+            }
+        }
+        return std::all_of(journal.written.begin(), journal.written.end(),
+                           [&](const QString& name) {
+                               return !has(newFiles + name) ||
+                                      moveOver(path(newFiles + name), target_.filePath(name));
+                           });
+    }
+    // Puts back what was set aside, and removes what has come in place beside it.
+    bool backward(const Journal& journal) const {
+        const QSet<QString> there(journal.there.begin(), journal.there.end());
+        for (const QString& name : journal.written) {
+            if (!there.contains(name) && !has(newFiles + name)) {
+                QFile::remove(target_.filePath(name));
+            }
+        }
+        return std::all_of(journal.there.begin(), journal.there.end(), [&](const QString& name) {
+            return !has(oldFiles + name) || moveOver(path(oldFiles + name), target_.filePath(name));
+        });
+    }
+    // Back to the old files from wherever forward() failed. False: the journal stays, for the next
+    // start.
+    bool undo(const Journal& journal) {
+        const bool isUndone =
+            !has(journalName) || (moveOver(path(journalName), path(undoName)) && backward(journal));
+        settle(journal);
+        if (isUndone) {
+            remove();
+        }
+        return isUndone;
+    }
+    // The folders are on the disk, and empty ones gone.
+    void settle(const Journal& journal) const {
+        for (const QString& name : journal.written + journal.there) {
+            if (folderOf(name) != QLatin1String(".")) {
+                syncFolder(target_.filePath(folderOf(name)));
+                target_.rmdir(folderOf(name));
+            }
+        }
+        syncFolder(target_.path());
+    }
+    // The journal first: without it there is nothing more to do here.
+    void remove() {
+        QFile::remove(path(journalName));
+        QFile::remove(path(undoName));
+        if (!isUnderWay()) {
+            work_.removeRecursively();
+        }
+    }
+    bool isThere() const { return work_.exists(); }
+    bool isUnderWay() const { return has(journalName) || has(undoName); }
+    // Whatever a dead process has left.
+    bool putRight() {
+        bool done = true;
+        if (has(undoName)) {
+            const Journal journal = read(undoName);
+            done = backward(journal);
+            settle(journal);
+        } else if (has(journalName)) {
+            const Journal journal = read(journalName);
+            done = forward(journal);
+            settle(journal);
+        }
+        if (done) {
+            remove();
+        }
+        return done;
+    }
+
+private:
+    // Nothing where it names files outside of the target: it is not ours.
+    Journal read(const QString& name) const {
+        const Journal journal = journalOf(path(name));
+        const QStringList all = journal.written + journal.there;
+        const bool isOurs = std::all_of(all.begin(), all.end(), [&](const QString& file) {
+            return isBelow(file) && !QFileInfo(target_.filePath(folderOf(file))).isSymLink();
+        });
+        return isOurs ? journal : Journal{};
+    }
+
+    QDir target_, work_;
+};
+
+// Those missing, the innermost last.
+QStringList missingFolders(QString path) {
+    QStringList missing;
+    while (!QFileInfo::exists(path)) {
+        missing.prepend(path);
+        const QString parent = QFileInfo(path).absolutePath();
+        if (parent == path) {
+            break;
+        }
+        path = parent;
+    }
+    return missing;
+}
+
+QString lockedName(const QString& target) {
+    return target + QStringLiteral("/results");
+}
+
+} // namespace
+
+QString ResultFolder::workName() {
+    return QStringLiteral(".dipwright-results");
+}
+
+ResultFolder::ResultFolder(const QString& target, const QStringList& names)
+    : target_(QDir::cleanPath(QDir().absoluteFilePath(target))), names_(names) {
+    const QStringList missing = missingFolders(target_);
+    const QString home = missing.isEmpty() ? target_ : QFileInfo(missing.first()).path();
+    if (!QFileInfo(home).isDir()) {
+        throw Error(Text::tr("The results cannot be written, %1 is not a folder").arg(home),
+                    target_);
+    }
+    if (missing.isEmpty()) {
+        refuseOthers();
+    }
+    note_ = std::make_unique<UnfinishedNote>(target_ + QLatin1Char('/') + workName(), missing);
+    made_ = missing;
+    try {
+        lockTarget();
+    } catch (const Error&) {
+        if (Work work(target_); lock_.isHeld() && !work.isUnderWay()) {
+            work.remove();
+        }
+        lock_.release();
+        for (; !made_.isEmpty(); made_.removeLast()) {
+            QDir().rmdir(made_.last());
+        }
+        throw;
+    }
+}
+
+// Makes it, and empties the hidden folder in it.
+void ResultFolder::lockTarget() {
+    QDir().mkpath(target_);
+    const LockState state = lock_.acquire(lockedName(target_));
+    if (!state.acquired) {
+        throw Error(Text::tr("Another program is writing results there (%1); wait for it, or "
+                             "choose another folder")
+                        .arg(holderText(state)),
+                    target_);
+    }
+    Work work(target_);
+    if (!work.putRight()) {
+        throw Error(Text::tr("Earlier results there were not completed and cannot be now; is a "
+                             "file there in use?"),
+                    target_);
+    }
+    QFile trial(work.path(QStringLiteral("trial")));
+    if (!lock_.isHeld() || !QDir().mkpath(work.path(newFiles)) ||
+        !QDir().mkpath(work.path(oldFiles)) || !trial.open(QIODevice::WriteOnly)) {
+        throw Error(Text::tr("The folder cannot be written, choose another"), target_);
+    }
+}
+
+ResultFolder::~ResultFolder() {
+    if (!lock_.isHeld()) {
+        return; // committed
+    }
+    Work work(target_);
+    if (!work.isUnderWay()) {
+        work.remove();
+    }
+    if (work.isThere()) {
+        note_->leave();
+    }
+    lock_.release();
+    for (; !made_.isEmpty(); made_.removeLast()) {
+        QDir().rmdir(made_.last()); // where nothing came into them
+    }
+}
+
+void ResultFolder::putRight(const QString& target) {
+    FileLock lock;
+    const QFileInfo work(target + QLatin1Char('/') + workName());
+    if (work.isDir() && !work.isSymLink() && lock.acquire(lockedName(target)).acquired &&
+        lock.isHeld()) {
+        Work(target).putRight();
+    }
+}
+
+void ResultFolder::write(const QString& name, const QByteArray& contents) const {
+    QFile file(Work(target_).path(newFiles + name));
+    if (!QDir().mkpath(QFileInfo(file).path()) || !file.open(QIODevice::WriteOnly) ||
+        !writeAll(file, contents) || !syncToDisk(file)) {
+        throw Error(Text::tr("The results cannot be written: %1").arg(file.errorString()), target_);
+    }
+}
+
+// Nothing that stands in the way of a file, or of its folder, is the results' to remove.
+void ResultFolder::refuseOthers() const {
+    for (const QString& name : names_) {
+        const QFileInfo file(target_ + QLatin1Char('/') + name);
+        const QFileInfo folder(file.path());
+        const bool isLinked = folderOf(name) != QLatin1String(".") && folder.isSymLink();
+        if (file.isDir() || isLinked || (folder.exists() && !folder.isDir())) {
+            throw Error(
+                Text::tr("%1 is in the way of the results; move it, or choose another folder")
+                    .arg(file.isDir() ? file.fileName() : folder.fileName()),
+                target_);
+        }
+    }
+}
+
+void ResultFolder::commit() {
+    refuseOthers();
+    const QDir target(target_);
+    Work work(target_);
+    Journal journal;
+    QSet<QString> folders;
+    for (const QString& name : names_) {
+        const bool isWritten = work.has(newFiles + name);
+        const bool isThere = target.exists(name);
+        if (isWritten) {
+            journal.written << name;
+        }
+        if (isThere) {
+            journal.there << name;
+        }
+        if (isWritten || isThere) {
+            folders.insert(folderOf(name));
+        }
+    }
+    bool good = true;
+    for (const QString& folder : folders) { // before anything counts: it is what takes space
+        good = good && target.mkpath(folder) && QDir().mkpath(work.path(oldFiles + folder));
+        syncFolder(work.path(newFiles + folder));
+    }
+    syncFolder(work.path(newFiles));
+    const QString failure = replaceFile(work.path(journalName), bytesOf(journal));
+    if (!good || !failure.isEmpty()) {
+        work.undo(journal);
+        throw Error(Text::tr("The results cannot be written: %1").arg(failure), target_);
+    }
+    if (!work.forward(journal)) {
+        throw Error(work.undo(journal)
+                        ? Text::tr("The results cannot be moved into the folder, is a file there "
+                                   "in use?")
+                        : Text::tr("The results are only in part moved into the folder; close "
+                                   "what has files there open, and start the program again, which "
+                                   "moves the rest"),
+                    target_);
+    }
+    work.settle(journal);
+    work.remove();
+    if (work.isThere()) {
+        note_->leave();
+    }
+    lock_.release();
+}
+
+} // namespace dipwright

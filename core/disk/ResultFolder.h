@@ -1,0 +1,55 @@
+// Several files in a user's folder that are replaced together, whatever dies meanwhile.
+//
+// They are made in a hidden folder inside the user's, which is locked. A journal in it, renamed in
+// place when all of them are on the disk, is the moment from which the new ones count: until then
+// nothing outside has changed, and afterwards whoever comes next carries the renamings to their end
+// (docs/files-and-commands.md, "Written whole or not at all").
+#pragma once
+
+#include "disk/FileLock.h"
+#include "disk/Unfinished.h"
+
+#include <QString>
+#include <QStringList>
+#include <memory>
+
+namespace dipwright {
+
+// Files are written below a hidden folder; commit() moves them into the target. Destroyed without a
+// commit, nothing stays behind and the target is as it was.
+class ResultFolder {
+public:
+    // `names`: the files, relative to the target, that are replaced together. Makes the target, and
+    // brings to an end what a dead process has left there. Throws Error where the target cannot be
+    // written, another program is writing it, or something that is no result lies in the way.
+    ResultFolder(const QString& target, const QStringList& names);
+    ~ResultFolder();
+    ResultFolder(const ResultFolder&) = delete;
+    ResultFolder& operator=(const ResultFolder&) = delete;
+
+    // Writes one of the files. Any thread. Throws Error: disk full …
+    void write(const QString& name, const QByteArray& contents) const;
+    // Replaces the target's files by those written; of `names`, those that were not written are
+    // removed there. Other files of the target are left alone. Throws Error, with the target as it
+    // was. Once.
+    void commit();
+
+    // Brings to an end what a dead process has left in the folder `target`: all of its new files
+    // are moved in place if they were complete, else they go. Nothing happens while somebody writes
+    // there.
+    static void putRight(const QString& target);
+    // Of the hidden folder.
+    static QString workName();
+
+private:
+    void lockTarget();
+    void refuseOthers() const;
+
+    QString target_;
+    QStringList names_;
+    std::unique_ptr<UnfinishedNote> note_;
+    QStringList made_; // folders, the innermost last
+    FileLock lock_;
+};
+
+} // namespace dipwright

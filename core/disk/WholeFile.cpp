@@ -1,0 +1,125 @@
+#include "disk/WholeFile.h"
+
+#include "base/Bytes.h"
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QFileInfo>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(WholeFile)
+};
+
+constexpr int longestName = 255; // bytes, of a file's name on the usual systems
+
+// What a link points to, be it there or not.
+QString linkTarget(const QString& path) {
+    QFileInfo file(path);
+    for (int links = 0; file.isSymLink() && links < 40; ++links) {
+        file = QFileInfo(file.symLinkTarget());
+    }
+    return file.absoluteFilePath();
+}
+
+} // namespace
+
+QString hiddenBeside(const QString& path, const QString& prefix) {
+    const QFileInfo file(path);
+    QString name = prefix + file.fileName();
+    if (name.toUtf8().size() > longestName) {
+        const QByteArray hash =
+            QCryptographicHash::hash(file.fileName().toUtf8(), QCryptographicHash::Sha1);
+        name = prefix + QString::fromLatin1(hash.toHex());
+    }
+    return file.absolutePath() + QLatin1Char('/') + name;
+}
+
+void removeAbandoned(const QString& temporary) {
+    LockedFile file;
+    if (QFileInfo::exists(temporary) && file.open(temporary) == LockedFile::Outcome::Opened) {
+        file.remove();
+    }
+}
+
+WholeFile::WholeFile(const QString& path)
+    : target_(linkTarget(path)), beside_(hiddenBeside(target_, QStringLiteral(".~new."))) {}
+
+WholeFile::~WholeFile() {
+    if (!file_.remove()) {
+        note_->leave();
+    }
+}
+
+QString WholeFile::open() {
+    const QFileInfo target(target_);
+    if (target.isDir()) {
+        return Text::tr("it is a folder");
+    }
+    if (target.exists() && !target.isWritable()) {
+        return Text::tr("it may not be written");
+    }
+    note_ = std::make_unique<UnfinishedNote>(beside_);
+    switch (file_.open(beside_)) {
+    case LockedFile::Outcome::HeldByAnother:
+        return Text::tr("another program is writing it at this moment, try again");
+    case LockedFile::Outcome::Failed:
+        return file_.errorString();
+    case LockedFile::Outcome::Opened:
+        break;
+    }
+    if (!device().resize(0)) { // what a dead writer has left
+        return device().errorString();
+    }
+    if (target.exists()) {
+        device().setPermissions(target.permissions());
+    }
+    return {};
+}
+
+QString WholeFile::commit() {
+    if (!syncToDisk(device())) {
+        return Text::tr("it does not reach the disk: %1").arg(device().errorString());
+    }
+    if (!file_.moveOver(target_)) {
+        removeAbandoned(beside_);
+        if (QFileInfo::exists(beside_)) {
+            note_->leave();
+        }
+        return file_.errorString();
+    }
+    syncFolder(QFileInfo(target_).path());
+    note_.reset();
+    return {};
+}
+
+QString replaceFile(const QString& path, const QByteArray& bytes) {
+    WholeFile file(path);
+    if (QString failure = file.open(); !failure.isEmpty()) {
+        return failure;
+    }
+    return writeAll(file.device(), bytes) ? file.commit() : file.device().errorString();
+}
+
+namespace {
+
+void throwIf(const QString& failure, const QString& path) {
+    if (!failure.isEmpty()) {
+        throw Error(Text::tr("The file cannot be written: %1").arg(failure), path);
+    }
+}
+
+} // namespace
+
+void writeWhole(const QString& path, const std::function<void(QIODevice&)>& write) {
+    throwIf(replaceFile(path, bytesOf(write)), path);
+}
+
+void checkWritable(const QString& path) {
+    throwIf(WholeFile(path).open(), path);
+}
+
+} // namespace dipwright

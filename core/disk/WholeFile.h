@@ -1,0 +1,48 @@
+// Files that are replaced whole or not at all, whatever dies meanwhile.
+//
+// The new contents are written to a file beside the old one, flushed to the disk and renamed over
+// it; then the folder is flushed. The file beside it has one name for each target and is locked
+// while it is written, so that two writers of one file cannot mix, and what a dead one has left is
+// known for what it is.
+#pragma once
+
+#include "disk/LockedFile.h"
+#include "disk/Unfinished.h"
+
+#include <QString>
+#include <functional>
+#include <memory>
+
+namespace dipwright {
+
+class WholeFile {
+public:
+    // A link is followed: what it points to is replaced.
+    explicit WholeFile(const QString& path);
+    ~WholeFile(); // without a commit: the target is as it was, and nothing stays behind
+
+    // Both: empty when done, else why not in the system's words.
+    QString open();
+    QString commit();
+    QFile& device() { return file_.device(); } // between the two, to write to
+
+private:
+    QString target_, beside_;
+    std::unique_ptr<UnfinishedNote> note_;
+    LockedFile file_;
+};
+
+// Replaces a file. Empty when done, else why not in the system's words.
+QString replaceFile(const QString& path, const QByteArray& bytes);
+// The same with what `write` puts into the device it is given. Throws Error.
+void writeWhole(const QString& path, const std::function<void(QIODevice&)>& write);
+// Throws Error where the file could not be replaced now: worth asking before long work.
+void checkWritable(const QString& path);
+
+// A hidden name beside `path`, the same whenever it is asked for, that no file name is too long
+// for: `prefix` and the file's name, or a hash of that.
+QString hiddenBeside(const QString& path, const QString& prefix);
+// Removes a temporary file, unless somebody is writing it.
+void removeAbandoned(const QString& temporary);
+
+} // namespace dipwright

@@ -1,0 +1,36 @@
+#include "project/ProjectFile.h"
+
+#include "project/ProjectStore.h"
+
+#include <QCoreApplication>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ProjectFile)
+};
+
+} // namespace
+
+void replaceProject(const Project& project, const QString& path, FileVersion& known) {
+    if (FileVersion::of(path) != known) {
+        throw ChangedFile(Text::tr("Another program has written the project since it was read, "
+                                   "nothing is saved; look at what it holds now and do it again"),
+                          path);
+    }
+    known = saveProject(project, path);
+}
+
+ProjectFile::ProjectFile(const QString& path) : path_(path) {
+    const LockState state = lock_.acquire(path);
+    if (!state.acquired) {
+        throw Error(Text::tr("The project is open elsewhere (%1); close it there, or work on a "
+                             "copy")
+                        .arg(holderText(state)),
+                    path);
+    }
+    known_ = FileVersion::of(path);
+}
+
+} // namespace dipwright

@@ -1,0 +1,160 @@
+// Two who write one file: the second is told, and nothing of the first's work is lost.
+
+#include "CliProcess.h"
+#include "disk/FileLock.h"
+#include "disk/ResultFolder.h"
+#include "project/ProfileLibrary.h"
+#include "project/ProjectFile.h"
+#include "project/ProjectStore.h"
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+constexpr int races = 12;
+
+QByteArray contentsOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class WritersTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void whatIsOpenElsewhereIsNotWritten_data();
+    void whatIsOpenElsewhereIsNotWritten();
+    void resultsAreNotWrittenBesideOthers();
+    void twoAtOnceLoseNothing();
+    void whatWasChangedMeanwhileIsNotReplaced();
+    void aProfileThatWasChangedMeanwhileIsNotReplaced();
+    void aFolderThatCannotTakeResultsIsRefusedBeforeTheWork();
+
+private:
+    QString path(const QString& name) const { return folder_->filePath(name); }
+    QStringList environment() const {
+        return {QStringLiteral("DIPWRIGHT_PROFILE_PATH=") + path(QStringLiteral("profiles"))};
+    }
+
+    std::unique_ptr<QTemporaryDir> folder_;
+    QString job_;
+};
+
+void WritersTest::init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    job_ = path(QStringLiteral("job.dipw"));
+    QVERIFY(QFile::copy(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/tetrahedron.dipw"), job_));
+    QVERIFY(QFile::setPermissions(job_, QFile::ReadOwner | QFile::WriteOwner));
+}
+
+void WritersTest::whatIsOpenElsewhereIsNotWritten_data() {
+    QTest::addColumn<QString>("words");
+    QTest::newRow("optimize") << "optimize JOB --immersions 1 --candidates 6";
+    QTest::newRow("use") << "profile use film DIPPED JOB";
+    QTest::newRow("new") << "new JOB --model " DIPWRIGHT_SAMPLE_FOLDER "/models/sphere.obj";
+}
+
+void WritersTest::whatIsOpenElsewhereIsNotWritten() {
+    QFETCH(QString, words);
+    const QByteArray before = contentsOf(job_);
+    FileLock window;
+    QVERIFY(window.acquire(job_).acquired);
+    QStringList arguments = words.split(QLatin1Char(' '));
+    for (QString& argument : arguments) {
+        argument = argument == QLatin1String("JOB") ? job_ : argument;
+    }
+    const Outcome outcome = cli(arguments, environment());
+    QCOMPARE(outcome.exitCode, 1);
+    QCOMPARE(outcome.errorLines().size(), 1);
+    QVERIFY2(outcome.err.contains("open elsewhere"), outcome.err.constData());
+    QVERIFY(outcome.err.contains(QByteArray::number(QCoreApplication::applicationPid())));
+    QVERIFY(contentsOf(job_) == before);
+    QCOMPARE(cli({QStringLiteral("info"), job_}).exitCode, 0); // may be read
+}
+
+void WritersTest::resultsAreNotWrittenBesideOthers() {
+    const ResultFolder other(path(QStringLiteral("out")), {QStringLiteral("proof.png")});
+    const Outcome outcome =
+        cli({QStringLiteral("run"), job_, QStringLiteral("--out"), path(QStringLiteral("out"))});
+    QCOMPARE(outcome.exitCode, 1);
+    QVERIFY2(outcome.err.contains("writing results there"), outcome.err.constData());
+}
+
+void WritersTest::twoAtOnceLoseNothing() {
+    int told = 0;
+    for (int race = 0; race < races; ++race) {
+        init();
+        QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
+        all.insert(QStringLiteral("DIPWRIGHT_PROFILE_PATH"), path(QStringLiteral("profiles")));
+        for (const QString& kind : {QStringLiteral("film"), QStringLiteral("printer")}) {
+            QCOMPARE(cli({"profile", "set", kind, "Mine"}, environment()).exitCode, 0);
+        }
+        QProcess film, printer;
+        for (QProcess* process : {&film, &printer}) {
+            process->setProcessEnvironment(all);
+            process->start(cliPath(),
+                           {"profile", "use", process == &film ? "film" : "printer", "Mine", job_});
+        }
+        QVERIFY(film.waitForFinished(-1) && printer.waitForFinished(-1));
+        const Project project = loadProject(job_);
+        QCOMPARE(project.profiles.film.has_value(), film.exitCode() == 0);
+        QCOMPARE(project.profiles.printer.has_value(), printer.exitCode() == 0);
+        QVERIFY(film.exitCode() == 0 || printer.exitCode() == 0);
+        for (QProcess* process : {&film, &printer}) {
+            told +=
+                process->exitCode() == 1 && process->readAllStandardError().startsWith("error: ")
+                    ? 1
+                    : 0;
+        }
+    }
+    qInfo("%d races, the second was told in %d", races, told);
+}
+
+void WritersTest::whatWasChangedMeanwhileIsNotReplaced() {
+    ProjectFile file(job_);
+    Project mine = loadProject(job_);
+    Project theirs = mine;
+    theirs.film.swellX = 1.25;
+    saveProject(theirs, job_); // by who does not ask
+    const QByteArray before = contentsOf(job_);
+    mine.film.swellX = 1.125;
+    QVERIFY_EXCEPTION_THROWN(file.save(mine), ChangedFile);
+    QVERIFY(contentsOf(job_) == before);
+}
+
+void WritersTest::aProfileThatWasChangedMeanwhileIsNotReplaced() {
+    const ProfileLibrary library(path(QStringLiteral("profiles")));
+    FilmProfile profile;
+    profile.name = QStringLiteral("Mine");
+    library.save(Profile(profile), std::nullopt);
+    const auto known = library.found(ProfileKind::Film, profile.name);
+    profile.swellX = 1.25;
+    library.save(Profile(profile), known); // the other
+    profile.swellX = 1.125;
+    QVERIFY_EXCEPTION_THROWN(library.save(Profile(profile), known), ChangedFile);
+    QCOMPARE(std::get<FilmProfile>(*library.found(ProfileKind::Film, profile.name)).swellX, 1.25);
+    library.replace(Profile(profile));
+    QCOMPARE(std::get<FilmProfile>(*library.found(ProfileKind::Film, profile.name)).swellX, 1.125);
+}
+
+void WritersTest::aFolderThatCannotTakeResultsIsRefusedBeforeTheWork() {
+    const QString out = path(QStringLiteral("out"));
+    QVERIFY(QDir().mkpath(out + QStringLiteral("/proof.png")));
+    const Outcome outcome = cli({QStringLiteral("run"), job_, QStringLiteral("--out"), out});
+    QCOMPARE(outcome.exitCode, 1);
+    QVERIFY2(outcome.err.contains("in the way"), outcome.err.constData());
+    QVERIFY2(!outcome.err.contains("Dipping"), outcome.err.constData()); // no work was begun
+}
+
+QTEST_GUILESS_MAIN(WritersTest)
+#include "WritersTest.moc"

@@ -1,0 +1,301 @@
+// The programs are killed at every file operation of what writes, and each of these fails: what was
+// there before or what was to be there is there at the next start, whole, and nothing else.
+//
+// DIPWRIGHT_BREAK_EVERYWHERE=1 breaks at every operation, else at a few of each case; the counts
+// are told (scripts/break).
+
+#include "CliProcess.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QDirIterator>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace dipwright::test;
+
+namespace {
+
+constexpr int pointsOfACase = 6; // unless everywhere
+
+bool isEverywhere() {
+    return qEnvironmentVariableIsSet("DIPWRIGHT_BREAK_EVERYWHERE");
+}
+
+// Where a program is broken, if anywhere.
+struct Break {
+    int at = 0;
+    QString how = {};
+    QString log = {};
+};
+
+// A folder in which everything lies that a case reads and writes, and what a user has of program
+// data.
+class Place {
+public:
+    QString path(const QString& name = {}) const { return root_.filePath(name); }
+
+    QStringList environment() const {
+        return {QStringLiteral("XDG_DATA_HOME=") + path(QStringLiteral("data")),
+                QStringLiteral("DIPWRIGHT_PROFILE_PATH=") + path(QStringLiteral("profiles")),
+                QStringLiteral("QT_QPA_PLATFORM=offscreen"),
+                QStringLiteral("DIPWRIGHT_CACHE=") + cache_.path()};
+    }
+    Outcome run(const QString& program, const QStringList& arguments,
+                const Break& broken = {}) const {
+        QStringList all = environment();
+        if (broken.at > 0 || !broken.log.isEmpty()) {
+            all << QStringLiteral("LD_PRELOAD=" DIPWRIGHT_BREAK_FILES)
+                << QStringLiteral("DIPWRIGHT_BREAK_BELOW=") + path()
+                << QStringLiteral("DIPWRIGHT_BREAK_AT=%1").arg(broken.at)
+                << QStringLiteral("DIPWRIGHT_BREAK_HOW=") + broken.how;
+            if (!broken.log.isEmpty()) {
+                all << QStringLiteral("DIPWRIGHT_BREAK_LOG=") + broken.log;
+            }
+        }
+        return dipwright::test::program(program, arguments, all);
+    }
+    Outcome cli(const QStringList& arguments) const { return run(cliPath(), arguments); }
+
+private:
+    QTemporaryDir root_, cache_;
+};
+
+QByteArray contentsOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+// But for the times, which differ from run to run.
+QByteArray reportOf(const QString& path) {
+    QJsonObject report = QJsonDocument::fromJson(contentsOf(path)).object();
+    QJsonArray immersions;
+    for (const QJsonValue& value : report[QLatin1String("immersions")].toArray()) {
+        QJsonObject immersion = value.toObject();
+        immersion.remove(QStringLiteral("wall_seconds"));
+        immersion.remove(QStringLiteral("steps_per_second"));
+        immersions << immersion;
+    }
+    report[QLatin1String("immersions")] = immersions;
+    return QJsonDocument(report).toJson();
+}
+
+// Names and contents of all files below a folder, the hidden ones among them: those are debris.
+using Snapshot = QMap<QString, QByteArray>;
+Snapshot snapshot(const QString& folder) {
+    static const QRegularExpression uuid(
+        QStringLiteral("[0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12}"));
+    Snapshot files;
+    QDirIterator all(folder, QDir::Files | QDir::Hidden | QDir::System,
+                     QDirIterator::Subdirectories);
+    while (all.hasNext()) {
+        const QString path = all.next();
+        const QString name = QDir(folder).relativeFilePath(path).replace(uuid, "UUID");
+        const bool isReport = name.endsWith(QLatin1String("report.json"));
+        files[name] = QCryptographicHash::hash(isReport ? reportOf(path) : contentsOf(path),
+                                               QCryptographicHash::Sha1);
+    }
+    return files;
+}
+
+void copyFolder(const QString& from, const QString& to) {
+    QDirIterator all(from,
+                     QDir::Files | QDir::Hidden | QDir::System | QDir::Dirs | QDir::NoDotAndDotDot,
+                     QDirIterator::Subdirectories);
+    while (all.hasNext()) {
+        const QString path = all.next();
+        const QString target = to + QLatin1Char('/') + QDir(from).relativeFilePath(path);
+        if (all.fileInfo().isDir()) {
+            QDir().mkpath(target);
+        } else {
+            QDir().mkpath(QFileInfo(target).path());
+            QFile::copy(path, target);
+        }
+    }
+}
+
+void emptyFolder(const QString& folder) {
+    QDir(folder).removeRecursively();
+    QDir().mkpath(folder);
+}
+
+} // namespace
+
+class BreakingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void whatIsWrittenIsWholeWhateverDies_data();
+    void whatIsWrittenIsWholeWhateverDies();
+    void aProjectOutlivesAllocationsThatFail();
+
+private:
+    void restore() const;
+    QString kept(const QString& name) const { return kept_.filePath(name); }
+
+    Place place_;
+    QTemporaryDir kept_; // how the place is before each break
+};
+
+void BreakingTest::initTestCase() {
+    const auto made = [this](const QStringList& arguments) {
+        const Outcome outcome = place_.cli(arguments);
+        if (outcome.exitCode != 0) {
+            qWarning("%s", outcome.err.constData());
+        }
+        return outcome.exitCode == 0;
+    };
+    const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/tetrahedron.obj");
+    const auto project = [&](const QString& name, const QStringList& more) {
+        return QStringList{QStringLiteral("new"),       place_.path(name),
+                           QStringLiteral("--model"),   model,
+                           QStringLiteral("--size-mm"), QStringLiteral("40")} +
+               more;
+    };
+    const QStringList small{QStringLiteral("--set"), QStringLiteral("film.size_mm=80x80"),
+                            QStringLiteral("--set"), QStringLiteral("film.points=17x17"),
+                            QStringLiteral("--set"), QStringLiteral("body.sdf_resolution=64"),
+                            QStringLiteral("--set"), QStringLiteral("sheet.dpi=40")};
+    // The earlier results are of two immersions, and no file is as it will be.
+    QVERIFY(made(project(QStringLiteral("old.dipw"),
+                         small + QStringList{QStringLiteral("--immersion"),
+                                             QStringLiteral("name=A,rotation=10;20;30"),
+                                             QStringLiteral("--immersion"),
+                                             QStringLiteral("name=B,rotation=50;60;70")})));
+    QVERIFY(made({QStringLiteral("run"), place_.path(QStringLiteral("old.dipw")),
+                  QStringLiteral("--out"), place_.path(QStringLiteral("out"))}));
+    QFile::remove(place_.path(QStringLiteral("old.dipw")));
+    QVERIFY(made(project(QStringLiteral("job.dipw"), small)));
+    QFile notes(place_.path(QStringLiteral("out/immersion-2/notes.txt")));
+    QVERIFY(notes.open(QIODevice::WriteOnly) && notes.write("mine") == 4);
+    notes.close();
+    QVERIFY(
+        made({QStringLiteral("profile"), QStringLiteral("set"), QStringLiteral("film"),
+              QStringLiteral("Mine"), QStringLiteral("--set"), QStringLiteral("swell=1.1;1.1")}));
+    QVERIFY(made({QStringLiteral("profile"), QStringLiteral("set"), QStringLiteral("printer"),
+                  QStringLiteral("Office"), QStringLiteral("--set"), QStringLiteral("dpi=60")}));
+    QDir().mkpath(place_.path(QStringLiteral("recovery")));
+    copyFolder(place_.path(), kept({}));
+}
+
+void BreakingTest::restore() const {
+    emptyFolder(place_.path());
+    copyFolder(kept({}), place_.path());
+}
+
+void BreakingTest::whatIsWrittenIsWholeWhateverDies_data() {
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<QString>("words");
+    const QString cli = cliPath();
+    const QString document = QStringLiteral(DIPWRIGHT_KEEP_DOCUMENT);
+    const auto row = [](const char* name, const QString& program, const char* words) {
+        QTest::newRow(name) << program << QString::fromLatin1(words);
+    };
+    row("run over results", cli, "run @job.dipw --out @out --no-certainty --threads 1");
+    row("run into a new folder", cli, "run @job.dipw --out @deep/down --no-certainty --threads 1");
+    row("optimize", cli, "optimize @job.dipw --immersions 1 --candidates 6 --threads 1");
+    row("profile set", cli, "profile set film Mine --set swell=1.2;1.2");
+    row("new profile", cli, "profile set film Other --set swell=1.2;1.2");
+    row("profile use", cli, "profile use film Mine @job.dipw");
+    row("profile export", cli, "profile export film Mine @film.json");
+    row("profile remove", cli, "profile remove film Mine");
+    row("calibrate", cli, "calibrate --profile Office --measured 170.7x219.4 --paper A4");
+    row("calibrate to a file", cli, "calibrate --profile Office --to @page.pdf");
+    row("save", document, "save @job.dipw");
+    row("autosave", document, "keep @job.dipw @recovery");
+    row("export", document, "export @job.dipw @out");
+}
+
+void BreakingTest::whatIsWrittenIsWholeWhateverDies() {
+    QFETCH(QString, program);
+    QFETCH(QString, words);
+    QStringList arguments = words.split(QLatin1Char(' '));
+    for (QString& argument : arguments) {
+        argument.replace(QLatin1Char('@'), place_.path() + QLatin1Char('/'));
+    }
+    const auto nextStart = [this] {
+        const QString job = place_.path(QStringLiteral("job.dipw"));
+        place_.run(QStringLiteral(DIPWRIGHT_KEEP_DOCUMENT),
+                   {QStringLiteral("recover"), place_.path(QStringLiteral("recovery"))});
+        place_.cli({QStringLiteral("solvers")}); // takes away the marks of loading them
+        return place_.cli({QStringLiteral("info"), job}).exitCode == 0;
+    };
+    restore();
+    const Snapshot before = snapshot(place_.path());
+    const QTemporaryDir logs;
+    const QString log = logs.filePath(QStringLiteral("log"));
+    const Outcome whole = place_.run(program, arguments, {0, {}, log});
+    QVERIFY2(whole.exitCode == 0, whole.err.constData());
+    QVERIFY(nextStart());
+    const Snapshot after = snapshot(place_.path());
+    QVERIFY(before != after);
+    const int operations = int(contentsOf(log).count('\n'));
+    const std::vector<const char*> ways{"kill", "EIO", "ENOSPC"};
+    const int stride = isEverywhere() ? 1 : std::max(1, operations / pointsOfACase);
+    // A few more: it may do others when something fails.
+    const int last = operations + (isEverywhere() ? 2 : 0);
+    int breaks = 0;
+    QStringList faults;
+    for (int at = 1; at <= last; at += stride) {
+        for (std::size_t way = 0; way < ways.size(); ++way) {
+            const char* const how = ways[way];
+            if (!isEverywhere() && std::size_t(at / stride) % ways.size() != way) {
+                continue; // one way at each point, in turn
+            }
+            restore();
+            const Outcome outcome =
+                place_.run(program, arguments, {at, QString::fromLatin1(how), {}});
+            ++breaks;
+            const bool opens = nextStart();
+            const Snapshot now = snapshot(place_.path());
+            const bool isWhole = now == before || now == after;
+            const bool isTrue = outcome.exitCode != 0 || now == after;
+            if (!opens || !isWhole || !isTrue) {
+                QStringList others;
+                for (auto file = now.begin(); file != now.end(); ++file) {
+                    if (before.value(file.key()) != file.value() &&
+                        after.value(file.key()) != file.value()) {
+                        others << file.key();
+                    }
+                }
+                faults << QStringLiteral("%1 at %2: %3 %4")
+                              .arg(QLatin1String(how))
+                              .arg(at)
+                              .arg(!opens     ? QStringLiteral("does not open")
+                                   : !isWhole ? QStringLiteral("is mixed")
+                                              : QStringLiteral("failed and said nothing"),
+                                   others.join(QLatin1Char(' ')));
+            }
+        }
+    }
+    qInfo("%d operations, broken at %d: %d not whole", operations, breaks, int(faults.size()));
+    QVERIFY2(faults.isEmpty(), qPrintable(faults.mid(0, 60).join(QLatin1Char('\n'))));
+}
+
+void BreakingTest::aProjectOutlivesAllocationsThatFail() {
+    restore();
+    const QString job = place_.path(QStringLiteral("job.dipw"));
+    const QString document = QStringLiteral(DIPWRIGHT_KEEP_DOCUMENT);
+    const Break counting{0, {}, QStringLiteral("/dev/null")};
+    const long count = place_.run(document, {QStringLiteral("count-allocations"), job}, counting)
+                           .out.trimmed()
+                           .toLong();
+    QVERIFY(count > 100);
+    const long stride = isEverywhere() ? 1 : std::max(1L, count / 100);
+    const Outcome outcome = place_.run(document,
+                                       {QStringLiteral("allocations"), job, QStringLiteral("1"),
+                                        QString::number(count), QString::number(stride)},
+                                       counting);
+    qInfo("%s", outcome.out.trimmed().constData());
+    QCOMPARE(outcome.exitCode, 0);
+    QVERIFY2(outcome.out.contains(" lost 0"), outcome.out.constData());
+}
+
+QTEST_GUILESS_MAIN(BreakingTest)
+#include "BreakingTest.moc"

@@ -1,0 +1,176 @@
+// What the window does with a document's files, without a window, for BreakingTest to break it:
+//   save JOB            opens, changes and saves a project
+//   keep JOB FOLDER     opens and changes a project and keeps a copy of the unsaved work
+//   recover FOLDER      what the next start does with such copies
+//   export JOB DIR      runs the job and writes its results
+//   allocations JOB N…  opens and saves with the Nth allocation failing, for each in a life of its
+//                       own; tells what came of it
+
+#include "base/Error.h"
+#include "base/ProgramName.h"
+#include "disk/FileVersion.h"
+#include "disk/Unfinished.h"
+#include "document/Document.h"
+#include "document/Recovery.h"
+#include "parallel/Threads.h"
+#include "pipeline/Pipeline.h"
+#include "pipeline/WriteResults.h"
+#include "project/ProjectStore.h"
+#include "solver/SolverRegistry.h"
+
+#include <QDir>
+#include <QFile>
+#include <QGuiApplication>
+#include <cstdio>
+#include <dlfcn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace dipwright;
+
+namespace {
+
+void change(Document& document) {
+    document.edit(QStringLiteral("Swell"), {},
+                  [](Project& project) { project.film.swellX = 1.125; });
+}
+
+void save(const QString& job) {
+    const FileVersion version = FileVersion::of(job);
+    Document document(loadProject(job), job, version);
+    document.lock();
+    change(document);
+    document.save();
+}
+
+void keep(const QString& job, const QString& folder) {
+    Document document(loadProject(job), job);
+    AutoSaver saver(document, folder);
+    change(document);
+    saver.keepNow();
+    if (QDir(folder, QStringLiteral("*.dipw")).isEmpty()) {
+        throw Error(QStringLiteral("Nothing was kept"), folder);
+    }
+}
+
+void exportResults(const QString& job, const QString& folder) {
+    JobOptions options;
+    options.estimatesCertainty = false;
+    const Project project = loadProject(job);
+    writeResults(project, runJob(project, SolverRegistry(), options, nullptr, {}), folder, {});
+}
+
+// The preloaded part's.
+void failAllocation(long number) {
+    const auto call = reinterpret_cast<void (*)(long)>(dlsym(RTLD_DEFAULT, "failAllocation"));
+    call(number);
+}
+long allocations() {
+    return reinterpret_cast<long (*)()>(dlsym(RTLD_DEFAULT, "allocations"))();
+}
+
+enum Exit { Done = 0, Told = 1, OtherException = 2, Damaged = 3 };
+
+// In a process of its own; `work` with the allocation failing.
+template <typename Work>
+int lifeWith(long allocation, const Work& work) {
+    std::fflush(stdout);
+    const pid_t child = fork();
+    if (child == 0) {
+        int code = Done;
+        failAllocation(allocation);
+        try {
+            work();
+        } catch (const Error&) {
+            code = Told;
+        } catch (const std::bad_alloc&) {
+            code = Told;
+        } catch (...) {
+            code = OtherException;
+        }
+        const long count = allocations();
+        if (allocation == 0) {
+            std::printf("%ld\n", count);
+            std::fflush(stdout);
+        }
+        _exit(code);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+QByteArray contentsOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+// Every `stride`th allocation of opening and of saving a copy; −1 for the count alone.
+void allocationsOf(const QString& job, long first, long last, long stride) {
+    const QString copy = job + QStringLiteral(".copy");
+    QFile::remove(copy);
+    QFile::copy(job, copy);
+    const QByteArray before = contentsOf(copy);
+    const auto both = [&] {
+        const ThreadLimit one(1);
+        Project project = loadProject(copy);
+        project.film.swellX = 1.25;
+        saveProject(project, copy);
+    };
+    lifeWith(LONG_MAX - 1, both);
+    const QByteArray after = contentsOf(copy);
+    long outcomes[4] = {}, crashes = 0, lost = 0, lives = 0;
+    for (long number = first; number <= last; number += stride) {
+        QFile file(copy);
+        file.open(QIODevice::WriteOnly);
+        file.write(before);
+        file.close();
+        const int code = lifeWith(number, both);
+        ++lives;
+        ++(code < 0 ? crashes : outcomes[code]);
+        const QByteArray now = contentsOf(copy);
+        lost += now != before && now != after ? 1 : 0;
+        tidyUnfinished();
+    }
+    std::printf("allocations %ld done %ld told %ld other %ld crashed %ld lost %ld\n", lives,
+                outcomes[Done], outcomes[Told], outcomes[OtherException], crashes, lost);
+}
+
+int run(const QStringList& words) {
+    const QString& what = words.value(1);
+    if (what == QLatin1String("save")) {
+        save(words.value(2));
+    } else if (what == QLatin1String("keep")) {
+        keep(words.value(2), words.value(3));
+    } else if (what == QLatin1String("recover")) {
+        findRecoveredDocuments(words.value(2));
+    } else if (what == QLatin1String("export")) {
+        exportResults(words.value(2), words.value(3));
+    } else if (what == QLatin1String("count-allocations")) {
+        lifeWith(0, [&] {
+            const ThreadLimit one(1);
+            saveProject(loadProject(words.value(2)), words.value(2));
+        });
+    } else if (what == QLatin1String("allocations")) {
+        allocationsOf(words.value(2), words.value(3).toLong(), words.value(4).toLong(),
+                      words.value(5).toLong());
+    } else {
+        return 2;
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QGuiApplication application(argc, argv);
+    nameProgram();
+    tidyUnfinished();
+    try {
+        return run(QCoreApplication::arguments());
+    } catch (const Error& error) {
+        std::fprintf(stderr, "error: %s\n", qPrintable(error.sentence()));
+        return 1;
+    }
+}
