@@ -186,6 +186,10 @@ void DipView::look(ViewDirection direction) {
     change([direction](ViewScene& scene) { scene.look(direction); });
 }
 
+void DipView::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward) {
+    change([place, outward](ViewScene& scene) { scene.lookAt(place, outward); });
+}
+
 void DipView::fit() {
     change([](ViewScene& scene) { scene.fit(); });
 }

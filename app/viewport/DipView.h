@@ -102,7 +102,8 @@ public:
     // Camera.
     void setNavigation(Navigation navigation);
     void setParallelProjection(bool parallel);
-    void look(ViewDirection direction); // and fit
+    void look(ViewDirection direction);                                        // and fit
+    void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward); // at the body
     void fit();
     void setColours(const ViewColours& colours);
     // In widget coordinates, as the picture that was drawn last shows the world.

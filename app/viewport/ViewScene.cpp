@@ -4,6 +4,7 @@
 #include "base/Units.h"
 
 #include <QElapsedTimer>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -164,6 +165,24 @@ void ViewScene::look(ViewDirection direction) {
     }();
     setCameraAngles(camera(), angles);
     fit();
+}
+
+void ViewScene::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward) {
+    constexpr double distance = 1.3, half = 0.35; // of the body's size
+    constexpr double steepest = 85;               // straight up and down have no azimuth
+    const double size = double(body_.worldBox().diagonal().norm());
+    const double elevation =
+        std::asin(std::clamp(double(outward.normalized().y()), -1.0, 1.0)) * 180 / pi;
+    const bool isLevel = std::abs(elevation) < steepest;
+    const double azimuth = isLevel ? std::atan2(double(outward.x()), double(outward.z())) * 180 / pi
+                                   : cameraAngles(camera()).azimuth;
+    const Eigen::Vector3d focus = place.cast<double>();
+    camera().SetFocalPoint(focus.x(), focus.y(), focus.z());
+    camera().SetPosition(focus.x(), focus.y(), focus.z() + distance * size);
+    camera().SetParallelScale(half * size);
+    setCameraAngles(camera(), {azimuth, std::clamp(elevation, -steepest, steepest)});
+    renderer_->ResetCameraClippingRange();
+    fitted_ = false;
 }
 
 void ViewScene::fit() {

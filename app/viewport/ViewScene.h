@@ -57,6 +57,8 @@ public:
     void setFilmSize(QSizeF film, double tankDepth);
     void setColours(const ViewColours& colours);
     void look(ViewDirection direction); // and fit
+    // From outside, as close as shows a good part of the body.
+    void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
     void fit();
     void turn(double rightPixels, double upPixels); // as dragging by so many would
     void zoom(double factor);

@@ -128,6 +128,9 @@ FilmReadingPoint FilmReading::at(const SurfacePoint& onFilm) const {
         reading.adhered = reading.adhered && film().adhered(point);
     }
     reading.body = laid_->contact().surface[triangle[std::size_t(nearest)]];
+    if (reading.body.isValid()) {
+        reading.outward = triangleNormal(laid_->body().model.mesh, reading.body.triangle);
+    }
     return reading;
 }
 

@@ -17,7 +17,8 @@ struct FilmReadingPoint {
     Eigen::Vector3f place = Eigen::Vector3f::Zero(); // pose frame, mm
     std::array<float, filmQuantityCount> values{};
     bool adhered = false;
-    SurfacePoint body; // invalid where the film is not on it
+    SurfacePoint body;                                 // invalid where the film is not on it
+    Eigen::Vector3f outward = Eigen::Vector3f::Zero(); // of the body's surface there, pose frame
 };
 
 class FilmReading {

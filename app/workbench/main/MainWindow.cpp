@@ -131,6 +131,11 @@ void MainWindow::connectSession() {
         updateActions();
     });
     connect(&playback_, &DipPlayback::momentShown, &measure_, &MeasureTool::show);
+    connect(parts_.results, &ResultsPanel::placeChosen, this, [this](const Eigen::Vector2f& rest) {
+        parts_.timeline->pause();
+        parts_.timeline->setPosition(parts_.timeline->frames());
+        reader_.leadTo(rest);
+    });
     connect(&reader_, &FilmReader::read, status_, &StatusLine::setReading);
     connect(&turn_, &BodyTurn::begun, this, [this] { dip_.setHeld(true); });
     connect(&turn_, &BodyTurn::ended, this, [this] { dip_.setHeld(false); });

@@ -39,7 +39,7 @@ ResultsPanel::ResultsPanel(QWidget* parent)
     setTabToolTip(4, tr("The page as it prints"));
     setTabToolTip(5, tr("The figures of the last run"));
 
-    connect(certainty_, &CertaintyPanel::placeChosen, this, &ResultsPanel::hovered);
+    connect(certainty_, &CertaintyPanel::placeChosen, this, &ResultsPanel::placeChosen);
     connect(stretch_, &StretchPanel::hovered, this, &ResultsPanel::hovered);
     connect(stretch_, &StretchPanel::hoverLeft, this, &ResultsPanel::hoverLeft);
     connect(&texture_->view(), &PictureView::hovered, this, [this](QPointF printed) {

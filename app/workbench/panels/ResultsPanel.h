@@ -35,6 +35,7 @@ public:
 signals:
     void hovered(Eigen::Vector2f rest); // a place on the floating film
     void hoverLeft();
+    void placeChosen(Eigen::Vector2f rest); // to be led to
 
 private:
     void hoverShare(double across, double down);

@@ -16,6 +16,16 @@ FilmReader::FilmReader(const DipSession& session, DipView& view, const DipScene&
     connect(&view, &DipView::hoverLeft, this, [this] { show({}); });
 }
 
+void FilmReader::leadTo(const Eigen::Vector2f& rest) {
+    const auto point = session_.reading()->at(rest);
+    show(point);
+    const auto worldToEnd = scene_.worldToEnd();
+    if (point && point->body.isValid() && worldToEnd) {
+        const Eigen::Isometry3f toWorld = worldToEnd->inverse().cast<float>();
+        view_.lookAt(toWorld * point->place, toWorld.linear() * point->outward);
+    }
+}
+
 void FilmReader::readAlong(const ViewRay& ray) {
     if (const auto worldToEnd = scene_.worldToEnd()) {
         const Eigen::Isometry3f toPose = worldToEnd->cast<float>();

@@ -17,6 +17,8 @@ public:
                ResultsPanel& results, QObject* parent = nullptr);
 
     void setLengthUnit(LengthUnit unit) { unit_ = unit; }
+    // Looks at the body where film that rested there lies, and reads it; the end is to be shown.
+    void leadTo(const Eigen::Vector2f& rest);
 
 signals:
     void read(const QString& description); // empty: there is nothing under the cursor

@@ -18,6 +18,8 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTabWidget>
+#include <QTextBlock>
+#include <QTextBrowser>
 
 using namespace dipwright;
 
@@ -28,6 +30,7 @@ const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.p
 
 // A coarse film, to be quick; two immersions.
 void makeCoarse(Project& project) {
+    project.film.resolution = FilmResolution::Points;
     project.film.columns = 28;
     project.film.rows = 40;
     project.fieldResolution = 64;
@@ -51,6 +54,22 @@ void writeNewerProject(const QString& original, const QString& path) {
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(writer.finish());
+}
+
+// In the browser's viewport, which is scrolled there.
+QPoint placeOfLink(QTextBrowser& browser, const QString& link) {
+    for (QTextBlock block = browser.document()->begin(); block.isValid(); block = block.next()) {
+        for (auto part = block.begin(); !part.atEnd(); ++part) {
+            if (part.fragment().charFormat().anchorHref() == link) {
+                QTextCursor cursor(browser.document());
+                cursor.setPosition(part.fragment().position() + 2);
+                browser.setTextCursor(cursor);
+                browser.ensureCursorVisible();
+                return browser.cursorRect(cursor).center();
+            }
+        }
+    }
+    return {-1, -1};
 }
 
 QMessageBox* shownMessage(const char* name) {
@@ -127,6 +146,45 @@ private slots:
         QCOMPARE(again->document()->result()->immersions[0].sheet.image, sheet);
         QCOMPARE(again->document()->result()->immersions[1].sheet.image, otherSheet);
         QVERIFY(again->close());
+    }
+
+    void aPlaceOfTheVerdictLeadsThere() {
+        MainWindow window(*workbench_);
+        window.show();
+        WindowDriver driver(window);
+        QVERIFY(driver.create(model, {}, 90, [](Project& project) {
+            makeCoarse(project);
+            project.film.columns = 24; // far too few
+            project.film.rows = 34;
+        }));
+        QVERIFY(driver.run());
+        const ImmersionResult& result = window.document()->result()->immersions[0];
+        QVERIFY(result.verdict.advice > Advice::Print && !result.verdict.places.empty());
+        driver.find<QTabWidget>("results")->setCurrentIndex(0);
+        window.view().look(ViewDirection::Oblique);
+        auto* timeline = window.findChild<Timeline*>();
+        timeline->setPosition(0);
+        const QImage before = window.view().picture();
+
+        auto* words = driver.find<QTextBrowser>("verdict");
+        const QPoint link = placeOfLink(*words, QStringLiteral("0"));
+        QVERIFY2(words->viewport()->rect().contains(link), qPrintable(words->toPlainText()));
+        QTest::mouseClick(words->viewport(), Qt::LeftButton, {}, link);
+        QCOMPARE(timeline->position(), timeline->frames()); // where the film is on the body
+        QVERIFY(window.view().picture() != before);
+        // The place, by the way from the model to the water, is now in the middle of the view.
+        const Eigen::Isometry3d pose = result.body->modelToPose;
+        const Eigen::Vector3d world =
+            poseToWorld(result.immersion,
+                        dipTravel(window.document()->project().process, *result.body)) +
+            pose * result.verdict.places.front().place.cast<double>();
+        const QPointF shown = window.view().positionOf(world.cast<float>());
+        const QPointF middle = QRectF(window.view().rect()).center();
+        QVERIFY2((shown - middle).manhattanLength() < 20,
+                 qPrintable(QStringLiteral("%1 %2").arg(shown.x()).arg(shown.y())));
+        QVERIFY(driver.find<QLabel>("reading")->text().contains(QStringLiteral("on the body")));
+        answerWhenAsked("closeQuestion", QMessageBox::Discard);
+        QVERIFY(window.close());
     }
 
     void cancellingKeepsTheWindowUsable() {
