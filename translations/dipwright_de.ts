@@ -3905,6 +3905,30 @@
     </message>
 </context>
 <context>
+    <name>dipwright::ReaderProcess</name>
+    <message>
+        <source>The program that reads models and pictures is missing; install Dipwright anew</source>
+        <translation>Das Programm, das Modelle und Bilder liest, fehlt; installieren Sie Dipwright neu</translation>
+    </message>
+    <message>
+        <source>The program that reads models and pictures cannot be started: %1</source>
+        <translation>Das Programm, das Modelle und Bilder liest, kann nicht gestartet werden: %1</translation>
+    </message>
+    <message>
+        <source>The file makes its reader hand back what cannot be, and is not read; save it anew</source>
+        <translation>Die Datei bringt das Leseprogramm dazu, Unmögliches zurückzugeben, und wird nicht gelesen; speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>The file makes its reader crash and is not read; save it anew, a model as %1, a picture as PNG</source>
+        <translation>Die Datei lässt das Leseprogramm abstürzen und wird nicht gelesen; speichern Sie sie neu, ein Modell als %1, ein Bild als PNG</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <extracomment>The code of the language of this translation: de, pt_BR …</extracomment>
+        <translation>de</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::ReportPanel</name>
     <message>
         <source>Report</source>

@@ -3905,6 +3905,30 @@
     </message>
 </context>
 <context>
+    <name>dipwright::ReaderProcess</name>
+    <message>
+        <source>The program that reads models and pictures is missing; install Dipwright anew</source>
+        <translation>O programa que lê modelos e imagens está faltando; reinstale o Dipwright</translation>
+    </message>
+    <message>
+        <source>The program that reads models and pictures cannot be started: %1</source>
+        <translation>O programa que lê modelos e imagens não pode ser iniciado: %1</translation>
+    </message>
+    <message>
+        <source>The file makes its reader hand back what cannot be, and is not read; save it anew</source>
+        <translation>O arquivo faz seu leitor devolver o que não pode ser e não é lido; salve-o de novo</translation>
+    </message>
+    <message>
+        <source>The file makes its reader crash and is not read; save it anew, a model as %1, a picture as PNG</source>
+        <translation>O arquivo faz seu leitor falhar e não é lido; salve-o de novo, um modelo como %1, uma imagem como PNG</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <extracomment>The code of the language of this translation: de, pt_BR …</extracomment>
+        <translation>pt_BR</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::ReportPanel</name>
     <message>
         <source>Report</source>

@@ -67,16 +67,16 @@ constexpr Row table[] = {
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "The texture has more than %1 pixels a side; make it smaller")},
     // Always one of 8192 × 8192 pixels; more only where there is detail in it.
-    {Budget::Pixels, 8192.0 * 8192, 50, 16384.0 * 16384, 1e6,
+    {Budget::Pixels, 8192.0 * 8192, 10, 16384.0 * 16384, 1e6,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "The textures have more than %1 million pixels together, too many for files "
                        "of their size or for any sheet; make them smaller")},
-    {Budget::Memory, 512 * mebi, 16, 64 * gibi, mebi,
+    {Budget::Memory, 512 * mebi, 40, 64 * gibi, mebi,
      QT_TRANSLATE_NOOP(
          "dipwright::Budgets",
          "Reading the file takes more than %1 MB of memory, more than any of its size "
          "needs; reduce it or save it anew")},
-    {Budget::Milliseconds, 3e3, 5e-4, 1e6, 1e3,
+    {Budget::Milliseconds, 2e3, 5e-4, 1e6, 1e3,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "Reading the file takes more than %1 seconds, more than any of its size "
                        "needs; reduce it or save it anew")},

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QStandardPaths>
 
 namespace dipwright {
 namespace {
@@ -19,6 +20,13 @@ QStringList fromProgram(const QStringList& paths) {
 
 QStringList shippedPluginFolders() {
     return fromProgram({QStringLiteral("plugins"), QStringLiteral(DIPWRIGHT_PLUGINS_FROM_PROGRAM)});
+}
+
+QString readerProgram() {
+    // Beside the programs; those that are only there to build and test lie elsewhere in the build.
+    return QStandardPaths::findExecutable(
+        QStringLiteral("dipwright-reader"),
+        fromProgram({QStringLiteral("."), QStringLiteral("../bin")}));
 }
 
 QStringList shippedSampleFolders() {

@@ -3,12 +3,16 @@
 // a build comes before the one of an installed tree.
 #pragma once
 
+#include <QString>
 #include <QStringList>
 
 namespace dipwright {
 
 // Solver plugins: modules, and the descriptions beside them.
 QStringList shippedPluginFolders();
+
+// The program that reads foreign models and pictures; empty where there is none.
+QString readerProgram();
 
 // Sample projects, *.dipw.
 QStringList shippedSampleFolders();

@@ -170,6 +170,9 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
         scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_TransformUVCoords);
     }
     progress.cancelSwitch.throwIfCancelled();
+    if (!scene && std::string(importer.GetErrorString()) == std::bad_alloc().what()) {
+        throw std::bad_alloc(); // of which it only tells
+    }
     if (!files->fault().isEmpty() || !scene) {
         source.throwDamaged(files->fault().isEmpty()
                                 ? QString::fromUtf8(importer.GetErrorString()).simplified()

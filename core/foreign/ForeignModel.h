@@ -2,19 +2,9 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "foreign/ForeignFiles.h"
-#include "model/TexturedMesh.h"
-
-#include <QStringList>
+#include "import/ForeignFiles.h"
 
 namespace dipwright {
-
-// As read, neither welded nor repaired nor scaled: all triangles in the file's units, with corners
-// that exist, the materials and pictures in use, and no charts.
-struct ForeignModel {
-    TexturedMesh mesh;
-    QStringList warnings; // what was left out, in sentences for the user
-};
 
 // Reads the model file `path` and what it names, all of it through `files`. `path` also tells the
 // format, where its content does not, and stands in messages. `withTextures`: false where another

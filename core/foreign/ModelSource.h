@@ -1,8 +1,8 @@
 // What the readers of the formats are given. Private to this folder.
 #pragma once
 
-#include "foreign/ForeignFiles.h"
 #include "foreign/PictureReader.h"
+#include "import/ForeignFiles.h"
 #include "model/TexturedMesh.h"
 
 #include <QStringList>

@@ -9,6 +9,7 @@
 #include <QImageReader>
 
 #include <cmath>
+#include <new>
 
 namespace dipwright {
 
@@ -31,6 +32,9 @@ QImage asTexture(QImage image) {
         image.convertToColorSpace(QColorSpace::SRgb);
     }
     image.convertTo(QImage::Format_RGBA8888);
+    if (image.isNull()) {
+        throw std::bad_alloc();
+    }
     image.setColorSpace(QColorSpace());
     return image;
 }
@@ -55,6 +59,10 @@ QByteArray formatOf(const QByteArray& bytes) {
 }
 
 } // namespace
+
+void PictureReader::prepare() {
+    QImageReader::supportedImageFormats();
+}
 
 void PictureReader::count(const QSize& size, qint64 fileBytes, const QString& where) {
     if (size.isEmpty()) {

@@ -10,6 +10,10 @@ namespace dipwright {
 // Decodes one after the other and counts their pixels together, as often as each comes. One thread.
 class PictureReader {
 public:
+    // Loads all libraries that reading pictures takes. They cannot be loaded later where files
+    // cannot be opened.
+    static void prepare();
+
     // To RGBA8888 in sRGB. PNG, JPEG, BMP, TIFF and WebP by their content; nothing else is tried.
     // Throws Error, naming `where`, for what is no such picture, has no pixels or more than
     // Budgets.h allows; nothing is decoded before its size is known to do.

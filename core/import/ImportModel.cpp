@@ -1,8 +1,8 @@
 #include "import/ImportModel.h"
 
-#include "foreign/ForeignModel.h"
 #include "import/ModelFolder.h"
 #include "import/ReadPictures.h"
+#include "import/ReaderProcess.h"
 #include "model/MeshRepair.h"
 
 #include <QCoreApplication>
@@ -192,7 +192,7 @@ ForeignModel readModelFile(const QString& path, const ImportOptions& options, bo
         }
     };
     try {
-        ForeignModel model = readForeignModel(path, folder, withTextures, progress);
+        ForeignModel model = readModelInProcess(path, withTextures, folder, progress);
         checkOutside();
         return model;
     } catch (const Error&) {

@@ -1,7 +1,7 @@
 // The files that a model file names, and which of them may be read. Private to this folder.
 #pragma once
 
-#include "foreign/ForeignFiles.h"
+#include "import/ForeignFiles.h"
 
 #include <QDir>
 #include <QStringList>

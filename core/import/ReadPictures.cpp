@@ -2,13 +2,11 @@
 
 #include "base/Budgets.h"
 #include "base/Error.h"
-#include "foreign/PictureReader.h"
 #include "import/ModelFolder.h"
+#include "import/ReaderProcess.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
-
-#include <map>
 
 namespace dipwright {
 
@@ -18,18 +16,39 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
 };
 
+// Pictures in memory, by the names that the user knows them by.
+class PicturesInMemory : public ForeignFiles {
+public:
+    explicit PicturesInMemory(const std::vector<PackedPicture>& pictures) : pictures_(pictures) {}
+
+private:
+    std::optional<QByteArray> fetch(const QString& name) override {
+        for (const PackedPicture& picture : pictures_) {
+            if (picture.where == name) {
+                return picture.bytes;
+            }
+        }
+        return std::nullopt;
+    }
+
+    const std::vector<PackedPicture>& pictures_;
+};
+
 } // namespace
 
 std::vector<QImage> readPictures(const std::vector<PackedPicture>& pictures) {
-    PictureReader reader;
-    std::map<const char*, QImage> unpacked; // by where its bytes are
+    QStringList names; // each once
+    for (const PackedPicture& picture : pictures) {
+        if (!names.contains(picture.where)) {
+            names << picture.where;
+        }
+    }
+    PicturesInMemory files(pictures);
+    const std::vector<QImage> unpacked = readPicturesInProcess(names, files);
     std::vector<QImage> images;
     qint64 pixels = 0, packed = 0;
     for (const PackedPicture& picture : pictures) {
-        QImage& image = unpacked[picture.bytes.constData()];
-        if (image.isNull()) {
-            image = reader.read(picture.bytes, picture.where);
-        }
+        const QImage& image = unpacked[std::size_t(names.indexOf(picture.where))];
         pixels += qint64(image.width()) * image.height();
         packed += picture.bytes.size();
         requireWithin(Budget::Pixels, pixels, picture.where, packed);

@@ -45,8 +45,10 @@ void writeNumbers(QDataStream& stream, const std::vector<Value>& values) {
 
 class ModelReader {
 public:
-    ModelReader(const QByteArray& bytes, const QString& where)
-        : bytes_(bytes), where_(where), stream_(bytes) {
+    enum class Numbers { Checked, Unchecked };
+
+    ModelReader(const QByteArray& bytes, const QString& where, Numbers numbers)
+        : bytes_(bytes), where_(where), numbers_(numbers), stream_(bytes) {
         prepare(stream_);
     }
 
@@ -129,16 +131,25 @@ private:
         return material;
     }
 
-    void check(const StoredModel& stored) const {
-        const TexturedMesh& model = stored.model;
+    void checkNumbers(const TexturedMesh& model) const {
         require(!model.mesh.triangles.empty() && !model.materials.empty());
         const auto isPlace = [](const Eigen::Vector3f& position) { return position.allFinite(); };
         require(std::all_of(model.mesh.positions.begin(), model.mesh.positions.end(), isPlace));
+        for (const auto& corners : model.textureCoordinates) {
+            for (const Eigen::Vector2f& uv : corners) {
+                require(!std::isinf(uv.x()) && !std::isinf(uv.y()));
+            }
+        }
+    }
+
+    void check(const StoredModel& stored) const {
+        const TexturedMesh& model = stored.model;
+        if (numbers_ == Numbers::Checked) {
+            checkNumbers(model);
+        }
         for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t) {
             for (int corner = 0; corner < 3; ++corner) {
                 require(model.mesh.triangles[t][corner] < model.mesh.positions.size());
-                const Eigen::Vector2f& uv = model.textureCoordinates[t][corner];
-                require(!std::isinf(uv.x()) && !std::isinf(uv.y()));
             }
             require(model.chart[t] < model.mesh.triangles.size());
             require(model.material[t] < model.materials.size());
@@ -150,10 +161,20 @@ private:
 
     const QByteArray& bytes_;
     QString where_;
+    Numbers numbers_;
     QDataStream stream_;
 };
 
 } // namespace
+
+TexturedMesh withoutPictures(const TexturedMesh& model) {
+    TexturedMesh bare = model;
+    for (QImage& texture : bare.textures) {
+        texture = QImage(1, 1, QImage::Format_RGBA8888);
+        texture.fill(Qt::white);
+    }
+    return bare;
+}
 
 QByteArray writeModel(const TexturedMesh& model) {
     QByteArray bytes;
@@ -181,7 +202,11 @@ QByteArray writeModel(const TexturedMesh& model) {
 }
 
 StoredModel readModel(const QByteArray& bytes, const QString& where) {
-    return ModelReader(bytes, where).read();
+    return ModelReader(bytes, where, ModelReader::Numbers::Checked).read();
+}
+
+StoredModel readUncheckedModel(const QByteArray& bytes, const QString& where) {
+    return ModelReader(bytes, where, ModelReader::Numbers::Unchecked).read();
 }
 
 } // namespace dipwright

@@ -13,6 +13,9 @@ struct StoredModel {
     std::vector<QByteArray> pictures; // PNG of each of them, not looked at
 };
 
+// The model without its pictures, which then stand elsewhere: one pixel holds each one's place.
+TexturedMesh withoutPictures(const TexturedMesh& model);
+
 // The model as one self-contained file for a project's assets, lossless in positions to float,
 // texture coordinates, charts and pictures.
 QByteArray writeModel(const TexturedMesh& model);
@@ -20,5 +23,9 @@ QByteArray writeModel(const TexturedMesh& model);
 // The model that `bytes` hold. Throws Error about `where` for what is damaged, newer, or more than
 // Budgets.h allows.
 StoredModel readModel(const QByteArray& bytes, const QString& where);
+
+// The same for a model that was read and not yet looked at: it may be empty and its coordinates no
+// numbers.
+StoredModel readUncheckedModel(const QByteArray& bytes, const QString& where);
 
 } // namespace dipwright

@@ -33,17 +33,6 @@ QByteArray sha256(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex();
 }
 
-// The model without its pictures: they stand beside it in the file, where any program can look at
-// them, and one pixel holds each one's place.
-TexturedMesh withoutPictures(const TexturedMesh& model) {
-    TexturedMesh bare = model;
-    for (QImage& texture : bare.textures) {
-        texture = QImage(1, 1, QImage::Format_RGBA8888);
-        texture.fill(Qt::white);
-    }
-    return bare;
-}
-
 QJsonArray textureEntries(const TexturedMesh& model) {
     QJsonArray entries;
     for (std::size_t index = 0; index < model.textures.size(); ++index) {

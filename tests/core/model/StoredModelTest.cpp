@@ -70,7 +70,7 @@ TexturedMesh unpacked(const QByteArray& bytes) {
     StoredModel stored = readModel(bytes, QStringLiteral("x"));
     std::vector<PackedPicture> pictures;
     for (const QByteArray& picture : stored.pictures) {
-        pictures.push_back({picture, QStringLiteral("x")});
+        pictures.push_back({picture, QString::number(pictures.size())});
     }
     stored.model.textures = readPictures(pictures);
     return stored.model;

@@ -1,12 +1,22 @@
-// Where a model that is read finds the other files that it names: materials, buffers, pictures.
+// Models and files from elsewhere, as they come to the readers and from them.
 #pragma once
 
+#include "model/TexturedMesh.h"
+
 #include <QByteArray>
-#include <QString>
+#include <QStringList>
 #include <optional>
 
 namespace dipwright {
 
+// A model as read, neither welded nor repaired nor scaled: all triangles in the file's units, with
+// corners that exist, the materials and pictures in use, and no charts.
+struct ForeignModel {
+    TexturedMesh mesh;
+    QStringList warnings; // what was left out, in sentences for the user
+};
+
+// Where a model that is read finds the other files that it names: materials, buffers, pictures.
 // Whoever implements it decides what may be read; readers have no other way to a file. One thread.
 class ForeignFiles {
 public:

@@ -1,4 +1,4 @@
-#include "foreign/ForeignFiles.h"
+#include "import/ForeignFiles.h"
 
 #include "base/Budgets.h"
 

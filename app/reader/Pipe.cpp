@@ -1,0 +1,93 @@
+#include "reader/Pipe.h"
+
+#include "model/StoredModel.h"
+#include "reader/Confinement.h"
+
+#include <QDataStream>
+
+#include <cstdlib>
+
+namespace dipwright {
+
+Pipe::Pipe() {
+    if (!in_.open(0, QIODevice::ReadOnly | QIODevice::Unbuffered) ||
+        !out_.open(1, QIODevice::WriteOnly | QIODevice::Unbuffered)) {
+        std::_Exit(EXIT_FAILURE);
+    }
+}
+
+ReaderJob Pipe::readJob() {
+    const auto [kind, length] = readHeader(take(readerHeaderBytes));
+    if (kind != ReaderMessage::Job) {
+        std::_Exit(EXIT_FAILURE);
+    }
+    return dipwright::readJob(take(length));
+}
+
+void Pipe::report(double share, const QString& text) {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream << share << text.toUtf8();
+    send(ReaderMessage::Progress, bytes);
+}
+
+void Pipe::hand(const QImage& picture) {
+    write(headerBytes(ReaderMessage::Picture, pictureHeaderLength + picture.sizeInBytes()));
+    write(pictureHeaderBytes(picture));
+    write(QByteArray::fromRawData(reinterpret_cast<const char*>(picture.constBits()),
+                                  picture.sizeInBytes()));
+}
+
+void Pipe::hand(const ForeignModel& model) {
+    QStringList lines;
+    for (const QString& warning : model.warnings) {
+        lines << warning.simplified();
+    }
+    send(ReaderMessage::Model, lines.join(u'\n').toUtf8());
+    TexturedMesh bare = withoutPictures(model.mesh);
+    bare.chart.resize(bare.mesh.triangles.size()); // found later
+    send(ReaderMessage::Mesh, writeModel(bare));
+}
+
+void Pipe::fail(const Error& error) {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream << error.message().toUtf8() << error.where().toUtf8();
+    send(ReaderMessage::Failed, bytes);
+}
+
+std::optional<QByteArray> Pipe::fetch(const QString& name) {
+    send(ReaderMessage::Ask, name.toUtf8());
+    const auto [kind, length] = readHeader(take(readerHeaderBytes));
+    if (kind != ReaderMessage::File) {
+        return std::nullopt;
+    }
+    allowedFor_ += length;
+    allowFor(allowedFor_);
+    return take(length);
+}
+
+QByteArray Pipe::take(qint64 length) {
+    QByteArray bytes(length, Qt::Uninitialized);
+    for (qint64 done = 0; done < length;) {
+        const qint64 got = in_.read(bytes.data() + done, length - done);
+        if (got <= 0) {
+            std::_Exit(EXIT_FAILURE);
+        }
+        done += got;
+    }
+    return bytes;
+}
+
+void Pipe::write(const QByteArray& bytes) {
+    if (out_.write(bytes) != bytes.size()) {
+        std::_Exit(EXIT_FAILURE);
+    }
+}
+
+void Pipe::send(ReaderMessage kind, const QByteArray& bytes) {
+    write(headerBytes(kind, bytes.size()));
+    write(bytes);
+}
+
+} // namespace dipwright

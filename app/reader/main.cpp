@@ -1,0 +1,64 @@
+// dipwright-reader: reads one foreign model, or some pictures, in a process that may do nothing but
+// compute, and hands back what it read. Started by core/import/ReaderProcess; of no use by hand.
+#include "base/Budgets.h"
+#include "foreign/ForeignModel.h"
+#include "foreign/PictureReader.h"
+#include "reader/Confinement.h"
+#include "reader/Pipe.h"
+
+#include <QCoreApplication>
+#include <QTranslator>
+
+#include <cstdlib>
+#include <new>
+
+namespace dipwright {
+namespace {
+
+void readModel(const ReaderJob& job, Pipe& pipe) {
+    const Progress progress{
+        [&pipe](double share, const QString& text) { pipe.report(share, text); }, {}};
+    const ForeignModel model =
+        readForeignModel(job.names.value(0), pipe, job.withTextures, progress);
+    for (const QImage& picture : model.mesh.textures) {
+        pipe.hand(picture);
+    }
+    pipe.hand(model);
+}
+
+void readPictures(const ReaderJob& job, Pipe& pipe) {
+    PictureReader reader;
+    for (const QString& name : job.names) {
+        pipe.hand(reader.read(pipe.read(name).value_or(QByteArray()), name));
+    }
+}
+
+void read(const ReaderJob& job, Pipe& pipe) {
+    try {
+        job.kind == ReaderJob::Kind::Model ? readModel(job, pipe) : readPictures(job, pipe);
+    } catch (const Error& error) {
+        pipe.fail(error);
+    } catch (const std::bad_alloc&) {
+        pipe.fail(Error(sentenceOf(Budget::Memory, pipe.bytesRead()), job.names.value(0)));
+    }
+}
+
+} // namespace
+} // namespace dipwright
+
+int main(int argc, char* argv[]) {
+    using namespace dipwright;
+    leaveSurroundings();
+    const QCoreApplication application(argc, argv);
+    Pipe pipe;
+    const ReaderJob job = pipe.readJob();
+    QTranslator translator;
+    if (translator.load(QStringLiteral(":/translations/dipwright_") + job.language)) {
+        QCoreApplication::installTranslator(&translator);
+    }
+    PictureReader::prepare();
+    confine();
+    read(job, pipe);
+    // Nothing is cleaned up after a foreign file.
+    std::_Exit(EXIT_SUCCESS);
+}

@@ -1,0 +1,22 @@
+// Starts dipwright-reader, a process of its own that may do nothing but compute, lets it read one
+// foreign model or some pictures, and looks at what it hands back before anything is made of it.
+// Private to this folder.
+#pragma once
+
+#include "base/Progress.h"
+#include "import/ForeignFiles.h"
+#include "import/ReaderMessages.h"
+
+namespace dipwright {
+
+// The model file and what it names come to the process through `files` alone. `path` names the
+// model for `files` and in messages. Throws Error for what the process refuses, and where it
+// breaks, runs out of memory or time, or hands back what cannot be; Cancelled, at once. Any thread,
+// and several at a time.
+ForeignModel readModelInProcess(const QString& path, bool withTextures, ForeignFiles& files,
+                                const Progress& progress);
+
+// Pictures, RGBA8888 in sRGB; `files` knows them by the same names as the user.
+std::vector<QImage> readPicturesInProcess(const QStringList& names, ForeignFiles& files);
+
+} // namespace dipwright

@@ -1,0 +1,106 @@
+// Files made to read, break or take what is not theirs: each is refused with one sentence, within
+// five seconds of computing and a gigabyte.
+#include "HostileFiles.h"
+#include "CliProcess.h"
+#include "TestFiles.h"
+
+#include <QDir>
+#include <QtTest>
+
+#ifdef Q_OS_UNIX
+#include <sys/resource.h>
+#endif
+
+using namespace dipwright::test;
+
+namespace {
+
+const QDir shared(QStringLiteral(DIPWRIGHT_SHARED_HOSTILE));
+
+// The system ends what computes for longer than `seconds`.
+Outcome cliWithin(int seconds, const QStringList& arguments) {
+#ifdef Q_OS_UNIX
+    return program("/bin/sh", QStringList{"-c", "ulimit -t \"$0\"; exec \"$@\"",
+                                          QString::number(seconds), cliPath()} +
+                                  arguments);
+#else
+    Q_UNUSED(seconds);
+    return cli(arguments);
+#endif
+}
+
+} // namespace
+
+class HostileFilesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY(folder_.isValid());
+        writeHostileFiles(folder_.path());
+        QVERIFY(!QDir(folder_.path()).isEmpty());
+    }
+
+    void ownFilesAreRefused_data() { listFiles(QDir(folder_.path())); }
+    void ownFilesAreRefused() { refused(); }
+
+    void sharedFilesAreRefused_data() {
+        QTest::addColumn<QString>("file");
+        if (shared.exists()) {
+            listFiles(shared);
+        } else {
+            QTest::newRow("none") << QString();
+        }
+    }
+    void sharedFilesAreRefused() {
+        if (!shared.exists()) {
+            QSKIP("no shared models");
+        }
+        refused();
+    }
+
+    // Of the programs and of what they start, at their largest.
+    void noneTakesAGigabyte() {
+#ifdef Q_OS_UNIX
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which take it for themselves
+        rusage used{};
+        QCOMPARE(getrusage(RUSAGE_CHILDREN, &used), 0);
+#ifdef Q_OS_MACOS
+        const qint64 bytes = used.ru_maxrss;
+#else
+        const qint64 bytes = qint64(used.ru_maxrss) << 10;
+#endif
+        QVERIFY2(bytes < qint64(1) << 30, qPrintable(QString::number(bytes)));
+#endif
+#endif
+    }
+
+private:
+    static void listFiles(const QDir& folder) {
+        QTest::addColumn<QString>("file");
+        for (const QString& name : folder.entryList(QDir::Files)) {
+            QTest::newRow(qPrintable(name)) << folder.filePath(name);
+        }
+    }
+
+    void refused() const {
+        QFETCH(QString, file);
+        const QString out = folder_.filePath(QStringLiteral("out/made.dipw"));
+        QDir().mkpath(QFileInfo(out).path());
+        const bool isProject = file.endsWith(QLatin1String(".dipw"));
+        constexpr int mostSeconds = 5;
+        const Outcome outcome =
+            cliWithin(mostSeconds, isProject ? QStringList{"info", file}
+                                             : QStringList{"new", out, "--model", file, "--quiet"});
+        QVERIFY2(outcome.exitCode == 1, outcome.out + outcome.err);
+        // No word of libraries, and no byte that a terminal would obey.
+        QVERIFY2(outcome.err.count('\n') == 1 && outcome.errorLines().size() == 1, outcome.err);
+        QVERIFY(!outcome.err.contains('\x1b'));
+        QVERIFY(!QFileInfo::exists(out));
+    }
+
+    QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(HostileFilesTest)
+#include "HostileFilesTest.moc"
