@@ -17,9 +17,6 @@ struct Text {
 
 using Kind = VerdictReason::Kind;
 
-// What a place may be off by that would still be certain of half the cell.
-constexpr double certainOffBy = certainHalfSpacing / halfSpacingShare; // mm
-
 double area(const FilmContact& contact, const FilmTriangle& corners) {
     const Eigen::Vector3f a = contact.places[corners[0]];
     const Eigen::Vector3f b = contact.places[corners[1]];

@@ -46,7 +46,8 @@ struct Verdict {
 
 // A sheet of which 95 % may be off by no more than this can be looked at; one that is farther off
 // is no use. A place that is farther off is to be looked at, whatever the rest is like.
-inline constexpr double farOff = 1;               // mm
+inline constexpr double certainOffBy = certainHalfSpacing / halfSpacingShare; // mm, of a place
+inline constexpr double farOff = 1;                                           // mm
 inline constexpr double mostFarOffArea = 0.01;    // of the painted area, of a certain sheet
 inline constexpr double spoiltPaintedOnce = 0.15; // of the body's surface
 inline constexpr std::size_t mostPlaces = 12;

@@ -61,7 +61,7 @@ QImage map(const LaidFilm& own, const LaidFilm& finer) {
         distance = distance == paintedByOne ? std::numeric_limits<float>::quiet_NaN()
                                             : std::max(distance, 0.f);
     }
-    return certaintyMap(own, distances, mapEdge);
+    return certaintyMap(own, distances, certainHalfSpacing, mapEdge);
 }
 
 ImmersionCertainty certainty(const Project& project, const Immersion& immersion,

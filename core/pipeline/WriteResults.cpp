@@ -104,8 +104,9 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
     if (result.certainty && result.certainty->failure.isEmpty()) {
         pieces.push_back({text, [&result, prefix, &folder] {
                               const QString name = prefix + QStringLiteral("certainty.png");
-                              const QImage map = certaintyMap(
-                                  *result.laid, result.certainty->pointsOffBy, filmMapEdge);
+                              const QImage map =
+                                  certaintyMap(*result.laid, result.certainty->pointsOffBy,
+                                               certainOffBy, filmMapEdge);
                               folder.write(name, pngBytes(map, name));
                           }});
     }

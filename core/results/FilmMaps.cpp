@@ -21,7 +21,9 @@ struct Text {
 const QColor background(252, 252, 252);
 const QColor ink(38, 42, 48);
 const QColor paleInk(105, 112, 120);
-const QColor unknown(208, 60, 140); // in none of the colour maps
+// In none of the colour maps:
+const QColor unknown(208, 60, 140);
+const QColor past(255, 128, 96); // the end of the scale
 
 // A value a film point, NaN where it is not known, which of the film is on the body, and how that
 // is marked.
@@ -100,6 +102,7 @@ struct Scale {
     double step = 0.1;
     QString map;
     bool lowerHalf = false; // of the map's colours: up to its middle
+    bool hasPast = false;   // values past `high` have a colour of their own
 
     double share(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
     // Of the colour map, from its first colour to its last.
@@ -198,8 +201,10 @@ private:
         const auto painted = [this](double i, double j) { return film_.isPainted(i, j); };
         const auto marked = [this](double i, double j) { return film_.mark(i, j).has_value(); };
         const double value = film_.at(column(x), row(y));
-        const QRgb colour = std::isnan(value)
-                                ? unknown.rgb()
+        const bool isPast = scale_.hasPast && value > scale_.high;
+        const QRgb colour = std::isnan(value) ? unknown.rgb()
+                            : isPast
+                                ? past.rgb()
                                 : colours_[std::size_t(std::lround(255 * scale_.share(value)))];
         if (!painted(column(x), row(y))) {
             return faded(colour);
@@ -332,7 +337,11 @@ private:
 
     void drawScale(QPainter& painter) const {
         const double height = std::min(plot_.height(), 60.0);
-        const QRectF bar(plot_.right() + 5, plot_.top(), 2.6, height);
+        const double room = subject_.scale.hasPast ? 4 : 0; // over the bar
+        const QRectF bar(plot_.right() + 5, plot_.top() + room, 2.6, height - room);
+        if (subject_.scale.hasPast) {
+            drawPast(painter, QRectF(bar.left(), plot_.top(), bar.width(), 2.2));
+        }
         QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
         for (int i = 0; i <= 64; ++i) {
             gradient.setColorAt(i / 64.0, subject_.scale.colour(i / 64.0));
@@ -353,9 +362,22 @@ private:
                1.5, paleInk);
     }
 
+    // What is past the scale's upper end.
+    void drawPast(QPainter& painter, const QRectF& box) const {
+        painter.setPen(QPen(ink, 0.12));
+        painter.setBrush(past);
+        painter.drawRect(box);
+        letter(painter, QRectF(box.right() + 1.2, box.top(), 8, box.height()),
+               Qt::AlignLeft | Qt::AlignVCenter, Text::tr("more"), 1.5, ink);
+    }
+
     QString scaleLabel(double value) const {
         const Scale& scale = subject_.scale;
-        const int decimals = std::max(1, int(std::ceil(-std::log10(scale.step) - 1e-9)));
+        int decimals = 1; // that tell the steps apart
+        for (double step = 10 * scale.step; std::abs(step - std::round(step)) > 1e-6 * step;
+             step *= 10) {
+            ++decimals;
+        }
         const QString number = QLocale().toString(value, 'f', decimals);
         const bool goesOn = subject_.goesOn && value > scale.high - scale.step / 2;
         return goesOn ? Text::tr("%1 and more").arg(number) : number;
@@ -416,30 +438,36 @@ MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling
         false};
 }
 
-// From 0 up to what all but a few points keep below.
-Scale changeScale(std::vector<float> values) {
+// From 0 up to what all but a few points keep below, but to a few times `limit` at most: a few
+// places that are far off do not take the colours from the others.
+Scale changeScale(std::vector<float> values, double limit) {
     constexpr double least = 0.02; // mm; noise is not blown up to a picture
     constexpr double outliers = 0.01;
+    constexpr double mostLimits = 4;
     std::sort(values.begin(), values.end());
-    const double highest =
-        values[std::size_t(std::ceil((1 - outliers) * double(values.size() - 1)))];
+    const double highest = std::max(
+        least, double(values[std::size_t(std::ceil((1 - outliers) * double(values.size() - 1)))]));
     Scale scale;
-    scale.step = niceStep(std::max(highest, least));
+    scale.step = highest < limit ? niceStep(highest) : limit;
     scale.low = 0;
-    scale.high = std::ceil(std::max(highest, least) / scale.step - 1e-6) * scale.step;
+    const double steps = std::ceil(highest / scale.step - 1e-6);
+    scale.high = scale.step * (highest < limit ? steps : std::min(steps, mostLimits));
     scale.map = QStringLiteral("lagoon");
+    scale.hasPast = double(values.back()) > scale.high;
     return scale;
 }
 
-MapSubject certaintySubject(const FilmValues& values, std::uint8_t marks) {
+MapSubject certaintySubject(const FilmValues& values, double limit, std::uint8_t marks) {
     const std::vector<float> painted = values.paintedValues();
-    const Scale scale = changeScale(painted);
+    const Scale scale = changeScale(painted, limit);
     return {Text::tr("Certainty of the sheet"),
             Text::tr("How far the ink may be off for numerical reasons; ink side up"),
             Text::tr("change\nmm"),
-            Text::tr("Magenta: film that paints in one of the dips only"),
+            Text::tr(
+                "A certain place is off by %1 mm at most · magenta: paints in one of the dips only")
+                .arg(QLocale().toString(limit)),
             scale,
-            *std::max_element(painted.begin(), painted.end()) > scale.high,
+            false,
             marks};
 }
 
@@ -456,10 +484,11 @@ QImage wrinklingMap(const LaidFilm& laid, int longEdge) {
     return FilmMap(laid.film().grid, values, wrinklingSubject(values, wrinkling), longEdge).draw();
 }
 
-QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, int longEdge) {
+QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, double limit,
+                    int longEdge) {
     FilmValues values(laid, changes);
     const std::uint8_t marks = values.showMarks(laid);
-    const MapSubject subject = certaintySubject(values, marks);
+    const MapSubject subject = certaintySubject(values, limit, marks);
     return FilmMap(laid.film().grid, values, subject, longEdge).draw();
 }
 

@@ -27,8 +27,10 @@ QImage wrinklingMap(const LaidFilm& laid, int longEdge);
 
 // How far the sheet moves when it is computed more finely: `changes` in mm, one of each film point,
 // NaN where it paints in one of the dips only; over the flat film, drawn like stretchMap(). Marked
-// film on the body is hatched.
-QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, int longEdge);
+// film on the body is hatched. The colours go up to a few times `limit`, mm, what a place of a
+// certain sheet changes by at most; what is past them has a colour of its own.
+QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, double limit,
+                    int longEdge);
 
 // Colour maps of even lightness steps, made in OKLab: "lagoon" (dark blue over green to yellow),
 // "dusk" (blue over grey to yellow, the same to readers with any colour vision), both light at 1;

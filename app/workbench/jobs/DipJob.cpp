@@ -20,7 +20,7 @@ constexpr int mapEdge = 1600; // pixels
 QImage certaintyMapOf(const ImmersionResult& result) {
     const CertaintyEstimate* estimate = result.certainty.get();
     return estimate && estimate->failure.isEmpty()
-               ? certaintyMap(*result.laid, estimate->pointsOffBy, mapEdge)
+               ? certaintyMap(*result.laid, estimate->pointsOffBy, certainOffBy, mapEdge)
                : QImage();
 }
 

@@ -153,6 +153,7 @@ private slots:
     void stretchMapShowsWhereFilmStretched();
     void stretchMapFitsWideFilm();
     void wrinklingIsToldFromThinning();
+    void farPlacesDoNotTakeTheColoursFromTheOthers();
     void markedFilmIsHatchedOnTheMap();
     void markedFilmIsHatchedOnTheProof();
     void proofShowsTheImageOnTheBody();
@@ -334,12 +335,37 @@ std::pair<int, int> countBeside(const QImage& image, const QColor& colour, int c
 }
 } // namespace
 
+void ResultsTest::farPlacesDoNotTakeTheColoursFromTheOthers() {
+    // Left of the middle off by a tenth of a millimetre, right of it by a half, and some by 150 mm.
+    std::vector<float> changes;
+    for (std::size_t point = 0; point < dip_.film.positions.size(); ++point) {
+        changes.push_back(restPosition(dip_.film.grid, point).x() < 0 ? 0.1f : 0.5f);
+    }
+    const QImage near = certaintyMap(*dip_.laid, changes, 0.3, 1000);
+    const std::size_t middle = 56 * 81 + 40;
+    const int columns = dip_.film.grid.columns;
+    for (int row = -15; row <= 15; ++row) {
+        std::fill_n(changes.begin() + std::ptrdiff_t(middle) + row * columns - 5, 11, 150.f);
+    }
+    const QImage far = certaintyMap(*dip_.laid, changes, 0.3, 1000);
+    keep(far, "certainty-far.png");
+    QCOMPARE(far.size(), near.size());
+    const int width = int(780 * 140 / 196.0);
+    const auto at = [&](const QImage& map, double share) {
+        return map.pixelColor(90 + int(share * width), 120 + 390);
+    };
+    // Both sides can still be told apart; what is past the scale is in no colour of its map.
+    QVERIFY(lightness(at(far, 0.6)) > lightness(at(far, 0.4)) + 15);
+    QVERIFY(at(far, 0.5).red() > at(far, 0.5).blue() + 100);
+    QVERIFY(lightness(at(near, 0.6)) > lightness(at(near, 0.4)) + 15);
+}
+
 void ResultsTest::markedFilmIsHatchedOnTheMap() {
     const std::vector<float> changes(dip_.film.positions.size(), 0.01f);
-    const QImage plain = certaintyMap(*dip_.laid, changes, 1000);
+    const QImage plain = certaintyMap(*dip_.laid, changes, 0.3, 1000);
     for (const solver::PointMark mark : filmMarks) {
         const auto marked = dip_.marked(mark, true);
-        const QImage map = certaintyMap(*marked, changes, 1000);
+        const QImage map = certaintyMap(*marked, changes, 0.3, 1000);
         keep(map, QStringLiteral("marked-%1.png").arg(int(mark)));
         QVERIFY(map.height() > plain.height()); // a line of its legend
         // The film's part of the picture, in FilmMap's hundredths.
