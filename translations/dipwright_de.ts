@@ -55,10 +55,6 @@
 <context>
     <name>Certainty</name>
     <message>
-        <source>the solver failed: %1</source>
-        <translation>der Löser ist gescheitert: %1</translation>
-    </message>
-    <message>
         <source>the film has too few points to be compared with one of half as many</source>
         <translation>der Film hat zu wenige Punkte, um ihn mit einem von halb so vielen zu vergleichen</translation>
     </message>
@@ -125,6 +121,26 @@
     <message>
         <source>%1: %2. %3</source>
         <translation>%1: %2. %3</translation>
+    </message>
+    <message>
+        <source>Overhang (°)</source>
+        <translation>Überhang (°)</translation>
+    </message>
+    <message>
+        <source>Fading grip (°)</source>
+        <translation>Nachlassender Halt (°)</translation>
+    </message>
+    <message>
+        <source>Tearing (times the length or area)</source>
+        <translation>Reißen (das Wievielfache von Länge oder Fläche)</translation>
+    </message>
+    <message>
+        <source>Gathering (mean stretch)</source>
+        <translation>Raffen (mittlere Dehnung)</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3 in place of %4: the sheet moves by up to %5 (95 % of it), %6 % of what is painted by more than %7, and %8 % is not painted any more.</source>
+        <translation>%1, %2 bis %3 statt %4: Der Bogen verschiebt sich um bis zu %5 (95 % von ihm), %6 % der bemalten Fläche um mehr als %7, und %8 % werden nicht mehr bemalt.</translation>
     </message>
 </context>
 <context>
@@ -485,6 +501,14 @@
         <source>Reversing the texture</source>
         <translation>Textur wird umgekehrt</translation>
     </message>
+    <message>
+        <source>With a law varied the film does not follow the body; give the film more points</source>
+        <translation>Mit einem veränderten Gesetz folgt der Film dem Körper nicht; geben Sie dem Film mehr Punkte</translation>
+    </message>
+    <message>
+        <source>Varying the laws</source>
+        <translation>Gesetze werden verändert</translation>
+    </message>
 </context>
 <context>
     <name>Png</name>
@@ -506,10 +530,6 @@
     <message>
         <source>Ranking the poses</source>
         <translation>Lagen werden gereiht</translation>
-    </message>
-    <message>
-        <source>The solver failed: %1</source>
-        <translation>Der Löser ist gescheitert: %1</translation>
     </message>
     <message>
         <source>No pose paints anything; choose a larger film</source>
@@ -4034,12 +4054,16 @@ mm</source>
 mm</translation>
     </message>
     <message>
-        <source>Magenta: film that paints in one of the dips only</source>
-        <translation>Magenta: Film, der nur in einer der Rechnungen malt</translation>
-    </message>
-    <message>
         <source>How far the ink may be off for numerical reasons; ink side up</source>
         <translation>Wie weit die Farbe aus numerischen Gründen daneben liegen kann; Farbseite oben</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mehr</translation>
+    </message>
+    <message>
+        <source>A certain place is off by %1 mm at most · magenta: paints in one of the dips only</source>
+        <translation>Eine sichere Stelle liegt höchstens %1 mm daneben · magenta: bemalt nur in einem der Tauchgänge</translation>
     </message>
 </context>
 <context>

@@ -55,10 +55,6 @@
 <context>
     <name>Certainty</name>
     <message>
-        <source>the solver failed: %1</source>
-        <translation>o solucionador falhou: %1</translation>
-    </message>
-    <message>
         <source>the film has too few points to be compared with one of half as many</source>
         <translation>o filme tem pontos de menos para ser comparado com um de metade deles</translation>
     </message>
@@ -125,6 +121,26 @@
     <message>
         <source>%1: %2. %3</source>
         <translation>%1: %2. %3</translation>
+    </message>
+    <message>
+        <source>Overhang (°)</source>
+        <translation>Saliência (°)</translation>
+    </message>
+    <message>
+        <source>Fading grip (°)</source>
+        <translation>Aderência decrescente (°)</translation>
+    </message>
+    <message>
+        <source>Tearing (times the length or area)</source>
+        <translation>Rasgo (vezes o comprimento ou a área)</translation>
+    </message>
+    <message>
+        <source>Gathering (mean stretch)</source>
+        <translation>Franzimento (estiramento médio)</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3 in place of %4: the sheet moves by up to %5 (95 % of it), %6 % of what is painted by more than %7, and %8 % is not painted any more.</source>
+        <translation>%1, %2 a %3 em vez de %4: a folha se desloca em até %5 (95 % dela), %6 % do que é pintado em mais de %7, e %8 % deixam de ser pintados.</translation>
     </message>
 </context>
 <context>
@@ -485,6 +501,14 @@
         <source>Reversing the texture</source>
         <translation>Revertendo a textura</translation>
     </message>
+    <message>
+        <source>With a law varied the film does not follow the body; give the film more points</source>
+        <translation>Com uma lei variada o filme não acompanha o corpo; dê mais pontos ao filme</translation>
+    </message>
+    <message>
+        <source>Varying the laws</source>
+        <translation>Variando as leis</translation>
+    </message>
 </context>
 <context>
     <name>Png</name>
@@ -506,10 +530,6 @@
     <message>
         <source>Ranking the poses</source>
         <translation>Classificando as posições</translation>
-    </message>
-    <message>
-        <source>The solver failed: %1</source>
-        <translation>O solucionador falhou: %1</translation>
     </message>
     <message>
         <source>No pose paints anything; choose a larger film</source>
@@ -4034,12 +4054,16 @@ mm</source>
 mm</translation>
     </message>
     <message>
-        <source>Magenta: film that paints in one of the dips only</source>
-        <translation>Magenta: filme que pinta em só um dos cálculos</translation>
-    </message>
-    <message>
         <source>How far the ink may be off for numerical reasons; ink side up</source>
         <translation>Quanto a tinta pode desviar por razões numéricas; lado da tinta para cima</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mais</translation>
+    </message>
+    <message>
+        <source>A certain place is off by %1 mm at most · magenta: paints in one of the dips only</source>
+        <translation>Um ponto seguro se desvia no máximo %1 mm · magenta: pinta só em um dos mergulhos</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@ const QString outOption = QStringLiteral("out");
 const QString solverOption = QStringLiteral("solver");
 const QString dpiOption = QStringLiteral("dpi");
 const QString certaintyOption = QStringLiteral("no-certainty");
+const QString lawsOption = QStringLiteral("laws");
 
 QString number(double value, int decimals) {
     return QString::number(value, 'f', decimals);
@@ -37,6 +38,12 @@ void printVerdict(const ImmersionResult& result, QTextStream& out) {
     }
 }
 
+void printLaws(const std::vector<LawChange>& laws, QTextStream& out) {
+    for (const LawChange& law : laws) {
+        out << QStringLiteral("  %1\n").arg(lawText(law, millimetres));
+    }
+}
+
 void printSummary(const JobResult& result, QTextStream& out) {
     out << QStringLiteral("Solver: %1 %2 on %3\n")
                .arg(result.solver.name, result.solver.version, result.solver.device);
@@ -45,6 +52,7 @@ void printSummary(const JobResult& result, QTextStream& out) {
     }
     for (const ImmersionResult& immersion : result.immersions) {
         printVerdict(immersion, out);
+        printLaws(immersion.laws, out);
         const DippedFilm& film = immersion.laid->film();
         out << QStringLiteral("%1: %2 × %3 points, cells of %8 mm over the body, %4 steps in %5 s, "
                               "%6 % of the body covered, the texture read back to %7 mm\n")
@@ -79,6 +87,9 @@ public:
         declareFilmImage(parser);
         parser.addOption(
             {certaintyOption, QStringLiteral("Dips no coarser films to judge the sheets by.")});
+        parser.addOption(
+            {lawsOption, QStringLiteral("Dips eight times more an immersion to say how much each "
+                                        "sheet depends on the laws that nobody has measured.")});
         declareThreads(parser);
     }
 
@@ -102,6 +113,7 @@ public:
                         QStringLiteral("--dpi"));
         }
         options.estimatesCertainty = !parser.isSet(certaintyOption);
+        options.variesLaws = parser.isSet(lawsOption);
         applyFilmImage(options, parser);
         const JobResult result =
             runAndWrite(project, registry, options, folder, console.progress());

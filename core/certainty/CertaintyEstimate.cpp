@@ -1,5 +1,7 @@
 #include "certainty/CertaintyEstimate.h"
 
+#include "base/Error.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -42,22 +44,6 @@ void throwIf(bool isCancelled) {
     }
 }
 
-// Throws Cancelled. What the solver says where it fails; empty when all is done.
-QString simulate(std::vector<solver::BatchItem>& dips, const solver::SolverModule& module,
-                 std::function<bool()> isCancelled) {
-    const auto cancelled = [](void* context) {
-        return (*static_cast<const std::function<bool()>*>(context))();
-    };
-    bool isDone = false;
-    try {
-        isDone = module.runBatch(dips, cancelled, &isCancelled);
-    } catch (const std::exception& failure) {
-        return Text::tr("the solver failed: %1").arg(QString::fromUtf8(failure.what()));
-    }
-    throwIf(!isDone);
-    return {};
-}
-
 float largest(float a, float b) {
     return a < 0 || b < 0 ? std::min(a, b) : std::max(a, b);
 }
@@ -94,8 +80,10 @@ CoarserFilms coarserFilms(const std::shared_ptr<const PosedBody>& body, const Di
         return coarser;
     }
     dips[1].setup = dipSetup(*body, field, immersion, film, withDoubleStep(process));
-    coarser.failure = simulate(dips, module, isCancelled);
-    if (!coarser.failure.isEmpty()) {
+    try {
+        simulateDips(dips, module, isCancelled);
+    } catch (const Error& error) {
+        coarser.failure = error.message();
         return coarser;
     }
     std::vector<std::shared_ptr<const LaidFilm>> laid;

@@ -182,6 +182,22 @@ std::vector<float> grownWhenTouched(const DippedFilm& film, const solver::DipSet
 
 } // namespace
 
+void simulateDips(std::vector<solver::BatchItem>& dips, const solver::SolverModule& module,
+                  std::function<bool()> isCancelled) {
+    const auto cancelled = [](void* context) {
+        return (*static_cast<const std::function<bool()>*>(context))();
+    };
+    bool isDone = false;
+    try {
+        isDone = module.runBatch(dips, cancelled, &isCancelled);
+    } catch (const std::exception& failure) {
+        throw Error(Text::tr("The solver failed: %1").arg(QString::fromUtf8(failure.what())), {});
+    }
+    if (!isDone) {
+        throw Cancelled();
+    }
+}
+
 DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion) {
     DippedFilm film;
     film.grid = dip.setup.film;

@@ -26,6 +26,10 @@ solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process);
 
+// Simulates dips as a batch; their ends are in them. Throws Error when the solver fails, Cancelled
+// soon after `isCancelled` has said so, which is asked from one thread at a time.
+void simulateDips(std::vector<solver::BatchItem>& dips, const solver::SolverModule& module,
+                  std::function<bool()> isCancelled);
 // The film as a solver has left it at the end of `dip`, which was set up for `immersion`.
 DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion);
 // Film points may move by much, but not by many times the film and the way the body goes.

@@ -16,6 +16,9 @@ struct JobOptions {
     // Whether coarser dips tell how certain each sheet is: takes up to as long again as the dips,
     // beside them where cores are free.
     bool estimatesCertainty = true;
+    // Whether dips with the laws of ours varied tell how much each sheet depends on them: eight
+    // more an immersion (LawChanges.h).
+    bool variesLaws = false;
     // Called from the working thread with the immersion's number. Has no effect on the result.
     std::function<void(std::size_t, const FilmFrame&)> observer;
     // Called with an immersion's number and result as soon as its sheet is made, from any thread

@@ -1,6 +1,7 @@
 // What a run of the main job has come to.
 #pragma once
 
+#include "certainty/LawChange.h"
 #include "certainty/Verdict.h"
 #include "dip/Coverage.h"
 #include "pipeline/StepInputs.h"
@@ -20,6 +21,7 @@ struct ImmersionResult {
     std::shared_ptr<const Coverage> coverage;
     std::shared_ptr<const CertaintyEstimate> certainty; // null: not asked for
     Verdict verdict;
+    std::vector<LawChange> laws; // empty: not asked for
     ReadBackError readBack;
     std::shared_ptr<const ReverseTexture> texture;
     Sheet sheet;

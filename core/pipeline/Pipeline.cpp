@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobSheet.h"
+#include "pipeline/LawChanges.h"
 #include "pipeline/SolverChoice.h"
 #include "results/Results.h"
 #include "texture/Chessboard.h"
@@ -22,7 +23,8 @@ struct Text {
 
 // Shares of the time of a job, roughly as measured on a film of 120 × 170 points.
 constexpr double fieldDone = 0.1;
-constexpr double dipsDone = 0.7; // of what follows the field
+constexpr double lawsBegin = 0.3; // where they are varied
+constexpr double dipsDone = 0.7;  // of what follows the field
 constexpr double picturesDone = 0.8;
 
 // What all steps of one run are given.
@@ -198,6 +200,21 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
     }
 }
 
+// Fills in how much each sheet depends on the laws of ours.
+void varyLaws(JobResult& result, const Run& run, SolverChoice& solver, const Progress& progress) {
+    const auto field = result.field ? result.field
+                                    : cachedDistanceField(result.fieldInputs.model->mesh,
+                                                          result.fieldInputs.resolution, progress);
+    for (std::size_t number = 0; number < result.immersions.size(); ++number) {
+        ImmersionResult& immersion = result.immersions[number];
+        progress(double(number) / double(result.immersions.size()), Text::tr("Varying the laws"));
+        immersion.laws = withFallback(solver, run.registry, [&](const auto& module) {
+            return lawChanges(run.project, immersion.immersion, immersion.body, *immersion.laid,
+                              *field, module, progress.cancelSwitch);
+        });
+    }
+}
+
 double coverageTotal(const std::vector<ImmersionResult>& immersions, const Progress& progress) {
     if (immersions.size() == 1) {
         return immersions.front().coverage->share;
@@ -309,7 +326,11 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     result.fieldInputs = fieldInputs(project);
     result.field = fieldOf(run, inputs, progress.part(0, fieldDone));
 
-    runImmersions(result, run, inputs, solver, progress.part(fieldDone, 1));
+    const double allDone = options.variesLaws ? lawsBegin : 1;
+    runImmersions(result, run, inputs, solver, progress.part(fieldDone, allDone));
+    if (options.variesLaws) {
+        varyLaws(result, run, solver, progress.part(allDone, 1));
+    }
     result.solver = result.immersions.back().solver;
     result.notes += notesOf(result);
     return result;

@@ -134,7 +134,7 @@ private:
                 std::make_shared<const PosedBody>(posedBody(*project_.model, poses_[index]));
             items[item].setup = dipSetup(*bodies[item], *field_, poses_[index], film_, process_);
         });
-        simulate(items);
+        simulateDips(items, module_, [this] { return progress_.cancelSwitch.isCancelled(); });
         parallelFor(begin, end, [&](std::size_t index) {
             const solver::BatchItem& item = items[index - begin];
             DippedFilm film = dippedFilm(item, poses_[index]);
@@ -143,20 +143,6 @@ private:
                     judged(*layFilm(bodies[index - begin], std::move(film), process_));
             }
         });
-    }
-
-    void simulate(std::vector<solver::BatchItem>& items) {
-        const auto cancelled = [](void* context) {
-            return static_cast<const CancelSwitch*>(context)->isCancelled();
-        };
-        CancelSwitch cancelSwitch = progress_.cancelSwitch;
-        try {
-            module_.runBatch(items, cancelled, &cancelSwitch);
-        } catch (const std::exception& failure) {
-            throw Error(Text::tr("The solver failed: %1").arg(QString::fromUtf8(failure.what())),
-                        project_.name);
-        }
-        cancelSwitch.throwIfCancelled();
     }
 
     // A quality for each sample: 0 where nothing is painted, never below a trace where it is.

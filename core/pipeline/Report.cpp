@@ -72,6 +72,23 @@ QJsonObject markedJson(const Coverage& coverage) {
             {"let_go_mm2", marked.of(solver::PointMark::LetGo)}};
 }
 
+QJsonArray lawsJson(const std::vector<LawChange>& laws) {
+    QJsonArray json;
+    for (const LawChange& law : laws) {
+        json.append(QJsonObject{{"setting", law.setting},
+                                {"value", law.value},
+                                {"less", law.less},
+                                {"more", law.more},
+                                {"mean_mm", law.distance.mean},
+                                {"p95_mm", law.distance.percentile95},
+                                {"max_mm", law.distance.maximum},
+                                {"moved", law.moved},
+                                {"lost", law.lost},
+                                {"sentence", lawText(law, millimetres)}});
+    }
+    return json;
+}
+
 QJsonObject filmJson(const DippedFilm& film) {
     return {{"columns", film.grid.columns},
             {"rows", film.grid.rows},
@@ -90,34 +107,39 @@ QJsonObject immersionJson(const ImmersionResult& result) {
         adhered += film.adhered(point) ? 1 : 0;
     }
     const double seconds = film.wallSeconds;
-    return {{"name", result.immersion.name},
-            {"film", filmJson(film)},
-            {"steps", qint64(film.steps)},
-            {"wall_seconds", seconds},
-            {"steps_per_second", seconds > 0 ? double(film.steps) / seconds : 0},
-            {"equilibrium",
-             QJsonObject{{"steps_without", qint64(film.equilibrium.stepsWithout)},
-                         {"worst_force_left", film.equilibrium.worstForceLeft},
-                         {"linear_iterations", qint64(film.equilibrium.linearIterations)}}},
-            {"adhered", adhered},
-            {"coverage", result.coverage->share},
-            {"painted_area_mm2", result.coverage->paintedArea},
-            {"trapped_air_area_mm2", result.coverage->trappedAirArea},
-            {"stretch", toJson(distribution(painted.constraints))},
-            {"area_stretch", toJson(distribution(painted.areas))},
-            {"wrinkling", QJsonObject{{"film_area_mm2", wrinkling.area},
-                                      {"share", wrinkling.share},
-                                      {"least", wrinkling.least}}},
-            {"texture", QJsonObject{{"contact", qint64(contact.contactCount)},
-                                    {"filled", qint64(contact.filledCount)},
-                                    {"seam_triangles", qint64(result.texture->seamTriangles)}}},
-            {"certainty", certaintyJson(result)},
-            {"marked", markedJson(*result.coverage)},
-            {"marked_area_mm2", result.coverage->marked.any}, // as in earlier versions
-            {"read_back_mm", toJson(result.readBack)},
-            {"registration_mm", toJson(result.readBack)}, // its name in earlier versions
-            {"ink", QJsonObject{{"shortfall_area", result.texture->shortfallArea}}},
-            {"job", result.sheet.job.hash}};
+    QJsonObject json{
+        {"name", result.immersion.name},
+        {"film", filmJson(film)},
+        {"steps", qint64(film.steps)},
+        {"wall_seconds", seconds},
+        {"steps_per_second", seconds > 0 ? double(film.steps) / seconds : 0},
+        {"equilibrium",
+         QJsonObject{{"steps_without", qint64(film.equilibrium.stepsWithout)},
+                     {"worst_force_left", film.equilibrium.worstForceLeft},
+                     {"linear_iterations", qint64(film.equilibrium.linearIterations)}}},
+        {"adhered", adhered},
+        {"coverage", result.coverage->share},
+        {"painted_area_mm2", result.coverage->paintedArea},
+        {"trapped_air_area_mm2", result.coverage->trappedAirArea},
+        {"stretch", toJson(distribution(painted.constraints))},
+        {"area_stretch", toJson(distribution(painted.areas))},
+        {"wrinkling", QJsonObject{{"film_area_mm2", wrinkling.area},
+                                  {"share", wrinkling.share},
+                                  {"least", wrinkling.least}}},
+        {"texture", QJsonObject{{"contact", qint64(contact.contactCount)},
+                                {"filled", qint64(contact.filledCount)},
+                                {"seam_triangles", qint64(result.texture->seamTriangles)}}},
+        {"certainty", certaintyJson(result)},
+        {"marked", markedJson(*result.coverage)},
+        {"marked_area_mm2", result.coverage->marked.any}, // as in earlier versions
+        {"read_back_mm", toJson(result.readBack)},
+        {"registration_mm", toJson(result.readBack)}, // its name in earlier versions
+        {"ink", QJsonObject{{"shortfall_area", result.texture->shortfallArea}}},
+        {"job", result.sheet.job.hash}};
+    if (!result.laws.empty()) {
+        json["laws"] = lawsJson(result.laws);
+    }
+    return json;
 }
 
 } // namespace
