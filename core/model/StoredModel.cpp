@@ -37,6 +37,9 @@ void prepare(QDataStream& stream) {
 template <typename Number, typename Value>
 void writeNumbers(QDataStream& stream, const std::vector<Value>& values) {
     static_assert(sizeof(Value) % sizeof(Number) == 0);
+    if (values.empty()) {
+        return;
+    }
     const auto bytes = qsizetype(values.size()) * qsizetype(sizeof(Value));
     QByteArray swapped(bytes, Qt::Uninitialized);
     qToLittleEndian<Number>(values.data(), bytes / qsizetype(sizeof(Number)), swapped.data());
@@ -111,6 +114,9 @@ private:
     template <typename Number, typename Value>
     void readNumbers(std::vector<Value>& values, quint64 count) {
         require(count <= bytesLeft() / sizeof(Value));
+        if (count == 0) {
+            return;
+        }
         values.resize(count);
         qFromLittleEndian<Number>(bytes_.constData() + stream_.device()->pos(),
                                   qsizetype(count * sizeof(Value) / sizeof(Number)), values.data());

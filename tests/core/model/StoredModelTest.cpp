@@ -99,6 +99,7 @@ private Q_SLOTS:
     void bytesAfterTheEndAreRefused();
     void hostileCountsAreRefusedAtOnce();
     void anyDamageIsRefusedOrHarmless();
+    void aModelOfNothingIsReadUnchecked();
 };
 
 void StoredModelTest::roundTripKeepsEverything() {
@@ -175,6 +176,14 @@ void StoredModelTest::anyDamageIsRefusedOrHarmless() {
         } catch (const Error&) {
         }
     }
+}
+
+// Found by fuzzing: lists without a number were copied from nowhere.
+void StoredModelTest::aModelOfNothingIsReadUnchecked() {
+    const QByteArray bytes = writeModel(TexturedMesh());
+    QVERIFY(readUncheckedModel(bytes, QStringLiteral("x")).model.mesh.triangles.empty());
+    QVERIFY(isRefused(bytes.left(bytes.size() - 1)));
+    QVERIFY_EXCEPTION_THROWN(readModel(bytes, QStringLiteral("x")), Error);
 }
 
 QTEST_GUILESS_MAIN(StoredModelTest)

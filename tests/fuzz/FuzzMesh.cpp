@@ -1,0 +1,14 @@
+// The project's own model file, which is also what the reader's process hands back.
+#include "base/Error.h"
+#include "model/StoredModel.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+    const QByteArray bytes(reinterpret_cast<const char*>(data), qsizetype(size));
+    for (const auto read : {dipwright::readModel, dipwright::readUncheckedModel}) {
+        try {
+            read(bytes, QStringLiteral("x"));
+        } catch (const dipwright::Error&) {
+        }
+    }
+    return 0;
+}

@@ -1,0 +1,33 @@
+// A model of one format. What stands after a line of "====" is every file that it names.
+#include "base/Error.h"
+#include "foreign/ForeignModel.h"
+
+namespace {
+
+class Given : public dipwright::ForeignFiles {
+public:
+    explicit Given(const QByteArray& bytes) {
+        const QByteArray line = "\n====\n";
+        const auto end = bytes.indexOf(line);
+        model_ = bytes.left(end);
+        named_ = end < 0 ? QByteArray() : bytes.mid(end + line.size());
+    }
+
+private:
+    std::optional<QByteArray> fetch(const QString& name) override {
+        return name == QStringLiteral("fuzz." DIPWRIGHT_FUZZED_FORMAT) ? model_ : named_;
+    }
+    QByteArray model_, named_;
+};
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+    Given files(QByteArray(reinterpret_cast<const char*>(data), qsizetype(size)));
+    try {
+        dipwright::readForeignModel(QStringLiteral("fuzz." DIPWRIGHT_FUZZED_FORMAT), files, true,
+                                    {});
+    } catch (const dipwright::Error&) {
+    }
+    return 0;
+}

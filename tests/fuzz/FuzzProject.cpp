@@ -1,0 +1,40 @@
+// A project file: the archive, and its document and mesh. Pictures are another target's.
+#include "base/Error.h"
+#include "model/StoredModel.h"
+#include "project/Archive.h"
+#include "project/Project.h"
+
+#include <QJsonDocument>
+#include <QTemporaryFile>
+
+namespace {
+
+void readAll(const QString& path) {
+    dipwright::ArchiveReader archive(path);
+    for (const QString& name : archive.names()) {
+        try {
+            const QByteArray bytes = archive.read(name);
+            dipwright::fromJson(QJsonDocument::fromJson(bytes).object(), path);
+            dipwright::readModel(bytes, path);
+        } catch (const dipwright::Error&) {
+        }
+    }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+    static QTemporaryFile file;
+    if (!file.isOpen() && !file.open()) {
+        return 0;
+    }
+    file.resize(0);
+    file.seek(0);
+    file.write(reinterpret_cast<const char*>(data), qint64(size));
+    file.flush();
+    try {
+        readAll(file.fileName());
+    } catch (const dipwright::Error&) {
+    }
+    return 0;
+}

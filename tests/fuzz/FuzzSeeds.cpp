@@ -1,0 +1,88 @@
+// Writes what the targets of libFuzzer begin with into FOLDER/NAME: small whole files of each kind.
+#include "ModelFiles.h"
+#include "SampleProject.h"
+
+#include "model/StoredModel.h"
+#include "project/Profiles.h"
+#include "project/ProjectStore.h"
+
+#include <QBuffer>
+#include <QColorSpace>
+#include <QDir>
+#include <QGuiApplication>
+#include <QJsonDocument>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+void write(const QDir& folder, const QString& target, const QByteArray& bytes, int number = 1) {
+    folder.mkpath(target);
+    writeFile(folder.filePath(QStringLiteral("%1/seed-%2").arg(target).arg(number)), bytes);
+}
+
+void writeModels(const QDir& folder) {
+    const QByteArray picture = png(quarters(4));
+    write(folder, QStringLiteral("obj"),
+          cubeObj("mtllib a.mtl\nusemtl skin\n") + "\n====\nnewmtl skin\nKd 1 0 0\n");
+    write(folder, QStringLiteral("ply"), squarePly("a.png") + "\n====\n" + picture);
+    write(folder, QStringLiteral("ply"), squareBinaryPly("a.png", true), 2);
+    write(folder, QStringLiteral("stl"),
+          "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+          "endloop\nendfacet\nendsolid a\n");
+    write(folder, QStringLiteral("stl"),
+          QByteArray(80, ' ') + QByteArray("\1\0\0\0", 4) + QByteArray(50, '\0'), 2);
+    write(folder, QStringLiteral("gltf"), squareGltf(picture));
+    write(folder, QStringLiteral("glb"), squareGlb(picture));
+    write(folder, QStringLiteral("dae"), tetrahedron("collada"));
+    write(folder, QStringLiteral("3ds"), tetrahedron("3ds"));
+    write(folder, QStringLiteral("fbx"), tetrahedron("fbxa"));
+    write(folder, QStringLiteral("fbx"), tetrahedronBinaryFbx(), 2);
+    const QString package = folder.filePath(QStringLiteral("3mf/seed-1"));
+    folder.mkpath(QStringLiteral("3mf"));
+    writeSquare3mf(package, picture);
+}
+
+void writePictures(const QDir& folder) {
+    int number = 0;
+    for (const char* format : {"PNG", "JPEG", "BMP", "TIFF", "WEBP"}) {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        if (quarters(4).convertToFormat(QImage::Format_RGB888).save(&buffer, format)) {
+            write(folder, QStringLiteral("picture"), bytes, ++number);
+        }
+    }
+}
+
+void writeProjects(const QDir& folder) {
+    const Project project = sampleProject();
+    write(folder, QStringLiteral("document"), QJsonDocument(toJson(project)).toJson());
+    write(folder, QStringLiteral("mesh"), writeModel(*project.model));
+    folder.mkpath(QStringLiteral("project"));
+    saveProject(project, folder.filePath(QStringLiteral("project/seed-1")));
+    int number = 0;
+    const QDir shipped(QStringLiteral(":/dipwright/profiles"));
+    for (const QString& kind : shipped.entryList(QDir::Dirs)) {
+        for (const QString& name : QDir(shipped.filePath(kind)).entryList(QDir::Files)) {
+            QFile file(shipped.filePath(kind + u'/' + name));
+            if (file.open(QIODevice::ReadOnly)) {
+                write(folder, QStringLiteral("profile"), file.readAll(), ++number);
+            }
+        }
+    }
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+    const QCoreApplication application(argc, argv);
+    const QDir folder(QCoreApplication::arguments().value(1, QStringLiteral("seeds")));
+    writeModels(folder);
+    writePictures(folder);
+    writeProjects(folder);
+    write(folder, QStringLiteral("plugin"),
+          R"({"format":"dipwright-solver","interface":1,"id":"a","name":"A","version":"1",)"
+          R"("device":"cpu","vendor":"B","priority":1,"module":"a.so"})");
+    write(folder, QStringLiteral("colour"), QColorSpace(QColorSpace::SRgb).iccProfile());
+}
