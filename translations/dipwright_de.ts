@@ -151,6 +151,64 @@
     </message>
 </context>
 <context>
+    <name>CheckedSolver</name>
+    <message>
+        <source>it threw an unknown exception</source>
+        <translation>er hat eine unbekannte Ausnahme geworfen</translation>
+    </message>
+    <message>
+        <source>it gave points a state that there is none of</source>
+        <translation>er hat Punkten einen Zustand gegeben, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>it gave points a mark that there is none of</source>
+        <translation>er hat Punkten eine Marke gegeben, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>it gave no film</source>
+        <translation>er hat keinen Film gegeben</translation>
+    </message>
+    <message>
+        <source>it stopped by itself</source>
+        <translation>er hat von selbst aufgehört</translation>
+    </message>
+    <message>
+        <source>it left films of a batch empty</source>
+        <translation>er hat Filme eines Stapels leer gelassen</translation>
+    </message>
+    <message>
+        <source>it told steps or a descent that cannot be</source>
+        <translation>er hat Schritte oder einen Weg gemeldet, die nicht sein können</translation>
+    </message>
+    <message>
+        <source>it does not come forward</source>
+        <translation>er kommt nicht voran</translation>
+    </message>
+</context>
+<context>
+    <name>ContainedSolver</name>
+    <message>
+        <source>it cannot be given a process of its own: %1</source>
+        <translation>er kann keinen eigenen Prozess bekommen: %1</translation>
+    </message>
+    <message>
+        <source>it was at one step for more than %1 s and was stopped</source>
+        <translation>er war länger als %1 s an einem Schritt und wurde beendet</translation>
+    </message>
+    <message>
+        <source>its process was killed, perhaps for want of memory</source>
+        <translation>sein Prozess wurde beendet, vielleicht aus Mangel an Speicher</translation>
+    </message>
+    <message>
+        <source>it crashed (%1)</source>
+        <translation>er ist abgestürzt (%1)</translation>
+    </message>
+    <message>
+        <source>it ended its process (%1)</source>
+        <translation>er hat seinen Prozess beendet (%1)</translation>
+    </message>
+</context>
+<context>
     <name>Dip</name>
     <message>
         <source>Dipping</source>
@@ -1796,6 +1854,10 @@
     <message>
         <source>It has crashed twice; replace it, or set DIPWRIGHT_RETRY_SOLVERS=1 to try it again</source>
         <translation>Er ist zweimal abgestürzt; ersetzen Sie ihn, oder setzen Sie DIPWRIGHT_RETRY_SOLVERS=1, um ihn wieder zu versuchen</translation>
+    </message>
+    <message>
+        <source>Others can write to %1; take that right from them, or move the plugin</source>
+        <translation>Andere können %1 schreiben; nehmen Sie ihnen das Recht, oder verschieben Sie das Plugin</translation>
     </message>
 </context>
 <context>

@@ -151,6 +151,64 @@
     </message>
 </context>
 <context>
+    <name>CheckedSolver</name>
+    <message>
+        <source>it threw an unknown exception</source>
+        <translation>ele lançou uma exceção desconhecida</translation>
+    </message>
+    <message>
+        <source>it gave points a state that there is none of</source>
+        <translation>ele deu a pontos um estado que não existe</translation>
+    </message>
+    <message>
+        <source>it gave points a mark that there is none of</source>
+        <translation>ele deu a pontos uma marca que não existe</translation>
+    </message>
+    <message>
+        <source>it gave no film</source>
+        <translation>ele não deu nenhum filme</translation>
+    </message>
+    <message>
+        <source>it stopped by itself</source>
+        <translation>ele parou por conta própria</translation>
+    </message>
+    <message>
+        <source>it left films of a batch empty</source>
+        <translation>ele deixou vazios filmes de um lote</translation>
+    </message>
+    <message>
+        <source>it told steps or a descent that cannot be</source>
+        <translation>ele informou passos ou uma descida que não podem ser</translation>
+    </message>
+    <message>
+        <source>it does not come forward</source>
+        <translation>ele não avança</translation>
+    </message>
+</context>
+<context>
+    <name>ContainedSolver</name>
+    <message>
+        <source>it cannot be given a process of its own: %1</source>
+        <translation>não foi possível dar-lhe um processo próprio: %1</translation>
+    </message>
+    <message>
+        <source>it was at one step for more than %1 s and was stopped</source>
+        <translation>ele ficou mais de %1 s em um passo e foi encerrado</translation>
+    </message>
+    <message>
+        <source>its process was killed, perhaps for want of memory</source>
+        <translation>o processo dele foi morto, talvez por falta de memória</translation>
+    </message>
+    <message>
+        <source>it crashed (%1)</source>
+        <translation>ele travou (%1)</translation>
+    </message>
+    <message>
+        <source>it ended its process (%1)</source>
+        <translation>ele encerrou o próprio processo (%1)</translation>
+    </message>
+</context>
+<context>
     <name>Dip</name>
     <message>
         <source>Dipping</source>
@@ -1796,6 +1854,10 @@
     <message>
         <source>It has crashed twice; replace it, or set DIPWRIGHT_RETRY_SOLVERS=1 to try it again</source>
         <translation>Ele travou duas vezes; substitua-o ou defina DIPWRIGHT_RETRY_SOLVERS=1 para tentar de novo</translation>
+    </message>
+    <message>
+        <source>Others can write to %1; take that right from them, or move the plugin</source>
+        <translation>Outros podem gravar em %1; tire-lhes esse direito ou mova o plugin</translation>
     </message>
 </context>
 <context>

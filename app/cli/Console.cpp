@@ -16,7 +16,7 @@ constexpr int textWidth = 44;
 } // namespace
 
 Console::Console()
-    : out_(stdout, QIODevice::WriteOnly), err_(stderr, QIODevice::WriteOnly),
+    : plainOut_(stdout), plainErr_(stderr), out_(&plainOut_), err_(&plainErr_),
       terminal_(standardErrorIsTerminal()) {
     cancelOnSignals(cancelSwitch_);
 }

@@ -3,6 +3,7 @@
 
 #include "base/Error.h"
 #include "base/Progress.h"
+#include "cli/PlainOutput.h"
 
 #include <QElapsedTimer>
 #include <QTextStream>
@@ -29,6 +30,7 @@ private:
     void drawBar(double share, const QString& text);
     void clearBar();
 
+    PlainOutput plainOut_, plainErr_;
     QTextStream out_;
     QTextStream err_;
     CancelSwitch cancelSwitch_;

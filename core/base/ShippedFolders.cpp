@@ -19,14 +19,19 @@ QStringList fromProgram(const QStringList& paths) {
 } // namespace
 
 QStringList shippedPluginFolders() {
-    return fromProgram({QStringLiteral("plugins"), QStringLiteral(DIPWRIGHT_PLUGINS_FROM_PROGRAM)});
+    // The second is where the tests find them.
+    return fromProgram({QStringLiteral("plugins"), QStringLiteral("../bin/plugins"),
+                        QStringLiteral(DIPWRIGHT_PLUGINS_FROM_PROGRAM)});
+}
+
+QString shippedProgram(const QString& name) {
+    // Beside the programs; those that are only there to build and test lie elsewhere in the build.
+    return QStandardPaths::findExecutable(
+        name, fromProgram({QStringLiteral("."), QStringLiteral("../bin")}));
 }
 
 QString readerProgram() {
-    // Beside the programs; those that are only there to build and test lie elsewhere in the build.
-    return QStandardPaths::findExecutable(
-        QStringLiteral("dipwright-reader"),
-        fromProgram({QStringLiteral("."), QStringLiteral("../bin")}));
+    return shippedProgram(QStringLiteral("dipwright-reader"));
 }
 
 QStringList shippedSampleFolders() {

@@ -11,7 +11,9 @@ namespace dipwright {
 // Solver plugins: modules, and the descriptions beside them.
 QStringList shippedPluginFolders();
 
-// The program that reads foreign models and pictures; empty where there is none.
+// A program beside the programs that only they start; empty where there is none.
+QString shippedProgram(const QString& name);
+// That which reads foreign models and pictures.
 QString readerProgram();
 
 // Sample projects, *.dipw.

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "dip/FilmUnderBody.h"
 #include "film/Growth.h"
+#include "solver/CheckedSolver.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -55,6 +56,9 @@ public:
     }
 
     void toTheEnd(const Progress& progress, const FilmObserver& observer) {
+        if (auto* film = dynamic_cast<StoppableFilm*>(solver_.get())) {
+            film->stopOn([user = progress.cancelSwitch] { return user.isCancelled(); });
+        }
         timed([&] { solver_->begin(dip_.setup); });
         Clock::time_point lastShown = Clock::now() - observerInterval;
         while (!state_.finished) {

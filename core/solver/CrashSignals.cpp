@@ -1,5 +1,6 @@
 #include "solver/CrashSignals.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <csignal>
@@ -66,6 +67,14 @@ void useOwnStack() {}
 #endif
 
 } // namespace
+
+bool isCrash([[maybe_unused]] int signal) {
+#ifdef _WIN32
+    return true; // no signals between processes there
+#else
+    return std::find(crashSignals.begin(), crashSignals.end(), signal) != crashSignals.end();
+#endif
+}
 
 void tellCrashesTo(int handle) {
     crashFile = handle;

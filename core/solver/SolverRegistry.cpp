@@ -2,7 +2,11 @@
 
 #include "base/Error.h"
 #include "base/ShippedFolders.h"
+#include "solver/CheckedSolver.h"
+#include "solver/ContainedSolver.h"
+#include "solver/FolderRights.h"
 #include "solver/LoadMarker.h"
+#include "solver/LoadModule.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -10,7 +14,6 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QLibrary>
 #include <QRegularExpression>
 #include <QStandardPaths>
 #include <algorithm>
@@ -26,21 +29,13 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(SolverRegistry)
 };
 
-// Why a plugin cannot be used; caught where the list is made.
-class Refusal : public std::exception {
-public:
-    explicit Refusal(QString reason) : reason_(std::move(reason)) {}
-    const QString& reason() const { return reason_; }
-
-private:
-    QString reason_;
-};
-
 // A plugin and how far it has come.
 struct Plugin {
     SolverInfo info;
-    const solver::SolverModule* module = nullptr;
-    bool isLoaded = false; // or refused for good
+    bool isShipped = false;                          // with the program: loaded into it
+    std::unique_ptr<solver::SolverModule> contained; // of any other
+    std::unique_ptr<solver::SolverModule> module;    // of either, checked
+    bool isLoaded = false;                           // or refused for good
 };
 
 QString requiredText(const QJsonObject& metadata, const char* key) {
@@ -116,51 +111,33 @@ void refuseCrashed(const QString& modulePath) {
     }
 }
 
-DipwrightSolverEntry* resolvedEntry(const QString& modulePath) {
-    QLibrary library(modulePath);
-    library.setLoadHints(QLibrary::ResolveAllSymbolsHint);
-    if (!library.load()) {
-        throw Refusal(Text::tr("Its module cannot be loaded: %1").arg(library.errorString()));
-    }
-    const auto entry =
-        reinterpret_cast<DipwrightSolverEntry*>(library.resolve(DIPWRIGHT_SOLVER_ENTRY));
-    if (!entry) {
-        throw Refusal(Text::tr("Its module has no entry point %1")
-                          .arg(QLatin1String(DIPWRIGHT_SOLVER_ENTRY)));
-    }
-    return entry; // the library stays loaded until the program ends
-}
-
-// Runs the module's own code and turns whatever it throws into a refusal.
-template <typename Call>
-auto guarded(const Call& call) {
-    try {
-        return call();
-    } catch (const std::exception& error) {
-        throw Refusal(
-            Text::tr("Its module failed at start: %1").arg(QString::fromUtf8(error.what())));
-    } catch (...) {
-        throw Refusal(Text::tr("Its module failed at start with an unknown exception"));
+// Where somebody else can put a module, it is theirs that would run.
+void refuseOthersFolder(const SolverInfo& info) {
+    for (const QString& path : {info.modulePath, info.metadataPath}) {
+        if (const QString open = writableByOthers(path); !open.isEmpty()) {
+            throw Refusal(Text::tr("Others can write to %1; take that right from them, or move "
+                                   "the plugin")
+                              .arg(open));
+        }
     }
 }
 
-const solver::SolverModule* loadModule(SolverInfo& info) {
-    const LoadMarker marker(info.modulePath);
-    DipwrightSolverEntry* const entry = resolvedEntry(info.modulePath);
-    const solver::SolverModule* module =
-        guarded([entry] { return entry(solver::interfaceVersion); });
-    if (!module) {
-        throw Refusal(Text::tr("Its module does not fit this program's solver interface %1, "
-                               "whatever its description says; build it anew")
-                          .arg(solver::interfaceVersion));
+void loadShipped(Plugin& plugin) {
+    const LoadMarker marker(plugin.info.modulePath);
+    const LoadedModule loaded = loadModule(plugin.info.modulePath);
+    plugin.module = checkedSolver(*loaded.module);
+    if (!loaded.device.isEmpty()) {
+        plugin.info.device = loaded.device;
     }
-    if (const char* reason = guarded([module] { return module->unavailableReason(); })) {
-        throw Refusal(QString::fromUtf8(reason));
+}
+
+void loadContained(Plugin& plugin) {
+    refuseOthersFolder(plugin.info);
+    plugin.contained = containedSolver(plugin.info.modulePath);
+    plugin.module = checkedSolver(*plugin.contained);
+    if (*plugin.module->device() != 0) {
+        plugin.info.device = QString::fromUtf8(plugin.module->device());
     }
-    if (const char* device = guarded([module] { return module->device(); })) {
-        info.device = QString::fromUtf8(device);
-    }
-    return module;
 }
 
 void load(Plugin& plugin) {
@@ -170,7 +147,7 @@ void load(Plugin& plugin) {
     plugin.isLoaded = true;
     try {
         refuseCrashed(plugin.info.modulePath);
-        plugin.module = loadModule(plugin.info);
+        plugin.isShipped ? loadShipped(plugin) : loadContained(plugin);
         plugin.info.available = true;
     } catch (const Refusal& refusal) {
         plugin.info.reason = refusal.reason();
@@ -190,19 +167,39 @@ Plugin foundPlugin(const QFileInfo& metadataFile) {
     return plugin;
 }
 
-std::vector<Plugin> foundPlugins(const QStringList& folders) {
-    std::vector<Plugin> plugins;
+QStringList canonical(const QStringList& folders) {
+    QStringList places;
     for (const QString& folder : folders) {
+        places << QFileInfo(folder).canonicalFilePath();
+    }
+    places.removeAll(QString()); // that are not there
+    places.removeDuplicates();
+    return places;
+}
+
+// The first of an id has it; a later one is given another, by which it can be chosen.
+QString freeId(const QString& id, const std::vector<Plugin>& plugins) {
+    const auto isTaken = [&](const QString& wanted) {
+        return std::any_of(plugins.begin(), plugins.end(),
+                           [&](const Plugin& plugin) { return plugin.info.id == wanted; });
+    };
+    QString free = id;
+    for (int number = 2; isTaken(free); ++number) {
+        free = QStringLiteral("%1-%2").arg(id).arg(number);
+    }
+    return free;
+}
+
+std::vector<Plugin> foundPlugins(const QStringList& folders, const QStringList& shipped) {
+    std::vector<Plugin> plugins;
+    for (const QString& folder : canonical(folders)) {
         const QFileInfoList files = QDir(folder).entryInfoList(
             {QStringLiteral("*.json")}, QDir::Files | QDir::Readable, QDir::Name);
         for (const QFileInfo& file : files) {
             Plugin plugin = foundPlugin(file);
-            const bool isKnown =
-                std::any_of(plugins.begin(), plugins.end(),
-                            [&](const Plugin& known) { return known.info.id == plugin.info.id; });
-            if (!isKnown) {
-                plugins.push_back(std::move(plugin));
-            }
+            plugin.isShipped = canonical(shipped).contains(folder);
+            plugin.info.id = freeId(plugin.info.id, plugins);
+            plugins.push_back(std::move(plugin));
         }
     }
     std::sort(plugins.begin(), plugins.end(),
@@ -264,16 +261,17 @@ Plugin& SolverRegistry::Data::named(const QString& id) {
 }
 
 QStringList SolverRegistry::standardFolders() {
-    QStringList folders = qEnvironmentVariable("DIPWRIGHT_PLUGIN_PATH")
-                              .split(QDir::listSeparator(), Qt::SkipEmptyParts);
-    folders << shippedPluginFolders();
+    QStringList folders = shippedPluginFolders();
+    folders << qEnvironmentVariable("DIPWRIGHT_PLUGIN_PATH")
+                   .split(QDir::listSeparator(), Qt::SkipEmptyParts);
     folders << QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
                    QStringLiteral("/plugins");
     return folders;
 }
 
-SolverRegistry::SolverRegistry(const QStringList& folders) : data_(std::make_unique<Data>()) {
-    data_->plugins = foundPlugins(folders);
+SolverRegistry::SolverRegistry(const QStringList& folders, const QStringList& shipped)
+    : data_(std::make_unique<Data>()) {
+    data_->plugins = foundPlugins(folders, shipped);
 }
 
 SolverRegistry::~SolverRegistry() = default;

@@ -7,6 +7,8 @@
 // for.
 #pragma once
 
+#include "base/ShippedFolders.h"
+
 #include <dipwright/FilmSolver.h>
 
 #include <QString>
@@ -29,19 +31,23 @@ struct SolverInfo {
 
 class SolverRegistry {
 public:
-    // The folders searched, in this order; of two plugins with one id the first found wins:
-    // DIPWRIGHT_PLUGIN_PATH, those that come with the program, the user's plugin folder.
+    // The folders searched, in this order: those that come with the program,
+    // DIPWRIGHT_PLUGIN_PATH, the user's plugin folder. Of two plugins with one id the first has it,
+    // the other is found by the id with -2 behind.
     static QStringList standardFolders();
 
-    explicit SolverRegistry(const QStringList& folders = standardFolders());
+    // Modules in the folders `shipped` are loaded into this process; each of the others runs in one
+    // of its own (ContainedSolver.h), and is refused where others than the user can write to it.
+    explicit SolverRegistry(const QStringList& folders = standardFolders(),
+                            const QStringList& shipped = shippedPluginFolders());
     ~SolverRegistry();
     SolverRegistry(const SolverRegistry&) = delete;
     SolverRegistry& operator=(const SolverRegistry&) = delete;
 
     // All plugins found, sorted by id, each loaded far enough to know whether it can run here.
     std::vector<SolverInfo> solvers() const;
-    // The module of `id`, or of the best available one for "auto". Throws Error with the reason.
-    // Lives as long as the registry.
+    // The module of `id`, or of the best available one for "auto", checked (CheckedSolver.h).
+    // Throws Error with the reason. Lives as long as the registry.
     const solver::SolverModule& module(const QString& id) const;
     SolverInfo info(const QString& id) const; // of the same solver as module(id)
     // The plugin `id` whether or not it can run here; nothing where none is found.

@@ -21,7 +21,8 @@ using namespace dipwright::test;
 
 namespace {
 
-constexpr int pointsOfACase = 6; // unless everywhere
+constexpr int mostGrowth = 16 * 1024; // kB, in a long day: what an allocator may keep for later
+constexpr int pointsOfACase = 6;      // unless everywhere
 
 bool isEverywhere() {
     return qEnvironmentVariableIsSet("DIPWRIGHT_BREAK_EVERYWHERE");
@@ -134,6 +135,7 @@ private slots:
     void whatIsWrittenIsWholeWhateverDies_data();
     void whatIsWrittenIsWholeWhateverDies();
     void aProjectOutlivesAllocationsThatFail();
+    void aLongDayLeavesNothingBehind();
 
 private:
     void restore() const;
@@ -295,6 +297,32 @@ void BreakingTest::aProjectOutlivesAllocationsThatFail() {
     qInfo("%s", outcome.out.trimmed().constData());
     QCOMPARE(outcome.exitCode, 0);
     QVERIFY2(outcome.out.contains(" lost 0"), outcome.out.constData());
+}
+
+void BreakingTest::aLongDayLeavesNothingBehind() {
+    restore();
+    const int count = isEverywhere() ? 500 : 30;
+    const QString job = place_.path(QStringLiteral("job.dipw"));
+    const QString day = place_.path(QStringLiteral("day"));
+    const Outcome outcome =
+        place_.run(QStringLiteral(DIPWRIGHT_KEEP_DOCUMENT),
+                   {QStringLiteral("cycles"), job, day, QString::number(count)});
+    QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+    const QList<QByteArray> grown = outcome.out.trimmed().split(' ');
+    qInfo("%d cycles: %s kB and %s handles more than after a tenth of them", count,
+          grown.value(0).constData(), grown.value(1).constData());
+    QCOMPARE(grown.value(1).toInt(), 0);
+    QVERIFY(grown.value(0).toInt() < mostGrowth);
+    QStringList left;
+    const Snapshot files = snapshot(place_.path());
+    for (auto file = files.begin(); file != files.end(); ++file) {
+        if (file.key().contains(QLatin1String("/.")) || file.key().startsWith(QLatin1Char('.')) ||
+            file.key().contains(QLatin1String("recovery/")) ||
+            file.key().contains(QLatin1String("unfinished/"))) {
+            left << file.key();
+        }
+    }
+    QVERIFY2(left.isEmpty(), qPrintable(left.join(QLatin1Char(' '))));
 }
 
 QTEST_GUILESS_MAIN(BreakingTest)

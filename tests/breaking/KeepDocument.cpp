@@ -3,6 +3,9 @@
 //   keep JOB FOLDER     opens and changes a project and keeps a copy of the unsaved work
 //   recover FOLDER      what the next start does with such copies
 //   export JOB DIR      runs the job and writes its results
+//   cycles JOB DIR N    opens, changes, runs, keeps, exports, saves and closes N times; tells what
+//   has
+//                       grown since the Nth part of ten
 //   allocations JOB N…  opens and saves with the Nth allocation failing, for each in a life of its
 //                       own; tells what came of it
 
@@ -58,6 +61,43 @@ void exportResults(const QString& job, const QString& folder) {
     options.estimatesCertainty = false;
     const Project project = loadProject(job);
     writeResults(project, runJob(project, SolverRegistry(), options, nullptr, {}), folder, {});
+}
+
+// What the process holds, by the system's word.
+struct Holdings {
+    long kilobytes = 0;
+    int handles = 0;
+};
+Holdings holdings() {
+    QFile pages(QStringLiteral("/proc/self/statm"));
+    pages.open(QIODevice::ReadOnly);
+    const long resident = pages.readAll().split(' ').value(1).toLong();
+    return {resident * (sysconf(_SC_PAGESIZE) / 1024),
+            int(QDir(QStringLiteral("/proc/self/fd")).count())};
+}
+
+void cycle(const QString& job, const QString& folder, int number) {
+    const FileVersion version = FileVersion::of(job);
+    Document document(loadProject(job), job, version);
+    document.lock();
+    AutoSaver saver(document, folder + QStringLiteral("/recovery"));
+    document.edit(QStringLiteral("Swell"), {},
+                  [&](Project& project) { project.film.swellX = 1 + 0.01 * (number % 9 + 1); });
+    saver.keepNow();
+    exportResults(job, folder + QStringLiteral("/out"));
+    document.save();
+}
+
+void cycles(const QString& job, const QString& folder, int count) {
+    Holdings early;
+    for (int number = 0; number < count; ++number) {
+        cycle(job, folder, number);
+        if (number == count / 10) {
+            early = holdings();
+        }
+    }
+    const Holdings late = holdings();
+    std::printf("%ld %d\n", late.kilobytes - early.kilobytes, late.handles - early.handles);
 }
 
 // The preloaded part's.
@@ -146,6 +186,8 @@ int run(const QStringList& words) {
         findRecoveredDocuments(words.value(2));
     } else if (what == QLatin1String("export")) {
         exportResults(words.value(2), words.value(3));
+    } else if (what == QLatin1String("cycles")) {
+        cycles(words.value(2), words.value(3), words.value(4).toInt());
     } else if (what == QLatin1String("count-allocations")) {
         lifeWith(0, [&] {
             const ThreadLimit one(1);

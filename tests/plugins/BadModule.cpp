@@ -2,9 +2,12 @@
 
 #include <dipwright/FilmSolver.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <limits>
 #include <stdexcept>
+#include <thread>
 
 namespace {
 
@@ -23,12 +26,37 @@ public:
         throw std::runtime_error("out of water");
 #elif defined(DIPWRIGHT_BAD_ADVANCE_UNKNOWN)
         throw 42;
+#elif defined(DIPWRIGHT_BAD_ADVANCE_CRASH)
+        std::raise(SIGSEGV);
+#elif defined(DIPWRIGHT_BAD_ADVANCE_EXIT)
+        std::_Exit(0);
+#elif defined(DIPWRIGHT_BAD_ADVANCE_HANG)
+        std::this_thread::sleep_for(std::chrono::hours(1));
+#elif defined(DIPWRIGHT_BAD_ADVANCE_IDLE)
+        return {};
+#elif defined(DIPWRIGHT_BAD_ADVANCE_NONSENSE)
+        return {-5, std::numeric_limits<double>::quiet_NaN(), false};
 #endif
         return {steps, 1, true};
     }
-    void read(std::span<float>, std::span<solver::PointState>) const override {
+    void read([[maybe_unused]] std::span<float> positions,
+              [[maybe_unused]] std::span<solver::PointState> states) const override {
 #if defined(DIPWRIGHT_BAD_READ)
         throw std::runtime_error("out of ink");
+#elif defined(DIPWRIGHT_BAD_READ_CRASH)
+        std::abort();
+#elif defined(DIPWRIGHT_BAD_READ_STATES)
+        std::fill(states.begin(), states.end(), solver::PointState(77));
+#elif defined(DIPWRIGHT_BAD_READ_POSITIONS)
+        std::fill(positions.begin(), positions.end(), std::numeric_limits<float>::infinity());
+        std::fill(states.begin(), states.end(), solver::PointState::Adhered);
+#endif
+    }
+    void readMarks(std::span<std::uint8_t> marks) const override {
+#if defined(DIPWRIGHT_BAD_READ_MARKS)
+        std::fill(marks.begin(), marks.end(), std::uint8_t(255));
+#else
+        std::fill(marks.begin(), marks.end(), std::uint8_t(0));
 #endif
     }
 };
@@ -50,11 +78,24 @@ public:
     std::unique_ptr<solver::FilmSolver> create() const override {
 #if defined(DIPWRIGHT_BAD_CREATE)
         throw std::runtime_error("out of memory");
+#elif defined(DIPWRIGHT_BAD_CREATE_NOTHING)
+        return nullptr;
+#elif defined(DIPWRIGHT_BAD_CREATE_UNKNOWN)
+        throw "no";
 #endif
         return std::make_unique<Film>();
     }
     bool runBatch(std::span<solver::BatchItem>, solver::CancelFunction, void*) const override {
-        return true;
+#if defined(DIPWRIGHT_BAD_BATCH_UNKNOWN)
+        throw 42;
+#elif defined(DIPWRIGHT_BAD_BATCH_CRASH)
+        std::raise(SIGSEGV);
+#elif defined(DIPWRIGHT_BAD_BATCH_STOPS)
+        return false;
+#elif defined(DIPWRIGHT_BAD_BATCH_HANG)
+        std::this_thread::sleep_for(std::chrono::hours(1));
+#endif
+        return true; // and leaves the films empty
     }
 };
 
@@ -83,6 +124,8 @@ DIPWRIGHT_BAD_NAME([[maybe_unused]] int hostInterfaceVersion) {
     }
 #elif defined(DIPWRIGHT_BAD_ABORT)
     std::abort();
+#elif defined(DIPWRIGHT_BAD_HANG)
+    std::this_thread::sleep_for(std::chrono::hours(1));
 #elif defined(DIPWRIGHT_BAD_KILLED)
     std::raise(SIGKILL); // as the system does for want of memory
 #endif

@@ -9,6 +9,8 @@
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTest>
+#include <chrono>
+#include <thread>
 
 using namespace dipwright;
 using namespace dipwright::test;
@@ -24,21 +26,22 @@ struct Listing {
     bool crashed = false;
     QString output;
 };
-Listing listedByProgram(const PluginFolder& folder, bool retries = false) {
+Listing listedByProgram(const PluginFolder& folder, const QStringList& more = {},
+                        bool retries = false) {
     QProcess program;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     if (retries) {
         environment.insert(QStringLiteral("DIPWRIGHT_RETRY_SOLVERS"), QStringLiteral("1"));
     }
     program.setProcessEnvironment(environment);
-    program.start(QStringLiteral(DIPWRIGHT_LOAD_SOLVERS), {folder.path()});
+    program.start(QStringLiteral(DIPWRIGHT_LOAD_SOLVERS), QStringList{folder.path()} + more);
     program.waitForFinished();
     return {program.exitStatus() == QProcess::CrashExit || program.exitCode() != 0,
             QString::fromUtf8(program.readAllStandardOutput())};
 }
 
 // A dip of a box with the module `name`; what went wrong, as the user reads it.
-QString failureOfDip(const QString& name) {
+QString failureOfDip(const QString& name, const Progress& progress = {}) {
     const PluginFolder folder;
     folder.add(name, builtModule(name));
     const SolverRegistry registry({folder.path()});
@@ -48,7 +51,7 @@ QString failureOfDip(const QString& name) {
     const PosedBody body = posedBody(model, immersion);
     const DistanceField field = buildDistanceField(model.mesh, 64, {});
     try {
-        simulateDip(body, field, immersion, {}, {}, registry.module(name), {}, {});
+        simulateDip(body, field, immersion, {}, {}, registry.module(name), progress, {});
     } catch (const Error& error) {
         return error.sentence();
     }
@@ -70,12 +73,19 @@ private slots:
     void automaticChoiceLeavesThemOut();
     void failuresInADipReachTheUser_data();
     void failuresInADipReachTheUser();
-    void aModuleThatCrashedTwiceIsLeftOut();
+    void aHangCanBeLeft();
+    void failuresInABatchReachTheUser_data();
+    void failuresInABatchReachTheUser();
+    void aModuleThatCrashesTwiceIsLeftOut_data();
+    void aModuleThatCrashesTwiceIsLeftOut();
+    void aShippedModuleThatCrashedTwiceIsLeftOut();
+    void aModuleThatOthersCanWriteIsNotLoaded();
     void beingKilledWhileLoadingIsNotTheModulesFault();
 };
 
 void BadModulesTest::initTestCase() {
     QStandardPaths::setTestModeEnabled(true);
+    qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
 }
 
 void BadModulesTest::aGoodModuleIsAvailable() {
@@ -157,8 +167,19 @@ void BadModulesTest::failuresInADipReachTheUser_data() {
     QTest::newRow("create") << "out of memory";
     QTest::newRow("begin") << "out of film";
     QTest::newRow("advance") << "out of water";
-    QTest::newRow("advance-unknown") << "";
+    QTest::newRow("advance-unknown") << "unknown exception";
     QTest::newRow("read") << "out of ink";
+    QTest::newRow("create-nothing") << "gave no film";
+    QTest::newRow("create-unknown") << "unknown exception";
+    QTest::newRow("advance-crash") << "it crashed";
+    QTest::newRow("advance-exit") << "ended its process";
+    QTest::newRow("advance-hang") << "at one step for more than 1 s";
+    QTest::newRow("advance-idle") << "does not come forward";
+    QTest::newRow("advance-nonsense") << "that cannot be";
+    QTest::newRow("read-crash") << "it crashed";
+    QTest::newRow("read-states") << "a state that there is none of";
+    QTest::newRow("read-positions") << "unstable";
+    QTest::newRow("read-marks") << "a mark that there is none of";
 }
 
 void BadModulesTest::failuresInADipReachTheUser() {
@@ -168,35 +189,112 @@ void BadModulesTest::failuresInADipReachTheUser() {
     QVERIFY2(failure.contains(reasonPart), qPrintable(failure));
 }
 
-void BadModulesTest::aModuleThatCrashedTwiceIsLeftOut() {
+void BadModulesTest::aHangCanBeLeft() {
+    qputenv("DIPWRIGHT_SOLVER_SECONDS", "600");
+    Progress progress;
+    std::thread user([cancel = progress.cancelSwitch]() mutable {
+        std::this_thread::sleep_for(std::chrono::milliseconds(500));
+        cancel.cancel();
+    });
+    QVERIFY_EXCEPTION_THROWN(failureOfDip(QStringLiteral("advance-hang"), progress), Cancelled);
+    user.join();
+    qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
+}
+
+void BadModulesTest::failuresInABatchReachTheUser_data() {
+    QTest::addColumn<QString>("reasonPart");
+    QTest::newRow("good") << "left films of a batch empty";
+    QTest::newRow("batch-unknown") << "unknown exception";
+    QTest::newRow("batch-crash") << "it crashed";
+    QTest::newRow("batch-stops") << "stopped by itself";
+    QTest::newRow("batch-hang") << "at one step for more than 1 s";
+}
+
+void BadModulesTest::failuresInABatchReachTheUser() {
+    QFETCH(QString, reasonPart);
+    const QString name = QString::fromLatin1(QTest::currentDataTag());
     const PluginFolder folder;
-    folder.add(QStringLiteral("crashing"), builtModule(QStringLiteral("abort")));
-    folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
-    QVERIFY(listedByProgram(folder).crashed);
-    QVERIFY(listedByProgram(folder).crashed); // it may have been something else once
-    for (int start = 0; start < 2; ++start) {
-        const Listing next = listedByProgram(folder);
-        QVERIFY(!next.crashed);
-        QVERIFY2(next.output.contains(QLatin1String("crashing It has crashed twice")),
-                 qPrintable(next.output));
-        QVERIFY(next.output.contains(QLatin1String("good available")));
+    folder.add(name, builtModule(name));
+    const SolverRegistry registry({folder.path()});
+    std::vector<solver::BatchItem> items(2);
+    for (solver::BatchItem& item : items) {
+        item.setup.film = {8, 8, 100, 100};
     }
-    QVERIFY(listedByProgram(folder, true).crashed); // asked to try again
-    QVERIFY(listedByProgram(folder).crashed);
-    QVERIFY(!listedByProgram(folder).crashed);
+    try {
+        registry.module(name).runBatch(items, nullptr, nullptr);
+        QFAIL("a bad batch was accepted");
+    } catch (const std::exception& failure) {
+        QVERIFY2(QString::fromUtf8(failure.what()).contains(reasonPart), failure.what());
+    }
+}
+
+void BadModulesTest::aModuleThatCrashesTwiceIsLeftOut_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("reasonPart");
+    QTest::newRow("when it is loaded") << "load"
+                                       << "it crashed";
+    QTest::newRow("when it is asked") << "abort"
+                                      << "it crashed";
+    QTest::newRow("or hangs") << "hang"
+                              << "it was at one step";
+}
+
+void BadModulesTest::aModuleThatCrashesTwiceIsLeftOut() {
+    QFETCH(QString, name);
+    QFETCH(QString, reasonPart);
+    const PluginFolder folder;
+    folder.add(QStringLiteral("crashing"), builtModule(name));
+    folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
+    for (int start = 0; start < 4; ++start) {
+        const Listing listing = listedByProgram(folder);
+        QVERIFY(!listing.crashed);
+        QVERIFY(listing.output.contains(QLatin1String("good available")));
+        QVERIFY2(listing.output.contains(start < 2 ? QStringLiteral("crashing ") + reasonPart
+                                                   : QStringLiteral("It has crashed twice")),
+                 qPrintable(listing.output));
+    }
+    QVERIFY(listedByProgram(folder, {}, true).output.contains(reasonPart)); // asked to try again
     // A module that was replaced gets a new chance.
     folder.add(QStringLiteral("crashing"), builtModule(QStringLiteral("good")));
     QVERIFY(listedByProgram(folder).output.contains(QLatin1String("crashing available")));
 }
 
+// Modules that come with the program are loaded into it.
+void BadModulesTest::aShippedModuleThatCrashedTwiceIsLeftOut() {
+    const PluginFolder folder;
+    const QStringList shipped{QStringLiteral("shipped")};
+    folder.add(QStringLiteral("crashing"), builtModule(QStringLiteral("abort")));
+    folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
+    QVERIFY(listedByProgram(folder, shipped).crashed);
+    QVERIFY(listedByProgram(folder, shipped).crashed); // it may have been something else once
+    for (int start = 0; start < 2; ++start) {
+        const Listing next = listedByProgram(folder, shipped);
+        QVERIFY(!next.crashed);
+        QVERIFY2(next.output.contains(QLatin1String("crashing It has crashed twice")),
+                 qPrintable(next.output));
+        QVERIFY(next.output.contains(QLatin1String("good available")));
+    }
+}
+
 void BadModulesTest::beingKilledWhileLoadingIsNotTheModulesFault() {
     const PluginFolder folder;
+    const QStringList shipped{QStringLiteral("shipped")};
     folder.add(QStringLiteral("killed"), builtModule(QStringLiteral("killed")));
     for (int start = 0; start < 4; ++start) {
-        QVERIFY(listedByProgram(folder).crashed);
+        QVERIFY(listedByProgram(folder, shipped).crashed);
+        QVERIFY(listedByProgram(folder).output.contains(QLatin1String("was killed")));
     }
-    folder.add(QStringLiteral("killed"), builtModule(QStringLiteral("good")));
-    QVERIFY(listedByProgram(folder).output.contains(QLatin1String("killed available")));
+}
+
+void BadModulesTest::aModuleThatOthersCanWriteIsNotLoaded() {
+    const PluginFolder folder;
+    folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
+    QVERIFY(listedByProgram(folder).output.contains(QLatin1String("good available")));
+    QVERIFY(QFile::setPermissions(folder.path(), QFile::ReadOwner | QFile::WriteOwner |
+                                                     QFile::ExeOwner | QFile::WriteOther));
+    const Listing listing = listedByProgram(folder);
+    QVERIFY2(listing.output.contains(QLatin1String("Others can write to ") + folder.path()),
+             qPrintable(listing.output));
 }
 
 QTEST_GUILESS_MAIN(BadModulesTest)

@@ -1,4 +1,5 @@
-// Lists the solvers of one folder, a line each: a program of its own, so that it may go down.
+// Lists the solvers of one folder, a line each: a program of its own, so that it may go down. With
+// a second word, the folder's modules are loaded into it as those that come with the program.
 
 #include "solver/SolverRegistry.h"
 
@@ -10,7 +11,8 @@ int main(int argc, char** argv) {
     const QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("load_solvers"));
     QStandardPaths::setTestModeEnabled(true);
-    const dipwright::SolverRegistry registry({QCoreApplication::arguments().value(1)});
+    const QStringList folders = QCoreApplication::arguments().mid(1, 1);
+    const dipwright::SolverRegistry registry(folders, argc > 2 ? folders : QStringList());
     for (const dipwright::SolverInfo& info : registry.solvers()) {
         std::printf("%s %s\n", qPrintable(info.id),
                     info.available ? "available" : qPrintable(info.reason));

@@ -1,5 +1,6 @@
 // The plugin pbd-cpu as the program finds it.
 
+#include "PluginFolder.h"
 #include "solver/SolverRegistry.h"
 #include "solvers/TestFilm.h"
 
@@ -38,6 +39,7 @@ private slots:
     void isFoundAndTellsItsDevice();
     void settingsChooseTheFilm();
     void batchGivesWhatSingleDipsGive();
+    void aProcessOfItsOwnGivesTheSame();
     void batchStopsWhenCancelled();
     void unbegunFilmRefuses();
 
@@ -94,6 +96,31 @@ void PbdCpuTest::batchGivesWhatSingleDipsGive() {
         QCOMPARE(item.steps, single.progress.steps);
         QVERIFY(item.states == single.states);
         QVERIFY(item.positions == single.positions);
+    }
+}
+
+// As a plugin that does not come with the program has one.
+void PbdCpuTest::aProcessOfItsOwnGivesTheSame() {
+    const SampledBody body = sphere(35, 64);
+    const PluginFolder folder;
+    folder.add(id, registry_.info(id).modulePath);
+    const SolverRegistry contained({folder.path()});
+    QCOMPARE(contained.info(id).device, registry_.info(id).device);
+    std::vector<solver::BatchItem> items, others;
+    for (const solver::DipSetup& setup : dips(body)) {
+        items.emplace_back().setup = setup;
+        others.emplace_back().setup = setup;
+    }
+    QVERIFY(registry_.module(id).runBatch(items, nullptr, nullptr));
+    QVERIFY(contained.module(id).runBatch(others, nullptr, nullptr));
+    const auto film = contained.module(id).create();
+    for (std::size_t number = 0; number < items.size(); ++number) {
+        QVERIFY(items[number].positions == others[number].positions);
+        QVERIFY(items[number].states == others[number].states);
+        QVERIFY(items[number].marks == others[number].marks);
+        QCOMPARE(items[number].steps, others[number].steps);
+        const Ending single = dip(*film, items[number].setup);
+        QVERIFY(single.positions == items[number].positions);
     }
 }
 

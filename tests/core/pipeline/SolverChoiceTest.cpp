@@ -85,5 +85,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SolverChoiceTest)
+QTEST_GUILESS_MAIN(SolverChoiceTest)
 #include "SolverChoiceTest.moc"

@@ -33,7 +33,7 @@ private slots:
     void fileThatIsNoModuleIsRefused();
     void firstFolderWins();
     void unknownSolverIsRefusedWithTheChoice();
-    void searchPathComesFirst();
+    void whatIsShippedComesFirst();
     void moduleBeingLoadedNowHasNotCrashed();
 };
 
@@ -105,7 +105,9 @@ void SolverRegistryTest::fileThatIsNoModuleIsRefused() {
                                                  "ELF\x02\x01\x01",
                                                  7)}) {
         folder.write(name, content);
-        const SolverInfo info = onlySolver(folder);
+        const auto solvers = SolverRegistry({folder.path()}, {folder.path()}).solvers();
+        QCOMPARE(solvers.size(), std::size_t(1));
+        const SolverInfo& info = solvers.front();
         QVERIFY(!info.available);
         QVERIFY2(info.reason.contains(QLatin1String("cannot be loaded")), qPrintable(info.reason));
     }
@@ -125,9 +127,11 @@ void SolverRegistryTest::firstFolderWins() {
     first.describe(description);
     second.describe(PluginFolder::description(QStringLiteral("another")));
     const auto solvers = SolverRegistry({first.path(), second.path()}).solvers();
-    QCOMPARE(solvers.size(), std::size_t(2));
+    QCOMPARE(solvers.size(), std::size_t(3));
     QCOMPARE(solvers[0].id, QStringLiteral("another"));
+    QCOMPARE(solvers[1].id, QStringLiteral("same"));
     QCOMPARE(solvers[1].name, QStringLiteral("The first"));
+    QCOMPARE(solvers[2].id, QStringLiteral("same-2")); // can be chosen by it
 }
 
 void SolverRegistryTest::unknownSolverIsRefusedWithTheChoice() {
@@ -143,21 +147,21 @@ void SolverRegistryTest::unknownSolverIsRefusedWithTheChoice() {
     }
 }
 
-void SolverRegistryTest::searchPathComesFirst() {
+void SolverRegistryTest::whatIsShippedComesFirst() {
     const QByteArray before = qgetenv("DIPWRIGHT_PLUGIN_PATH");
     const QString path = QStringLiteral("/one") + QDir::listSeparator() + QStringLiteral("/two");
     qputenv("DIPWRIGHT_PLUGIN_PATH", path.toUtf8());
     const QStringList folders = SolverRegistry::standardFolders();
     qputenv("DIPWRIGHT_PLUGIN_PATH", before);
     const QString program = QCoreApplication::applicationDirPath();
-    QCOMPARE(folders.size(), 5);
-    QCOMPARE(folders[0], QStringLiteral("/one"));
-    QCOMPARE(folders[1], QStringLiteral("/two"));
-    QCOMPARE(folders[2], program + QStringLiteral("/plugins"));
+    QCOMPARE(folders.size(), 6);
+    QCOMPARE(folders[0], program + QStringLiteral("/plugins"));
     // Where it is installed, the program lies beside the libraries' folder.
-    QVERIFY2(folders[3].startsWith(QFileInfo(program).path()), qPrintable(folders[3]));
-    QVERIFY2(folders[3].endsWith(QLatin1String("/dipwright/plugins")), qPrintable(folders[3]));
-    QVERIFY2(folders[4].endsWith(QLatin1String("/plugins")), qPrintable(folders[4]));
+    QVERIFY2(folders[2].startsWith(QFileInfo(program).path()), qPrintable(folders[2]));
+    QVERIFY2(folders[2].endsWith(QLatin1String("/dipwright/plugins")), qPrintable(folders[2]));
+    QCOMPARE(folders[3], QStringLiteral("/one"));
+    QCOMPARE(folders[4], QStringLiteral("/two"));
+    QVERIFY2(folders[5].endsWith(QLatin1String("/plugins")), qPrintable(folders[5]));
 }
 
 void SolverRegistryTest::moduleBeingLoadedNowHasNotCrashed() {

@@ -1,0 +1,17 @@
+// dipwright-solver: one solver's module in a process of its own (core/solver/ContainedSolver.h).
+// Not for users: it is started by the programs.
+#include "solver/SolverServer.h"
+#include "solving/Pipes.h"
+
+#include <QCoreApplication>
+
+int main(int argc, char* argv[]) {
+    const QCoreApplication application(argc, argv);
+    if (argc != 2) {
+        std::fputs("error: This program is started by Dipwright (command line)\n", stderr);
+        return 2;
+    }
+    dipwright::leaveInterruptsToStarter();
+    std::FILE* const answers = dipwright::answerPipe();
+    dipwright::serveSolver(QCoreApplication::arguments().at(1), stdin, answers);
+}

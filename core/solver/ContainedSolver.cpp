@@ -1,0 +1,241 @@
+#include "solver/ContainedSolver.h"
+
+#include "base/Progress.h"
+#include "base/ShippedFolders.h"
+#include "solver/CheckedSolver.h"
+#include "solver/CrashSignals.h"
+#include "solver/LoadMarker.h"
+#include "solver/LoadModule.h"
+#include "solver/SolverMessages.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QProcess>
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ContainedSolver)
+};
+
+using IsCancelled = std::function<bool()>;
+constexpr int pause = 20; // ms between two looks at whether it is cancelled
+
+int secondsOfACall() {
+    const int chosen = qEnvironmentVariableIntValue("DIPWRIGHT_SOLVER_SECONDS");
+    return chosen > 0 ? std::min(chosen, 86'400) : longestCall;
+}
+
+[[noreturn]] void fail(const QString& sentence) {
+    throw std::runtime_error(sentence.toStdString());
+}
+
+// One process, asked one thing after the other.
+class SolverProcess {
+public:
+    explicit SolverProcess(const QString& modulePath) : modulePath_(modulePath) {
+        process_.setStandardErrorFile(QProcess::nullDevice());
+        process_.start(shippedProgram(QStringLiteral("dipwright-solver")), {modulePath});
+        if (!process_.waitForStarted()) {
+            fail(Text::tr("it cannot be given a process of its own: %1")
+                     .arg(process_.errorString()));
+        }
+    }
+    ~SolverProcess() { end(); }
+    SolverProcess(const SolverProcess&) = delete;
+    SolverProcess& operator=(const SolverProcess&) = delete;
+
+    // Throws Cancelled, or std::runtime_error with what the module says or what became of it.
+    MessageReader ask(const MessageWriter& request, const IsCancelled& isCancelled) {
+        const auto length = std::uint64_t(request.bytes().size());
+        process_.write(reinterpret_cast<const char*>(&length), sizeof length);
+        process_.write(request.bytes());
+        QElapsedTimer sinceLife;
+        sinceLife.start();
+        while (true) {
+            waitForFrame(isCancelled, sinceLife);
+            MessageReader answer(takeFrame());
+            switch (answer.take<SolverAnswer>()) {
+            case SolverAnswer::Done:
+                return answer;
+            case SolverAnswer::Working:
+                sinceLife.start();
+                break;
+            case SolverAnswer::Failed:
+                throw std::runtime_error(answer.takeText());
+            }
+        }
+    }
+
+private:
+    void waitForFrame(const IsCancelled& isCancelled, const QElapsedTimer& sinceLife) {
+        while (!hasFrame()) {
+            if (isCancelled && isCancelled()) {
+                end();
+                throw Cancelled();
+            }
+            if (sinceLife.elapsed() > qint64(secondsOfACall()) * 1000) {
+                end();
+                rememberCrash(modulePath_);
+                fail(Text::tr("it was at one step for more than %1 s and was stopped")
+                         .arg(secondsOfACall()));
+            }
+            process_.waitForReadyRead(pause);
+            received_ += process_.readAllStandardOutput();
+            if (!hasFrame() && process_.state() == QProcess::NotRunning) {
+                tellEnd();
+            }
+        }
+    }
+    bool hasFrame() const {
+        std::uint64_t length = 0;
+        if (received_.size() < qsizetype(sizeof length)) {
+            return false;
+        }
+        std::memcpy(&length, received_.constData(), sizeof length);
+        return std::uint64_t(received_.size()) - sizeof length >= length;
+    }
+    QByteArray takeFrame() {
+        std::uint64_t length = 0;
+        std::memcpy(&length, received_.constData(), sizeof length);
+        const QByteArray frame = received_.mid(sizeof length, qsizetype(length));
+        received_.remove(0, qsizetype(sizeof length + length));
+        return frame;
+    }
+    [[noreturn]] void tellEnd() const {
+        if (process_.exitStatus() == QProcess::CrashExit && !isCrash(process_.exitCode())) {
+            fail(Text::tr("its process was killed, perhaps for want of memory"));
+        }
+        rememberCrash(modulePath_);
+        fail(process_.exitStatus() == QProcess::CrashExit
+                 ? Text::tr("it crashed (%1)").arg(process_.exitCode())
+                 : Text::tr("it ended its process (%1)").arg(process_.exitCode()));
+    }
+    void end() {
+        process_.kill();
+        process_.waitForFinished(1000);
+    }
+
+    QString modulePath_;
+    QProcess process_;
+    QByteArray received_;
+};
+
+MessageWriter message(SolverRequest request) {
+    MessageWriter writer;
+    writer.put(request);
+    return writer;
+}
+
+class ContainedFilm : public StoppableFilm {
+public:
+    explicit ContainedFilm(const QString& modulePath) : process_(modulePath) {}
+
+    void stopOn(std::function<bool()> isCancelled) override {
+        isCancelled_ = std::move(isCancelled);
+    }
+    void begin(const solver::DipSetup& setup) override {
+        MessageWriter request = message(SolverRequest::Begin);
+        put(request, setup);
+        ask(request);
+    }
+    solver::DipState advance(int maximumSteps) override {
+        MessageWriter request = message(SolverRequest::Advance);
+        request.put(maximumSteps);
+        return ask(request).take<solver::DipState>();
+    }
+    void read(std::span<float> positions, std::span<solver::PointState> states) const override {
+        MessageReader answer = ask(message(SolverRequest::Read));
+        takeFilm(answer, positions, states);
+    }
+    void readMarks(std::span<std::uint8_t> marks) const override {
+        ask(message(SolverRequest::ReadMarks)).takeInto(marks);
+    }
+    bool peek(std::span<float> positions, std::span<solver::PointState> states,
+              solver::DipState& shown) override {
+        MessageWriter request = message(SolverRequest::Peek);
+        request.put(shown);
+        MessageReader answer = ask(request);
+        const bool isThere = answer.take<std::uint8_t>() != 0;
+        takeFilm(answer, positions, states);
+        shown = answer.take<solver::DipState>();
+        return isThere;
+    }
+
+private:
+    MessageReader ask(const MessageWriter& request) const {
+        return process_.ask(request, isCancelled_);
+    }
+    static void takeFilm(MessageReader& answer, std::span<float> positions,
+                         std::span<solver::PointState> states) {
+        answer.takeInto(positions);
+        const auto all = answer.takeAll<solver::PointState>();
+        if (!states.empty()) {
+            std::copy_n(all.begin(), std::min(all.size(), states.size()), states.begin());
+        }
+    }
+
+    mutable SolverProcess process_; // a film is used by one thread at a time
+    IsCancelled isCancelled_;
+};
+
+class ContainedModule : public solver::SolverModule {
+public:
+    explicit ContainedModule(const QString& modulePath) : modulePath_(modulePath) {
+        try {
+            SolverProcess process(modulePath_);
+            device_ = process.ask(message(SolverRequest::Describe), {}).takeText();
+        } catch (const std::exception& failure) {
+            throw Refusal(QString::fromUtf8(failure.what()));
+        }
+    }
+
+    const char* unavailableReason() const override { return nullptr; }
+    const char* device() const override { return device_.c_str(); }
+    std::unique_ptr<solver::FilmSolver> create() const override {
+        return std::make_unique<ContainedFilm>(modulePath_);
+    }
+    bool runBatch(std::span<solver::BatchItem> items, solver::CancelFunction isCancelled,
+                  void* context) const override {
+        MessageWriter request = message(SolverRequest::RunBatch);
+        request.put(std::uint64_t(items.size()));
+        for (const solver::BatchItem& item : items) {
+            put(request, item.setup);
+        }
+        try {
+            SolverProcess process(modulePath_);
+            MessageReader answer = process.ask(
+                request, [&] { return isCancelled != nullptr && isCancelled(context); });
+            for (solver::BatchItem& item : items) {
+                item.positions = answer.takeAll<float>();
+                item.states = answer.takeAll<solver::PointState>();
+                item.marks = answer.takeAll<std::uint8_t>();
+                item.steps = answer.take<std::int64_t>();
+                item.equilibrium = answer.take<solver::EquilibriumAccount>();
+            }
+        } catch (const Cancelled&) {
+            return false;
+        }
+        return true;
+    }
+    std::optional<solver::Ceiling> measuredCeiling() const override {
+        SolverProcess process(modulePath_);
+        const auto ceiling =
+            process.ask(message(SolverRequest::Ceiling), {}).take<solver::Ceiling>();
+        return ceiling.flopsPerSecond > 0 ? std::optional(ceiling) : std::nullopt;
+    }
+
+private:
+    QString modulePath_;
+    std::string device_;
+};
+
+} // namespace
+
+std::unique_ptr<solver::SolverModule> containedSolver(const QString& modulePath) {
+    return std::make_unique<ContainedModule>(modulePath);
+}
+
+} // namespace dipwright

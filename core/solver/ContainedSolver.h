@@ -1,0 +1,25 @@
+// A solver's module in a process of its own, so that it can crash or hang and be left.
+#pragma once
+
+#include <dipwright/FilmSolver.h>
+
+#include <QString>
+#include <memory>
+
+namespace dipwright {
+
+// How long a module may be at one call, be it a step or what comes before the first, and between
+// two signs of life of a batch (it asks whether it is cancelled): seconds. DIPWRIGHT_SOLVER_SECONDS
+// sets another, 1 … 86,400.
+inline constexpr int longestCall = 120;
+
+// Loads the module in a process of its own, the program dipwright-solver, and asks it whether it
+// can run here. Throws Refusal (LoadModule.h), also where it crashes or takes too long.
+//
+// Every film and every batch of the module has a process of its own, which goes with it. Where that
+// crashes or takes too long, or is killed, std::runtime_error is thrown with a sentence; the first
+// two are remembered (LoadMarker.h). Its films are StoppableFilms. Error where that program is not
+// there.
+std::unique_ptr<solver::SolverModule> containedSolver(const QString& modulePath);
+
+} // namespace dipwright

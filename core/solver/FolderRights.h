@@ -1,0 +1,14 @@
+// Who may change a file: the system's part.
+#pragma once
+
+#include <QString>
+
+namespace dipwright {
+
+// The file, or the folder above it, that others than this user and the system's administrator can
+// write to, or could put another in the place of; empty where there is none. A folder in which each
+// may remove only what is his own (such as that for temporary files) counts as safe for what lies
+// in it. Nothing is known of it on Windows.
+QString writableByOthers(const QString& path);
+
+} // namespace dipwright
