@@ -66,11 +66,14 @@ QByteArray contents(const QString& path) {
 } // namespace
 
 // Without the session's environment: nothing leads the program back to the build. A home of its own
-// keeps the user's plugins and profiles out.
+// keeps the user's plugins and profiles out. What sanitizers are told holds for it, too.
 QByteArray InstallTest::runInstalled(const QString& program, const QStringList& arguments,
                                      const QString& pluginFolder) const {
     QProcessEnvironment environment;
     environment.insert(QStringLiteral("HOME"), folder_.filePath("home"));
+    for (const char* options : {"ASAN_OPTIONS", "UBSAN_OPTIONS"}) {
+        environment.insert(QLatin1String(options), qEnvironmentVariable(options));
+    }
     if (!pluginFolder.isEmpty()) {
         environment.insert(QStringLiteral("DIPWRIGHT_PLUGIN_PATH"), pluginFolder);
     }
