@@ -40,6 +40,17 @@ std::vector<float> sheetMoves(const LaidFilm& own, const LaidFilm& other,
     return moves;
 }
 
+std::vector<float> unmarkedMoves(std::vector<float> moves, const LaidFilm& own,
+                                 const std::vector<SurfacePoint>& places) {
+    parallelFor(std::size_t(0), places.size(), [&](std::size_t i) {
+        const auto place = moves[i] == paintedByNeither ? std::nullopt : own.place(places[i]);
+        if (place && own.marks(place->triangle) != 0) {
+            moves[i] = paintedByNeither;
+        }
+    });
+    return moves;
+}
+
 SheetChange sheetChange(std::vector<float> moves) {
     const auto all = double(moves.size());
     SheetChange result;

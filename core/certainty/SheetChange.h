@@ -30,6 +30,10 @@ std::vector<SurfacePoint> comparedPlaces(const TriangleMesh& body);
 inline constexpr float paintedByOne = -1, paintedByNeither = -2;
 std::vector<float> sheetMoves(const LaidFilm& own, const LaidFilm& other,
                               const std::vector<SurfacePoint>& places);
+// The same where the film of `own` has no mark (solver::PointMark); marked places count as painted
+// by neither.
+std::vector<float> unmarkedMoves(std::vector<float> moves, const LaidFilm& own,
+                                 const std::vector<SurfacePoint>& places);
 // Of the moves of comparedPlaces().
 SheetChange sheetChange(std::vector<float> moves);
 

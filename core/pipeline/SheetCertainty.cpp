@@ -69,8 +69,11 @@ ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
                              const Progress& progress) {
     const auto body = std::make_shared<const PosedBody>(posedBody(*project.model, immersion));
     const std::vector<SurfacePoint> places = comparedPlaces(body->model.mesh);
-    const auto change = [&](const LaidFilm& own, const LaidFilm& finer) {
-        return sheetChange(sheetMoves(own, finer, places));
+    const auto compare = [&](const LaidFilm& own, const LaidFilm& finer, SheetChange& all,
+                             SheetChange& unmarked) {
+        std::vector<float> moves = sheetMoves(own, finer, places);
+        all = sheetChange(moves);
+        unmarked = sheetChange(unmarkedMoves(std::move(moves), own, places));
     };
     const auto laid = [&](const Project& job, const Progress& part) {
         DippedFilm film = simulateDip(*body, field, immersion, job.film, job.process, module,
@@ -81,10 +84,10 @@ ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
     const auto own = laid(project, progress.part(0, ownDone));
     ImmersionCertainty result;
     result.immersion = immersion;
-    result.halfStep =
-        change(*own, *laid(withHalfStep(project), progress.part(ownDone, halfStepDone)));
+    compare(*own, *laid(withHalfStep(project), progress.part(ownDone, halfStepDone)),
+            result.halfStep, result.unmarkedHalfStep);
     const auto finer = laid(withHalfSpacing(project), progress.part(halfStepDone, 1));
-    result.halfSpacing = change(*own, *finer);
+    compare(*own, *finer, result.halfSpacing, result.unmarkedHalfSpacing);
     result.map = map(*own, *finer);
     return result;
 }
@@ -152,10 +155,13 @@ void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const 
 QJsonObject certaintyJson(const std::vector<ImmersionCertainty>& certainty) {
     QJsonArray immersions;
     for (const ImmersionCertainty& one : certainty) {
-        immersions.append(QJsonObject{{"name", one.immersion.name},
-                                      {"certain", isCertain(one)},
-                                      {"half_step", toJson(one.halfStep)},
-                                      {"half_spacing", toJson(one.halfSpacing)}});
+        immersions.append(QJsonObject{
+            {"name", one.immersion.name},
+            {"certain", isCertain(one)},
+            {"half_step", toJson(one.halfStep)},
+            {"half_spacing", toJson(one.halfSpacing)},
+            {"unmarked", QJsonObject{{"half_step", toJson(one.unmarkedHalfStep)},
+                                     {"half_spacing", toJson(one.unmarkedHalfSpacing)}}}});
     }
     return {{"version", 1}, {"immersions", immersions}};
 }

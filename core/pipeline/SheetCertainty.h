@@ -14,8 +14,11 @@ struct ImmersionCertainty {
     Immersion immersion;
     SheetChange halfStep;    // steps half as long
     SheetChange halfSpacing; // film cells half as wide, and steps half as long with them
-    QImage map;              // where the film moves in the latter: certaintyMap() in Results.h
-    QStringList notes;       // sentences for the user, where another solver took over
+    // The same over what no mark of the film lies on (solver::PointMark): where it neither tore nor
+    // was let go of.
+    SheetChange unmarkedHalfStep, unmarkedHalfSpacing;
+    QImage map;        // where the film moves in the latter: certaintyMap() in Results.h
+    QStringList notes; // sentences for the user, where another solver took over
 };
 
 // False where nothing is painted.
@@ -35,7 +38,7 @@ void checkMapFolder(const QString& folder);
 void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder);
 
 // {"version":1,"immersions":[{"name","certain","half_step":{"mean_mm","p95_mm","max_mm","painted",
-// "painted_once"},"half_spacing":{…}}]}
+// "painted_once"},"half_spacing":{…},"unmarked":{"half_step":{…},"half_spacing":{…}}}]}
 QJsonObject certaintyJson(const std::vector<ImmersionCertainty>& certainty);
 
 } // namespace dipwright

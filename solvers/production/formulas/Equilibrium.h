@@ -74,8 +74,8 @@ struct FoundEquilibrium {
 
 // Moves the free points until the forces left on them are at most the model's `residual` times the
 // elastic forces in the film, or nothing to the precision of their numbers; or as far as that goes,
-// to the least forces met after a step. `farthest`: mm that a point has come from its rest, at
-// most.
+// to the least forces met after a step. `farthest`: mm that a point has come from its rest, or
+// the longest cell has, at most.
 template <FilmEquilibrium Film>
 DIPWRIGHT_TEAM inline FoundEquilibrium findEquilibrium(Film& film, typename Film::Real drag,
                                                        double farthest) {

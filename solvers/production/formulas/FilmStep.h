@@ -236,9 +236,9 @@ DIPWRIGHT_TEAM inline double farthestFromRest(Film& film) {
 // have no rest in the water plane; real film gives way out of it.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline FoundEquilibrium settle(Film& film, typename Film::Real drag) {
-    // In grown film the rounding of a triangle's gradient is left, times its edge.
-    const double grownEdge = film.state().grown > 1 ? film.model().longestEdge : 0;
-    const double farthest = std::fmax(farthestFromRest(film), grownEdge);
+    // What is left of the rounding of a triangle's gradient goes by its edge: at a first contact it
+    // may be all the force there is, and nearly all points would be held for it.
+    const double farthest = std::fmax(farthestFromRest(film), film.model().longestEdge);
     FoundEquilibrium found = findEquilibrium(film, drag, farthest);
     for (int holds = 0; holds < mostHolds && !found.isReached; ++holds) {
         film.force(drag);

@@ -17,8 +17,8 @@ struct NewtonLimits {
     // the end, or that share of those left now, whichever is larger.
     double linearShareOfAllowed = 0.5, linearShareOfLeft = 0.02;
     // On a point, over the film's shear stiffness times the farthest that a point has come from its
-    // rest, or 1 mm if that is less. Below it, on the average, the film is at rest to the precision
-    // of its numbers.
+    // rest, or the film's longest edge, or 1 mm, whichever is most. Below it, on the average, the
+    // film is at rest to the precision of its numbers.
     double flatForce = 1e-6;
 };
 

@@ -1,0 +1,171 @@
+// How the film does on models that people bring: the table of docs/film-model.md, "Models", a line
+// an immersion.
+//
+//   models_bench [points=COLUMNSxROWS | automatic] [found] [solver=ID] [against=ID] JOB.dipw …
+//
+// found: in the job's own poses and in the two that a pose search finds. against: the same on
+// another solver, and how much of the sheets' pictures differs. Times are those of the dip itself,
+// over that of the first line's. Right is a verdict unless it has a sheet printed that moves, when
+// it is checked fully, by more than it says.
+
+#include "base/Error.h"
+#include "pipeline/Pipeline.h"
+#include "pipeline/PoseSearch.h"
+#include "pipeline/SheetCertainty.h"
+#include "project/ProjectStore.h"
+
+#include <QGuiApplication>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+using namespace dipwright;
+
+namespace {
+
+struct Options {
+    QStringList jobs;
+    int columns = 0, rows = 0; // 0: the job's own
+    bool isAutomatic = false, areFound = false;
+    QString solver, against; // ids
+};
+
+Options parsed(int argc, char** argv) {
+    Options options;
+    for (int i = 1; i < argc; ++i) {
+        const QString text = QString::fromLocal8Bit(argv[i]);
+        if (text == QLatin1String("found")) {
+            options.areFound = true;
+        } else if (text == QLatin1String("automatic")) {
+            options.isAutomatic = true;
+        } else if (text.startsWith(QLatin1String("solver="))) {
+            options.solver = text.mid(7);
+        } else if (text.startsWith(QLatin1String("against="))) {
+            options.against = text.mid(8);
+        } else if (std::sscanf(argv[i], "points=%dx%d", &options.columns, &options.rows) != 2) {
+            options.jobs.append(text);
+        }
+    }
+    return options;
+}
+
+Project withOptions(Project job, const Options& options) {
+    if (!options.solver.isEmpty()) {
+        job.process.solver = options.solver;
+    }
+    if (options.isAutomatic) {
+        job.film.resolution = FilmResolution::Automatic;
+    }
+    if (options.columns > 0) {
+        job.film.resolution = FilmResolution::Points;
+        job.film.columns = options.columns;
+        job.film.rows = options.rows;
+    }
+    return job;
+}
+
+Project inFoundPoses(Project job, const SolverRegistry& registry) {
+    PoseSearchOptions search;
+    search.immersions = 2;
+    const solver::SolverModule& module = registry.module(job.process.solver);
+    job.immersions = searchPoses(job, module, search, {}).front().immersions;
+    for (Immersion& immersion : job.immersions) {
+        immersion.name = QStringLiteral("found");
+    }
+    return job;
+}
+
+// The share of the printed pixels in which a channel differs by more than 8 of 255.
+double differingPixels(const QImage& one, const QImage& other) {
+    std::size_t printed = 0, differing = 0;
+    for (int row = 0; row < one.height(); ++row) {
+        const uchar *a = one.constScanLine(row), *b = other.constScanLine(row);
+        for (int column = 0; column < one.width(); ++column, a += 4, b += 4) {
+            int most = 0;
+            for (int channel = 0; channel < 4; ++channel) {
+                most = std::max(most, std::abs(int(a[channel]) - int(b[channel])));
+            }
+            printed += a[3] > 0 || b[3] > 0;
+            differing += most > 8;
+        }
+    }
+    return printed > 0 ? double(differing) / double(printed) : 0;
+}
+
+bool isRight(const ImmersionResult& said, const ImmersionCertainty& check) {
+    const double offBy = said.certainty->offBy.percentile95;
+    return said.verdict.advice != Advice::Print ||
+           (check.halfStep.distance.percentile95 <= offBy &&
+            check.halfSpacing.distance.percentile95 <= offBy);
+}
+
+double firstSeconds = 0; // of the first line
+
+void print(const Project& job, const ImmersionResult& said, const ImmersionCertainty& check,
+           const ImmersionResult* other) {
+    const DippedFilm& film = said.laid->film();
+    firstSeconds = firstSeconds > 0 ? firstSeconds : film.wallSeconds;
+    std::printf(
+        "| %s, %s | %d × %d | %lld | %lld | %.1f | %.2f s, %.1f | %.1f %% | %.3f, %.3f | %.3f, "
+        "%.3f | %s, %.3f | %s |",
+        qPrintable(job.name), qPrintable(said.immersion.name), film.grid.columns, film.grid.rows,
+        static_cast<long long>(film.steps), static_cast<long long>(film.equilibrium.stepsWithout),
+        double(film.equilibrium.linearIterations) / double(std::max<std::int64_t>(film.steps, 1)),
+        film.wallSeconds, film.wallSeconds / firstSeconds,
+        100 * said.verdict.markedArea / std::max(said.verdict.paintedArea, 1e-9),
+        check.halfStep.distance.percentile95, check.unmarkedHalfStep.distance.percentile95,
+        check.halfSpacing.distance.percentile95, check.unmarkedHalfSpacing.distance.percentile95,
+        qPrintable(adviceKey(said.verdict.advice)), said.certainty->offBy.percentile95,
+        isRight(said, check) ? "right" : "WRONG");
+    if (other) {
+        std::printf(" %lld, %.2f %% |", static_cast<long long>(other->laid->film().steps),
+                    100 * differingPixels(said.texture->image, other->texture->image));
+    }
+    std::printf("\n");
+    for (const QString& note : said.solverNotes + check.notes) {
+        std::printf("%s\n", qPrintable(note));
+    }
+    std::fflush(stdout);
+}
+
+void judge(const Project& job, const Options& options, const SolverRegistry& registry) {
+    const JobResult said = runJob(job, registry, {}, nullptr, {});
+    std::optional<JobResult> other;
+    if (!options.against.isEmpty()) {
+        JobOptions otherwise;
+        otherwise.solver = options.against;
+        otherwise.estimatesCertainty = false;
+        other = runJob(job, registry, otherwise, nullptr, {});
+    }
+    const std::vector<ImmersionCertainty> check = sheetCertainty(job, registry, {});
+    for (std::size_t number = 0; number < check.size(); ++number) {
+        print(job, said.immersions[number], check[number],
+              other ? &other->immersions[number] : nullptr);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    qputenv("QT_QPA_PLATFORM", "offscreen"); // maps are lettered
+    const QGuiApplication application(argc, argv);
+    const Options options = parsed(argc, argv);
+    const SolverRegistry registry;
+    std::printf("| model, pose | points | steps | without | iterations | dip | marked | half the "
+                "step: all, unmarked | half the cell | verdict, off by | |%s\n",
+                options.against.isEmpty() ? "" : " other solver: steps, pixels |");
+    for (const QString& file : options.jobs) {
+        try {
+            const Project job = withOptions(loadProject(file), options);
+            judge(job, options, registry);
+            if (options.areFound) {
+                judge(inFoundPoses(job, registry), options, registry);
+            }
+        } catch (const Error& error) {
+            std::printf("%s: %s\n", qPrintable(file), qPrintable(error.sentence()));
+        }
+    }
+    return 0;
+}
