@@ -114,7 +114,7 @@ void print(const Project& job, const ImmersionResult& said, const ImmersionCerta
         static_cast<long long>(film.steps), static_cast<long long>(film.equilibrium.stepsWithout),
         double(film.equilibrium.linearIterations) / double(std::max<std::int64_t>(film.steps, 1)),
         film.wallSeconds, film.wallSeconds / firstSeconds,
-        100 * said.verdict.markedArea / std::max(said.verdict.paintedArea, 1e-9),
+        100 * said.coverage->marked.any / std::max(said.coverage->paintedArea, 1e-9),
         check.halfStep.distance.percentile95, check.unmarkedHalfStep.distance.percentile95,
         check.halfSpacing.distance.percentile95, check.unmarkedHalfSpacing.distance.percentile95,
         qPrintable(adviceKey(said.verdict.advice)), said.certainty->offBy.percentile95,

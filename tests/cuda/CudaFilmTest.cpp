@@ -149,6 +149,8 @@ private slots:
     void givesTheSameBitsTwice();
     void showsWholeStepsWhileItComputes_data() { givesTheSameBitsTwice_data(); }
     void showsWholeStepsWhileItComputes();
+    void goesOnWhileASmallerFilmIsDipped_data() { givesTheSameBitsTwice_data(); }
+    void goesOnWhileASmallerFilmIsDipped();
     void batchGivesWhatSingleDipsGive_data() { givesTheSameBitsTwice_data(); }
     void batchGivesWhatSingleDipsGive();
     void batchStopsWhenCancelled();
@@ -269,6 +271,25 @@ void CudaFilmTest::showsWholeStepsWhileItComputes() {
     Ending end = ending(*shown, setup.film);
     end.progress = progress;
     QVERIFY(haveSameBits(end, undisturbed));
+}
+
+// As a job's own film does beside the coarser ones that it is compared with.
+void CudaFilmTest::goesOnWhileASmallerFilmIsDipped() {
+    QFETCH(QString, preset);
+    const Body body = bodyNamed(QStringLiteral("sphere"));
+    const solver::DipSetup setup = wholeDip(body, preset);
+    const auto film = registry_.module(QStringLiteral("pbd-cuda")).create();
+    const auto smaller = registry_.module(QStringLiteral("pbd-cuda")).create();
+    film->begin(setup);
+    solver::DipState progress = film->advance(3);
+    smaller->begin(coarseDip(body, preset, 8));
+    smaller->advance(3);
+    while (!progress.finished) {
+        progress = film->advance(1000);
+    }
+    Ending end = ending(*film, setup.film);
+    end.progress = progress;
+    QVERIFY(haveSameBits(end, dipOnGpu(setup)));
 }
 
 void CudaFilmTest::batchGivesWhatSingleDipsGive() {

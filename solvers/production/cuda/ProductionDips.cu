@@ -270,9 +270,10 @@ ProductionDips::ProductionDips(const Device& device, Setups setups)
         states_.emplace_back();
     }
     dipsOnDevice_ = DeviceArray<ProductionDip>(std::span<const ProductionDip>(dips_));
+    // As much as any film takes, and not what these take: other threads' films share the function.
     check(cudaFuncSetAttribute(reinterpret_cast<const void*>(productionSteps),
                                cudaFuncAttributeMaxDynamicSharedMemorySize,
-                               int(levels_.sharedBytes())));
+                               int(device.sharedBytes - staticSharedBytes)));
 }
 
 void ProductionDips::layFlat(const solver::DipSetup& setup, const ProductionDip& dip) const {

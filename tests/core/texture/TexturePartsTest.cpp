@@ -1,9 +1,12 @@
 // What the reverse texture is put together from: light, ink, filters, charts, bleed, chessboard.
+#include "DippedByHand.h"
 #include "base/Units.h"
+#include "geometry/Shapes.h"
 #include "texture/Bleed.h"
 #include "texture/ChartMap.h"
 #include "texture/Chessboard.h"
 #include "texture/Ink.h"
+#include "texture/ReverseMap.h"
 #include "texture/TextureSampler.h"
 
 #include <QtTest>
@@ -79,6 +82,7 @@ private Q_SLOTS:
     void bleedTakesTheNearestColour();
     void bleedEndsAtItsRadius();
     void chessSquaresMeetInTheMiddle();
+    void filmPressedToAPointLiesWhereThatIs();
 };
 
 void TexturePartsTest::encodingInvertsTheTable() {
@@ -310,6 +314,23 @@ void TexturePartsTest::chessSquaresMeetInTheMiddle() {
     QVERIFY(isWhite(200, 100) == isWhite(233, 133));
     QVERIFY(isWhite(200, 100) != isWhite(234, 133));
     QVERIFY(isWhite(200, 100) != isWhite(233, 134));
+}
+
+// Where film is gathered to nothing its triangles have no size, by which the body under them could
+// be looked for, and rounding keeps them beside it.
+void TexturePartsTest::filmPressedToAPointLiesWhereThatIs() {
+    const TexturedMesh model = test::plainModel(sphereMesh(35, 40, 80), Qt::red);
+    DippedFilm film = test::viscousOnSphere(test::a4Grid(), 35, 1.2);
+    const Eigen::Vector3f beside = film.positions[film.positions.size() / 2] * 1.001f;
+    FilmContact contact;
+    contact.places.assign(film.positions.size(), beside);
+    contact.surface.resize(film.positions.size());
+    contact.painted.assign(filmTriangles(film.grid).size(), 1);
+    const LaidFilm laid(std::make_shared<const PosedBody>(posedBody(model, {})), std::move(film),
+                        std::move(contact));
+    for (const SurfacePoint& corner : ReverseMap(laid).whole(0).surface) {
+        QVERIFY(corner.isValid());
+    }
 }
 
 QTEST_APPLESS_MAIN(TexturePartsTest)
