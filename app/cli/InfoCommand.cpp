@@ -43,13 +43,23 @@ void printModel(const TexturedMesh& model, QTextStream& out) {
     }
 }
 
+QString pointsText(const FilmSettings& film) {
+    switch (film.resolution) {
+    case FilmResolution::Automatic:
+        return QStringLiteral("cells as fine as each pose needs");
+    case FilmResolution::Cell:
+        return QStringLiteral("cells of %1 mm over the body").arg(plain(film.cell.value()));
+    case FilmResolution::Points:
+        break;
+    }
+    return QStringLiteral("%1 × %2 points").arg(film.columns).arg(film.rows);
+}
+
 void printFilm(const FilmSettings& film, QTextStream& out) {
     const double relaxation = film.relaxationTime.value();
-    out << QStringLiteral("Film: %1, %2 × %3 mm, %4 × %5 points, swell %6 × %7, %8\n")
-               .arg(film.preset, plain(film.width.value()), plain(film.height.value()))
-               .arg(film.columns)
-               .arg(film.rows)
-               .arg(plain(film.swellX), plain(film.swellY),
+    out << QStringLiteral("Film: %1, %2 × %3 mm, %4, swell %5 × %6, %7\n")
+               .arg(film.preset, plain(film.width.value()), plain(film.height.value()),
+                    pointsText(film), plain(film.swellX), plain(film.swellY),
                     std::isinf(relaxation) ? QStringLiteral("elastic")
                     : relaxation == 0      ? QStringLiteral("viscous")
                                            : QStringLiteral("relaxing in %1 s").arg(relaxation));

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -37,7 +38,10 @@ QString colourOf(Advice advice) { // of the band beside the words; read on light
     return QStringLiteral("#808080");
 }
 
-QString paragraph(const QString& text) {
+// No line ends between a number and its unit.
+QString paragraph(QString text) {
+    static const QRegularExpression betweenNumberAndUnit(QStringLiteral("(?<=\\d) (?=[%m])"));
+    text.replace(betweenNumberAndUnit, QString(QChar::Nbsp));
     return QStringLiteral("<p style='margin:4px 0'>%1</p>").arg(text.toHtmlEscaped());
 }
 
@@ -112,11 +116,13 @@ void CertaintyPanel::resizeEvent(QResizeEvent* event) {
     fitText();
 }
 
-// As tall as its words are at this width.
+// As tall as its words are at this width: measured on a copy, as the words themselves are broken
+// where a scroll bar leaves off.
 void CertaintyPanel::fitText() {
     const QMargins around = layout()->contentsMargins();
-    text_->document()->setTextWidth(width() - around.left() - around.right());
-    const int words = int(std::ceil(text_->document()->size().height()));
+    const std::unique_ptr<QTextDocument> measured(text_->document()->clone());
+    measured->setTextWidth(width() - around.left() - around.right());
+    const int words = int(std::ceil(measured->size().height()));
     text_->setFixedHeight(std::min(words, int(mostText * height())));
 }
 

@@ -224,12 +224,13 @@ void DipScene::showEnd() {
 }
 
 std::vector<FilmTriangle> DipScene::shownTriangles(const LaidFilm& laid) const {
+    if (coverage_) { // floating film would lie over the body
+        return {};
+    }
     const FilmContact& contact = laid.contact();
     std::vector<FilmTriangle> shown;
     for (std::uint32_t triangle = 0; triangle < laid.triangles().size(); ++triangle) {
-        const bool isHidden = (extent_ == FilmExtent::OnBody && !contact.painted[triangle]) ||
-                              (coverage_ && contact.reaches(triangle));
-        if (!isHidden) {
+        if (extent_ == FilmExtent::Whole || contact.painted[triangle]) {
             shown.push_back(laid.triangles()[triangle]);
         }
     }

@@ -242,6 +242,9 @@ private slots:
         const Outcome text = cli({"info", path("ball.dipw"), "--set", "film.swell=1.1;1"});
         QCOMPARE(text.exitCode, 0);
         QVERIFY(text.out.contains("Top") && text.out.contains("1.1"));
+        const Outcome graded =
+            cli({"info", path("ball.dipw"), "--set", "film.resolution=automatic"});
+        QVERIFY2(graded.out.contains("cells as fine as each pose needs"), graded.out);
         const Outcome json = cli({"info", path("ball.dipw"), "--json"});
         const QJsonObject document = QJsonDocument::fromJson(json.out).object();
         QCOMPARE(document["format"].toString(), QStringLiteral("dipwright-project"));

@@ -15,6 +15,7 @@
 #include <QDoubleSpinBox>
 #include <QJsonArray>
 #include <QScreen>
+#include <QScrollBar>
 #include <QSet>
 #include <QSignalSpy>
 #include <QTest>
@@ -237,6 +238,28 @@ private slots:
         QVERIFY2(told.contains(QStringLiteral("25 mm²")), qPrintable(told));
         QVERIFY2(told.contains(QStringLiteral("2.5 %")), qPrintable(told));
         QVERIFY(!text({}).contains(QStringLiteral("mm²")));
+    }
+
+    void theVerdictsWordsAreNeverWiderThanTheirPanel() {
+        auto coverage = std::make_shared<Coverage>();
+        coverage->paintedArea = 1000;
+        coverage->marked.add(std::uint8_t(solver::PointMark::Torn), 25);
+        auto result = std::make_shared<JobResult>();
+        result->immersions.resize(1);
+        result->immersions[0].coverage = coverage;
+        result->immersions[0].verdict.advice = Advice::LookFirst;
+        result->immersions[0].verdict.reasons.resize(4);
+        result->immersions[0].verdict.places.resize(5);
+        CertaintyPanel panel;
+        panel.resize(320, 1400);
+        panel.show();
+        panel.setOutcome({result, {}, {}, {QImage()}}, 0, LengthUnit::Millimetre);
+        const auto* text = panel.findChild<QTextBrowser*>(QStringLiteral("verdict"));
+        QTRY_COMPARE(text->verticalScrollBar()->maximum(), 0); // there is room for all of them
+        QCOMPARE(text->horizontalScrollBar()->maximum(), 0);
+        panel.resize(320, 240);
+        QTRY_VERIFY(text->verticalScrollBar()->maximum() > 0);
+        QCOMPARE(text->horizontalScrollBar()->maximum(), 0);
     }
 
     void thePictureTellsTheMillimetreUnderTheCursor() {
