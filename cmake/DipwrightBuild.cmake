@@ -41,7 +41,7 @@ if(DIPWRIGHT_SANITIZE)
     target_link_options(dipwright_options INTERFACE -fsanitize=${DIPWRIGHT_SANITIZE})
 endif()
 target_compile_definitions(dipwright_options INTERFACE
-    DIPWRIGHT_VERSION="${PROJECT_VERSION}" $<$<CXX_COMPILER_ID:MSVC>:_USE_MATH_DEFINES>)
+    $<$<CXX_COMPILER_ID:MSVC>:_USE_MATH_DEFINES>)
 
 # dipwright_library(NAME SOURCES … PRIVATE_HEADERS … PUBLIC … PRIVATE …)
 #   One room of core, solvers or app as a static library; headers alone where there are no SOURCES.

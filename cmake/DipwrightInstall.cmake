@@ -2,14 +2,21 @@
 #   cmake --install build/release --prefix …
 # Programs find the rest from their own place (core/base/ShippedFolders), so the tree can be moved.
 # Profiles, translations, guide and pictures travel inside the programs.
+if(NOT CMAKE_INSTALL_DOCDIR)
+    set(CMAKE_INSTALL_DOCDIR share/doc/dipwright)
+endif()
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(DIPWRIGHT_PLUGIN_DESTINATION ${CMAKE_INSTALL_LIBDIR}/dipwright/plugins)
+# Programs that only ours start.
+set(DIPWRIGHT_HELPER_DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/dipwright)
 set(DIPWRIGHT_SAMPLE_DESTINATION ${CMAKE_INSTALL_DATADIR}/dipwright/samples)
 set(DIPWRIGHT_PACKAGE_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Dipwright)
 file(RELATIVE_PATH DIPWRIGHT_PLUGINS_FROM_PROGRAM
     ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR}/dipwright/plugins)
+file(RELATIVE_PATH DIPWRIGHT_HELPERS_FROM_PROGRAM
+    ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBEXECDIR}/dipwright)
 file(RELATIVE_PATH DIPWRIGHT_SAMPLES_FROM_PROGRAM
     ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/dipwright/samples)
 
@@ -25,7 +32,7 @@ function(dipwright_install_package target header)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/DipwrightConfig.cmake ${package}/DipwrightConfig.cmake
         COPYONLY)
     write_basic_package_version_file(${package}/DipwrightConfigVersion.cmake
-        COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+        COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
     install(TARGETS ${target} EXPORT DipwrightTargets)
     install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dipwright)
     install(EXPORT DipwrightTargets NAMESPACE Dipwright:: DESTINATION ${DIPWRIGHT_PACKAGE_DESTINATION})

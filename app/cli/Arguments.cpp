@@ -103,8 +103,8 @@ void setByOption(Project& project, const QString& path, const QString& value,
     }
 }
 
-void declareSettings(QCommandLineParser& parser) {
-    parser.addOption({setOption,
+void declareSettings(CommandSyntax& syntax) {
+    syntax.addOption({setOption,
                       QStringLiteral("Sets a value by its path in the project file, such as "
                                      "film.points=240x360 or immersions[0].rotation_deg=0;45;0. "
                                      "May be repeated. A project that is read stays as it is."),
@@ -124,9 +124,9 @@ void applySettings(Project& project, const QCommandLineParser& parser) {
     }
 }
 
-void declareProject(QCommandLineParser& parser) {
-    parser.addPositionalArgument(QStringLiteral("JOB.dipw"), QStringLiteral("The project."));
-    declareSettings(parser);
+void declareProject(CommandSyntax& syntax) {
+    syntax.addPositionalArgument(QStringLiteral("JOB.dipw"), QStringLiteral("The project."));
+    declareSettings(syntax);
 }
 
 Project projectArgument(const QCommandLineParser& parser) {
@@ -141,8 +141,8 @@ void printWarnings(const QStringList& warnings, QTextStream& out) {
     }
 }
 
-void declareFilmImage(QCommandLineParser& parser) {
-    parser.addOption(
+void declareFilmImage(CommandSyntax& syntax) {
+    syntax.addOption(
         {filmImageOption,
          QStringLiteral("Puts this picture on the film, stretched to all of it, or the built-in "
                         "chessboard; the proof shows where the dip carries it."),
@@ -157,8 +157,8 @@ void applyFilmImage(JobOptions& options, const QCommandLineParser& parser) {
     }
 }
 
-void declareThreads(QCommandLineParser& parser) {
-    parser.addOption({threadsOption,
+void declareThreads(CommandSyntax& syntax) {
+    syntax.addOption({threadsOption,
                       QStringLiteral("Computes with at most N threads. The results are the same."),
                       QStringLiteral("N")});
 }

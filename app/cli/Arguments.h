@@ -28,24 +28,24 @@ void setByOption(Project& project, const QString& path, const QString& value,
                  const QString& option);
 
 // --set PATH=VALUE, repeatable.
-void declareSettings(QCommandLineParser& parser);
+void declareSettings(CommandSyntax& syntax);
 // A film's preset and size are set before all else, so that --set film.points holds wherever it
 // stands. Throws UsageError for an unknown path or a value out of range.
 void applySettings(Project& project, const QCommandLineParser& parser);
 
 // JOB.dipw and --set.
-void declareProject(QCommandLineParser& parser);
+void declareProject(CommandSyntax& syntax);
 Project projectArgument(const QCommandLineParser& parser);
 
 // What the user is to know of how a result came about, a line each.
 void printWarnings(const QStringList& warnings, QTextStream& out);
 
 // --film-image chessboard|FILE. Throws Error for a picture that cannot be read.
-void declareFilmImage(QCommandLineParser& parser);
+void declareFilmImage(CommandSyntax& syntax);
 void applyFilmImage(JobOptions& options, const QCommandLineParser& parser);
 
 // --threads N: no more than N threads compute while the object lives.
-void declareThreads(QCommandLineParser& parser);
+void declareThreads(CommandSyntax& syntax);
 ThreadLimit threadLimit(const QCommandLineParser& parser);
 
 } // namespace dipwright::cli

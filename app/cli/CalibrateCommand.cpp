@@ -89,15 +89,15 @@ public:
             "Prints a page of rulers and makes a printer's scale of their lengths.");
     }
 
-    void declare(QCommandLineParser& parser) const override {
-        declarePrinter(parser);
-        parser.addOption({paperOption, QStringLiteral("A5, A4, A3, A2 or Letter."),
+    void declare(CommandSyntax& syntax) const override {
+        declarePrinter(syntax);
+        syntax.addOption({paperOption, QStringLiteral("A5, A4, A3, A2 or Letter."),
                           QStringLiteral("PAPER"), QStringLiteral("A4")});
-        parser.addOption(
+        syntax.addOption(
             {verifyOption,
              QStringLiteral("The second page, corrected by the profile; with --measured: the "
                             "lengths are from that page.")});
-        parser.addOption(
+        syntax.addOption(
             {measuredOption,
              QStringLiteral("The measured lengths of the horizontal and the vertical ruler go "
                             "into the profile; nothing is printed."),

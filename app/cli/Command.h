@@ -1,10 +1,10 @@
 // One command of dipwright-cli, and what all commands share.
 #pragma once
 
+#include "cli/CommandSyntax.h"
 #include "cli/Console.h"
 #include "project/Project.h"
 
-#include <QCommandLineParser>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -23,13 +23,15 @@ public:
     virtual QString name() const = 0;
     virtual QString summary() const = 0; // a sentence for --help
     // Adds options and positional arguments; --help, --quiet and the command's name are there.
-    virtual void declare(QCommandLineParser& parser) const = 0;
+    virtual void declare(CommandSyntax& syntax) const = 0;
     // Does it. Throws Error, UsageError or Cancelled.
     virtual void run(const QCommandLineParser& parser, Console& console) const = 0;
 };
 
 // All commands, in the order in which --help lists them.
 std::vector<std::unique_ptr<Command>> allCommands();
+// What a command declares, after the options that all have.
+CommandSyntax syntaxOf(const Command& command);
 
 std::unique_ptr<Command> newCommand();
 std::unique_ptr<Command> runCommand();
@@ -41,5 +43,6 @@ std::unique_ptr<Command> benchCommand();
 std::unique_ptr<Command> printCommand();
 std::unique_ptr<Command> profileCommand();
 std::unique_ptr<Command> calibrateCommand();
+std::unique_ptr<Command> manualCommand();
 
 } // namespace dipwright::cli

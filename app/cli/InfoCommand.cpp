@@ -90,9 +90,9 @@ class InfoCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("info"); }
     QString summary() const override { return QStringLiteral("Says what is in a project."); }
-    void declare(QCommandLineParser& parser) const override {
-        declareProject(parser);
-        parser.addOption(
+    void declare(CommandSyntax& syntax) const override {
+        declareProject(syntax);
+        syntax.addOption(
             {jsonOption, QStringLiteral("Prints JSON: the project file's document and, "
                                         "as \"model_info\", the model's figures.")});
     }

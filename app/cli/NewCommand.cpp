@@ -97,30 +97,30 @@ public:
         return QStringLiteral("Makes a project of a textured model, which it embeds.");
     }
 
-    void declare(QCommandLineParser& parser) const override {
-        parser.addPositionalArgument(
+    void declare(CommandSyntax& syntax) const override {
+        syntax.addPositionalArgument(
             QStringLiteral("OUT.dipw"),
             QStringLiteral("The project to write. A file of that name is replaced."));
-        parser.addOption({modelOption, QStringLiteral("The model: %1.").arg(modelFormatNames()),
+        syntax.addOption({modelOption, QStringLiteral("The model: %1.").arg(modelFormatNames()),
                           QStringLiteral("FILE")});
-        parser.addOption({textureOption, QStringLiteral("A picture in place of the model's own."),
+        syntax.addOption({textureOption, QStringLiteral("A picture in place of the model's own."),
                           QStringLiteral("FILE")});
-        parser.addOption(
+        syntax.addOption(
             {outsideOption, QStringLiteral("Reads files that the model names outside its folder, "
                                            "too. Without it such a model is refused.")});
-        parser.addOption({sizeOption,
+        syntax.addOption({sizeOption,
                           QStringLiteral("Scales the longest edge of the bounding box to N mm. "
                                          "Without it one unit of the file is one millimetre."),
                           QStringLiteral("N")});
-        parser.addOption({presetOption, QStringLiteral("production (the default) or paper-2020."),
+        syntax.addOption({presetOption, QStringLiteral("production (the default) or paper-2020."),
                           QStringLiteral("NAME"), QStringLiteral("production")});
-        parser.addOption(
+        syntax.addOption(
             {immersionOption,
              QStringLiteral("One dip: name=Top,rotation=rx;ry;rz,offset=x;z, degrees about X, Y, Z "
                             "in that order and millimetres on the water. Give one or two; without "
                             "it the model is dipped once, as it stands."),
              QStringLiteral("SPEC")});
-        declareSettings(parser);
+        declareSettings(syntax);
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {

@@ -46,18 +46,18 @@ public:
         return QStringLiteral("Searches dip poses and writes the best into the project.");
     }
 
-    void declare(QCommandLineParser& parser) const override {
-        declareProject(parser);
-        parser.addOption(
+    void declare(CommandSyntax& syntax) const override {
+        declareProject(syntax);
+        syntax.addOption(
             {immersionsOption, QStringLiteral("Dips to plan, 1 or 2."), QStringLiteral("1|2")});
-        parser.addOption(
+        syntax.addOption(
             {candidatesOption,
              QStringLiteral("Poses to try on a coarse film, 6 to 2000; 48 without it."),
              QStringLiteral("N"), QString::number(PoseSearchOptions().candidates)});
-        parser.addOption({solverOption,
+        syntax.addOption({solverOption,
                           QStringLiteral("The solver plugin, in place of the project's choice."),
                           QStringLiteral("ID")});
-        declareThreads(parser);
+        declareThreads(syntax);
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {

@@ -91,31 +91,31 @@ public:
         return QStringLiteral("Prints a project's sheets at true size, or lists the printers.");
     }
 
-    void declare(QCommandLineParser& parser) const override {
-        declareProject(parser);
-        declarePrinter(parser);
-        parser.addOption({immersionOption,
+    void declare(CommandSyntax& syntax) const override {
+        declareProject(syntax);
+        declarePrinter(syntax);
+        syntax.addOption({immersionOption,
                           QStringLiteral("Only the sheet of this immersion, 1 or 2."),
                           QStringLiteral("N")});
-        parser.addOption(
+        syntax.addOption(
             {copiesOption, QStringLiteral("Copies of each sheet."), QStringLiteral("N")});
-        parser.addOption(
+        syntax.addOption(
             {tileOption,
              QStringLiteral("Cuts sheets into pieces of the printer's largest paper.")});
-        parser.addOption({tilePaperOption, QStringLiteral("Cuts sheets into pieces of this paper."),
+        syntax.addOption({tilePaperOption, QStringLiteral("Cuts sheets into pieces of this paper."),
                           QStringLiteral("NAME")});
-        parser.addOption({greyOption, QStringLiteral("Prints coloured sheets on a grey printer.")});
-        parser.addOption(
+        syntax.addOption({greyOption, QStringLiteral("Prints coloured sheets on a grey printer.")});
+        syntax.addOption(
             {clippingOption, QStringLiteral("Gives up colour where the printer does not reach.")});
-        parser.addOption({proofOption,
+        syntax.addOption({proofOption,
                           QStringLiteral("Also writes a soft proof of the film image as PNG, with "
                                          "colours out of the printer's reach in magenta."),
                           QStringLiteral("FILE")});
-        parser.addOption({solverOption,
+        syntax.addOption({solverOption,
                           QStringLiteral("The solver plugin, in place of the project's choice."),
                           QStringLiteral("ID")});
-        declareFilmImage(parser);
-        declareThreads(parser);
+        declareFilmImage(syntax);
+        declareThreads(syntax);
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {

@@ -35,19 +35,19 @@ QString mediaWords(const PrinterMedia& media) {
 
 } // namespace
 
-void declarePrinter(QCommandLineParser& parser) {
-    parser.addOption({printerOption, QStringLiteral("The printer, by the system's name."),
+void declarePrinter(CommandSyntax& syntax) {
+    syntax.addOption({printerOption, QStringLiteral("The printer, by the system's name."),
                       QStringLiteral("NAME")});
-    parser.addOption(
+    syntax.addOption(
         {printersOption, QStringLiteral("Lists the printers, their paper and state.")});
-    parser.addOption({toOption,
+    syntax.addOption({toOption,
                       QStringLiteral("Writes a PDF or TIFF file in the printer's scale and colours "
                                      "in place of printing."),
                       QStringLiteral("FILE")});
-    parser.addOption({profileOption,
+    syntax.addOption({profileOption,
                       QStringLiteral("The printer profile, in place of the project's own."),
                       QStringLiteral("NAME")});
-    parser.addOption(
+    syntax.addOption(
         {otherPaperOption,
          QStringLiteral("Prints though the printer says that the paper is not loaded.")});
 }

@@ -9,7 +9,7 @@
 namespace dipwright::cli {
 
 // --printer, --printers, --to, --profile, --accept-other-paper.
-void declarePrinter(QCommandLineParser& parser);
+void declarePrinter(CommandSyntax& syntax);
 bool listsPrinters(const QCommandLineParser& parser);
 bool acceptsOtherPaper(const QCommandLineParser& parser);
 void listPrinters(QTextStream& out);

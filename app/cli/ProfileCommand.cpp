@@ -168,21 +168,21 @@ public:
         return QStringLiteral("Keeps what is known of printers, films and tanks.");
     }
 
-    void declare(QCommandLineParser& parser) const override {
-        parser.addPositionalArgument(
+    void declare(CommandSyntax& syntax) const override {
+        syntax.addPositionalArgument(
             QStringLiteral(
                 "list | show KIND NAME | set KIND NAME | import FILE | export KIND NAME FILE | "
                 "remove KIND NAME | use KIND NAME JOB.dipw"),
             QStringLiteral(
                 "What to do. KIND is printer, film or tank. `set` changes a profile or makes a new "
                 "one, `use` takes it over into a project, which keeps its own copy."));
-        parser.addOption({setOption,
+        syntax.addOption({setOption,
                           QStringLiteral("For `set`: a value by its path in the profile, such as "
                                          "scale=1.004;0.997. May be repeated."),
                           QStringLiteral("PATH=VALUE")});
-        parser.addOption({iccOption, QStringLiteral("For `set`: the printer's ICC profile."),
+        syntax.addOption({iccOption, QStringLiteral("For `set`: the printer's ICC profile."),
                           QStringLiteral("FILE")});
-        parser.addOption({jsonOption, QStringLiteral("For `list`: prints JSON.")});
+        syntax.addOption({jsonOption, QStringLiteral("For `list`: prints JSON.")});
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {

@@ -74,23 +74,23 @@ public:
         return QStringLiteral("Simulates every immersion and writes the sheets to print.");
     }
 
-    void declare(QCommandLineParser& parser) const override {
-        declareProject(parser);
-        parser.addOption(
+    void declare(CommandSyntax& syntax) const override {
+        declareProject(syntax);
+        syntax.addOption(
             {outOption, QStringLiteral("The folder for the results; earlier results are replaced."),
              QStringLiteral("DIR")});
-        parser.addOption({solverOption,
+        syntax.addOption({solverOption,
                           QStringLiteral("The solver plugin, in place of the project's choice."),
                           QStringLiteral("ID")});
-        parser.addOption(
+        syntax.addOption(
             {dpiOption, QStringLiteral("The sheet's resolution."), QStringLiteral("N")});
-        declareFilmImage(parser);
-        parser.addOption(
+        declareFilmImage(syntax);
+        syntax.addOption(
             {certaintyOption, QStringLiteral("Dips no coarser films to judge the sheets by.")});
-        parser.addOption(
+        syntax.addOption(
             {lawsOption, QStringLiteral("Dips eight times more an immersion to say how much each "
                                         "sheet depends on the laws that nobody has measured.")});
-        declareThreads(parser);
+        declareThreads(syntax);
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {

@@ -45,8 +45,8 @@ public:
     QString summary() const override {
         return QStringLiteral("Lists the solver plugins and why one cannot be used.");
     }
-    void declare(QCommandLineParser& parser) const override {
-        parser.addOption({jsonOption, QStringLiteral("Prints JSON.")});
+    void declare(CommandSyntax& syntax) const override {
+        syntax.addOption({jsonOption, QStringLiteral("Prints JSON.")});
     }
     void run(const QCommandLineParser& parser, Console& console) const override {
         requireNoPositionalArgument(parser);

@@ -136,28 +136,28 @@ public:
                               "finely; or, with --physics, how far the film is from its closed "
                               "forms.");
     }
-    void declare(QCommandLineParser& parser) const override {
-        declareProject(parser);
-        parser.addOption(
+    void declare(CommandSyntax& syntax) const override {
+        declareProject(syntax);
+        syntax.addOption(
             {physicsOption, QStringLiteral("Compares the film with its closed forms instead; takes "
                                            "no project.")});
-        parser.addOption(
+        syntax.addOption(
             {sheetOption, QStringLiteral("Dips once more with steps half as long, and once with "
                                          "film cells half as wide, and compares the sheets. Takes "
                                          "some ten times as long as a run.")});
-        parser.addOption(
+        syntax.addOption(
             {mapsOption,
              QStringLiteral("With --sheet: draws where the sheet moves, DIR/certainty-N.png."),
              QStringLiteral("DIR")});
-        parser.addOption({jsonOption, QStringLiteral("Prints JSON.")});
-        parser.addOption({solverOption,
+        syntax.addOption({jsonOption, QStringLiteral("Prints JSON.")});
+        syntax.addOption({solverOption,
                           QStringLiteral("With --sheet or --physics: the solver to judge."),
                           QStringLiteral("ID")});
-        parser.addOption({cellsOption,
+        syntax.addOption({cellsOption,
                           QStringLiteral("With --physics: the finest resolution, in grid cells in "
                                          "the contact radius (15, 30, 60 or 120; 60)."),
                           QStringLiteral("N")});
-        parser.addOption({plotOption,
+        syntax.addOption({plotOption,
                           QStringLiteral("With --physics: draws simulated against exact film "
                                          "radius into a picture."),
                           QStringLiteral("FILE.png")});

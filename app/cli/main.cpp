@@ -51,12 +51,7 @@ void printVersion(QTextStream& out) {
 void runCommand(const Command& command, const QStringList& arguments, Console& console) {
     QCommandLineParser parser;
     parser.setApplicationDescription(command.summary());
-    parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("This help.")});
-    parser.addOption(
-        {{QStringLiteral("q"), QStringLiteral("quiet")}, QStringLiteral("Shows no progress.")});
-    parser.addOption(
-        {{QStringLiteral("v"), QStringLiteral("version")}, QStringLiteral("The version.")});
-    command.declare(parser);
+    fill(parser, syntaxOf(command));
     const bool understood = parser.parse(arguments);
     if (parser.isSet(QStringLiteral("help"))) {
         console.out() << commandHelp(parser, command.name());
@@ -139,7 +134,19 @@ std::vector<std::unique_ptr<Command>> allCommands() {
     commands.push_back(validateCommand());
     commands.push_back(solversCommand());
     commands.push_back(benchCommand());
+    commands.push_back(manualCommand());
     return commands;
+}
+
+CommandSyntax syntaxOf(const Command& command) {
+    CommandSyntax syntax;
+    syntax.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("This help.")});
+    syntax.addOption(
+        {{QStringLiteral("q"), QStringLiteral("quiet")}, QStringLiteral("Shows no progress.")});
+    syntax.addOption(
+        {{QStringLiteral("v"), QStringLiteral("version")}, QStringLiteral("The version.")});
+    command.declare(syntax);
+    return syntax;
 }
 
 } // namespace dipwright::cli

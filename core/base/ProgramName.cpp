@@ -13,7 +13,11 @@ const QString name = QStringLiteral("dipwright");
 void nameProgram() {
     QCoreApplication::setApplicationName(name);
     QCoreApplication::setOrganizationName(QStringLiteral("Dipwright"));
-    QCoreApplication::setApplicationVersion(QStringLiteral(DIPWRIGHT_VERSION));
+    QCoreApplication::setApplicationVersion(programVersion());
+}
+
+QString programVersion() {
+    return QStringLiteral(DIPWRIGHT_VERSION);
 }
 
 QString earlierDataFolder() {

@@ -11,6 +11,9 @@ namespace dipwright {
 // those folders is asked for.
 void nameProgram();
 
+// "1.0.0": the version in the project's CMakeLists.txt, which all else takes from here.
+QString programVersion();
+
 // The folder for the user's data that the command line had by itself up to version 0.1.
 QString earlierDataFolder();
 

@@ -25,9 +25,10 @@ QStringList shippedPluginFolders() {
 }
 
 QString shippedProgram(const QString& name) {
-    // Beside the programs; those that are only there to build and test lie elsewhere in the build.
+    // In the build beside the programs; those that are only there to build and test lie elsewhere.
     return QStandardPaths::findExecutable(
-        name, fromProgram({QStringLiteral("."), QStringLiteral("../bin")}));
+        name, fromProgram({QStringLiteral("."), QStringLiteral("../bin"),
+                           QStringLiteral(DIPWRIGHT_HELPERS_FROM_PROGRAM)}));
 }
 
 QString readerProgram() {

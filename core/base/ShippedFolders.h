@@ -11,7 +11,7 @@ namespace dipwright {
 // Solver plugins: modules, and the descriptions beside them.
 QStringList shippedPluginFolders();
 
-// A program beside the programs that only they start; empty where there is none.
+// A program that only ours start; empty where there is none.
 QString shippedProgram(const QString& name);
 // That which reads foreign models and pictures.
 QString readerProgram();

@@ -1,6 +1,7 @@
 #include "sheet/PdfDocument.h"
 
 #include "base/Error.h"
+#include "base/ProgramName.h"
 #include "base/Units.h"
 
 #include <QBuffer>
@@ -34,7 +35,7 @@ QByteArray drawnPdf(const std::vector<PdfPage>& pages, const PdfSettings& settin
     QPdfWriter writer(&buffer);
     writer.setResolution(dotsPerInch);
     writer.setTitle(settings.title);
-    writer.setCreator(QStringLiteral("Dipwright " DIPWRIGHT_VERSION));
+    writer.setCreator(QStringLiteral("Dipwright ") + programVersion());
     writer.setPageLayout(roomFor(pages.front().size));
     QPainter painter(&writer);
     for (const PdfPage& page : pages) {

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "base/Png.h"
+#include "base/ProgramName.h"
 #include "sheet/PrinterColour.h"
 #include "sheet/SheetInk.h"
 
@@ -107,7 +108,8 @@ void setTags(TIFF* tiff, QSize size, int channels, Resolution resolution, const 
     TIFFSetField(tiff, TIFFTAG_XRESOLUTION, resolution.x.value());
     TIFFSetField(tiff, TIFFTAG_YRESOLUTION, resolution.y.value());
     TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
-    TIFFSetField(tiff, TIFFTAG_SOFTWARE, "Dipwright " DIPWRIGHT_VERSION);
+    const QByteArray software = "Dipwright " + programVersion().toLatin1();
+    TIFFSetField(tiff, TIFFTAG_SOFTWARE, software.constData());
     TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(icc.size()), icc.constData());
 }
 

@@ -1,5 +1,7 @@
-// An installed tree runs from anywhere, and a solver is built against it by
-// find_package(Dipwright).
+// An installed tree runs from anywhere, prints, tells shells and `man` its commands, and a solver
+// is built against it by find_package(Dipwright).
+#include "PrivateCups.h"
+
 #include <QDirIterator>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -18,6 +20,12 @@ private Q_SLOTS:
     void findsItsProfiles();
     void findsItsSamples();
     void dipsASample();
+    void printsASheet();
+    void needsNoFolderOfTheBuild();
+    void completesInBash_data();
+    void completesInBash();
+    void describesEveryCommand();
+    void isUnderstoodByOtherShells();
 #ifdef DIPWRIGHT_HAS_WORKBENCH
     void startsTheWorkbench();
 #endif
@@ -30,6 +38,8 @@ private:
     }
     QByteArray runInstalled(const QString& program, const QStringList& arguments,
                             const QString& pluginFolder = {}) const;
+    // The programs and modules of the tree.
+    QStringList binaries() const;
     QJsonObject listedSolver(const QString& id, const QString& pluginFolder = {}) const;
 
     QTemporaryDir folder_;
@@ -66,13 +76,16 @@ QByteArray contents(const QString& path) {
 } // namespace
 
 // Without the session's environment: nothing leads the program back to the build. A home of its own
-// keeps the user's plugins and profiles out. What sanitizers are told holds for it, too.
+// keeps the user's plugins and profiles out. What sanitizers are told holds for it, too, and a
+// test's own print system.
 QByteArray InstallTest::runInstalled(const QString& program, const QStringList& arguments,
                                      const QString& pluginFolder) const {
     QProcessEnvironment environment;
     environment.insert(QStringLiteral("HOME"), folder_.filePath("home"));
-    for (const char* options : {"ASAN_OPTIONS", "UBSAN_OPTIONS"}) {
-        environment.insert(QLatin1String(options), qEnvironmentVariable(options));
+    for (const char* passed : {"ASAN_OPTIONS", "UBSAN_OPTIONS", "CUPS_SERVER"}) {
+        if (qEnvironmentVariableIsSet(passed)) {
+            environment.insert(QLatin1String(passed), qEnvironmentVariable(passed));
+        }
     }
     if (!pluginFolder.isEmpty()) {
         environment.insert(QStringLiteral("DIPWRIGHT_PLUGIN_PATH"), pluginFolder);
@@ -115,11 +128,19 @@ void InstallTest::holdsAllItsParts() {
                       INSTALLED_PACKAGE "/DipwrightTargets.cmake",
                       INSTALLED_DOC "/LICENSE",
                       INSTALLED_DOC "/README.md",
+                      INSTALLED_DOC "/CHANGELOG.md",
+                      INSTALLED_DOC "/SECURITY.md",
                       INSTALLED_DOC "/docs/examples/plumb-film/PlumbFilm.cpp"};
+#ifdef Q_OS_UNIX
+    parts += QStringList{INSTALLED_DATA "/man/man1/dipwright-cli.1", INSTALLED_BASH_COMPLETION,
+                         INSTALLED_DATA "/zsh/vendor-completions/_dipwright-cli",
+                         INSTALLED_DATA "/fish/vendor_completions.d/dipwright-cli.fish"};
+#endif
 #if defined DIPWRIGHT_HAS_WORKBENCH && defined Q_OS_LINUX
     parts += QStringList{INSTALLED_DATA "/applications/dipwright.desktop",
                          INSTALLED_DATA "/mime/packages/dipwright.xml",
-                         INSTALLED_DATA "/icons/hicolor/scalable/apps/dipwright.svg"};
+                         INSTALLED_DATA "/icons/hicolor/scalable/apps/dipwright.svg",
+                         INSTALLED_DATA "/man/man1/dipwright.1"};
 #endif
     for (const QString& part : parts) {
         QVERIFY2(QFileInfo(installed(part)).isFile(), qPrintable(part));
@@ -130,7 +151,7 @@ void InstallTest::saysNothingOfWhereItWasBuilt() {
     QDirIterator walk(tree_, QDir::Files, QDirIterator::Subdirectories);
     while (walk.hasNext()) {
         const QString file = walk.next();
-        if (file.contains(QLatin1String(INSTALLED_BIN "/")) || QFileInfo(file).suffix() == "so") {
+        if (binaries().contains(file)) {
             continue; // debuggers want to know where the sources are
         }
         const QByteArray text = contents(file);
@@ -173,6 +194,119 @@ void InstallTest::dipsASample() {
     const QJsonObject report =
         QJsonDocument::fromJson(contents(out + QStringLiteral("/report.json"))).object();
     QVERIFY(report.value("coverage_total").toDouble() > 0.3);
+}
+
+// On a printer of the test's own, as after `print` from a terminal.
+void InstallTest::printsASheet() {
+    dipwright::PrivateCups cups;
+    QVERIFY2(cups.problem().isEmpty(), qPrintable(cups.problem()));
+    QVERIFY(cups.add(dipwright::TestPrinter{"office"}));
+    const QByteArray output = runInstalled(
+        "dipwright-cli", {"print", installed(INSTALLED_SAMPLES "/sphere.dipw"), "--printer",
+                          "office", "--set", "film.points=40x56", "--quiet"});
+    QTRY_VERIFY2_WITH_TIMEOUT(cups.received("office").size() == 1, output.constData(), 60000);
+    QVERIFY(contents(cups.received("office").front()).startsWith("%PDF-"));
+}
+
+QStringList InstallTest::binaries() const {
+    QStringList found;
+    QDirIterator walk(tree_, QDir::Files, QDirIterator::Subdirectories);
+    while (walk.hasNext()) {
+        const QString file = walk.next();
+        QFile opened(file);
+        if (opened.open(QIODevice::ReadOnly) && opened.peek(4) == "\x7f"
+                                                                  "ELF") {
+            found << file;
+        }
+    }
+    return found;
+}
+
+// Libraries are the system's, not some of the build; a module for a GPU asks for no
+// driver, so that it can be listed, and say what it lacks, where there is none.
+void InstallTest::needsNoFolderOfTheBuild() {
+    const QRegularExpression path(QStringLiteral("\\((?:RPATH|RUNPATH)\\).*\\[(.*)\\]"));
+    for (const QString& binary : binaries()) {
+        const QString dynamic =
+            QString::fromUtf8(outputOf(QStringLiteral("readelf"), {"--dynamic", binary},
+                                       QProcessEnvironment::systemEnvironment()));
+        QVERIFY2(dynamic.contains(QLatin1String("NEEDED")), qPrintable(dynamic));
+        QVERIFY2(!dynamic.contains(QLatin1String("libcuda")), qPrintable(binary));
+        QVERIFY2(!path.match(dynamic).captured(1).contains(QLatin1String(DIPWRIGHT_BUILD_FOLDER)),
+                 qPrintable(binary));
+    }
+}
+
+void InstallTest::completesInBash_data() {
+    QTest::addColumn<QStringList>("typed");
+    QTest::addColumn<QStringList>("offered");
+    QTest::newRow("a command") << QStringList{"ru"} << QStringList{"run"};
+    QTest::newRow("an option") << QStringList{"run", "job.dipw", "--ou"} << QStringList{"--out"};
+    QTest::newRow("a project") << QStringList{"info", "jo"} << QStringList{"job.dipw"};
+    QTest::newRow("a folder, not a file")
+        << QStringList{"run", "job.dipw", "--out", "r"} << QStringList{"results"};
+    QTest::newRow("after an equals sign")
+        << QStringList{"run", "job.dipw", "--out", "=", "r"} << QStringList{"results"};
+    QTest::newRow("a word or a file")
+        << QStringList{"run", "--film-image", ""}
+        << QStringList{"chessboard", "job.dipw", "readme.txt", "results"};
+    QTest::newRow("one of two words")
+        << QStringList{"optimize", "--immersions", ""} << QStringList{"1", "2"};
+    QTest::newRow("what a profile can be asked")
+        << QStringList{"profile", "s"} << QStringList{"set", "show"};
+    QTest::newRow("a number") << QStringList{"run", "--threads", ""} << QStringList{};
+}
+
+void InstallTest::completesInBash() {
+    QFETCH(QStringList, typed);
+    QFETCH(QStringList, offered);
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkpath("results"));
+    for (const char* name : {"job.dipw", "readme.txt"}) {
+        QVERIFY(QFile(folder.filePath(name)).open(QIODevice::WriteOnly));
+    }
+    const QString script =
+        QStringLiteral("cd \"$1\"; source \"$2\"; shift 2; COMP_WORDS=(dipwright-cli \"$@\"); "
+                       "COMP_CWORD=$#; _dipwright_cli; printf '%s\\n' \"${COMPREPLY[@]}\"");
+    const QByteArray output =
+        outputOf(QStringLiteral("bash"),
+                 QStringList{"--norc", "-c", script, "bash", folder.path(),
+                             installed(QStringLiteral(INSTALLED_BASH_COMPLETION))} +
+                     typed,
+                 QProcessEnvironment::systemEnvironment());
+    QStringList found = QString::fromUtf8(output).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    found.sort();
+    QCOMPARE(found, offered);
+}
+
+void InstallTest::describesEveryCommand() {
+    const QByteArray page = contents(installed(INSTALLED_DATA "/man/man1/dipwright-cli.1"));
+    const QString help = QString::fromUtf8(runInstalled("dipwright-cli", {"--help"}));
+    const QString list = help.section(QStringLiteral("Commands:\n"), 1).section("\n\n", 0, 0);
+    const QStringList lines = list.split(QLatin1Char('\n'));
+    QVERIFY(lines.size() > 8);
+    for (const QString& line : lines) {
+        const QByteArray name = line.simplified().section(QLatin1Char(' '), 0, 0).toUtf8();
+        QVERIFY2(page.contains("\n.SS " + name + '\n'), name.constData());
+    }
+    QVERIFY(page.contains("\\fB\\-\\-film\\-image\\fR"));
+    QVERIFY(page.contains(
+        "Dipwright " + runInstalled("dipwright-cli", {"--version"}).trimmed().split(' ').last()));
+}
+
+// Where these shells are.
+void InstallTest::isUnderstoodByOtherShells() {
+    for (const auto& [shell, script] :
+         {std::pair{"zsh", "/zsh/vendor-completions/_dipwright-cli"},
+          std::pair{"fish", "/fish/vendor_completions.d/dipwright-cli.fish"}}) {
+        if (!QStandardPaths::findExecutable(QLatin1String(shell)).isEmpty()) {
+            QCOMPARE(
+                outputOf(QLatin1String(shell),
+                         {"-n", installed(QLatin1String(INSTALLED_DATA) + QLatin1String(script))},
+                         QProcessEnvironment::systemEnvironment()),
+                QByteArray());
+        }
+    }
 }
 
 #ifdef DIPWRIGHT_HAS_WORKBENCH

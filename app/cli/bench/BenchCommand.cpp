@@ -108,15 +108,15 @@ public:
                               "if asked, all that a job does.");
     }
 
-    void declare(QCommandLineParser& parser) const override {
-        parser.addOption({jsonOption, QStringLiteral("Prints JSON.")});
-        parser.addOption({solverOption, QStringLiteral("The solver plugin."), QStringLiteral("ID"),
+    void declare(CommandSyntax& syntax) const override {
+        syntax.addOption({jsonOption, QStringLiteral("Prints JSON.")});
+        syntax.addOption({solverOption, QStringLiteral("The solver plugin."), QStringLiteral("ID"),
                           QStringLiteral("auto")});
-        parser.addOption({rowsOption, QStringLiteral("Only the first N rows of Table I, 1 to 8."),
+        syntax.addOption({rowsOption, QStringLiteral("Only the first N rows of Table I, 1 to 8."),
                           QStringLiteral("N"), QString::number(tableOneRows)});
-        parser.addOption({runsOption, QStringLiteral("Runs of each row; the median counts."),
+        syntax.addOption({runsOption, QStringLiteral("Runs of each row; the median counts."),
                           QStringLiteral("N"), QStringLiteral("3")});
-        parser.addOption(
+        syntax.addOption(
             {partsOption,
              QStringLiteral("What to measure, joined by commas: steps (Table I), dips (of 20,400 "
                             "points), large-dips (of 110,880), sweep (Figure 7), field (building "
@@ -124,12 +124,12 @@ public:
                             "the dip), run (the whole job), or all; steps and dips without this "
                             "option."),
              QStringLiteral("LIST")});
-        parser.addOption({quickOption, QStringLiteral("Only the coarsest fields and sheets.")});
-        parser.addOption({plotOption,
+        syntax.addOption({quickOption, QStringLiteral("Only the coarsest fields and sheets.")});
+        syntax.addOption({plotOption,
                           QStringLiteral("Draws the paper's Figures 6 and 7 with the rates of "
                                          "steps and sweep."),
                           QStringLiteral("FILE.png|FILE.svg")});
-        declareThreads(parser);
+        declareThreads(syntax);
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {

@@ -1,5 +1,6 @@
 #include "main/HelpController.h"
 
+#include "base/ProgramName.h"
 #include "dialogs/GuideWindow.h"
 #include "dialogs/Tour.h"
 #include "main/WindowActions.h"
@@ -70,16 +71,16 @@ void HelpController::showGuide() {
 }
 
 void HelpController::showAbout() {
-    QMessageBox::about(
-        &window_, tr("About Dipwright"),
-        QStringLiteral("<h3>Dipwright %1</h3><p>%2</p><p>Qt %3 · %4</p>")
-            .arg(QStringLiteral(DIPWRIGHT_VERSION), tr("Computational hydrographic printing."),
-                 QLatin1String(qVersion()), parts_.view->graphicsDevice().toHtmlEscaped()));
+    QMessageBox::about(&window_, tr("About Dipwright"),
+                       QStringLiteral("<h3>Dipwright %1</h3><p>%2</p><p>Qt %3 · %4</p>")
+                           .arg(programVersion(), tr("Computational hydrographic printing."),
+                                QLatin1String(qVersion()),
+                                parts_.view->graphicsDevice().toHtmlEscaped()));
 }
 
 void HelpController::copyReport() {
     QStringList lines{
-        QStringLiteral("Dipwright %1").arg(QStringLiteral(DIPWRIGHT_VERSION)),
+        QStringLiteral("Dipwright %1").arg(programVersion()),
         QStringLiteral("Qt %1").arg(QLatin1String(qVersion())),
         QStringLiteral("%1, %2").arg(QSysInfo::prettyProductName(),
                                      QSysInfo::currentCpuArchitecture()),

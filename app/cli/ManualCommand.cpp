@@ -1,0 +1,48 @@
+#include "cli/Arguments.h"
+#include "cli/manual/Completions.h"
+#include "cli/manual/ManualPage.h"
+
+#include <QCoreApplication>
+
+namespace dipwright::cli {
+namespace {
+
+const QString formArgument = QStringLiteral("man|bash|zsh|fish");
+
+class ManualCommand : public Command {
+public:
+    QString name() const override { return QStringLiteral("manual"); }
+    QString summary() const override {
+        return QStringLiteral(
+            "Prints the manual page, or what a shell needs to complete commands.");
+    }
+    void declare(CommandSyntax& syntax) const override {
+        syntax.addPositionalArgument(
+            formArgument, QStringLiteral("The page for man, or the script for a shell, such as "
+                                         "source <(dipwright-cli manual bash)."));
+    }
+    void run(const QCommandLineParser& parser, Console& console) const override {
+        const QString form = positionalArgument(parser, formArgument);
+        const auto commands = allCommands();
+        if (form == QLatin1String("man")) {
+            console.out() << manualPage(commands, QCoreApplication::applicationVersion());
+        } else if (form == QLatin1String("bash")) {
+            console.out() << bashCompletion(commands);
+        } else if (form == QLatin1String("zsh")) {
+            console.out() << zshCompletion(commands);
+        } else if (form == QLatin1String("fish")) {
+            console.out() << fishCompletion(commands);
+        } else {
+            throw UsageError(QStringLiteral("There is no such form, choose man, bash, zsh or fish"),
+                             form);
+        }
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Command> manualCommand() {
+    return std::make_unique<ManualCommand>();
+}
+
+} // namespace dipwright::cli

@@ -1,0 +1,35 @@
+# Packages of the installed tree, by `cpack` in the build's folder (scripts/package): on Linux a tarball
+# that can be unpacked anywhere and a package for Debian, elsewhere an archive.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # packs what is built, and builds no tests for it
+set(CPACK_PACKAGE_NAME dipwright)
+set(CPACK_PACKAGE_VENDOR Dipwright)
+set(CPACK_PACKAGE_CONTACT "The Dipwright maintainers")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "computational hydrographic printing")
+set(CPACK_PACKAGE_DESCRIPTION "Computes from a textured model the sheet that has to be printed on a film, so
+that the film, laid on water and dipped through, puts the texture where it
+belongs. With a window, and a command line that needs none.")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGE_CHECKSUM SHA256)
+string(TOLOWER ${CMAKE_SYSTEM_NAME} system)
+set(CPACK_PACKAGE_FILE_NAME dipwright-${PROJECT_VERSION}-${system}-${CMAKE_SYSTEM_PROCESSOR})
+if(WIN32)
+    set(CPACK_GENERATOR ZIP)
+else()
+    set(CPACK_GENERATOR TGZ)
+endif()
+
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    list(APPEND CPACK_GENERATOR DEB)
+    set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+    set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+    # The libraries that programs and plugins are linked to are found by dpkg-shlibdeps. Qt loads the
+    # readers of TIFF and WebP itself, and draws type with whatever fonts there are.
+    set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+    set(CPACK_DEBIAN_PACKAGE_DEPENDS "qt6-image-formats-plugins, fonts-dejavu-core")
+    set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
+        "shared-mime-info, desktop-file-utils, qt6-translations-l10n, cups, libgl1-mesa-dri")
+    install(FILES ${PROJECT_SOURCE_DIR}/resources/desktop/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endif()
+include(CPack)
