@@ -39,6 +39,7 @@ if(DIPWRIGHT_SANITIZE)
         -fsanitize=${DIPWRIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(dipwright_options INTERFACE -fsanitize=${DIPWRIGHT_SANITIZE})
+    target_compile_definitions(dipwright_options INTERFACE DIPWRIGHT_SANITIZED)
 endif()
 target_compile_definitions(dipwright_options INTERFACE
     $<$<CXX_COMPILER_ID:MSVC>:_USE_MATH_DEFINES>)

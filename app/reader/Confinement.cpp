@@ -25,24 +25,9 @@
 #include <windows.h>
 #endif
 
-// A sanitizer reserves terabytes for itself.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define DIPWRIGHT_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define DIPWRIGHT_SANITIZED 1
-#endif
-#endif
-
 namespace dipwright {
 
 namespace {
-
-#if defined(DIPWRIGHT_SANITIZED)
-constexpr bool isSanitized = true;
-#else
-constexpr bool isSanitized = false;
-#endif
 
 #if defined(Q_OS_UNIX)
 void limit(int resource, rlim_t most) {
@@ -201,16 +186,16 @@ void confine() {
 
 void allowFor(qint64 fileBytes) {
     constexpr qint64 second = 1000;
-    const qint64 time = mostOf(Budget::Milliseconds, fileBytes) * (isSanitized ? 20 : 1);
+    const qint64 time = mostOf(Budget::Milliseconds, fileBytes);
     limit(RLIMIT_CPU, rlim_t((time + second - 1) / second));
-    if (!isSanitized) {
+#if !defined(DIPWRIGHT_SANITIZED) // a sanitizer reserves terabytes for itself
 #if defined(Q_OS_LINUX)
-        const int memory = RLIMIT_DATA; // what is written to; reserved is more
+    const int memory = RLIMIT_DATA; // what is written to; reserved is more
 #else
-        const int memory = RLIMIT_AS;
+    const int memory = RLIMIT_AS;
 #endif
-        limit(memory, rlim_t(mostOf(Budget::Memory, fileBytes)));
-    }
+    limit(memory, rlim_t(mostOf(Budget::Memory, fileBytes)));
+#endif
 }
 
 #elif defined(Q_OS_WIN)

@@ -13,6 +13,11 @@ namespace {
 constexpr char context[] = "dipwright::Budgets";
 constexpr double mebi = 1 << 20, gibi = 1 << 30;
 constexpr double notFromTheFile = 0;
+#if defined(DIPWRIGHT_SANITIZED)
+constexpr double slowDown = 3; // by a sanitizer, of reading: libraries are not compiled with it
+#else
+constexpr double slowDown = 1;
+#endif
 
 // At most `always` and `perByte` for each byte of the file, and never more than `ever`.
 struct Row {
@@ -76,7 +81,7 @@ constexpr Row table[] = {
          "dipwright::Budgets",
          "Reading the file takes more than %1 MB of memory, more than any of its size "
          "needs; reduce it or save it anew")},
-    {Budget::Milliseconds, 2e3, 5e-4, 1e6, 1e3,
+    {Budget::Milliseconds, 2e3 * slowDown, 5e-4 * slowDown, 1e6 * slowDown, 1e3,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "Reading the file takes more than %1 seconds, more than any of its size "
                        "needs; reduce it or save it anew")},

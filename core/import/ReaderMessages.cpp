@@ -54,16 +54,17 @@ QByteArray pictureHeaderBytes(const QImage& picture) {
 }
 
 QImage emptyPicture(const QByteArray& header) {
-    const auto number = [&](int place) {
-        return qFromLittleEndian<qint32>(header.constData() + 4 * place);
-    };
-    if (number(0) <= 0 || number(1) <= 0) {
+    QDataStream stream(header);
+    stream.setByteOrder(QDataStream::LittleEndian);
+    qint32 width = 0, height = 0, dotsPerMeterX = 0, dotsPerMeterY = 0;
+    stream >> width >> height >> dotsPerMeterX >> dotsPerMeterY;
+    if (width <= 0 || height <= 0) {
         return QImage();
     }
-    QImage picture(number(0), number(1), QImage::Format_RGBA8888);
-    if (!picture.isNull() && number(2) > 0 && number(3) > 0) {
-        picture.setDotsPerMeterX(number(2));
-        picture.setDotsPerMeterY(number(3));
+    QImage picture(width, height, QImage::Format_RGBA8888);
+    if (!picture.isNull() && dotsPerMeterX > 0 && dotsPerMeterY > 0) {
+        picture.setDotsPerMeterX(dotsPerMeterX);
+        picture.setDotsPerMeterY(dotsPerMeterY);
     }
     return picture;
 }

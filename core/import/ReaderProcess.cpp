@@ -2,6 +2,7 @@
 
 #include "base/Budgets.h"
 #include "base/Error.h"
+#include "base/SanitizerFindings.h"
 #include "base/ShippedFolders.h"
 #include "model/ModelFormats.h"
 #include "model/StoredModel.h"
@@ -55,6 +56,7 @@ public:
     ~ReaderProcess() {
         process_.kill();
         process_.waitForFinished();
+        endOnFinding(process_);
     }
 
     void start(const ReaderJob& job) {
@@ -65,7 +67,7 @@ public:
                         QStringLiteral("dipwright-reader"));
         }
         process_.setProcessEnvironment(bareEnvironment());
-        process_.setStandardErrorFile(QProcess::nullDevice()); // libraries' words are no one's
+        silence(process_);
         process_.start(program, {}, QIODevice::ReadWrite);
         if (!process_.waitForStarted()) {
             throw Error(Text::tr("The program that reads models and pictures cannot be started: %1")

@@ -1,6 +1,7 @@
 #include "solver/ContainedSolver.h"
 
 #include "base/Progress.h"
+#include "base/SanitizerFindings.h"
 #include "base/ShippedFolders.h"
 #include "solver/CheckedSolver.h"
 #include "solver/CrashSignals.h"
@@ -36,14 +37,17 @@ int secondsOfACall() {
 class SolverProcess {
 public:
     explicit SolverProcess(const QString& modulePath) : modulePath_(modulePath) {
-        process_.setStandardErrorFile(QProcess::nullDevice());
+        silence(process_);
         process_.start(shippedProgram(QStringLiteral("dipwright-solver")), {modulePath});
         if (!process_.waitForStarted()) {
             fail(Text::tr("it cannot be given a process of its own: %1")
                      .arg(process_.errorString()));
         }
     }
-    ~SolverProcess() { end(); }
+    ~SolverProcess() {
+        end();
+        endOnFinding(process_);
+    }
     SolverProcess(const SolverProcess&) = delete;
     SolverProcess& operator=(const SolverProcess&) = delete;
 
