@@ -132,7 +132,7 @@ std::vector<PropertySection> filmSections() {
          .help = Text::tr("How much the wetted film has grown over the printed one, across and "
                           "down."),
          .unit = Unit::Ratio,
-         .parts = {Text::tr("X"), Text::tr("Y")}},
+         .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
         {.path = QStringLiteral("relaxation_time_s"),
          .label = Text::tr("Relaxation"),
          .help = Text::tr("How fast the film forgets its stretch while it floats."),

@@ -20,6 +20,8 @@
 #include <QDir>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTimer>
 
@@ -167,6 +169,11 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
     for (const ProfileKind kind : {ProfileKind::Printer, ProfileKind::Film, ProfileKind::Tank}) {
         profiles.choose(kind, ProfileLibrary().profiles(kind).front().name);
         camera.take(profiles, QStringLiteral("profile-") + profileKindName(kind));
+        QScrollBar* rest = profiles.findChild<QScrollArea*>()->verticalScrollBar();
+        if (rest->maximum() > 0) {
+            rest->setValue(rest->maximum());
+            camera.take(profiles, QStringLiteral("profile-%1-rest").arg(profileKindName(kind)));
+        }
     }
     GuideWindow guide;
     guide.show();
