@@ -281,6 +281,8 @@ public:
     }
 
 private:
+    static constexpr double rightMargin = 1;
+
     void letter(QPainter& painter, const QRectF& box, int flags, const QString& text, double size,
                 const QColor& colour, bool bold = false) const {
         painter.save();
@@ -289,6 +291,12 @@ private:
         font.setStyleHint(QFont::SansSerif);
         font.setPixelSize(std::max(1, int(std::lround(size * unit_))));
         font.setBold(bold);
+        // Longer in other languages, and yet on the picture.
+        const double room = picture_.width() - (box.left() + rightMargin) * unit_;
+        const double width = QFontMetricsF(font).horizontalAdvance(text);
+        if (width > room) {
+            font.setPixelSize(std::max(1, int(font.pixelSize() * room / width)));
+        }
         painter.setFont(font);
         painter.setPen(colour);
         painter.drawText(QRectF(box.topLeft() * unit_, box.size() * unit_),

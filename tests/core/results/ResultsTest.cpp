@@ -152,6 +152,7 @@ private slots:
     void unknownColourMapIsRefused();
     void stretchMapShowsWhereFilmStretched();
     void stretchMapFitsWideFilm();
+    void wordsOfOtherLanguagesStayOnTheMap();
     void wrinklingIsToldFromThinning();
     void farPlacesDoNotTakeTheColoursFromTheOthers();
     void markedFilmIsHatchedOnTheMap();
@@ -286,6 +287,31 @@ void ResultsTest::stretchMapShowsWhereFilmStretched() {
         flat.positions[i] = {rest.x(), 0, rest.y()};
     }
     QVERIFY(countColours(stretchMap(dip_.withFilm(flat), 1000)) < countColours(map));
+}
+
+namespace {
+// Says everything twice.
+class LongWords : public QTranslator {
+public:
+    LongWords() { QCoreApplication::installTranslator(this); }
+    bool isEmpty() const override { return false; }
+    QString translate(const char*, const char* text, const char*, int) const override {
+        return QString::fromUtf8(text).contains(QLatin1String("certain place"))
+                   ? QString::fromUtf8(text) + QLatin1Char(' ') + QString::fromUtf8(text)
+                   : QString();
+    }
+};
+} // namespace
+
+void ResultsTest::wordsOfOtherLanguagesStayOnTheMap() {
+    const std::vector<float> changes(dip_.film.positions.size(), 0.1f);
+    const QImage known = certaintyMap(*dip_.laid, changes, 0.3, 1000);
+    const LongWords german;
+    const QImage map = certaintyMap(*dip_.laid, changes, 0.3, 1000);
+    QVERIFY(map != known);
+    for (int y = 0; y < map.height(); ++y) {
+        QCOMPARE(map.pixel(map.width() - 1, y), map.pixel(0, 0));
+    }
 }
 
 void ResultsTest::stretchMapFitsWideFilm() {
