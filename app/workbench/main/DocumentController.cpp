@@ -65,6 +65,7 @@ bool DocumentController::askToOpenLocked(const Document& document, const LockSta
         tr("If both of you save, the second is asked whose work is to stay."));
     question.setObjectName(QStringLiteral("lockQuestion"));
     QPushButton* anyway = question.addButton(tr("Open Anyway"), QMessageBox::AcceptRole);
+    question.setDefaultButton(QMessageBox::Cancel);
     question.exec();
     return question.clickedButton() == anyway;
 }

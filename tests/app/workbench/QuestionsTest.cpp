@@ -1,0 +1,236 @@
+// What the window asks before it loses somebody's work or reads what a stranger's model names,
+// answered by clicks. DIPWRIGHT_PICTURES=FOLDER keeps the screen at each question.
+#include "Patience.h"
+#include "WindowDriver.h"
+#include "disk/FileLock.h"
+#include "project/ProjectStore.h"
+
+#include <QAbstractButton>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QScreen>
+#include <QTimer>
+
+using namespace dipwright;
+
+namespace {
+
+const QString sample = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/tetrahedron.dipw");
+
+void keepScreen(const QString& name) {
+    const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES");
+    if (!folder.isEmpty()) {
+        QTest::qWait(500); // until it is drawn
+        QDir().mkpath(folder);
+        QGuiApplication::primaryScreen()->grabWindow(0).save(folder + QLatin1Char('/') + name +
+                                                             QStringLiteral(".png"));
+    }
+}
+
+// Without the mark of the key that presses it.
+QString shownText(const QAbstractButton& button) {
+    return button.text().remove(QLatin1Char('&'));
+}
+
+bool write(const QString& path, const QByteArray& text) {
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+}
+
+double swellOf(const QString& project) {
+    return loadProject(project).film.swellX;
+}
+
+} // namespace
+
+class QuestionsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void cleanup();
+    void aProjectThatIsOpenElsewhereIsOpenedOnlyWhenAsked();
+    void whatAnotherHasWrittenIsNotOverwrittenUnasked();
+    void bothAreKeptUnderAnotherName();
+    void whatAModelNamesElsewhereIsReadOnlyWhenAsked();
+
+private:
+    QString path(const QString& name) const { return folder_->filePath(name); }
+    // Clicks on a button of the question of that name as soon as it is shown. What it said is kept.
+    void answer(const QString& name, const QString& button);
+    void clickOn(const QMessageBox& question, const QString& button);
+    bool isAnswered() const {
+        return QTest::qWaitFor([&] { return !asking_; }, patience());
+    }
+    // Opens the project, changes it, and has another program change and write it.
+    bool meetAnotherWriter();
+    // A model with a picture beside its folder.
+    QString modelThatReachesOut() const;
+
+    std::unique_ptr<QTemporaryDir> folder_;
+    std::unique_ptr<Workbench> workbench_;
+    std::unique_ptr<MainWindow> window_;
+    QString job_;
+    bool asking_ = false;
+    QString said_;
+};
+
+void QuestionsTest::init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    job_ = path(QStringLiteral("job.dipw"));
+    QVERIFY(QFile::copy(sample, job_));
+    QVERIFY(QFile::setPermissions(job_, QFile::ReadOwner | QFile::WriteOwner));
+    workbench_ = std::make_unique<Workbench>(path(QStringLiteral("recovery")));
+    window_ = std::make_unique<MainWindow>(*workbench_);
+    window_->resize(1280, 800);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void QuestionsTest::cleanup() {
+    window_.reset();
+    workbench_.reset();
+}
+
+void QuestionsTest::answer(const QString& name, const QString& button) {
+    asking_ = true;
+    said_.clear();
+    auto* watch = new QTimer(this);
+    connect(watch, &QTimer::timeout, this, [=, this] {
+        const auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (question && question->objectName() == name) {
+            watch->stop();
+            clickOn(*question, button);
+            asking_ = false;
+            watch->deleteLater();
+        }
+    });
+    watch->start(20);
+}
+
+void QuestionsTest::clickOn(const QMessageBox& question, const QString& button) {
+    said_ = question.text() + QLatin1Char('\n') + question.informativeText();
+    keepScreen(question.objectName());
+    for (QAbstractButton* offered : question.buttons()) {
+        if (shownText(*offered) == button) {
+            QTest::mouseClick(offered, Qt::LeftButton);
+            return;
+        }
+    }
+    QFAIL(qPrintable(button));
+}
+
+void QuestionsTest::aProjectThatIsOpenElsewhereIsOpenedOnlyWhenAsked() {
+    FileLock other;
+    QVERIFY(other.acquire(job_).acquired);
+    answer(QStringLiteral("lockQuestion"), QStringLiteral("Cancel"));
+    window_->documents().openProject(job_);
+    QVERIFY(isAnswered());
+    QVERIFY2(said_.contains(QString::number(QCoreApplication::applicationPid())),
+             qPrintable(said_));
+    QVERIFY(!window_->document() || window_->document()->path().isEmpty());
+
+    answer(QStringLiteral("lockQuestion"), QStringLiteral("Open Anyway"));
+    QVERIFY(WindowDriver(*window_).open(job_));
+    QVERIFY(!asking_);
+    QCOMPARE(window_->document()->path(), job_);
+}
+
+bool QuestionsTest::meetAnotherWriter() {
+    if (!WindowDriver(*window_).open(job_)) {
+        return false;
+    }
+    window_->document()->edit({}, {}, [](Project& project) { project.film.swellX = 1.11; });
+    Project theirs = loadProject(job_);
+    theirs.film.swellX = 1.22;
+    saveProject(theirs, job_);
+    return window_->document()->isModified();
+}
+
+void QuestionsTest::whatAnotherHasWrittenIsNotOverwrittenUnasked() {
+    QVERIFY(meetAnotherWriter());
+    const WindowDriver driver(*window_);
+    answer(QStringLiteral("changedQuestion"), QStringLiteral("Cancel"));
+    driver.trigger("save");
+    QVERIFY(isAnswered());
+    QVERIFY2(said_.contains(QStringLiteral("job")), qPrintable(said_));
+    QCOMPARE(swellOf(job_), 1.22);
+    QVERIFY(window_->document()->isModified());
+
+    answer(QStringLiteral("changedQuestion"), QStringLiteral("Overwrite"));
+    driver.trigger("save");
+    QVERIFY(isAnswered());
+    QCOMPARE(swellOf(job_), 1.11);
+    QVERIFY(!window_->document()->isModified());
+}
+
+void QuestionsTest::bothAreKeptUnderAnotherName() {
+    QVERIFY(meetAnotherWriter());
+    const QString mine = path(QStringLiteral("mine.dipw"));
+    QTimer choosing;
+    connect(&choosing, &QTimer::timeout, this, [&] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        auto* name =
+            dialog ? dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit")) : nullptr;
+        if (name && name->text() != mine) {
+            name->selectAll();
+            QTest::keyClicks(name, mine); // which undoes what is selected in the list
+        } else if (name) { // until it has looked at the folder
+            dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->click();
+        }
+    });
+    choosing.start(20);
+    answer(QStringLiteral("changedQuestion"), QStringLiteral("Save As…"));
+    WindowDriver(*window_).trigger("save");
+    QVERIFY(isAnswered());
+    QCOMPARE(swellOf(job_), 1.22);
+    QCOMPARE(swellOf(mine), 1.11);
+    QCOMPARE(window_->document()->path(), mine);
+}
+
+QString QuestionsTest::modelThatReachesOut() const {
+    const QString model = path(QStringLiteral("model/plate.obj"));
+    QImage picture(8, 8, QImage::Format_RGB32);
+    picture.fill(Qt::red);
+    const bool made =
+        QDir(folder_->path()).mkpath(QStringLiteral("model")) &&
+        picture.save(path(QStringLiteral("private.png"))) &&
+        write(path(QStringLiteral("model/plate.mtl")), "newmtl skin\nmap_Kd ../private.png\n") &&
+        write(model, "mtllib plate.mtl\nusemtl skin\nv 0 0 0\nv 9 0 0\nv 0 0 9\nv 0 9 0\n"
+                     "vt 0 0\nvt 1 0\nvt 0 1\n"
+                     "f 1/1 2/2 3/3\nf 1/1 4/2 2/3\nf 2/1 4/2 3/3\nf 3/1 4/2 1/3\n");
+    return made ? model : QString();
+}
+
+void QuestionsTest::whatAModelNamesElsewhereIsReadOnlyWhenAsked() {
+    const QString model = modelThatReachesOut();
+    QVERIFY(!model.isEmpty());
+    answer(QStringLiteral("outsideQuestion"), QStringLiteral("Cancel"));
+    window_->documents().importModel(model, {}, {});
+    QVERIFY(isAnswered());
+    QVERIFY2(said_.contains(QStringLiteral("private.png")), qPrintable(said_));
+    QTest::qWait(200);
+    QVERIFY(!window_->document() || !window_->document()->project().model);
+
+    answer(QStringLiteral("outsideQuestion"), QStringLiteral("Read Them"));
+    window_->documents().importModel(model, {}, {});
+    QVERIFY(isAnswered());
+    const auto hasPicture = [&] {
+        const auto* document = window_->document();
+        return document && document->project().model &&
+               !document->project().model->textures.empty();
+    };
+    QVERIFY(QTest::qWaitFor(hasPicture, patience()));
+    QCOMPARE(window_->document()->project().model->textures.at(0).size(), QSize(8, 8));
+}
+
+int main(int argc, char* argv[]) {
+    const WindowApplication application(argc, argv);
+    QuestionsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "QuestionsTest.moc"
