@@ -5073,12 +5073,9 @@ mm</translation>
 </context>
 <context>
     <name>dipwright::WindowMessages</name>
-    <message numerus="yes">
-        <source>The model names %n file(s) outside its own folder:</source>
-        <translation>
-            <numerusform>Das Modell nennt eine Datei außerhalb seines Ordners:</numerusform>
-            <numerusform>Das Modell nennt %n Dateien außerhalb seines Ordners:</numerusform>
-        </translation>
+    <message>
+        <source>The model names files outside its own folder:</source>
+        <translation>Das Modell nennt Dateien außerhalb seines Ordners:</translation>
     </message>
     <message>
         <source>Read them only if they belong to the model. A model from a stranger may name private files, so that they travel on inside the project.</source>

@@ -5073,12 +5073,9 @@ mm</translation>
 </context>
 <context>
     <name>dipwright::WindowMessages</name>
-    <message numerus="yes">
-        <source>The model names %n file(s) outside its own folder:</source>
-        <translation>
-            <numerusform>O modelo cita um arquivo fora da sua pasta:</numerusform>
-            <numerusform>O modelo cita %n arquivos fora da sua pasta:</numerusform>
-        </translation>
+    <message>
+        <source>The model names files outside its own folder:</source>
+        <translation>O modelo cita arquivos fora da sua pasta:</translation>
     </message>
     <message>
         <source>Read them only if they belong to the model. A model from a stranger may name private files, so that they travel on inside the project.</source>

@@ -40,11 +40,10 @@ void WindowMessages::askToRead(const QString& title, const QStringList& files,
     if (files.size() > mostShown) {
         shown << QStringLiteral("…");
     }
-    auto* box = new QMessageBox(
-        QMessageBox::Warning, title,
-        tr("The model names %n file(s) outside its own folder:", nullptr, int(files.size())) +
-            QStringLiteral("\n\n") + shown.join(u'\n'),
-        QMessageBox::Cancel, &window_);
+    auto* box = new QMessageBox(QMessageBox::Warning, title,
+                                tr("The model names files outside its own folder:") +
+                                    QStringLiteral("\n\n") + shown.join(u'\n'),
+                                QMessageBox::Cancel, &window_);
     box->setTextFormat(Qt::PlainText); // names of files are not ours
     box->setInformativeText(
         tr("Read them only if they belong to the model. A model from a stranger may name "

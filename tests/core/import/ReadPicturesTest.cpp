@@ -1,0 +1,112 @@
+// Pictures of every format, through the process that may do nothing but compute.
+#include "import/ReadPictures.h"
+#include "base/Error.h"
+
+#include <QImageWriter>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+// Soft, so that little is lost by formats that lose something; no two corners alike.
+QImage slope() {
+    QImage picture(48, 40, QImage::Format_RGBA8888);
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            picture.setPixelColor(x, y, QColor(40 + 4 * x, 30 + 5 * y, 90));
+        }
+    }
+    return picture;
+}
+
+// The largest difference of any channel, 0 … 255.
+int difference(const QImage& a, const QImage& b) {
+    int largest = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int i = 0; i < 4 * a.width(); ++i) {
+            largest = std::max(largest, std::abs(a.constScanLine(y)[i] - b.constScanLine(y)[i]));
+        }
+    }
+    return largest;
+}
+
+QByteArray contents(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class ReadPicturesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void readsWhatWasWritten_data() { formats(); }
+    void readsWhatWasWritten();
+    void refusesWhatIsCutOff_data() { formats(); }
+    void refusesWhatIsCutOff();
+
+private:
+    static void formats();
+    QString written(const QString& format) const;
+
+    QTemporaryDir folder_;
+};
+
+void ReadPicturesTest::formats() {
+    QTest::addColumn<QString>("format");
+    QTest::addColumn<int>("loss");
+    QTest::newRow("PNG") << "png" << 0;
+    QTest::newRow("BMP") << "bmp" << 0;
+    QTest::newRow("TIFF") << "tiff" << 0;
+    QTest::newRow("JPEG") << "jpg" << 4;
+    QTest::newRow("WebP") << "webp" << 8;
+}
+
+QString ReadPicturesTest::written(const QString& format) const {
+    QString path = folder_.filePath(QStringLiteral("slope.") + format);
+    QImageWriter writer(path);
+    writer.setQuality(100);
+    return writer.write(slope().convertToFormat(QImage::Format_RGB32)) ? path : QString();
+}
+
+void ReadPicturesTest::readsWhatWasWritten() {
+    QFETCH(QString, format);
+    QFETCH(int, loss);
+    const QString path = written(format);
+    QVERIFY(!path.isEmpty());
+    const QImage read = readPictureFile(path);
+    QCOMPARE(read.format(), QImage::Format_RGBA8888);
+    QCOMPARE(read.size(), slope().size());
+    const int differs = difference(read, slope());
+    QVERIFY2(differs <= loss, qPrintable(QString::number(differs)));
+}
+
+// Half a file is an error that names it, or what of the picture was there; never the end of us.
+void ReadPicturesTest::refusesWhatIsCutOff() {
+    QFETCH(QString, format);
+    const QByteArray whole = contents(written(format));
+    QVERIFY(!whole.isEmpty());
+    const QString path = folder_.filePath(QStringLiteral("cut.") + format);
+    int refused = 0;
+    for (const qsizetype length : {qsizetype(0), qsizetype(1), qsizetype(20), whole.size() / 4,
+                                   whole.size() / 2, whole.size() - 1}) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(whole.first(length));
+        file.close();
+        try {
+            QCOMPARE(readPictureFile(path).size(), slope().size());
+        } catch (const Error& error) {
+            QVERIFY2(error.sentence().contains(QStringLiteral("cut.") + format),
+                     qPrintable(error.sentence()));
+            ++refused;
+        }
+    }
+    QVERIFY(refused >= 3);
+}
+
+QTEST_GUILESS_MAIN(ReadPicturesTest)
+#include "ReadPicturesTest.moc"
