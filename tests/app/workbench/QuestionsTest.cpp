@@ -179,7 +179,7 @@ void QuestionsTest::bothAreKeptUnderAnotherName() {
         if (name && name->text() != mine) {
             name->selectAll();
             QTest::keyClicks(name, mine); // which undoes what is selected in the list
-        } else if (name) { // until it has looked at the folder
+        } else if (name) {                // until it has looked at the folder
             dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->click();
         }
     });
