@@ -51,11 +51,7 @@ bool isStillAt(const QByteArray& path, int handle) {
 
 bool isPlainFile(int handle) {
     struct stat opened {};
-    const bool plain = fstat(handle, &opened) == 0 && S_ISREG(opened.st_mode);
-    if (!plain) {
-        errno = EEXIST;
-    }
-    return plain;
+    return fstat(handle, &opened) == 0 && S_ISREG(opened.st_mode);
 }
 
 Handle lockedHandle(const QString& path) {

@@ -118,9 +118,7 @@ private:
 
     float measure(int i, int j, int k, double within) const {
         const Eigen::Vector3d place = field_.origin + field_.spacing * Eigen::Vector3d(i, j, k);
-        const Eigen::Vector3f position = place.cast<float>();
-        const ClosestPoint nearby = query_.closest(position, float(within));
-        return nearby.point.isValid() ? nearby.distance : query_.closest(position).distance;
+        return query_.closestNear(place.cast<float>(), float(within)).distance;
     }
 
     float& at(int i, int j, int k) { return field_.distance[sampleIndex(field_, i, j, k)]; }

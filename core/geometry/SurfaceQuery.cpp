@@ -220,6 +220,11 @@ ClosestPoint SurfaceQuery::closest(const Eigen::Vector3f& position, float within
     return result;
 }
 
+ClosestPoint SurfaceQuery::closestNear(const Eigen::Vector3f& position, float likely) const {
+    const ClosestPoint nearby = closest(position, likely);
+    return nearby.point.isValid() ? nearby : closest(position);
+}
+
 RayHit SurfaceQuery::hit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                          float reach) const {
     FirstHit first;

@@ -30,6 +30,9 @@ public:
     // The surface point nearest to `position`, no farther than `within` mm.
     ClosestPoint closest(const Eigen::Vector3f& position,
                          float within = std::numeric_limits<float>::infinity()) const;
+    // The nearest surface point at any distance, looked for first within `likely` mm, which is
+    // faster where that was a good guess.
+    ClosestPoint closestNear(const Eigen::Vector3f& position, float likely) const;
     // The first hit of the ray from `origin` along `direction`, up to `reach` times its length.
     RayHit hit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                float reach = std::numeric_limits<float>::infinity()) const;

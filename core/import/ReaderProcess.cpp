@@ -52,7 +52,7 @@ class ReaderProcess {
 public:
     ReaderProcess(const QString& where, ForeignFiles& files, const Progress& progress)
         : where_(where), files_(files), progress_(progress) {}
-    // Whether it has handed everything back or nothing is wanted any more.
+    // It has handed everything back, or nothing is wanted any more.
     ~ReaderProcess() {
         process_.kill();
         process_.waitForFinished();

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace dipwright {
@@ -69,11 +70,10 @@ ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
                              const Progress& progress) {
     const auto body = std::make_shared<const PosedBody>(posedBody(*project.model, immersion));
     const std::vector<SurfacePoint> places = comparedPlaces(body->model.mesh);
-    const auto compare = [&](const LaidFilm& own, const LaidFilm& finer, SheetChange& all,
-                             SheetChange& unmarked) {
-        std::vector<float> moves = sheetMoves(own, finer, places);
-        all = sheetChange(moves);
-        unmarked = sheetChange(unmarkedMoves(std::move(moves), own, places));
+    // Of all places, and of the unmarked ones.
+    const auto changes = [&](const LaidFilm& own, const LaidFilm& finer) {
+        const std::vector<float> moves = sheetMoves(own, finer, places);
+        return std::pair(sheetChange(moves), sheetChange(unmarkedMoves(moves, own, places)));
     };
     const auto laid = [&](const Project& job, const Progress& part) {
         DippedFilm film = simulateDip(*body, field, immersion, job.film, job.process, module,
@@ -84,10 +84,10 @@ ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
     const auto own = laid(project, progress.part(0, ownDone));
     ImmersionCertainty result;
     result.immersion = immersion;
-    compare(*own, *laid(withHalfStep(project), progress.part(ownDone, halfStepDone)),
-            result.halfStep, result.unmarkedHalfStep);
+    std::tie(result.halfStep, result.unmarkedHalfStep) =
+        changes(*own, *laid(withHalfStep(project), progress.part(ownDone, halfStepDone)));
     const auto finer = laid(withHalfSpacing(project), progress.part(halfStepDone, 1));
-    compare(*own, *finer, result.halfSpacing, result.unmarkedHalfSpacing);
+    std::tie(result.halfSpacing, result.unmarkedHalfSpacing) = changes(*own, *finer);
     result.map = map(*own, *finer);
     return result;
 }

@@ -115,11 +115,8 @@ SurfacePoint ReverseMap::surface(const FilmWeights& place) const {
     const Eigen::Vector3f& c = contact_.places[corners[2]];
     const Eigen::Vector3f flat = place.weights[0] * a + place.weights[1] * b + place.weights[2] * c;
     const float reach = (b - a).norm() + (c - a).norm(); // the corners are on the body
-    ClosestPoint closest = query_.closest(flat, reach);
-    if (!closest.point
-             .isValid()) { // film pressed to a point, which lies beside the body by rounding
-        closest = query_.closest(flat);
-    }
+    // Of film that is pressed to a point `reach` is nothing, and rounding keeps it beside the body.
+    const ClosestPoint closest = query_.closestNear(flat, reach);
     // Where the body is thin, its far side may be nearer; the film lies on the side that it faces.
     const Eigen::Vector3f intoBody = (b - a).cross(c - a);
     if (triangleNormal(model_.mesh, closest.point.triangle).dot(intoBody) < 0) {

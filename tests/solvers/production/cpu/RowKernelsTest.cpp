@@ -2,36 +2,22 @@
 // other: bit for bit, for rows of every length.
 
 #include "production/cpu/RowKernels.h"
+#include "RandomRows.h"
 
 #include "production/formulas/EdgeStiffness.h"
 
 #include <QTest>
 #include <algorithm>
-#include <bit>
-#include <random>
 #include <vector>
 
 using namespace dipwright;
 using namespace dipwright::cpu;
 using numerics::Tangent;
+using test::haveSameBits;
+using test::randomRow;
+using test::Row;
 
 namespace {
-
-using Row = std::vector<float>;
-
-Row randomRow(std::size_t count, unsigned seed, float from = -1, float to = 1) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> number(from, to);
-    Row row(count);
-    std::generate(row.begin(), row.end(), [&] { return number(random); });
-    return row;
-}
-
-bool haveSameBits(const Row& a, const Row& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float left, float right) {
-        return std::bit_cast<unsigned>(left) == std::bit_cast<unsigned>(right);
-    });
-}
 
 constexpr float resistance = -1.5f; // of gathered film
 constexpr std::size_t longest = 70; // four of the longest vectors and a rest

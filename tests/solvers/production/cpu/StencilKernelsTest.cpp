@@ -3,13 +3,13 @@
 // for.
 
 #include "production/cpu/StencilKernels.h"
+#include "RandomRows.h"
 
 #include "production/formulas/EdgeStiffness.h"
 
 #include <QTest>
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <hwy/targets.h>
@@ -18,24 +18,11 @@
 
 using namespace dipwright;
 using namespace dipwright::cpu;
+using test::haveSameBits;
+using test::randomRow;
+using test::Row;
 
 namespace {
-
-using Row = std::vector<float>;
-
-Row randomRow(std::size_t count, unsigned seed, float from = -1, float to = 1) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> number(from, to);
-    Row row(count);
-    std::generate(row.begin(), row.end(), [&] { return number(random); });
-    return row;
-}
-
-bool haveSameBits(const Row& a, const Row& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float left, float right) {
-        return std::bit_cast<unsigned>(left) == std::bit_cast<unsigned>(right);
-    });
-}
 
 // What `work` makes on each of the processor's instruction sets; whether it is the same on all.
 bool isSameOnAll(const std::function<Row()>& work) {
