@@ -5,6 +5,7 @@
 #include "certainty/Verdict.h"
 #include "dip/Coverage.h"
 #include "pipeline/StepInputs.h"
+#include "share/BodyShare.h"
 #include "solver/SolverRegistry.h"
 #include "texture/ReadBack.h"
 
@@ -34,7 +35,8 @@ struct JobResult {
     FieldInputs fieldInputs;                    // of `field`
     std::shared_ptr<const DistanceField> field; // null when no dip needed it
     std::vector<ImmersionResult> immersions;
-    double coverageTotal = 0; // share of the body's surface that any immersion paints
+    std::shared_ptr<const BodyShare> share; // null: each dip paints all that it reaches
+    double coverageTotal = 0;               // share of the body's surface that any immersion paints
     QImage proof;
     QStringList notes; // sentences for the user: a solver that took over, a film past its date or
                        // too small

@@ -1,5 +1,7 @@
 #include "pipeline/JobSheet.h"
 
+#include "pipeline/StepInputs.h"
+
 #include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QJsonArray>
@@ -54,6 +56,7 @@ QJsonObject withoutLater(QJsonObject settings) {
                     withoutLater(used.value(film).toObject(), toJson(Profile(FilmProfile()))));
         settings.insert(profiles, used);
     }
+    settings.insert(QStringLiteral("version"), 1);
     return settings;
 }
 
@@ -65,6 +68,9 @@ QString jobHash(const Project& project, const Immersion& immersion, const QImage
     QJsonObject settings = withoutLater(toJson(anonymous));
     for (const char* key : {"model", "immersions", "name"}) {
         settings.remove(QLatin1String(key));
+    }
+    if (!isShared(project)) {
+        settings.remove(QStringLiteral("share"));
     }
     settings.insert(QStringLiteral("rotation"),
                     QJsonArray{immersion.rotation[0].value(), immersion.rotation[1].value(),

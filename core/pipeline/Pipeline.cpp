@@ -25,6 +25,7 @@ struct Text {
 constexpr double fieldDone = 0.1;
 constexpr double lawsBegin = 0.3; // where they are varied
 constexpr double dipsDone = 0.7;  // of what follows the field
+constexpr double sharesDone = 0.75;
 constexpr double picturesDone = 0.8;
 
 // What all steps of one run are given.
@@ -106,11 +107,12 @@ QImage chessboardOf(const FilmSettings& film, QSize pixels) {
 
 // The picture for the film: the body's texture reversed, or what is to be on it instead.
 ReverseTexture textureOf(const LaidFilm& laid, const TextureInputs& inputs,
-                         const Progress& progress) {
+                         std::optional<PaintShare> share, const Progress& progress) {
     const FilmSettings& film = inputs.dip.film;
     const QSize pixels = sheetPixels(film.width, film.height, inputs.resolution);
     if (inputs.isReversed()) {
-        return reverseTexture(laid, {pixels, inputs.bleed.value(), inputs.ink}, progress);
+        return reverseTexture(laid, {pixels, inputs.bleed.value(), inputs.ink, std::move(share)},
+                              progress);
     }
     ReverseTexture picture;
     picture.image = inputs.chessboard
@@ -170,11 +172,30 @@ ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetI
     return now;
 }
 
-// The second: the picture that the film wears.
-void paint(ImmersionResult& now, const ImmersionResult* earlier, const Progress& progress) {
+// How the dips share the body out; null where they do not.
+std::shared_ptr<const BodyShare>
+shareOf(const Run& run, const std::vector<ImmersionResult>& immersions, const Progress& progress) {
+    const std::optional<ShareInputs>& inputs = immersions.front().inputs.texture.share;
+    if (!inputs) {
+        return nullptr;
+    }
+    if (run.previous && run.previous->share &&
+        run.previous->immersions.front().inputs.texture.share == inputs) {
+        return run.previous->share;
+    }
+    return std::make_shared<const BodyShare>(shareBody(*run.project.model,
+                                                       {immersions[0].laid, immersions[1].laid},
+                                                       inputs->settings, inputs->ink, progress));
+}
+
+// The second: the picture that the film wears. `share`: null where it is not shared with others.
+void paint(ImmersionResult& now, const Run& run, std::size_t number, const BodyShare* share,
+           const Progress& progress) {
+    const ImmersionResult* earlier = run.earlier(number);
     if (!earlier || earlier->inputs.texture != now.inputs.texture) {
         now.texture = std::make_shared<const ReverseTexture>(
-            textureOf(*now.laid, now.inputs.texture, progress));
+            textureOf(*now.laid, now.inputs.texture,
+                      share ? std::optional(share->of(number)) : std::nullopt, progress));
     }
 }
 
@@ -248,7 +269,8 @@ QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& imme
 
 // Fills in the immersions and what is told of them together. One film is dipped after the other;
 // what follows a dip goes on beside the next one, for which the solver does not need, or cannot
-// use, all of the processor. The proof waits for the pictures and for no sheet.
+// use, all of the processor; but where the dips share the body out, the pictures wait for the last
+// of them. The proof waits for the pictures and for no sheet.
 void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInputs>& inputs,
                    SolverChoice& solver, const Progress& progress) {
     std::vector<ImmersionResult>& immersions = result.immersions;
@@ -264,21 +286,34 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     if (!hasProof) {
         pictures.run([&] { stage = proofStage(*run.project.model); });
     }
-    const double share = dipsDone / double(inputs.size());
-    for (std::size_t number = 0; number < inputs.size(); ++number) {
-        const double begin = share * double(number);
-        undisturbed([&] {
-            immersions[number] =
-                dippedImmersion(run, number, inputs[number], result.field.get(), solver,
-                                comparisons[number], left, progress.part(begin, begin + share));
-        });
+    const auto beginPicture = [&](std::size_t number) {
         pictures.run([&, number] {
-            paint(immersions[number], run.earlier(number), progress.silent());
+            paint(immersions[number], run, number, result.share.get(), progress.silent());
             sheets.run(
                 [&, number] { finish(immersions[number], run, number, comparisons[number]); });
         });
+    };
+    const bool isShared = inputs.front().texture.share.has_value();
+    const double part = dipsDone / double(inputs.size());
+    for (std::size_t number = 0; number < inputs.size(); ++number) {
+        const double begin = part * double(number);
+        undisturbed([&] {
+            immersions[number] =
+                dippedImmersion(run, number, inputs[number], result.field.get(), solver,
+                                comparisons[number], left, progress.part(begin, begin + part));
+        });
+        if (!isShared) {
+            beginPicture(number);
+        }
     }
-    progress(dipsDone, Text::tr("Reversing the texture"));
+    if (isShared) {
+        undisturbed(
+            [&] { result.share = shareOf(run, immersions, progress.part(dipsDone, sharesDone)); });
+        for (std::size_t number = 0; number < inputs.size(); ++number) {
+            beginPicture(number);
+        }
+    }
+    progress(sharesDone, Text::tr("Reversing the texture"));
     pictures.wait();
     undisturbed([&] {
         result.proof = hasProof ? run.previous->proof

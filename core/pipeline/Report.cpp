@@ -89,6 +89,23 @@ QJsonArray lawsJson(const std::vector<LawChange>& laws) {
     return json;
 }
 
+QJsonObject toJson(const JoinCost& cost) {
+    return {{"length_mm", cost.length}, {"cost_mm", cost.cost}};
+}
+
+QJsonObject shareJson(const BodyShare& share) {
+    QJsonArray unpainted;
+    for (const UnpaintedPlace& place : share.unpainted) {
+        unpainted.append(QJsonObject{
+            {"area_mm2", place.area},
+            {"model_mm", QJsonArray{place.place.x(), place.place.y(), place.place.z()}}});
+    }
+    return {{"overlap_mm", share.overlap},      {"first_mm2", share.areas.first},
+            {"second_mm2", share.areas.second}, {"both_mm2", share.areas.both},
+            {"none_mm2", share.areas.none},     {"join", toJson(share.cost)},
+            {"equator", toJson(share.equator)}, {"unpainted", unpainted}};
+}
+
 QJsonObject filmJson(const DippedFilm& film) {
     return {{"columns", film.grid.columns},
             {"rows", film.grid.rows},
@@ -149,15 +166,19 @@ QJsonObject report(const Project& project, const JobResult& result) {
     for (const ImmersionResult& immersion : result.immersions) {
         immersions.append(immersionJson(immersion));
     }
-    return {{"version", 1},
-            {"project", project.name},
-            {"verdict", adviceKey(adviceOf(result))},
-            {"solver", QJsonObject{{"id", result.solver.id},
-                                   {"device", result.solver.device},
-                                   {"version", result.solver.version}}},
-            {"immersions", immersions},
-            {"coverage_total", result.coverageTotal},
-            {"notes", QJsonArray::fromStringList(result.notes)}};
+    QJsonObject json{{"version", 1},
+                     {"project", project.name},
+                     {"verdict", adviceKey(adviceOf(result))},
+                     {"solver", QJsonObject{{"id", result.solver.id},
+                                            {"device", result.solver.device},
+                                            {"version", result.solver.version}}},
+                     {"immersions", immersions},
+                     {"coverage_total", result.coverageTotal},
+                     {"notes", QJsonArray::fromStringList(result.notes)}};
+    if (result.share) {
+        json["share"] = shareJson(*result.share);
+    }
+    return json;
 }
 
 } // namespace dipwright

@@ -21,9 +21,23 @@ DipInputs dipInputs(const Project& project, std::size_t number, const QString& s
     return inputs;
 }
 
+bool isShared(const Project& project) {
+    return project.immersions.size() == 2 && project.share.enabled;
+}
+
+std::optional<ShareInputs> shareInputs(const Project& project, const JobOptions& options,
+                                       const QString& solver) {
+    if (!isShared(project) || options.chessboard || !options.filmImage.isNull()) {
+        return std::nullopt;
+    }
+    return ShareInputs{
+        {dipInputs(project, 0, solver), dipInputs(project, 1, solver)}, project.share, project.ink};
+}
+
 TextureInputs textureInputs(const Project& project, const JobOptions& options, std::size_t number,
                             const QString& solver) {
     return {dipInputs(project, number, solver),
+            shareInputs(project, options, solver),
             project.sheet.resolution,
             project.sheet.bleed,
             project.ink,

@@ -35,9 +35,18 @@ struct DipInputs {
     bool operator==(const DipInputs&) const = default;
 };
 
+// How the body is shared out between two dips.
+struct ShareInputs {
+    std::vector<DipInputs> dips;
+    ShareSettings settings;
+    InkSettings ink;
+    bool operator==(const ShareInputs&) const = default;
+};
+
 // The picture of the whole film.
 struct TextureInputs {
     DipInputs dip;
+    std::optional<ShareInputs> share; // none: it paints all that it reaches
     DotsPerInch resolution{0};
     Millimetres bleed{0};
     InkSettings ink;
@@ -62,8 +71,13 @@ struct SheetInputs {
 BodyInputs bodyInputs(const Project& project, std::size_t number);
 FieldInputs fieldInputs(const Project& project);
 DipInputs dipInputs(const Project& project, std::size_t number, const QString& solver);
+// Nothing where every dip paints all that it reaches, or a picture in place of the texture.
+std::optional<ShareInputs> shareInputs(const Project& project, const JobOptions& options,
+                                       const QString& solver);
 TextureInputs textureInputs(const Project& project, const JobOptions& options, std::size_t number,
                             const QString& solver);
+// Whether the immersions of `project` share the body out between them.
+bool isShared(const Project& project);
 SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::size_t number,
                         const QString& solver);
 

@@ -17,35 +17,58 @@ struct Text {
 };
 
 constexpr int maximumImmersions = 2;
+constexpr const char* shareMarksPath = "share.marks";
+
+// A list of things that have fields of their own. `path`: the list's.
+template <typename Item>
+std::vector<Item> readList(const QJsonArray& array, const std::vector<Field<Item>>& fields,
+                           const QString& path, const QString& file) {
+    std::vector<Item> items;
+    for (int index = 0; index < array.size(); ++index) {
+        const QString itemPath = QStringLiteral("%1[%2]").arg(path).arg(index);
+        if (!array.at(index).isObject()) {
+            throw Error(Text::tr("%1 must be an object").arg(itemPath), file);
+        }
+        Item item;
+        readFields(item, fields, array.at(index).toObject(), itemPath + QLatin1Char('.'), file);
+        items.push_back(item);
+    }
+    return items;
+}
+
+// `unknown`: what a file had at their places besides.
+template <typename Item>
+QJsonArray writeList(const std::vector<Item>& items, const std::vector<Field<Item>>& fields,
+                     const QJsonArray& unknown) {
+    QJsonArray array;
+    for (const Item& item : items) {
+        QJsonObject json = unknown.at(array.size()).toObject();
+        writeFields(item, fields, json);
+        array.append(json);
+    }
+    return array;
+}
 
 std::vector<Immersion> readImmersions(const QJsonValue& value, const QString& file) {
     const QJsonArray array = value.toArray();
     if (!value.isArray() || array.isEmpty() || array.size() > maximumImmersions) {
         throw Error(Text::tr("immersions must be an array of one or two immersions"), file);
     }
-    std::vector<Immersion> immersions;
-    for (int index = 0; index < array.size(); ++index) {
-        const QString path = QStringLiteral("immersions[%1]").arg(index);
-        if (!array.at(index).isObject()) {
-            throw Error(Text::tr("%1 must be an object").arg(path), file);
-        }
-        Immersion immersion;
-        readFields(immersion, immersionFields(), array.at(index).toObject(),
-                   path + QLatin1Char('.'), file);
-        immersions.push_back(immersion);
-    }
-    return immersions;
+    return readList(array, immersionFields(), QStringLiteral("immersions"), file);
 }
 
-QJsonArray writeImmersions(const Project& project) {
-    const QJsonArray unknown = project.unknown.value(QLatin1String("immersions")).toArray();
-    QJsonArray array;
-    for (const Immersion& immersion : project.immersions) {
-        QJsonObject json = unknown.at(array.size()).toObject();
-        writeFields(immersion, immersionFields(), json);
-        array.append(json);
+std::vector<ShareMark> readShareMarks(const QJsonObject& json, const QString& file) {
+    const QString path = QString::fromLatin1(shareMarksPath);
+    const QJsonValue value = valueAt(json, path, file);
+    if (value.isUndefined()) {
+        return {};
     }
-    return array;
+    if (!value.isArray() || std::size_t(value.toArray().size()) > mostShareMarks) {
+        throw Error(
+            Text::tr("%1 must be an array of at most %2 marks").arg(path).arg(mostShareMarks),
+            file);
+    }
+    return readList(value.toArray(), shareMarkFields(), path, file);
 }
 
 template <typename P>
@@ -96,6 +119,7 @@ QJsonObject unknownPart(const QJsonObject& json) {
     for (const char* path : {"profiles.printer", "profiles.film", "profiles.tank"}) {
         removeAt(unknown, QLatin1String(path));
     }
+    removeAt(unknown, QString::fromLatin1(shareMarksPath));
     QJsonArray immersions;
     bool anything = false;
     for (const QJsonValue& immersion : json.value(QLatin1String("immersions")).toArray()) {
@@ -124,9 +148,15 @@ void checkFormat(const QJsonObject& json, const QString& file) {
     }
 }
 
+// Up to version 1 each dip printed all that it reached; such a project goes on to print what it
+// printed.
+void shareNothing(QJsonObject& json) {
+    insertAt(json, QStringLiteral("share.enabled"), false);
+}
+
 // Each takes a document of the version of its place (the first: version 1) to the next version.
 using Migration = void (*)(QJsonObject&);
-const std::vector<Migration> migrations{};
+const std::vector<Migration> migrations{shareNothing};
 
 QJsonObject migrated(QJsonObject json) {
     const auto version = std::size_t(json.value(QLatin1String("version")).toInt());
@@ -152,7 +182,7 @@ QStringList siblingPaths(const QString& path) {
     const QStringList siblings = siblingPaths(path);
     const QString hint =
         siblings.isEmpty()
-            ? Text::tr("the sections are film, process, body, immersions[0], sheet and ink")
+            ? Text::tr("the sections are film, process, body, immersions[0], sheet, ink and share")
             : Text::tr("there are %1").arg(siblings.join(QStringLiteral(", ")));
     throw Error(Text::tr("There is no such setting, %1").arg(hint), path);
 }
@@ -220,7 +250,11 @@ QJsonObject toJson(const Project& project) {
     json.insert(QStringLiteral("format"), QStringLiteral("dipwright-project"));
     json.insert(QStringLiteral("version"), projectVersion);
     writeFields(project, projectFields(), json);
-    json.insert(QStringLiteral("immersions"), writeImmersions(project));
+    json.insert(QStringLiteral("immersions"),
+                writeList(project.immersions, immersionFields(),
+                          project.unknown.value(QLatin1String("immersions")).toArray()));
+    insertAt(json, QString::fromLatin1(shareMarksPath),
+             writeList(project.share.marks, shareMarkFields(), {}));
     writeProfiles(project.profiles, json);
     return json;
 }
@@ -231,6 +265,7 @@ Project fromJson(const QJsonObject& json, const QString& where) {
     Project project;
     readFields(project, projectFields(), current, {}, where);
     project.immersions = readImmersions(current.value(QLatin1String("immersions")), where);
+    project.share.marks = readShareMarks(current, where);
     project.profiles = readProfiles(current, where);
     project.unknown = unknownPart(current);
     return project;

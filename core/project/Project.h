@@ -5,6 +5,7 @@
 #include "dip/Dip.h"
 #include "model/TexturedMesh.h"
 #include "project/Profiles.h"
+#include "share/ShareSettings.h"
 #include "sheet/Sheet.h"
 #include "texture/ReverseTexture.h"
 
@@ -35,6 +36,7 @@ struct Project {
     std::vector<Immersion> immersions{Immersion{}}; // one or two
     SheetSettings sheet;
     InkSettings ink;
+    ShareSettings share;      // of two immersions
     ProjectProfiles profiles; // that it was made with, by content
     QJsonObject unknown;      // keys this version does not know; they survive a save
     std::map<QString, QByteArray> unknownEntries; // and so do the file's other entries, by name

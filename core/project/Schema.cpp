@@ -203,6 +203,18 @@ void addSheetFields(std::vector<Field<Project>>& fields) {
         "ink.limit", 0.1, 10, [](auto& p) -> auto& { return p.ink.limit; }));
 }
 
+void addShareFields(std::vector<Field<Project>>& fields) {
+    fields.push_back(flag(
+        "share.enabled", [](auto& p) -> auto& { return p.share.enabled; }));
+    fields.push_back(number(
+        "share.overlap_mm", 0, 20, [](auto& p) -> auto& { return p.share.overlap; }));
+    fields.push_back(number(
+        "share.registration_error_mm", 0, 10,
+        [](auto& p) -> auto& { return p.share.registrationError; }));
+    fields.push_back(number(
+        "share.stretch_limit", 1, 100, [](auto& p) -> auto& { return p.share.stretchLimit; }));
+}
+
 } // namespace
 
 const std::vector<Field<Project>>& projectFields() {
@@ -216,6 +228,7 @@ const std::vector<Field<Project>>& projectFields() {
         addFilmFields(all);
         addProcessFields(all);
         addSheetFields(all);
+        addShareFields(all);
         return all;
     }();
     return fields;
@@ -231,6 +244,20 @@ const std::vector<Field<Immersion>>& immersionFields() {
         numbers<Immersion>(
             "offset_mm", 2, -5000, 5000,
             [](auto& i, int part) -> auto& { return i.offset[part]; })};
+    return fields;
+}
+
+const std::vector<Field<ShareMark>>& shareMarkFields() {
+    static const std::vector<Field<ShareMark>> fields{
+        choice<ShareMark>(
+            "kind",
+            {QStringLiteral("first"), QStringLiteral("second"), QStringLiteral("avoid"),
+             QStringLiteral("allow")},
+            [](auto& m) -> auto& { return m.kind; }),
+        numbers<ShareMark>(
+            "place_mm", 3, -1e5, 1e5, [](auto& m, int part) -> auto& { return m.place[part]; }),
+        number<ShareMark>(
+            "radius_mm", 0, 1000, [](auto& m) -> auto& { return m.radius; })};
     return fields;
 }
 

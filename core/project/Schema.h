@@ -1,4 +1,4 @@
-// The schema of project.json, version 1 (docs/files-and-commands.md, "The project file"), as tables
+// The schema of project.json, version 2 (docs/files-and-commands.md, "The project file"), as tables
 // of fields. Private to this folder but for the limits, which the dialogs show.
 #pragma once
 
@@ -9,11 +9,12 @@
 
 namespace dipwright {
 
-inline constexpr int projectVersion = 1;
+inline constexpr int projectVersion = 2;
 
 // In the order in which a file is read: a film's preset comes before its size, its size before its
 // points, its points and its cell before which of them counts, as each sets what follows.
 const std::vector<Field<Project>>& projectFields();
 const std::vector<Field<Immersion>>& immersionFields();
+const std::vector<Field<ShareMark>>& shareMarkFields();
 
 } // namespace dipwright

@@ -101,4 +101,18 @@ QColor mapColour(const QString& map, double value) {
     return shown(found->colour(std::clamp(value, 0.0, 1.0)));
 }
 
+QColor painterColour(Painter painter) {
+    switch (painter) {
+    case Painter::None:
+        return {244, 247, 250};
+    case Painter::First:
+        return mapColour(QStringLiteral("balance"), 0.15);
+    case Painter::Second:
+        return mapColour(QStringLiteral("balance"), 0.85);
+    case Painter::Both:
+        return {52, 56, 62};
+    }
+    return {};
+}
+
 } // namespace dipwright

@@ -32,7 +32,7 @@ public:
           depth_(float(grid.depth)) {}
 
     struct Paint {
-        LinearColour colour = LinearColour::Zero(); // times the cover
+        LinearColour colour = LinearColour::Zero(); // of a sum: times the cover
         float cover = 0;                            // 0: unprinted … 1
     };
 
@@ -73,22 +73,20 @@ public:
         : laid_(worn.laid), picture_(worn.image, worn.laid->film().grid),
           ink_({compensatedInk, InkSettings().limit}), compensatedInk_(compensatedInk) {}
 
-    // Lays this film's colour over what under() says is under it; not asked where none shows.
-    template <typename Under>
-    LinearColour over(const SurfacePoint& point, const Under& under) const {
+    // The light that its ink lets through at a place of the body, and how much of it is there.
+    FilmPicture::Paint at(const SurfacePoint& point) const {
         const std::optional<FilmPlace> place = laid_->place(point);
         if (!place) {
-            return under();
+            return {};
         }
-        const FilmPicture::Paint paint = picture_.at(place->rest);
-        if (paint.cover <= 0) {
-            return under();
+        FilmPicture::Paint paint = picture_.at(place->rest);
+        if (paint.cover > 0) {
+            paint.colour /= paint.cover;
+            if (compensatedInk_) {
+                paint.colour = ink_.shown(paint.colour, areaStretch(*place));
+            }
         }
-        LinearColour colour = paint.colour / paint.cover;
-        if (compensatedInk_) {
-            colour = ink_.shown(colour, areaStretch(*place));
-        }
-        return paint.cover == 1 ? colour : (1 - paint.cover) * under() + paint.cover * colour;
+        return paint;
     }
 
     // solver::PointMark bits of its paint there; nothing where it has put none.
@@ -188,7 +186,7 @@ public:
 
 private:
     LinearColour bodyLight(const SurfacePoint& point, const Ray& ray, const Camera& camera) const {
-        const LinearColour colour = colourUnder(films_.size(), point);
+        const LinearColour colour = colourAt(point);
         Eigen::Vector3f normal = normalAt(normals_, point);
         if (normal.dot(ray.direction) > 0) {
             normal = -normal;
@@ -203,11 +201,17 @@ private:
         return colour * (0.5f * facing + 0.56f * room) + gloss;
     }
 
-    // The colour of the body wearing the first `count` films.
-    LinearColour colourUnder(std::size_t count, const SurfacePoint& point) const {
-        return count == 0
-                   ? bareBody
-                   : films_[count - 1]->over(point, [&] { return colourUnder(count - 1, point); });
+    // The bare body, or the films' ink on white. Densities add up: light goes through them all.
+    LinearColour colourAt(const SurfacePoint& point) const {
+        LinearColour colour = bareBody;
+        LinearColour ink = LinearColour::Ones();
+        for (const auto& film : films_) {
+            const FilmPicture::Paint paint = film->at(point);
+            const LinearColour both = ink * paint.colour;
+            colour = (1 - paint.cover) * colour + paint.cover * both;
+            ink = (1 - paint.cover) * ink + paint.cover * both;
+        }
+        return colour;
     }
 
     LinearColour tableLight(const Ray& ray) const {

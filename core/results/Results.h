@@ -6,6 +6,7 @@
 
 #include "dip/Coverage.h"
 #include "dip/LaidFilm.h"
+#include "share/BodyShare.h"
 #include "texture/ReverseTexture.h"
 
 #include <QJsonObject>
@@ -42,6 +43,9 @@ QColor mapColour(const QString& map, double value);
 // By which film that is marked so is told from other film in maps, proof and views.
 QColor markColour(solver::PointMark mark);
 
+// By which the shares of two dips are told apart, in maps and views.
+QColor painterColour(Painter painter);
+
 // One immersion's film, on the body in its own pose, wearing a picture.
 struct WornFilm {
     std::shared_ptr<const LaidFilm> laid;
@@ -59,9 +63,9 @@ struct ProofStage;
 std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model);
 
 // The body as it will come out, four views (front, right, back, left, from slightly above) two by
-// two, in model orientation: front looks along −Z. Later films lie over earlier ones, unpainted
-// body is light grey, what marked film paints is hatched. Traced by Embree on all cores, without
-// OpenGL; throws Cancelled.
+// two, in model orientation: front looks along −Z. Where films lie over each other
+// their densities add up, unpainted body is light grey, what marked film paints is hatched. Traced
+// by Embree on all cores, without OpenGL; throws Cancelled.
 QImage proofPicture(const ProofStage& stage, const std::vector<WornFilm>& films,
                     const ProofOptions& options, const Progress& progress);
 

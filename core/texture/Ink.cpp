@@ -36,6 +36,10 @@ InkCompensation::Ink InkCompensation::print(const LinearColour& wanted, float ar
     return ink;
 }
 
+LinearColour InkCompensation::faded(const LinearColour& colour, float share) const {
+    return share < 1 ? LinearColour(colour.max(darkest_).pow(share)) : colour;
+}
+
 LinearColour InkCompensation::shown(const LinearColour& printed, float areaStretch) const {
     return printed.max(0.0f).pow(1 / std::max(areaStretch, leastStretch));
 }

@@ -23,6 +23,9 @@ public:
         LinearColour colour;     // to print
         bool fallsShort = false; // the body will be visibly paler than asked for
     };
+    // The colour of a share of another's density, 0 … 1. Colour past the density limit fades as if
+    // it were at the limit, or it could not fade at all.
+    LinearColour faded(const LinearColour& colour, float share) const;
     // What to print so that `wanted` shows where the film's area has grown by `areaStretch`.
     Ink print(const LinearColour& wanted, float areaStretch) const;
     // What `printed` looks like on film that has grown by `areaStretch`.

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace dipwright {
 
@@ -27,7 +26,12 @@ struct Pixel {
     int column = 0;
     int row = 0;
     Eigen::Vector3f weights; // of the piece's corners
+    float share = 1;         // of the density that this film gives
 };
+
+// The way along the body between two corners of a film triangle is no longer than this many times
+// the straight one.
+constexpr float alongTheBody = 2;
 
 // Which film cell each pixel column (or row) of the image is in, and how far along it.
 struct CellPlaces {
@@ -53,15 +57,19 @@ public:
     FilmPainter(const LaidFilm& laid, const ReverseMap& map, const ReverseTextureOptions& options,
                 QImage& image)
         : laid_(laid), grid_(laid.film().grid), model_(laid.body().model), map_(map),
-          colours_(model_), ink_(options.ink),
+          colours_(model_), ink_(options.ink), share_(options.share ? &*options.share : nullptr),
           columns_(grid_, image.width(), grid_.columns - 1, columnAt),
           rows_(grid_, image.height(), grid_.rows - 1, rowAt),
           pixelSize_(float(grid_.width / image.width()), float(grid_.depth / image.height())),
           bits_(image.bits()), stride_(image.bytesPerLine()) {}
 
-    // Paints one row of cells; returns the body area in mm² that ends up visibly too pale.
-    double paintCells(int row) const {
-        double shortfall = 0;
+    // What painting one row of cells has come to.
+    struct PaintedRow {
+        double shortfall = 0;             // mm² of body that end up visibly too pale
+        std::vector<unsigned char*> left; // pixels on the body that this film leaves to the other
+    };
+    PaintedRow paintCells(int row) const {
+        PaintedRow painted;
         std::vector<Pixel> pixels;
         for (int column = 0; column + 1 < grid_.columns; ++column) {
             const auto cell =
@@ -72,11 +80,12 @@ public:
                     std::erase_if(pixels, [&](const Pixel& pixel) {
                         return !laid_.contact().reaches(triangle, pixel.weights);
                     });
-                    shortfall += paint(map_.whole(triangle), pixels);
+                    takeShare(triangle, pixels, painted.left);
+                    painted.shortfall += paint(map_.whole(triangle), pixels);
                 }
             }
         }
-        return shortfall;
+        return painted;
     }
 
 private:
@@ -107,6 +116,36 @@ private:
         }
         return second ? Eigen::Vector3f(1 - down, 1 - right, right + down - 1)
                       : Eigen::Vector3f(1 - right - down, down, right);
+    }
+
+    // Says what share of the colour each pixel has; those that have none are taken out.
+    void takeShare(std::uint32_t triangle, std::vector<Pixel>& pixels,
+                   std::vector<unsigned char*>& left) const {
+        if (!share_ || pixels.empty()) {
+            return;
+        }
+        const std::optional<float> all = shareOfAll(triangle);
+        for (Pixel& pixel : pixels) {
+            pixel.share = all ? *all : share_->at(map_.surface({triangle, pixel.weights}));
+            if (!(pixel.share > 0)) {
+                left.push_back(bytesOf(pixel));
+            }
+        }
+        std::erase_if(pixels, [](const Pixel& pixel) { return !(pixel.share > 0); });
+    }
+    // Of a whole film triangle, where that is clear from its first corner.
+    std::optional<float> shareOfAll(std::uint32_t triangle) const {
+        const SurfacePoint& corner = laid_.contact().surface[laid_.triangles()[triangle][0]];
+        if (!corner.isValid()) {
+            return std::nullopt;
+        }
+        const Eigen::Matrix3f points = map_.contactPoints(triangle);
+        const float size = std::max((points.col(1) - points.col(0)).norm(),
+                                    (points.col(2) - points.col(0)).norm());
+        return share_->allWithin(alongTheBody * size, corner);
+    }
+    unsigned char* bytesOf(const Pixel& pixel) const {
+        return bits_ + pixel.row * stride_ + 4 * pixel.column;
     }
 
     double paint(const FilmPiece& piece, std::span<Pixel> pixels) const {
@@ -243,8 +282,8 @@ private:
         const float stretch = weights[0] * stretches[corners[0]] +
                               weights[1] * stretches[corners[1]] +
                               weights[2] * stretches[corners[2]];
-        const InkCompensation::Ink ink = ink_.print(wanted, stretch);
-        auto* bytes = bits_ + pixel.row * stride_ + 4 * pixel.column;
+        const InkCompensation::Ink ink = ink_.print(ink_.faded(wanted, pixel.share), stretch);
+        unsigned char* bytes = bytesOf(pixel);
         for (int channel = 0; channel < 3; ++channel) {
             bytes[channel] = encodedByte(ink.colour[channel]);
         }
@@ -258,6 +297,7 @@ private:
     const ReverseMap& map_;
     BodyColours colours_;
     InkCompensation ink_;
+    const PaintShare* share_; // may be null
     CellPlaces columns_;
     CellPlaces rows_;
     Eigen::Vector2f pixelSize_; // mm
@@ -285,16 +325,23 @@ ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions&
 
     const FilmPainter painter(laid, map, options, result.image);
     const solver::FilmGrid& grid = laid.film().grid;
-    std::vector<double> shortfall(std::size_t(grid.rows - 1), 0);
+    std::vector<FilmPainter::PaintedRow> painted(std::size_t(grid.rows - 1));
     parallelFor(0, grid.rows - 1, [&](int row) {
         progress.cancelSwitch.throwIfCancelled();
-        shortfall[std::size_t(row)] = painter.paintCells(row);
+        painted[std::size_t(row)] = painter.paintCells(row);
     });
-    result.shortfallArea = std::accumulate(shortfall.begin(), shortfall.end(), 0.0);
+    for (const FilmPainter::PaintedRow& row : painted) {
+        result.shortfallArea += row.shortfall;
+    }
 
     progress(0.9, Text::tr("Continuing the colour past the edge"));
     const double pixelSize = grid.width / options.pixels.width();
     continueColour(result.image, options.bleed / pixelSize);
+    for (const FilmPainter::PaintedRow& row : painted) {
+        for (unsigned char* pixel : row.left) {
+            std::fill_n(pixel, 4, std::uint8_t(0));
+        }
+    }
     progress(1, Text::tr("Reversing the texture"));
     return result;
 }

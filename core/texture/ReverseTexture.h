@@ -8,6 +8,7 @@
 #include "base/Progress.h"
 #include "dip/LaidFilm.h"
 #include "texture/Ink.h"
+#include "texture/PaintShare.h"
 
 #include <QImage>
 
@@ -17,6 +18,7 @@ struct ReverseTextureOptions {
     QSize pixels;     // of the whole film
     double bleed = 2; // mm that the colour is continued past the painted area
     InkSettings ink;
+    std::optional<PaintShare> share = {}; // none: it gives all the colour wherever it reaches
 };
 
 struct ReverseTexture {
@@ -27,6 +29,7 @@ struct ReverseTexture {
 
 // The image to print so that the dip puts the body's texture where it belongs: every pixel in a
 // painted film triangle shows its place of the texture, filtered over what the pixel covers there.
+// Where its share is nothing the film is left blank, and no colour is continued there.
 // All cores, deterministic, throws Cancelled; Error for an image that does not fit into memory.
 ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions& options,
                               const Progress& progress);

@@ -34,7 +34,7 @@ private slots:
         row("immersions[0].rotation_deg", "0;10;0", "body dip texture sheet");
         row("immersions[0].offset_mm", "3;4", "dip texture sheet");
         row("immersions[0].name", "Bow", "sheet");
-        row("immersions[1].rotation_deg", "0;10;0", "");
+        row("immersions[1].rotation_deg", "0;10;0", "texture sheet"); // its share is another
         row("immersions[1].name", "Stern", "");
         row("body.sdf_resolution", "256", "field dip texture sheet");
         row("film.swell", "1.1x1.1", "dip texture sheet");
@@ -45,6 +45,7 @@ private slots:
         row("process.depth_mm", "12", "dip texture sheet");
         row("process.solver", "pbd-cuda", ""); // the id that was chosen tells
         row("ink.limit", "1.5", "texture sheet");
+        row("share.overlap_mm", "3", "texture sheet");
         row("sheet.bleed_mm", "4", "texture sheet");
         row("sheet.dpi", "200", "texture sheet");
         row("sheet.marks", "false", "sheet");
@@ -70,6 +71,17 @@ private slots:
             textureInputs(before, {}, 0, solverId) == textureInputs(now, {}, 0, solverId));
         add("sheet", sheetInputs(before, {}, 0, solverId) == sheetInputs(now, {}, 0, solverId));
         QTEST(changed.join(' '), "steps");
+    }
+
+    void whatIsNotSharedDependsOnNoOtherDip() {
+        Project before = plainProject();
+        before.share.enabled = false;
+        Project now = before;
+        setByPath(now, QStringLiteral("immersions[1].rotation_deg"), QStringLiteral("0;10;0"));
+        QVERIFY(textureInputs(before, {}, 0, solverId) == textureInputs(now, {}, 0, solverId));
+        before.share.enabled = now.share.enabled = true;
+        before.immersions.resize(1);
+        QVERIFY(!textureInputs(before, {}, 0, solverId).share);
     }
 
     void anotherSolverDipsAnother() {

@@ -74,7 +74,7 @@ private slots:
     void theDocumentHasTheShapeThatIsPromised() {
         const QJsonObject json = toJson(sampleProject());
         QCOMPARE(json["format"].toString(), QStringLiteral("dipwright-project"));
-        QCOMPARE(json["version"].toInt(), 1);
+        QCOMPARE(json["version"].toInt(), 2);
         const QJsonObject film = json["film"].toObject();
         QCOMPARE(film["size_mm"].toArray(), (QJsonArray{150, 200.5}));
         QCOMPARE(film["points"].toArray(), (QJsonArray{61, 82}));
@@ -126,9 +126,34 @@ private slots:
         QCOMPARE(written["film"].toObject()["swell"].toArray(), (QJsonArray{1.1, 1.2}));
     }
 
+    void marksForTheJoinComeBack() {
+        Project project = sampleProject();
+        project.share.marks = {{ShareMarkKind::Second,
+                                {Millimetres(1), Millimetres(-2.5), Millimetres(3)},
+                                Millimetres(0)},
+                               {ShareMarkKind::Allow, {}, Millimetres(7.25)}};
+        const QJsonObject json = toJson(project);
+        QCOMPARE(fromJson(json, file).share, project.share);
+        const QJsonArray marks = json["share"].toObject()["marks"].toArray();
+        QCOMPARE(marks.size(), 2);
+        QCOMPARE(marks[0].toObject()["kind"].toString(), QStringLiteral("second"));
+        QVERIFY(refusal(with(json, {"share", "marks"}, 5)).contains("share.marks"));
+        QJsonArray wrong = marks;
+        wrong[1] = QJsonObject{{"kind", "other"}};
+        QVERIFY(refusal(with(json, {"share", "marks"}, wrong)).contains("share.marks[1].kind"));
+    }
+
+    void dipsOfTheFirstVersionShareNothing() {
+        QJsonObject json = toJson(sampleProject());
+        QVERIFY(fromJson(json, file).share.enabled);
+        json.remove("share");
+        json["version"] = 1;
+        QVERIFY(!fromJson(json, file).share.enabled);
+    }
+
     void aNewerVersionIsRefusedNamingBoth() {
         const QString sentence = refusal(with(toJson(sampleProject()), {"version"}, 7));
-        QVERIFY2(sentence.contains("version 7") && sentence.contains("version 1"),
+        QVERIFY2(sentence.contains("version 7") && sentence.contains("version 2"),
                  qPrintable(sentence));
     }
 

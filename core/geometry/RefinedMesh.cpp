@@ -1,0 +1,170 @@
+#include "geometry/RefinedMesh.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include <Eigen/LU>
+
+namespace dipwright {
+namespace {
+
+constexpr std::uint32_t noMiddle = 0xffffffffu;
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+// The middles of edges that were cut.
+class Middles {
+public:
+    Middles(std::vector<Eigen::Vector3f>& positions, float longestEdge)
+        : positions_(positions), longest_(longestEdge) {}
+
+    // The position in the middle of an edge, made where the edge is too long and it is missing.
+    std::uint32_t of(std::uint32_t from, std::uint32_t to) {
+        const Eigen::Vector3f a = positions_[from];
+        const Eigen::Vector3f b = positions_[to];
+        if (!((b - a).norm() > longest_)) {
+            return noMiddle;
+        }
+        const auto [low, high] = std::minmax(from, to);
+        const auto [found, isNew] =
+            middles_.try_emplace(std::uint64_t(low) << 32 | high, std::uint32_t(positions_.size()));
+        if (isNew) {
+            positions_.push_back((a + b) / 2);
+        }
+        return found->second;
+    }
+
+private:
+    std::vector<Eigen::Vector3f>& positions_;
+    float longest_;
+    std::unordered_map<std::uint64_t, std::uint32_t> middles_;
+};
+
+// What a triangle is cut into, whose edges have middles or not: points 0, 1, 2 are its corners,
+// 3 + e is the middle of edge e. `isShorter` tells lines between two points apart, where there is a
+// choice.
+std::vector<Triangle> cut(const Triangle& middles, const auto& isShorter) {
+    std::vector<std::uint32_t> edges;
+    for (std::uint32_t edge = 0; edge < 3; ++edge) {
+        if (middles[edge] != noMiddle) {
+            edges.push_back(edge);
+        }
+    }
+    if (edges.empty()) {
+        return {{0, 1, 2}};
+    }
+    if (edges.size() == 3) {
+        return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+    }
+    const auto next = [](std::uint32_t k) { return (k + 1) % 3; };
+    if (edges.size() == 1) {
+        const std::uint32_t e = edges.front();
+        return {{e, 3 + e, next(next(e))}, {3 + e, next(e), next(next(e))}};
+    }
+    const std::uint32_t e = next(edges[0]) == edges[1] ? edges[0] : edges[1];
+    const std::uint32_t f = next(e);
+    const std::uint32_t last = next(f);
+    std::vector<Triangle> parts{{3 + e, f, 3 + f}};
+    if (isShorter(Triangle{3 + e, last, 0}, Triangle{e, 3 + f, 0})) {
+        parts.push_back({e, 3 + e, last});
+        parts.push_back({3 + e, 3 + f, last});
+    } else {
+        parts.push_back({e, 3 + e, 3 + f});
+        parts.push_back({e, 3 + f, last});
+    }
+    return parts;
+}
+
+} // namespace
+
+RefinedMesh::RefinedMesh(const TriangleMesh& coarse, float longestEdge) {
+    mesh_.positions = coarse.positions;
+    struct Open {
+        Triangle corners;
+        std::uint32_t part, parent;
+    };
+    std::vector<Open> open;
+    for (std::uint32_t triangle = 0; triangle < coarse.triangles.size(); ++triangle) {
+        parts_.push_back({Corners::Identity()});
+        open.push_back({coarse.triangles[triangle], triangle, triangle});
+    }
+    while (!open.empty()) {
+        Middles middles(mesh_.positions, longestEdge);
+        std::vector<Open> cutAgain;
+        for (const Open& whole : open) {
+            std::array<std::uint32_t, 6> points{whole.corners[0], whole.corners[1],
+                                                whole.corners[2]};
+            Triangle made;
+            for (std::size_t edge = 0; edge < 3; ++edge) {
+                made[edge] = middles.of(whole.corners[edge], whole.corners[(edge + 1) % 3]);
+                points[3 + edge] = made[edge];
+            }
+            const auto length = [&](const Triangle& line) {
+                return (mesh_.positions[points[line[0]]] - mesh_.positions[points[line[1]]])
+                    .squaredNorm();
+            };
+            const std::vector<Triangle> parts = cut(
+                made, [&](const Triangle& a, const Triangle& b) { return length(a) < length(b); });
+            if (parts.size() == 1) {
+                parts_[whole.part].first = std::uint32_t(mesh_.triangles.size());
+                mesh_.triangles.push_back(whole.corners);
+                parents_.push_back(whole.parent);
+                fineParts_.push_back(whole.part);
+                continue;
+            }
+            const Corners outer = parts_[whole.part].corners;
+            parts_[whole.part].first = std::uint32_t(parts_.size());
+            parts_[whole.part].count = std::uint32_t(parts.size());
+            for (const Triangle& part : parts) {
+                Part inner;
+                Open piece{{}, std::uint32_t(parts_.size()), whole.parent};
+                for (std::size_t corner = 0; corner < 3; ++corner) {
+                    const std::uint32_t point = part[corner];
+                    const int edge = int(point) - 3;
+                    inner.corners.col(int(corner)) =
+                        edge < 0 ? Eigen::Vector3f(outer.col(int(point)))
+                                 : Eigen::Vector3f(outer.col(edge) + outer.col((edge + 1) % 3)) / 2;
+                    piece.corners[corner] = points[point];
+                }
+                parts_.push_back(inner);
+                cutAgain.push_back(piece);
+            }
+        }
+        open = std::move(cutAgain);
+    }
+}
+
+SurfacePoint RefinedMesh::middle(std::size_t triangle) const {
+    return onCoarse({std::uint32_t(triangle), Eigen::Vector3f::Constant(1.0f / 3)});
+}
+
+SurfacePoint RefinedMesh::onCoarse(const SurfacePoint& fine) const {
+    return {parents_[fine.triangle], parts_[fineParts_[fine.triangle]].corners * fine.weights};
+}
+
+SurfacePoint RefinedMesh::onFine(const SurfacePoint& coarse) const {
+    const Part* part = &parts_[coarse.triangle];
+    Eigen::Vector3f weights = coarse.weights;
+    while (part->count > 0) {
+        // Of the parts, the one that the place is deepest in: it may lie on a border by rounding.
+        const Part* best = nullptr;
+        for (std::uint32_t k = part->first; k < part->first + part->count; ++k) {
+            const Eigen::Vector3f inside = parts_[k].corners.inverse() * coarse.weights;
+            if (!best || inside.minCoeff() > weights.minCoeff()) {
+                best = &parts_[k];
+                weights = inside;
+            }
+        }
+        part = best;
+    }
+    weights = weights.cwiseMax(0.0f);
+    return {part->first, weights / weights.sum()};
+}
+
+float SurfaceField::at(const SurfacePoint& coarse) const {
+    const SurfacePoint fine = mesh->onFine(coarse);
+    const auto& [a, b, c] = mesh->mesh().triangles[fine.triangle];
+    return fine.weights[0] * values[a] + fine.weights[1] * values[b] + fine.weights[2] * values[c];
+}
+
+} // namespace dipwright

@@ -1,0 +1,280 @@
+#include "share/BodyShare.h"
+
+#include "geometry/SurfaceDistance.h"
+#include "share/JoinPlaces.h"
+#include "share/MinimumCut.h"
+#include "share/ShareMarks.h"
+#include "share/SmoothJoin.h"
+#include "share/Suitability.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::BodyShare)
+};
+
+// Constants of ours (docs/film-model.md, "Two dips, one body").
+constexpr double fineTriangles = 40'000; // about so many, if the body has fewer
+constexpr double joinWeight = 20;        // mm² of body at cost 1 that a mm of join is worth
+constexpr float nearReachEdge = 5;       // the cost of a mm² where the dip's film ends
+constexpr double smoothing = 3;          // mm, and no less than two fine triangles
+constexpr double visibleStep = 0.1;      // of reflectance
+constexpr double darkest = 0.01;         // reflectance of printed black
+constexpr float farthest = 1e4f;         // mm
+constexpr double leastUnpainted = 1;     // mm² of a place that is listed
+
+using Films = std::array<std::shared_ptr<const LaidFilm>, 2>;
+using Suitabilities = std::array<Suitability, 2>;
+
+// The longest edge, mm, of about so many triangles of one size that cover an area.
+float fineEdge(const TriangleMesh& mesh) {
+    const double area = surfaceArea(mesh) / fineTriangles;
+    return float(std::max(1.5 * std::sqrt(4 * area / std::sqrt(3.0)), 0.05));
+}
+
+// How deep each position lies in what a dip reaches, mm: 0 past it, infinite where it reaches all.
+std::vector<float> depthInReach(const TriangleMesh& mesh,
+                                const std::vector<std::uint8_t>& reached) {
+    std::vector<float> begin(mesh.positions.size(), std::numeric_limits<float>::infinity());
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        for (const std::uint32_t corner : mesh.triangles[triangle]) {
+            begin[corner] = reached[triangle] != 0 ? begin[corner] : 0;
+        }
+    }
+    return surfaceDistance(mesh, std::move(begin));
+}
+
+float meanOf(const std::vector<float>& values, const std::array<std::uint32_t, 3>& corners) {
+    return (values[corners[0]] + values[corners[1]] + values[corners[2]]) / 3;
+}
+
+// What each fine triangle costs the first and the second dip.
+std::vector<std::array<double, 2>> costsOf(const TriangleMesh& mesh, const Suitabilities& dips,
+                                           const std::array<std::vector<float>, 2>& depths,
+                                           float margin) {
+    std::vector<std::array<double, 2>> costs(mesh.triangles.size());
+    for (std::size_t triangle = 0; triangle < costs.size(); ++triangle) {
+        const double area = triangleArea(mesh, triangle);
+        for (std::size_t dip = 0; dip < 2; ++dip) {
+            const float depth = meanOf(depths[dip], mesh.triangles[triangle]);
+            const float edge = nearReachEdge * std::max(0.0f, 1 - depth / margin);
+            costs[triangle][dip] = area * double(dips[dip].cost[triangle] + edge);
+        }
+    }
+    for (std::size_t triangle = 0; triangle < costs.size(); ++triangle) {
+        if (dips[0].reached[triangle] == 0 && dips[1].reached[triangle] == 0) {
+            costs[triangle] = {0, 0};
+        }
+    }
+    return costs;
+}
+
+std::vector<std::uint8_t> cutBody(const RefinedMesh& body, std::vector<std::array<double, 2>> costs,
+                                  std::vector<float> weights, const ShareSettings& settings) {
+    obeyMarks(body.mesh(), settings.marks, costs, weights);
+    std::vector<CutEdge> edges = joinEdges(body, weights);
+    for (CutEdge& edge : edges) {
+        edge.cost *= joinWeight;
+    }
+    return minimumCut(costs, edges);
+}
+
+std::vector<LinearColour> coloursAlong(const std::vector<LinePiece>& line,
+                                       const std::vector<LinearColour>& colours) {
+    std::vector<LinearColour> along;
+    for (const LinePiece& piece : line) {
+        along.push_back(colours[piece.triangle]);
+    }
+    return along;
+}
+
+// Moves the join so that the band lies where both dips reach: where one does not, the other gives
+// all the colour.
+void keepInReach(std::vector<float>& distance, const std::array<std::vector<float>, 2>& depths,
+                 float overlap) {
+    for (std::size_t position = 0; position < distance.size(); ++position) {
+        const float least = overlap / 2 - depths[1][position];
+        const float most = depths[0][position] - overlap / 2;
+        distance[position] =
+            least > most ? (least + most) / 2 : std::clamp(distance[position], least, most);
+    }
+}
+
+Painter painterOf(float distance, float overlap, bool byFirst, bool bySecond) {
+    const bool first = byFirst && distance > -overlap / 2;
+    const bool second = bySecond && distance < overlap / 2;
+    return first ? (second ? Painter::Both : Painter::First)
+                 : (second ? Painter::Second : Painter::None);
+}
+
+void findPainters(BodyShare& share, const Suitabilities& dips) {
+    const TriangleMesh& mesh = share.distance.mesh->mesh();
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        const float distance = meanOf(share.distance.values, mesh.triangles[triangle]);
+        const Painter painter =
+            painterOf(distance, float(share.overlap), dips[0].reached[triangle] != 0,
+                      dips[1].reached[triangle] != 0);
+        share.painters.push_back(painter);
+        const double area = triangleArea(mesh, triangle);
+        switch (painter) {
+        case Painter::First:
+            share.areas.first += area;
+            break;
+        case Painter::Second:
+            share.areas.second += area;
+            break;
+        case Painter::Both:
+            share.areas.both += area;
+            break;
+        case Painter::None:
+            share.areas.none += area;
+            break;
+        }
+    }
+}
+
+// The pieces of a line that lie where both dips paint: elsewhere nothing is joined.
+std::vector<LinePiece> joining(std::vector<LinePiece> line, const Suitabilities& dips) {
+    std::erase_if(line, [&](const LinePiece& piece) {
+        return dips[0].reached[piece.triangle] == 0 || dips[1].reached[piece.triangle] == 0;
+    });
+    return line;
+}
+
+// One triangle after the other that hangs together with `start` and is unpainted; marks them seen.
+std::vector<std::uint32_t> unpaintedFrom(std::uint32_t start, const BodyShare& share,
+                                         const std::vector<std::uint32_t>& opposite,
+                                         std::vector<std::uint8_t>& seen) {
+    std::vector<std::uint32_t> found{start};
+    seen[start] = 1;
+    for (std::size_t next = 0; next < found.size(); ++next) {
+        for (std::uint32_t edge = 3 * found[next]; edge < 3 * found[next] + 3; ++edge) {
+            const std::uint32_t other = opposite[edge] == noEdge ? start : opposite[edge] / 3;
+            if (seen[other] == 0 && share.painters[other] == Painter::None) {
+                seen[other] = 1;
+                found.push_back(other);
+            }
+        }
+    }
+    return found;
+}
+
+std::vector<UnpaintedPlace> unpaintedPlaces(const BodyShare& share) {
+    const TriangleMesh& mesh = share.distance.mesh->mesh();
+    const std::vector<std::uint32_t> opposite = oppositeEdges(mesh);
+    const auto middle = [&](std::uint32_t triangle) {
+        return position(mesh, {triangle, Eigen::Vector3f::Constant(1.0f / 3)});
+    };
+    std::vector<std::uint8_t> seen(mesh.triangles.size());
+    std::vector<UnpaintedPlace> places;
+    for (std::uint32_t start = 0; start < seen.size(); ++start) {
+        if (seen[start] != 0 || share.painters[start] != Painter::None) {
+            continue;
+        }
+        const std::vector<std::uint32_t> triangles = unpaintedFrom(start, share, opposite, seen);
+        double area = 0;
+        Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+        for (const std::uint32_t triangle : triangles) {
+            area += triangleArea(mesh, triangle);
+            mean += float(triangleArea(mesh, triangle)) * middle(triangle);
+        }
+        if (area < leastUnpainted) {
+            continue;
+        }
+        mean /= float(area);
+        const std::uint32_t nearest = *std::min_element(
+            triangles.begin(), triangles.end(), [&](std::uint32_t a, std::uint32_t b) {
+                return (middle(a) - mean).squaredNorm() < (middle(b) - mean).squaredNorm();
+            });
+        places.push_back({area, middle(nearest)});
+    }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const auto& a, const auto& b) { return a.area > b.area; });
+    return places;
+}
+
+// Above 0 on the side of the body that the first dip lets down first.
+std::vector<float> equatorField(const TriangleMesh& mesh, const Films& films) {
+    const auto down = [](const LaidFilm& laid) {
+        return Eigen::Vector3f(
+            (laid.body().modelToPose.rotation().transpose() * -Eigen::Vector3d::UnitY())
+                .cast<float>());
+    };
+    const Eigen::Vector3f axis = down(*films[0]) - down(*films[1]);
+    const Eigen::Vector3f middle = boundingBox(mesh).center();
+    std::vector<float> field;
+    for (const Eigen::Vector3f& place : mesh.positions) {
+        field.push_back(axis.dot(place - middle));
+    }
+    return field;
+}
+
+} // namespace
+
+double neededOverlap(const std::vector<LinearColour>& colours, double error, double least) {
+    double share = 1; // of the band that the error may be
+    for (const LinearColour& colour : colours) {
+        for (const float channel : colour) {
+            const double light = std::clamp(double(channel), darkest, 0.999);
+            // Density left out: light^(1 − x) − light. Too much of it: light − light^(1 + x).
+            if (light + visibleStep < 1) {
+                share = std::min(share, 1 - std::log(light + visibleStep) / std::log(light));
+            }
+            if (light > visibleStep) {
+                share = std::min(share, std::log(light - visibleStep) / std::log(light) - 1);
+            }
+        }
+    }
+    return std::max(least, error / share);
+}
+
+BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSettings& settings,
+                    const InkSettings& ink, const Progress& progress) {
+    const auto tell = [&](double done) { progress(done, Text::tr("Sharing out the body")); };
+    tell(0);
+    const auto body = std::make_shared<const RefinedMesh>(model.mesh, fineEdge(model.mesh));
+    const TriangleMesh& mesh = body->mesh();
+    const JoinPlaces places = joinPlaces(*body, model, SurfaceQuery(model.mesh));
+    tell(0.3);
+    const double widest =
+        neededOverlap(places.colours, settings.registrationError.value(), settings.overlap.value());
+    const auto margin = float(std::max(widest / 2 + settings.registrationError.value(), 0.01));
+    Suitabilities dips;
+    std::array<std::vector<float>, 2> depths;
+    for (std::size_t dip = 0; dip < 2; ++dip) {
+        dips[dip] = suitability(*body, *films[dip], places.colours, settings.stretchLimit, ink);
+        depths[dip] = depthInReach(mesh, dips[dip].reached);
+    }
+    tell(0.6);
+    const std::vector<std::uint8_t> labels =
+        cutBody(*body, costsOf(mesh, dips, depths, margin), places.weights, settings);
+    tell(0.8);
+    BodyShare share;
+    const double width = std::max(smoothing, 2.0 * double(fineEdge(model.mesh)));
+    share.distance = {body, signedDistance(mesh, smoothBorder(mesh, labels, width), farthest)};
+    share.overlap =
+        neededOverlap(coloursAlong(zeroLine(mesh, share.distance.values), places.colours),
+                      settings.registrationError.value(), settings.overlap.value());
+    keepInReach(share.distance.values, depths, float(share.overlap));
+    findPainters(share, dips);
+    const std::vector<LinePiece> line = joining(zeroLine(mesh, share.distance.values), dips);
+    share.cost = joinCost(line, places.weights);
+    std::vector<float> equator = signedDistance(mesh, equatorField(mesh, films), farthest);
+    keepInReach(equator, depths, float(share.overlap));
+    share.equator = joinCost(joining(zeroLine(mesh, equator), dips), places.weights);
+    for (const LinePiece& piece : line) {
+        share.join.push_back(piece.ends);
+    }
+    share.unpainted = unpaintedPlaces(share);
+    tell(1);
+    return share;
+}
+
+} // namespace dipwright

@@ -1,0 +1,65 @@
+// The body shared out between two dips: which of them paints which place, and the join between
+// (docs/film-model.md, "Two dips, one body").
+#pragma once
+
+#include "base/Progress.h"
+#include "dip/LaidFilm.h"
+#include "geometry/RefinedMesh.h"
+#include "share/ShareSettings.h"
+#include "texture/Ink.h"
+#include "texture/PaintShare.h"
+
+namespace dipwright {
+
+// Who paints how much of the body, mm².
+struct ShareAreas {
+    double first = 0, second = 0; // by one dip alone
+    double both = 0;              // in the band along the join
+    double none = 0;              // by neither: no film reaches it
+    double total() const { return first + second + both + none; }
+    bool operator==(const ShareAreas&) const = default;
+};
+
+enum class Painter : std::uint8_t { None, First, Second, Both };
+
+// A piece of the body that neither dip reaches.
+struct UnpaintedPlace {
+    double area = 0;                                 // mm²
+    Eigen::Vector3f place = Eigen::Vector3f::Zero(); // in the middle of it, model coordinates, mm
+};
+
+// How much a line on the body will be seen: the integral along it of the contrast of the texture
+// times the visibility of the place, each from a tenth to about 1.
+struct JoinCost {
+    double length = 0; // mm
+    double cost = 0;   // mm
+};
+
+// Immutable; any thread may read.
+struct BodyShare {
+    SurfaceField distance;         // mm from the join, above 0 on the first dip's side
+    std::vector<Painter> painters; // a fine triangle each
+    std::vector<std::array<Eigen::Vector3f, 2>> join; // the line, in pieces; model coordinates, mm
+    double overlap = 0; // mm: the band where both fade; as asked for, or as wide as needed
+    ShareAreas areas;
+    JoinCost cost;    // of the join …
+    JoinCost equator; // … and of the plane halfway between the two poses, moved as far as it takes
+                      // that all is painted that a dip reaches
+    std::vector<UnpaintedPlace> unpainted; // the largest first
+
+    // What dip `number`, 0 or 1, is to paint.
+    PaintShare of(std::size_t number) const { return {distance, number == 0, float(overlap)}; }
+};
+
+// `films`: the two dips of `model`. Deterministic, all cores; throws Cancelled.
+BodyShare shareBody(const TexturedMesh& model,
+                    const std::array<std::shared_ptr<const LaidFilm>, 2>& films,
+                    const ShareSettings& settings, const InkSettings& ink,
+                    const Progress& progress);
+
+// The width of the band, mm, in which two fading films show no edge of more than a tenth of full
+// reflectance though one lies `error` mm off, where the body is to show these reflectances; no less
+// than `least`.
+double neededOverlap(const std::vector<LinearColour>& colours, double error, double least);
+
+} // namespace dipwright

@@ -1,0 +1,294 @@
+// A ball under two films laid by a closed form from opposite sides: who paints what, and whether
+// the join shows.
+#include "share/BodyShare.h"
+#include "DippedByHand.h"
+#include "base/Units.h"
+#include "dip/Coverage.h"
+#include "geometry/Shapes.h"
+#include "texture/LinearLight.h"
+#include "texture/ReverseTexture.h"
+
+#include <QPainter>
+#include <QtTest>
+
+#include <cmath>
+#include <random>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr double radius = 35;
+constexpr double reach = 115 * pi / 180; // of each film, from the point that it touches first
+const QSize a4Pixels(1240, 1754);        // 150 dpi
+
+using Films = std::array<std::shared_ptr<const LaidFilm>, 2>;
+
+std::shared_ptr<const LaidFilm> laidFrom(const TexturedMesh& model, double turn) {
+    Immersion immersion;
+    immersion.rotation[0] = Degrees(turn);
+    return layFilm(std::make_shared<const PosedBody>(posedBody(model, immersion)),
+                   test::viscousOnSphere(test::a4Grid(), radius, reach), {});
+}
+
+// From below and from above, as the model stands.
+Films oppositeFilms(const TexturedMesh& model) {
+    return {laidFrom(model, 0), laidFrom(model, 180)};
+}
+
+TexturedMesh ball(const QColor& colour) {
+    return test::plainModel(sphereMesh(radius, 60, 120), colour);
+}
+
+BodyShare shared(const TexturedMesh& model, const Films& films,
+                 const ShareSettings& settings = {}) {
+    return shareBody(model, films, settings, {}, {});
+}
+
+double heightOf(const std::array<Eigen::Vector3f, 2>& piece) {
+    return double(piece[0].y() + piece[1].y()) / 2;
+}
+
+// The light of a sheet at a place of the flat film, between its four nearest pixels; white where
+// nothing is printed.
+LinearColour printedAt(const QImage& sheet, const solver::FilmGrid& grid,
+                       const Eigen::Vector2f& rest) {
+    const double x = (double(rest.x()) / grid.width + 0.5) * sheet.width() - 0.5;
+    const double y = (double(rest.y()) / grid.depth + 0.5) * sheet.height() - 0.5;
+    LinearColour sum = LinearColour::Zero();
+    for (const int right : {0, 1}) {
+        for (const int down : {0, 1}) {
+            const int column = int(std::floor(x)) + right;
+            const int row = int(std::floor(y)) + down;
+            const double weight = (1 - std::abs(x - column)) * (1 - std::abs(y - row));
+            const uchar* pixel = sheet.constScanLine(row) + 4 * column;
+            for (int channel = 0; channel < 3; ++channel) {
+                sum[channel] += float(weight) * (pixel[3] == 0 ? 1 : linearTable()[pixel[channel]]);
+            }
+        }
+    }
+    return sum;
+}
+
+// What one film's sheet shows at a place of the body.
+LinearColour shownBy(const LaidFilm& laid, const QImage& sheet, const SurfacePoint& point) {
+    const std::optional<FilmPlace> place = laid.place(point);
+    if (!place) {
+        return LinearColour::Ones();
+    }
+    const Eigen::Vector3f weights = laid.weights(*place);
+    const FilmTriangle& corners = laid.triangles()[place->triangle];
+    float stretch = 0;
+    for (int k = 0; k < 3; ++k) {
+        stretch += weights[k] * laid.painted().pointAreas[corners[std::size_t(k)]];
+    }
+    return InkCompensation({}).shown(printedAt(sheet, laid.film().grid, place->rest), stretch);
+}
+
+} // namespace
+
+class BodyShareTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void oppositeDipsShareABallEvenly();
+    void joinLiesInThePlainHalf();
+    void greyIsRightAcrossTheJoin();
+    void blackAndWhiteAreRightAcrossTheJoin();
+    void nothingIsPaintedTwice();
+    void bandIsAsWideAsTheErrorNeeds_data();
+    void bandIsAsWideAsTheErrorNeeds();
+    void whatOneDipAloneReachesIsItsOwn();
+    void placesOutOfReachAreListed();
+    void marksAreObeyed();
+    void sameTwice();
+};
+
+void BodyShareTest::oppositeDipsShareABallEvenly() {
+    const TexturedMesh model = ball(QColor(120, 120, 120));
+    const BodyShare share = shared(model, oppositeFilms(model));
+    const double whole = surfaceArea(model.mesh);
+    QVERIFY(std::abs(share.areas.total() - whole) < 1e-3 * whole);
+    QVERIFY2(std::abs(share.areas.first - share.areas.second) < 0.01 * whole,
+             qPrintable(QStringLiteral("%1 %2").arg(share.areas.first).arg(share.areas.second)));
+    QCOMPARE(share.areas.none, 0.0);
+    QVERIFY(share.unpainted.empty());
+    QVERIFY(!share.join.empty());
+    for (const auto& piece : share.join) {
+        QVERIFY2(std::abs(heightOf(piece)) < 1, qPrintable(QString::number(heightOf(piece))));
+    }
+    QVERIFY2(std::abs(share.cost.length - 2 * pi * radius) < 0.02 * 2 * pi * radius,
+             qPrintable(QString::number(share.cost.length)));
+}
+
+void BodyShareTest::joinLiesInThePlainHalf() {
+    QImage picture(1200, 600, QImage::Format_RGBA8888);
+    picture.fill(QColor(230, 230, 230));
+    QPainter painter(&picture);
+    for (int row = 300; row < 600; row += 10) { // the map's south
+        for (int column = 0; column < 1200; column += 20) {
+            painter.fillRect(column + row % 20, row, 10, 10, Qt::black);
+        }
+    }
+    painter.end();
+    const TexturedMesh model = test::globe(radius, 60, 120, picture);
+    const BodyShare share = shared(model, oppositeFilms(model));
+    for (const auto& piece : share.join) {
+        QVERIFY2(heightOf(piece) > 0, qPrintable(QString::number(heightOf(piece))));
+    }
+    QVERIFY2(share.cost.cost < 0.7 * share.equator.cost,
+             qPrintable(QStringLiteral("%1 %2").arg(share.cost.cost).arg(share.equator.cost)));
+}
+
+void BodyShareTest::greyIsRightAcrossTheJoin() {
+    const TexturedMesh model = ball(QColor(120, 120, 120));
+    const Films films = oppositeFilms(model);
+    const BodyShare share = shared(model, films);
+    std::array<QImage, 2> sheets;
+    for (std::size_t dip = 0; dip < 2; ++dip) {
+        sheets[dip] = reverseTexture(*films[dip], {a4Pixels, 2, {}, share.of(dip)}, {}).image;
+    }
+    const float wanted = linearColour(QColor(120, 120, 120))[0];
+    std::size_t inBand = 0;
+    for (std::uint32_t triangle = 0; triangle < share.painters.size(); ++triangle) {
+        const SurfacePoint point = share.distance.mesh->middle(triangle);
+        inBand += share.painters[triangle] == Painter::Both ? 1 : 0;
+        const LinearColour shown =
+            shownBy(*films[0], sheets[0], point) * shownBy(*films[1], sheets[1], point);
+        QVERIFY2(std::abs(shown[0] - wanted) < 0.01f,
+                 qPrintable(QStringLiteral("%1 instead of %2, %3 mm from the join")
+                                .arg(double(shown[0]))
+                                .arg(double(wanted))
+                                .arg(double(share.distance.at(point)))));
+    }
+    QVERIFY(inBand > 100);
+}
+
+void BodyShareTest::blackAndWhiteAreRightAcrossTheJoin() {
+    for (const QColor& colour : {QColor(Qt::black), QColor(Qt::white)}) {
+        const TexturedMesh model = ball(colour);
+        const Films films = oppositeFilms(model);
+        const BodyShare share = shared(model, films);
+        const QImage first = reverseTexture(*films[0], {a4Pixels, 2, {}, share.of(0)}, {}).image;
+        const QImage second = reverseTexture(*films[1], {a4Pixels, 2, {}, share.of(1)}, {}).image;
+        for (std::uint32_t triangle = 0; triangle < share.painters.size(); triangle += 7) {
+            const SurfacePoint point = share.distance.mesh->middle(triangle);
+            const LinearColour shown =
+                shownBy(*films[0], first, point) * shownBy(*films[1], second, point);
+            QVERIFY2(std::abs(shown[0] - linearColour(colour)[0]) < 0.02f,
+                     qPrintable(QString::number(double(shown[0]))));
+        }
+    }
+}
+
+void BodyShareTest::nothingIsPaintedTwice() {
+    const TexturedMesh model = ball(QColor(40, 90, 160));
+    const Films films = oppositeFilms(model);
+    const BodyShare share = shared(model, films);
+    for (std::size_t dip = 0; dip < 2; ++dip) {
+        const QImage sheet =
+            reverseTexture(*films[dip], {a4Pixels, 2, {}, share.of(dip)}, {}).image;
+        for (std::uint32_t triangle = 0; triangle < share.painters.size(); triangle += 3) {
+            const Painter other = dip == 0 ? Painter::Second : Painter::First;
+            const SurfacePoint point = share.distance.mesh->middle(triangle);
+            const bool isFar = std::abs(share.distance.at(point)) > float(share.overlap) / 2 + 1;
+            const std::optional<FilmPlace> place = films[dip]->place(point);
+            if (share.painters[triangle] != other || !isFar || !place) {
+                continue;
+            }
+            const int column = int((double(place->rest.x()) / 210 + 0.5) * sheet.width());
+            const int row = int((double(place->rest.y()) / 297 + 0.5) * sheet.height());
+            QCOMPARE(qAlpha(sheet.pixel(column, row)), 0);
+        }
+    }
+}
+
+void BodyShareTest::bandIsAsWideAsTheErrorNeeds_data() {
+    QTest::addColumn<double>("light");
+    QTest::addColumn<double>("error");
+    for (const double light : {0.01, 0.1, 0.32, 0.5, 0.85, 0.95}) {
+        for (const double error : {0.3, 0.7, 2.0}) {
+            QTest::addRow("%g, %g mm", light, error) << light << error;
+        }
+    }
+}
+
+void BodyShareTest::bandIsAsWideAsTheErrorNeeds() {
+    QFETCH(double, light);
+    QFETCH(double, error);
+    const double wide = neededOverlap({LinearColour::Constant(float(light))}, error, 0);
+    const auto step = [&](double overlap) {
+        const double share = std::min(1.0, error / overlap);
+        return std::max(std::pow(light, 1 - share) - light, light - std::pow(light, 1 + share));
+    };
+    QVERIFY(step(wide) <= 0.1 + 1e-6);
+    QVERIFY(step(0.98 * wide) > 0.1 || wide <= error);
+    QCOMPARE(neededOverlap({LinearColour::Constant(float(light))}, 0, 1.5), 1.5);
+}
+
+void BodyShareTest::whatOneDipAloneReachesIsItsOwn() {
+    const TexturedMesh model = ball(QColor(120, 120, 120));
+    const Films films = oppositeFilms(model);
+    const BodyShare share = shared(model, films);
+    for (std::uint32_t triangle = 0; triangle < share.painters.size(); ++triangle) {
+        const SurfacePoint point = share.distance.mesh->middle(triangle);
+        const double height = double(position(model.mesh, point).y());
+        if (height < -radius / 2) {
+            QCOMPARE(share.painters[triangle], Painter::First);
+        } else if (height > radius / 2) {
+            QCOMPARE(share.painters[triangle], Painter::Second);
+        }
+    }
+}
+
+void BodyShareTest::placesOutOfReachAreListed() {
+    const TexturedMesh model = ball(QColor(120, 120, 120));
+    // Both from below: the cap on top stays bare.
+    const BodyShare share = shared(model, {laidFrom(model, 0), laidFrom(model, 0)});
+    const double cap = surfaceArea(model.mesh) - coverage(*laidFrom(model, 0)).paintedArea;
+    QVERIFY2(std::abs(share.areas.none - cap) < 0.01 * cap,
+             qPrintable(QStringLiteral("%1 of %2").arg(share.areas.none).arg(cap)));
+    QCOMPARE(share.unpainted.size(), std::size_t(1));
+    QVERIFY(std::abs(share.unpainted[0].area - share.areas.none) < 0.01 * share.areas.none);
+    QVERIFY((share.unpainted[0].place - Eigen::Vector3f(0, float(radius), 0)).norm() < 2);
+}
+
+void BodyShareTest::marksAreObeyed() {
+    const TexturedMesh model = ball(QColor(120, 120, 120));
+    const Films films = oppositeFilms(model);
+    const auto painterAt = [&](const BodyShare& share, const Eigen::Vector3f& place) {
+        const SurfacePoint point = SurfaceQuery(model.mesh).closest(place).point;
+        return share.painters[share.distance.mesh->onFine(point).triangle];
+    };
+    // A little above the equator, which is the second dip's.
+    const Eigen::Vector3f above = 35 * Eigen::Vector3f(0, 0.2f, 1).normalized();
+    QCOMPARE(painterAt(shared(model, films), above), Painter::Second);
+    ShareSettings settings;
+    ShareMark mark{ShareMarkKind::First, {}, Millimetres(12)};
+    for (int axis = 0; axis < 3; ++axis) {
+        mark.place[std::size_t(axis)] = Millimetres(double(above[axis]));
+    }
+    settings.marks = {mark};
+    QCOMPARE(painterAt(shared(model, films, settings), above), Painter::First);
+    settings.marks.push_back(mark);
+    settings.marks.back().kind = ShareMarkKind::Second;
+    QCOMPARE(painterAt(shared(model, films, settings), above), Painter::Second);
+    // No join where it is to be avoided: it goes round the spot.
+    settings.marks = {mark};
+    settings.marks[0].kind = ShareMarkKind::Avoid;
+    settings.marks[0].place = {Millimetres(0), Millimetres(0), Millimetres(radius)};
+    settings.marks[0].radius = Millimetres(5);
+    const BodyShare round = shared(model, films, settings);
+    for (const auto& piece : round.join) {
+        QVERIFY((piece[0] - Eigen::Vector3f(0, 0, float(radius))).norm() > 3);
+    }
+}
+
+void BodyShareTest::sameTwice() {
+    const TexturedMesh model = ball(QColor(120, 120, 120));
+    const Films films = oppositeFilms(model);
+    QCOMPARE(shared(model, films).distance.values, shared(model, films).distance.values);
+}
+
+QTEST_GUILESS_MAIN(BodyShareTest)
+#include "BodyShareTest.moc"
