@@ -1082,10 +1082,6 @@
         <translation>Das Projekt hat die Version %1 des Dateiformats, dieses Programm liest bis Version %2; öffnen Sie es mit einem neueren Dipwright</translation>
     </message>
     <message>
-        <source>the sections are film, process, body, immersions[0], sheet and ink</source>
-        <translation>die Abschnitte sind film, process, body, immersions[0], sheet und ink</translation>
-    </message>
-    <message>
         <source>there are %1</source>
         <translation>es gibt %1</translation>
     </message>
@@ -1108,6 +1104,14 @@
     <message>
         <source>A value is missing, give %1</source>
         <translation>Hier fehlt ein Wert; geben Sie %1 an</translation>
+    </message>
+    <message>
+        <source>%1 must be an array of at most %2 marks</source>
+        <translation>%1 muss ein Feld von höchstens %2 Marken sein</translation>
+    </message>
+    <message>
+        <source>the sections are film, process, body, immersions[0], sheet, ink and share</source>
+        <translation>die Abschnitte sind film, process, body, immersions[0], sheet, ink und share</translation>
     </message>
 </context>
 <context>
@@ -1591,6 +1595,38 @@
         <source>The side of the simulated film&apos;s cells where the body comes down. Smaller cells show finer detail and take longer.</source>
         <translation>Die Seite der Zellen der simulierten Folie dort, wo der Körper eintaucht. Kleinere Zellen zeigen feinere Einzelheiten und dauern länger.</translation>
     </message>
+    <message>
+        <source>Share the body out</source>
+        <translation>Körper aufteilen</translation>
+    </message>
+    <message>
+        <source>Each dip paints the places that it paints better, and leaves the others blank. If not, both paint all that they reach, and some places are painted twice.</source>
+        <translation>Jeder Tauchgang färbt die Stellen, die er besser färbt, und lässt die anderen frei. Sonst färben beide alles, was sie erreichen, und manche Stellen werden doppelt gefärbt.</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>The band along the join in which both dips fade into each other, on the body. It is made wider where the registration error would show in it.</source>
+        <translation>Das Band längs der Fuge, in dem beide Tauchgänge ineinander übergehen, auf dem Körper. Es wird breiter, wo der Passerfehler darin zu sehen wäre.</translation>
+    </message>
+    <message>
+        <source>Registration error</source>
+        <translation>Passerfehler</translation>
+    </message>
+    <message>
+        <source>How far the second dip may lie off the first. The band is made wide enough that no edge shows.</source>
+        <translation>Wie weit der zweite Tauchgang neben dem ersten liegen darf. Das Band wird so breit, dass keine Kante zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Stretched by at most</source>
+        <translation>Höchstens gedehnt um</translation>
+    </message>
+    <message>
+        <source>Where one dip&apos;s film is drawn out to more times its length, the other is to paint, if it can.</source>
+        <translation>Wo der Film eines Tauchgangs auf mehr als das Sovielfache seiner Länge gezogen ist, färbt der andere, wenn er kann.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -1662,6 +1698,38 @@
         <source>%1 mm² · %2</source>
         <translation>%1 mm² · %2</translation>
     </message>
+    <message>
+        <source>Painted by %1 alone</source>
+        <translation>Von %1 allein gefärbt</translation>
+    </message>
+    <message>
+        <source>In the overlap, by both</source>
+        <translation>In der Überlappung, von beiden</translation>
+    </message>
+    <message>
+        <source>Reached by neither</source>
+        <translation>Von keinem erreicht</translation>
+    </message>
+    <message>
+        <source>Width of the overlap</source>
+        <translation>Breite der Überlappung</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Length of the join</source>
+        <translation>Länge der Fuge</translation>
+    </message>
+    <message>
+        <source>Not reached at %1, %2, %3 mm</source>
+        <translation>Nicht erreicht bei %1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Fuge</translation>
+    </message>
 </context>
 <context>
     <name>ResultFolder</name>
@@ -1696,6 +1764,21 @@
     <message>
         <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
         <translation>Die Ergebnisse sind nur zum Teil in den Ordner verschoben; schließen Sie, was dort Dateien geöffnet hat, und starten Sie das Programm neu: Es verschiebt den Rest</translation>
+    </message>
+</context>
+<context>
+    <name>ShareEdits</name>
+    <message>
+        <source>Mark for the Join</source>
+        <translation>Marke für die Fuge</translation>
+    </message>
+    <message>
+        <source>Remove Mark</source>
+        <translation>Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Remove Marks</source>
+        <translation>Marken entfernen</translation>
     </message>
 </context>
 <context>
@@ -1928,6 +2011,13 @@
     <message>
         <source>The file cannot be written: %1</source>
         <translation>Die Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::BodyShare</name>
+    <message>
+        <source>Sharing out the body</source>
+        <translation>Der Körper wird aufgeteilt</translation>
     </message>
 </context>
 <context>
@@ -2327,6 +2417,18 @@
     <message>
         <source>Not painted</source>
         <translation>Nicht bemalt</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm², %3 %</source>
+        <translation>%1: %2 mm², %3 %</translation>
+    </message>
+    <message>
+        <source>Both, along the join</source>
+        <translation>Beide, längs der Fuge</translation>
+    </message>
+    <message>
+        <source>Not reached</source>
+        <translation>Nicht erreicht</translation>
     </message>
 </context>
 <context>
@@ -2856,6 +2958,68 @@
     <message>
         <source>The model names files that do not belong to its folder, such as %1, and is not read; put them beside it, or allow it to read them (--allow-outside)</source>
         <translation>Das Modell nennt Dateien, die nicht zu seinem Ordner gehören, etwa %1, und wird nicht gelesen; legen Sie sie daneben, oder erlauben Sie, sie zu lesen (--allow-outside)</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::JoinBrush</name>
+    <message>
+        <source>The whole face</source>
+        <translation>Die ganze Fläche</translation>
+    </message>
+    <message>
+        <source>Remove Last</source>
+        <translation>Letzte entfernen</translation>
+    </message>
+    <message>
+        <source>Remove All</source>
+        <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>A click on the body</source>
+        <translation>Ein Klick auf den Körper</translation>
+    </message>
+    <message>
+        <source>Marks nothing</source>
+        <translation>Markiert nichts</translation>
+    </message>
+    <message>
+        <source>Keeps the join away</source>
+        <translation>Hält die Fuge fern</translation>
+    </message>
+    <message>
+        <source>Lets the join run there</source>
+        <translation>Lässt die Fuge dort laufen</translation>
+    </message>
+    <message>
+        <source>What a click on the body in the view marks there. Give a place to the other dip to move the join. With Run Live the join follows at once.</source>
+        <translation>Was ein Klick auf den Körper in der Ansicht dort markiert. Geben Sie eine Stelle dem anderen Tauchgang, um die Fuge zu verschieben. Wird laufend gerechnet, folgt die Fuge sofort.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>How far round the click the mark reaches, along the surface.</source>
+        <translation>Wie weit um den Klick herum die Marke reicht, entlang der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Marks the flat face that is clicked, up to its edges.</source>
+        <translation>Markiert die ebene Fläche, die angeklickt wird, bis zu ihren Kanten.</translation>
+    </message>
+    <message>
+        <source>A click</source>
+        <translation>Ein Klick</translation>
+    </message>
+    <message>
+        <source>Gives the place to %1</source>
+        <translation>Gibt die Stelle %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) on the body</source>
+        <translation>
+            <numerusform>%n Marke auf dem Körper</numerusform>
+            <numerusform>%n Marken auf dem Körper</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3827,6 +3991,10 @@
         <source>Remove this immersion</source>
         <translation>Diesen Tauchgang entfernen</translation>
     </message>
+    <message>
+        <source>Join</source>
+        <translation>Fuge</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PropertyField</name>
@@ -3984,6 +4152,10 @@
     <message>
         <source>%1 (not installed)</source>
         <translation>%1 (nicht installiert)</translation>
+    </message>
+    <message>
+        <source>Where the join runs</source>
+        <translation>Wo die Fuge läuft</translation>
     </message>
 </context>
 <context>

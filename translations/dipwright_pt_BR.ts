@@ -1082,10 +1082,6 @@
         <translation>O projeto tem a versão %1 do formato e este programa lê até a versão %2; abra-o com um Dipwright mais novo</translation>
     </message>
     <message>
-        <source>the sections are film, process, body, immersions[0], sheet and ink</source>
-        <translation>as seções são film, process, body, immersions[0], sheet e ink</translation>
-    </message>
-    <message>
         <source>there are %1</source>
         <translation>existem %1</translation>
     </message>
@@ -1108,6 +1104,14 @@
     <message>
         <source>A value is missing, give %1</source>
         <translation>Falta um valor, informe %1</translation>
+    </message>
+    <message>
+        <source>%1 must be an array of at most %2 marks</source>
+        <translation>%1 deve ser uma lista de no máximo %2 marcas</translation>
+    </message>
+    <message>
+        <source>the sections are film, process, body, immersions[0], sheet, ink and share</source>
+        <translation>as seções são film, process, body, immersions[0], sheet, ink e share</translation>
     </message>
 </context>
 <context>
@@ -1591,6 +1595,38 @@
         <source>The side of the simulated film&apos;s cells where the body comes down. Smaller cells show finer detail and take longer.</source>
         <translation>O lado das células do filme simulado onde o corpo desce. Células menores mostram detalhes mais finos e demoram mais.</translation>
     </message>
+    <message>
+        <source>Share the body out</source>
+        <translation>Repartir o corpo</translation>
+    </message>
+    <message>
+        <source>Each dip paints the places that it paints better, and leaves the others blank. If not, both paint all that they reach, and some places are painted twice.</source>
+        <translation>Cada imersão pinta os lugares que pinta melhor e deixa os outros em branco. Senão, ambas pintam tudo o que alcançam, e alguns lugares são pintados duas vezes.</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Sobreposição</translation>
+    </message>
+    <message>
+        <source>The band along the join in which both dips fade into each other, on the body. It is made wider where the registration error would show in it.</source>
+        <translation>A faixa ao longo da junção em que as duas imersões se fundem, no corpo. Ela fica mais larga onde o erro de registro apareceria.</translation>
+    </message>
+    <message>
+        <source>Registration error</source>
+        <translation>Erro de registro</translation>
+    </message>
+    <message>
+        <source>How far the second dip may lie off the first. The band is made wide enough that no edge shows.</source>
+        <translation>Quanto a segunda imersão pode desviar da primeira. A faixa fica larga o bastante para que nenhuma borda apareça.</translation>
+    </message>
+    <message>
+        <source>Stretched by at most</source>
+        <translation>Esticado no máximo</translation>
+    </message>
+    <message>
+        <source>Where one dip&apos;s film is drawn out to more times its length, the other is to paint, if it can.</source>
+        <translation>Onde o filme de uma imersão é esticado além de tantas vezes o seu comprimento, a outra pinta, se puder.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -1662,6 +1698,38 @@
         <source>%1 mm² · %2</source>
         <translation>%1 mm² · %2</translation>
     </message>
+    <message>
+        <source>Painted by %1 alone</source>
+        <translation>Pintado só por %1</translation>
+    </message>
+    <message>
+        <source>In the overlap, by both</source>
+        <translation>Na sobreposição, por ambas</translation>
+    </message>
+    <message>
+        <source>Reached by neither</source>
+        <translation>Não alcançado por nenhuma</translation>
+    </message>
+    <message>
+        <source>Width of the overlap</source>
+        <translation>Largura da sobreposição</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Length of the join</source>
+        <translation>Comprimento da junção</translation>
+    </message>
+    <message>
+        <source>Not reached at %1, %2, %3 mm</source>
+        <translation>Não alcançado em %1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Junção</translation>
+    </message>
 </context>
 <context>
     <name>ResultFolder</name>
@@ -1696,6 +1764,21 @@
     <message>
         <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
         <translation>Os resultados foram movidos para a pasta só em parte; feche o que tem arquivos abertos ali e inicie o programa de novo, que move o resto</translation>
+    </message>
+</context>
+<context>
+    <name>ShareEdits</name>
+    <message>
+        <source>Mark for the Join</source>
+        <translation>Marca para a junção</translation>
+    </message>
+    <message>
+        <source>Remove Mark</source>
+        <translation>Remover marca</translation>
+    </message>
+    <message>
+        <source>Remove Marks</source>
+        <translation>Remover marcas</translation>
     </message>
 </context>
 <context>
@@ -1928,6 +2011,13 @@
     <message>
         <source>The file cannot be written: %1</source>
         <translation>O arquivo não pode ser gravado: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::BodyShare</name>
+    <message>
+        <source>Sharing out the body</source>
+        <translation>Repartindo o corpo</translation>
     </message>
 </context>
 <context>
@@ -2327,6 +2417,18 @@
     <message>
         <source>Not painted</source>
         <translation>Não pintado</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm², %3 %</source>
+        <translation>%1: %2 mm², %3 %</translation>
+    </message>
+    <message>
+        <source>Both, along the join</source>
+        <translation>Ambas, ao longo da junção</translation>
+    </message>
+    <message>
+        <source>Not reached</source>
+        <translation>Não alcançado</translation>
     </message>
 </context>
 <context>
@@ -2856,6 +2958,68 @@
     <message>
         <source>The model names files that do not belong to its folder, such as %1, and is not read; put them beside it, or allow it to read them (--allow-outside)</source>
         <translation>O modelo cita arquivos que não pertencem à sua pasta, como %1, e não é lido; coloque-os ao lado dele ou permita que sejam lidos (--allow-outside)</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::JoinBrush</name>
+    <message>
+        <source>The whole face</source>
+        <translation>A face inteira</translation>
+    </message>
+    <message>
+        <source>Remove Last</source>
+        <translation>Remover a última</translation>
+    </message>
+    <message>
+        <source>Remove All</source>
+        <translation>Remover todas</translation>
+    </message>
+    <message>
+        <source>A click on the body</source>
+        <translation>Um clique no corpo</translation>
+    </message>
+    <message>
+        <source>Marks nothing</source>
+        <translation>Não marca nada</translation>
+    </message>
+    <message>
+        <source>Keeps the join away</source>
+        <translation>Afasta a junção</translation>
+    </message>
+    <message>
+        <source>Lets the join run there</source>
+        <translation>Deixa a junção passar ali</translation>
+    </message>
+    <message>
+        <source>What a click on the body in the view marks there. Give a place to the other dip to move the join. With Run Live the join follows at once.</source>
+        <translation>O que um clique no corpo na vista marca ali. Dê um lugar à outra imersão para mover a junção. Com o cálculo contínuo a junção acompanha na hora.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Raio</translation>
+    </message>
+    <message>
+        <source>How far round the click the mark reaches, along the surface.</source>
+        <translation>Até onde a marca chega em volta do clique, ao longo da superfície.</translation>
+    </message>
+    <message>
+        <source>Marks the flat face that is clicked, up to its edges.</source>
+        <translation>Marca a face plana clicada, até as suas arestas.</translation>
+    </message>
+    <message>
+        <source>A click</source>
+        <translation>Um clique</translation>
+    </message>
+    <message>
+        <source>Gives the place to %1</source>
+        <translation>Dá o lugar a %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) on the body</source>
+        <translation>
+            <numerusform>%n marca no corpo</numerusform>
+            <numerusform>%n marcas no corpo</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3827,6 +3991,10 @@
         <source>Remove this immersion</source>
         <translation>Remover esta imersão</translation>
     </message>
+    <message>
+        <source>Join</source>
+        <translation>Junção</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PropertyField</name>
@@ -3984,6 +4152,10 @@
     <message>
         <source>%1 (not installed)</source>
         <translation>%1 (não instalado)</translation>
+    </message>
+    <message>
+        <source>Where the join runs</source>
+        <translation>Por onde passa a junção</translation>
     </message>
 </context>
 <context>

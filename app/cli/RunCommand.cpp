@@ -44,6 +44,30 @@ void printLaws(const std::vector<LawChange>& laws, QTextStream& out) {
     }
 }
 
+void printShare(const JobResult& result, QTextStream& out) {
+    const ShareAreas& areas = result.share->areas;
+    const auto part = [&](double area) {
+        return QStringLiteral("%1 mm² (%2 %)")
+            .arg(number(area, 0), number(100 * area / areas.total(), 1));
+    };
+    out << QStringLiteral("Shared out: %1 %2, %3 %4, both %5 in a band of %6 mm, neither %7\n")
+               .arg(result.immersions[0].immersion.name, part(areas.first),
+                    result.immersions[1].immersion.name, part(areas.second), part(areas.both),
+                    number(result.share->overlap, 1), part(areas.none));
+    for (const UnpaintedPlace& place : result.share->unpainted) {
+        out << QStringLiteral("  not reached: %1 mm² at %2, %3, %4 mm of the model\n")
+                   .arg(number(place.area, 0), number(double(place.place.x()), 1),
+                        number(double(place.place.y()), 1), number(double(place.place.z()), 1));
+    }
+    const double equator = result.share->equator.cost;
+    out << QStringLiteral("Join: %1 mm long").arg(number(result.share->cost.length, 0));
+    if (equator > 0) {
+        out << QStringLiteral(", seen %1 % as much as a plain cut halfway between the poses")
+                   .arg(number(100 * result.share->cost.cost / equator, 0));
+    }
+    out << '\n';
+}
+
 void printSummary(const JobResult& result, QTextStream& out) {
     out << QStringLiteral("Solver: %1 %2 on %3\n")
                .arg(result.solver.name, result.solver.version, result.solver.device);
@@ -63,6 +87,9 @@ void printSummary(const JobResult& result, QTextStream& out) {
                    .arg(number(film.wallSeconds, 2), number(100 * immersion.coverage->share, 1),
                         number(immersion.readBack.percentile95, 3),
                         number(film.grid.leastSpacing(), 2));
+    }
+    if (result.share) {
+        printShare(result, out);
     }
     out << QStringLiteral("Covered altogether: %1 %\n").arg(number(100 * result.coverageTotal, 1));
 }

@@ -50,7 +50,7 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidg
         const std::size_t number = sheets_.size();
         sheets_.push_back(result.sheet);
         auto* box = new QCheckBox(result.immersion.name);
-        box->setChecked(number == immersion);
+        box->setChecked(true); // a job is printed whole unless somebody wants less
         box->setToolTip(tr("Whether this immersion's sheet is printed."));
         connect(box, &QCheckBox::toggled, this, [this, number] {
             showSheet(number);

@@ -37,7 +37,8 @@ MainWindow::MainWindow(Workbench& workbench)
       status_(new StatusLine(*statusBar(), jobs_, *actions_.cancel)), scene_(*parts_.view),
       playback_(session_, *parts_.view, scene_, *parts_.timeline),
       reader_(session_, *parts_.view, scene_, *parts_.results),
-      measure_(*parts_.view, scene_, messages_), turn_(session_, *parts_.view),
+      measure_(*parts_.view, scene_, messages_), join_(*parts_.view, scene_, session_),
+      turn_(session_, *parts_.view),
       dip_(actions_, session_, check_, playback_, messages_, *parts_.results, *parts_.staleBanner),
       documentActions_(actions_, documents_, messages_, workbench, *this),
       edits_(actions_, *parts_.tree, *parts_.properties, session_, jobs_, messages_, *this),
@@ -108,6 +109,7 @@ void MainWindow::connectPanels() {
             session_.lookAt(node.immersion);
         }
     });
+    connect(parts_.properties, &PropertyPanel::joinBrushChanged, &join_, &JoinTool::setBrush);
     connect(parts_.properties, &PropertyPanel::failed, &messages_,
             [this](const QString& sentence) { messages_.say(sentence); });
 }

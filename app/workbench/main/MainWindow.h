@@ -16,6 +16,7 @@
 #include "view/BodyTurn.h"
 #include "view/DipPlayback.h"
 #include "view/FilmReader.h"
+#include "view/JoinTool.h"
 #include "view/MeasureTool.h"
 
 #include <QMainWindow>
@@ -73,6 +74,7 @@ private:
     DipPlayback playback_;
     FilmReader reader_;
     MeasureTool measure_;
+    JoinTool join_;
     BodyTurn turn_;
     DipController dip_;
     DocumentController documentActions_;

@@ -72,6 +72,9 @@ void ProjectTree::rebuild() {
                 addItem(root, project.immersions[number].name, QStringLiteral("immersion"),
                         {ProjectPart::Immersion, number});
             }
+            if (project.immersions.size() > 1) {
+                addItem(root, tr("Join"), QStringLiteral("join"), {ProjectPart::Share});
+            }
             addItem(root, tr("Sheet"), QStringLiteral("sheet"), {ProjectPart::Sheet});
             addItem(root, tr("Ink"), QStringLiteral("ink"), {ProjectPart::Ink});
             expandAll();

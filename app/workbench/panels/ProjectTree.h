@@ -8,7 +8,7 @@
 
 namespace dipwright {
 
-enum class ProjectPart { Project, Model, Film, Process, Immersion, Sheet, Ink };
+enum class ProjectPart { Project, Model, Film, Process, Immersion, Share, Sheet, Ink };
 
 struct ProjectNode {
     ProjectPart part = ProjectPart::Project;

@@ -2,7 +2,9 @@
 
 #include "base/Error.h"
 #include "document/ProjectValue.h"
+#include "document/ShareEdits.h"
 #include "look/Icons.h"
+#include "panels/JoinBrush.h"
 #include "panels/PropertySpecs.h"
 #include "panels/ShippedNames.h"
 
@@ -53,6 +55,7 @@ void PropertyPanel::showNode(const ProjectNode& node) {
 
 void PropertyPanel::rebuild() {
     refreshers_.clear();
+    emit joinBrushChanged(std::nullopt);
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
     form->setContentsMargins(10, 8, 10, 10);
@@ -86,6 +89,9 @@ void PropertyPanel::rebuild() {
                 }
             }
         }
+    }
+    if (document_ && node_.part == ProjectPart::Share) {
+        addJoinBrush(*form);
     }
     setWidget(page);
     refresh();
@@ -215,6 +221,24 @@ void PropertyPanel::addFilmFacts(QFormLayout& form) {
     refreshers_.push_back([this, facts] {
         facts->setText(
             filmFacts_.text(document_->project(), document_->result().get(), lengthUnit_));
+    });
+}
+
+void PropertyPanel::addJoinBrush(QFormLayout& form) {
+    addHeading(form, tr("Where the join runs"));
+    auto* brush = new JoinBrush(lengthUnit_);
+    form.addRow(brush);
+    connect(brush, &JoinBrush::changed, this,
+            [this, brush] { emit joinBrushChanged(brush->mark()); });
+    connect(brush, &JoinBrush::removeLastAsked, this, [this] { removeLastShareMark(*document_); });
+    connect(brush, &JoinBrush::removeAllAsked, this, [this] { removeShareMarks(*document_); });
+    refreshers_.push_back([this, brush] {
+        const Project& project = document_->project();
+        if (project.immersions.size() > 1) {
+            brush->setDips(project.immersions[0].name, project.immersions[1].name);
+        }
+        brush->setEnabled(project.share.enabled);
+        brush->setMarkCount(project.share.marks.size());
     });
 }
 

@@ -30,6 +30,8 @@ signals:
     void reloadModelAsked();
     void replaceModelAsked();
     void replaceTextureAsked();
+    // What a click on the body marks for the join, without its place; none: nothing.
+    void joinBrushChanged(const std::optional<dipwright::ShareMark>& brush);
 
 private:
     void rebuild();
@@ -37,6 +39,7 @@ private:
     void addField(QFormLayout& form, const PropertySpec& spec);
     void addModelFacts(QFormLayout& form);
     void addFilmFacts(QFormLayout& form);
+    void addJoinBrush(QFormLayout& form);
     void addPreset(QFormLayout& form);
     void addSolver(QFormLayout& form);
     void addProfile(QFormLayout& form, ProfileKind kind, const QString& name, const QString& help);

@@ -244,6 +244,35 @@ std::vector<PropertySection> immersionProperties(std::size_t number) {
                .parts = {QStringLiteral("X"), QStringLiteral("Z")}}}}};
 }
 
+std::vector<PropertySection> shareProperties() {
+    const auto isShared = [](const Project& project) { return project.share.enabled; };
+    return {{{},
+             {{.path = QStringLiteral("share.enabled"),
+               .label = Text::tr("Share the body out"),
+               .help = Text::tr("Each dip paints the places that it paints better, and leaves the "
+                                "others blank. If not, both paint all that they reach, and some "
+                                "places are painted twice.")},
+              {.path = QStringLiteral("share.overlap_mm"),
+               .label = Text::tr("Overlap"),
+               .help = Text::tr("The band along the join in which both dips fade into each other, "
+                                "on the body. It is made wider where the registration error would "
+                                "show in it."),
+               .unit = Unit::Length,
+               .relevant = isShared},
+              {.path = QStringLiteral("share.registration_error_mm"),
+               .label = Text::tr("Registration error"),
+               .help = Text::tr("How far the second dip may lie off the first. The band is made "
+                                "wide enough that no edge shows."),
+               .unit = Unit::Length,
+               .relevant = isShared},
+              {.path = QStringLiteral("share.stretch_limit"),
+               .label = Text::tr("Stretched by at most"),
+               .help = Text::tr("Where one dip's film is drawn out to more times its length, the "
+                                "other is to paint, if it can."),
+               .unit = Unit::Ratio,
+               .relevant = isShared}}}};
+}
+
 std::vector<PropertySection> sheetProperties() {
     PropertySection page{Text::tr("Page"), {}};
     page.specs = {
@@ -314,6 +343,8 @@ std::vector<PropertySection> propertySections(const ProjectNode& node) {
         return processProperties();
     case ProjectPart::Immersion:
         return immersionProperties(node.immersion);
+    case ProjectPart::Share:
+        return shareProperties();
     case ProjectPart::Sheet:
         return sheetProperties();
     case ProjectPart::Ink:

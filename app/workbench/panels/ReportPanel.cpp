@@ -43,6 +43,30 @@ QString percent(double share) {
     return Text::tr("%1 %").arg(number(share * 100, 1));
 }
 
+QString shareHtml(const JobResult& result) {
+    const BodyShare& share = *result.share;
+    const auto area = [&](double squareMillimetres) {
+        return Text::tr("%1 mm² · %2")
+            .arg(number(squareMillimetres, 0), percent(squareMillimetres / share.areas.total()));
+    };
+    Table table;
+    table.row(Text::tr("Painted by %1 alone").arg(result.immersions[0].immersion.name),
+              area(share.areas.first));
+    table.row(Text::tr("Painted by %1 alone").arg(result.immersions[1].immersion.name),
+              area(share.areas.second));
+    table.row(Text::tr("In the overlap, by both"), area(share.areas.both));
+    table.row(Text::tr("Reached by neither"), area(share.areas.none));
+    table.row(Text::tr("Width of the overlap"), Text::tr("%1 mm").arg(number(share.overlap, 1)));
+    table.row(Text::tr("Length of the join"), Text::tr("%1 mm").arg(number(share.cost.length, 0)));
+    for (const UnpaintedPlace& place : share.unpainted) {
+        table.row(Text::tr("Not reached at %1, %2, %3 mm")
+                      .arg(number(double(place.place.x()), 1), number(double(place.place.y()), 1),
+                           number(double(place.place.z()), 1)),
+                  Text::tr("%1 mm²").arg(number(place.area, 0)));
+    }
+    return heading(Text::tr("Join")) + table.html();
+}
+
 QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
     const DippedFilm& film = result.laid->film();
     const Distribution stretch = distribution(result.laid->painted().constraints);
@@ -120,6 +144,9 @@ void ReportPanel::setResult(std::shared_ptr<const JobResult> result, LengthUnit 
     QString html = whole.html();
     for (const QString& note : result->notes) {
         html += QStringLiteral("<p><b>%1</b></p>").arg(note.toHtmlEscaped());
+    }
+    if (result->share) {
+        html += shareHtml(*result);
     }
     for (const ImmersionResult& immersion : result->immersions) {
         html += immersionHtml(immersion, unit);

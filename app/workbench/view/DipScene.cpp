@@ -6,6 +6,7 @@
 #include "results/Results.h"
 #include "texture/Chessboard.h"
 
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -101,6 +102,17 @@ std::vector<float> flatPositions(const solver::FilmGrid& grid, const ThinnedFilm
 
 constexpr std::size_t setupPoints = 2500;
 
+// The triangles that are shared out, as a body of one plain colour.
+std::shared_ptr<const TexturedMesh> fineBody(const BodyShare& share) {
+    auto body = std::make_shared<TexturedMesh>();
+    body->mesh = share.distance.mesh->mesh();
+    body->textureCoordinates.resize(body->mesh.triangles.size());
+    body->material.resize(body->mesh.triangles.size());
+    body->chart.resize(body->mesh.triangles.size());
+    body->materials.resize(1);
+    return body;
+}
+
 } // namespace
 
 DipScene::DipScene(DipView& view, QObject* parent) : QObject(parent), view_(view) {}
@@ -112,7 +124,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     immersion_ = std::min(immersion, project.immersions.size() - 1);
     if (otherModel) {
         query_ = std::make_unique<SurfaceQuery>(project.model->mesh);
-        view_.setBody(project.model);
+        wearBody(project.model, {}, {});
     }
     if (otherModel || otherFilm) {
         const solver::FilmGrid grid = filmGrid(project.film);
@@ -352,11 +364,25 @@ std::vector<QRgb> DipScene::frameColours() const {
 void DipScene::dressBody() {
     if (!coverage_ || !result_ || result_->project.model != project_.model ||
         immersion_ >= result_->immersions.size()) {
-        view_.setBodyColours({});
-        view_.setLegend({});
-        return;
+        wearBody(project_.model, {}, {});
+    } else if (result_->share) {
+        wearShare(*result_);
+    } else {
+        wearCoverage(*result_->immersions[immersion_].coverage);
     }
-    const Coverage& coverage = *result_->immersions[immersion_].coverage;
+}
+
+void DipScene::wearBody(std::shared_ptr<const TexturedMesh> model, const std::vector<QRgb>& colours,
+                        const std::vector<ViewLegendEntry>& legend) {
+    if (model != worn_) {
+        view_.setBody(model);
+        worn_ = std::move(model);
+    }
+    view_.setBodyColours(colours);
+    view_.setLegend(legend);
+}
+
+void DipScene::wearCoverage(const Coverage& coverage) {
     const QRgb painted = mapColour(QStringLiteral("balance"), 0.1).rgb();
     std::vector<QRgb> colours;
     for (std::size_t triangle = 0; triangle < coverage.covered.size(); ++triangle) {
@@ -365,14 +391,33 @@ void DipScene::dressBody() {
                           : coverage.covered[triangle] ? painted
                                                        : bareFilm);
     }
-    view_.setBodyColours(colours);
     std::vector<ViewLegendEntry> legend{{painted, tr("Painted")}, {bareFilm, tr("Not painted")}};
     for (const solver::PointMark mark : filmMarks) {
         if (coverage.marked.of(mark) > 0) {
             legend.push_back({markColour(mark), markText(mark)});
         }
     }
-    view_.setLegend(legend);
+    wearBody(project_.model, colours, legend);
+}
+
+void DipScene::wearShare(const JobResult& result) {
+    const BodyShare& share = *result.share;
+    std::vector<QRgb> colours;
+    for (const Painter painter : share.painters) {
+        colours.push_back(painterColour(painter).rgb());
+    }
+    const auto line = [&](Painter painter, const QString& name, double area) {
+        return ViewLegendEntry{
+            painterColour(painter),
+            tr("%1: %2 mm², %3 %")
+                .arg(name, QLocale().toString(area, 'f', 0),
+                     QLocale().toString(100 * area / share.areas.total(), 'f', 1))};
+    };
+    wearBody(fineBody(share), colours,
+             {line(Painter::First, result.immersions[0].immersion.name, share.areas.first),
+              line(Painter::Second, result.immersions[1].immersion.name, share.areas.second),
+              line(Painter::Both, tr("Both, along the join"), share.areas.both),
+              line(Painter::None, tr("Not reached"), share.areas.none)});
 }
 
 std::optional<Eigen::Isometry3d> DipScene::worldToEnd() const {

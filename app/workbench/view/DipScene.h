@@ -60,6 +60,10 @@ private:
                   const std::vector<float>& positions);
     void dressFilm();
     void dressBody();
+    void wearCoverage(const Coverage& coverage);
+    void wearShare(const JobResult& result);
+    void wearBody(std::shared_ptr<const TexturedMesh> model, const std::vector<QRgb>& colours,
+                  const std::vector<ViewLegendEntry>& legend);
     void showEndAnew(); // where the end is shown
     // At the end: by the extent, and none over the body whose coverage is shown.
     std::vector<FilmTriangle> shownTriangles(const LaidFilm& laid) const;
@@ -68,6 +72,7 @@ private:
     DipView& view_;
     Project project_;
     std::size_t immersion_ = 0;
+    std::shared_ptr<const TexturedMesh> worn_; // what the view shows as the body
     std::shared_ptr<const JobResult> result_;
     std::shared_ptr<const FilmReading> reading_;
     std::unique_ptr<SurfaceQuery> query_; // of the model

@@ -142,7 +142,9 @@ private slots:
         QTest::newRow("resolution") << "sheet.dpi"
                                     << "200" << false << true << true;
         QTest::newRow("other immersion") << "immersions[1].offset_mm"
-                                         << "3;4" << false << false << false;
+                                         << "3;4" << false << true << true;
+        QTest::newRow("overlap") << "share.overlap_mm"
+                                 << "3" << false << true << true;
     }
     void onlyWhatDependsOnAChangeGoesOutOfDate() {
         QFETCH(QString, path);

@@ -54,9 +54,8 @@ private slots:
     void bothSheetsArriveTrueAndInOrder() {
         PrintDialog dialog(twoSheets(), 0);
         QSignalSpy printed(&dialog, &PrintDialog::printed);
-        auto* below = named<QCheckBox>(dialog, "Below");
-        QVERIFY(named<QCheckBox>(dialog, "Top")->isChecked() && !below->isChecked());
-        below->click();
+        QVERIFY(named<QCheckBox>(dialog, "Top")->isChecked());
+        QVERIFY(named<QCheckBox>(dialog, "Below")->isChecked());
         QTRY_VERIFY_WITH_TIMEOUT(named<QLabel>(dialog, "Pages: 2"), 30000);
         auto* print = named<QPushButton>(dialog, "Print");
         QVERIFY(print->isEnabled());
