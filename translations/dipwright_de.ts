@@ -48,8 +48,8 @@
         <translation>%1 im Projekt ist abgeschnitten oder beschädigt</translation>
     </message>
     <message>
-        <source>The project cannot be packed</source>
-        <translation>Das Projekt kann nicht gepackt werden</translation>
+        <source>The file cannot be packed</source>
+        <translation>Die Datei lässt sich nicht packen</translation>
     </message>
 </context>
 <context>
@@ -206,6 +206,45 @@
     <message>
         <source>it ended its process (%1)</source>
         <translation>er hat seinen Prozess beendet (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>Cradle</name>
+    <message>
+        <source>%1: the body tips out of its cradle where it is not fixed; what stays dry does not lie on all sides of its middle. Fix it through the bore, or turn the pose</source>
+        <translation>%1: Der Körper kippt aus seiner Halterung, wo er nicht befestigt ist; was trocken bleibt, liegt nicht auf allen Seiten seiner Mitte. Befestigen Sie ihn durch die Bohrung, oder drehen Sie die Lage</translation>
+    </message>
+    <message>
+        <source>%1: nothing keeps the body from sliding sideways in its cradle, for what stays dry is flat; mark its place and fix it there</source>
+        <translation>%1: Nichts hält den Körper davon ab, in seiner Halterung seitlich zu rutschen, denn was trocken bleibt, ist flach; zeichnen Sie seinen Platz an und befestigen Sie ihn dort</translation>
+    </message>
+    <message>
+        <source>%1: the cradle lies on %2 mm² of paint of an earlier dip; line it there with %3 mm of soft felt or foam</source>
+        <translation>%1: Die Halterung liegt auf %2 mm² Farbe eines früheren Tauchgangs; legen Sie sie dort mit %3 mm weichem Filz oder Schaum aus</translation>
+    </message>
+    <message>
+        <source>%1: the cradle&apos;s plate has no room for arrow and job; write them on it</source>
+        <translation>%1: Die Platte der Halterung hat keinen Platz für Pfeil und Auftrag; schreiben Sie sie darauf</translation>
+    </message>
+    <message>
+        <source>%1: there is no cradle, for all that could hold the body is painted by an earlier dip; allow it with cradle.on_paint, through padding, or turn the pose</source>
+        <translation>%1: Es gibt keine Halterung, denn alles, was den Körper halten könnte, hat ein früherer Tauchgang bemalt; erlauben Sie es mit cradle.on_paint, durch ein Polster, oder drehen Sie die Lage</translation>
+    </message>
+    <message>
+        <source>%1: there is no cradle, for the film reaches all that could hold the body; dip it less deep or turn the pose</source>
+        <translation>%1: Es gibt keine Halterung, denn der Film erreicht alles, was den Körper halten könnte; tauchen Sie ihn weniger tief oder drehen Sie die Lage</translation>
+    </message>
+    <message>
+        <source>Forming the cradle</source>
+        <translation>Halterung wird geformt</translation>
+    </message>
+    <message>
+        <source>Checking the cradle</source>
+        <translation>Halterung wird geprüft</translation>
+    </message>
+    <message>
+        <source>Looking for what stays dry</source>
+        <translation>Gesucht wird, was trocken bleibt</translation>
     </message>
 </context>
 <context>
@@ -566,6 +605,10 @@
     <message>
         <source>Varying the laws</source>
         <translation>Gesetze werden verändert</translation>
+    </message>
+    <message>
+        <source>Writing the cradle of %1</source>
+        <translation>Halterung von %1 wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -1627,6 +1670,122 @@
         <source>Where one dip&apos;s film is drawn out to more times its length, the other is to paint, if it can.</source>
         <translation>Wo der Film eines Tauchgangs auf mehr als das Sovielfache seiner Länge gezogen ist, färbt der andere, wenn er kann.</translation>
     </message>
+    <message>
+        <source>Cradle</source>
+        <translation>Halterung</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>How far the cradle keeps off the body that lies in it.</source>
+        <translation>Wie weit die Halterung von dem Körper wegbleibt, der in ihr liegt.</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>Wände</translation>
+    </message>
+    <message>
+        <source>How thick what holds the body is, at its thinnest.</source>
+        <translation>Wie dick an der dünnsten Stelle ist, was den Körper hält.</translation>
+    </message>
+    <message>
+        <source>Reaches down</source>
+        <translation>Reicht hinab</translation>
+    </message>
+    <message>
+        <source>How far below the body&apos;s top the cradle reaches. It goes deeper where the body would tip or slide.</source>
+        <translation>Wie weit unter das obere Ende des Körpers die Halterung reicht. Sie geht tiefer, wo der Körper kippen oder rutschen würde.</translation>
+    </message>
+    <message>
+        <source>Off the film</source>
+        <translation>Vom Film weg</translation>
+    </message>
+    <message>
+        <source>How far the cradle keeps off all that the film reaches, and off what earlier dips have painted.</source>
+        <translation>Wie weit die Halterung von allem wegbleibt, was der Film erreicht, und von dem, was frühere Tauchgänge bemalt haben.</translation>
+    </message>
+    <message>
+        <source>On paint</source>
+        <translation>Auf Farbe</translation>
+    </message>
+    <message>
+        <source>Whether the cradle may lie on what earlier dips have painted, through padding.</source>
+        <translation>Ob die Halterung, durch ein Polster, auf dem liegen darf, was frühere Tauchgänge bemalt haben.</translation>
+    </message>
+    <message>
+        <source>Padding</source>
+        <translation>Polster</translation>
+    </message>
+    <message>
+        <source>Room that is left for felt or foam where the cradle lies on paint.</source>
+        <translation>Raum, der für Filz oder Schaum bleibt, wo die Halterung auf Farbe liegt.</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>How thick the plate is that the cradle hangs from.</source>
+        <translation>Wie dick die Platte ist, an der die Halterung hängt.</translation>
+    </message>
+    <message>
+        <source>Off the water</source>
+        <translation>Vom Wasser weg</translation>
+    </message>
+    <message>
+        <source>How far the plate stays above the water at the end of the dip.</source>
+        <translation>Wie weit die Platte am Ende des Tauchgangs über dem Wasser bleibt.</translation>
+    </message>
+    <message>
+        <source>Pins apart</source>
+        <translation>Abstand der Stifte</translation>
+    </message>
+    <message>
+        <source>How far apart two of the datum pins are at most. They stand where the sheet&apos;s marks float, or are drawn in towards the film&apos;s middle.</source>
+        <translation>Wie weit zwei der Passstifte höchstens voneinander entfernt sind. Sie stehen, wo die Marken des Bogens schwimmen, oder sind zur Mitte des Films hereingezogen.</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Stifte</translation>
+    </message>
+    <message>
+        <source>The diameter of the datum pins of the tank&apos;s frame.</source>
+        <translation>Der Durchmesser der Passstifte am Rahmen des Beckens.</translation>
+    </message>
+    <message>
+        <source>Pin clearance</source>
+        <translation>Spiel der Stifte</translation>
+    </message>
+    <message>
+        <source>How much wider than the pins their holes are, all round.</source>
+        <translation>Um wie viel weiter als die Stifte ihre Löcher ringsum sind.</translation>
+    </message>
+    <message>
+        <source>Bore</source>
+        <translation>Bohrung</translation>
+    </message>
+    <message>
+        <source>A hole through plate and seat, to fix the body by a screw, suction or hot glue. At 0 there is none.</source>
+        <translation>Ein Loch durch Platte und Sitz, um den Körper mit Schraube, Sauger oder Heißkleber zu befestigen. Bei 0 gibt es keines.</translation>
+    </message>
+    <message>
+        <source>Engraving</source>
+        <translation>Gravur</translation>
+    </message>
+    <message>
+        <source>How deep arrow, number and job are cut into the plate. At 0 they are not.</source>
+        <translation>Wie tief Pfeil, Nummer und Auftrag in die Platte geschnitten sind. Bei 0 gar nicht.</translation>
+    </message>
+    <message>
+        <source>Fineness</source>
+        <translation>Feinheit</translation>
+    </message>
+    <message>
+        <source>The side of the cells that the cradle&apos;s form is computed on. Smaller is smoother, slower and makes larger files.</source>
+        <translation>Die Seite der Zellen, auf denen die Form der Halterung berechnet wird. Kleiner ist glatter, langsamer und macht größere Dateien.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -2622,6 +2781,18 @@
     <message>
         <source>Wrote the maps to %1</source>
         <translation>Karten nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Export Cradles</source>
+        <translation>Halterungen exportieren</translation>
+    </message>
+    <message>
+        <source>Export Cradles to a Folder</source>
+        <translation>Halterungen in einen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Wrote the cradles to %1</source>
+        <translation>Halterungen nach %1 geschrieben</translation>
     </message>
 </context>
 <context>
@@ -5147,6 +5318,14 @@ mm</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Crad&amp;les…</source>
+        <translation>&amp;Halterungen …</translation>
+    </message>
+    <message>
+        <source>Make what holds the body in each dip, as STL and 3MF to print in plastic</source>
+        <translation>Machen, was den Körper in jedem Tauchgang hält, als STL und 3MF zum Drucken in Kunststoff</translation>
     </message>
 </context>
 <context>

@@ -48,8 +48,8 @@
         <translation>%1 no projeto está truncado ou danificado</translation>
     </message>
     <message>
-        <source>The project cannot be packed</source>
-        <translation>O projeto não pode ser compactado</translation>
+        <source>The file cannot be packed</source>
+        <translation>O arquivo não pode ser compactado</translation>
     </message>
 </context>
 <context>
@@ -206,6 +206,45 @@
     <message>
         <source>it ended its process (%1)</source>
         <translation>ele encerrou o próprio processo (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>Cradle</name>
+    <message>
+        <source>%1: the body tips out of its cradle where it is not fixed; what stays dry does not lie on all sides of its middle. Fix it through the bore, or turn the pose</source>
+        <translation>%1: o corpo tomba do seu berço onde não está fixado; o que fica seco não está em todos os lados do seu meio. Fixe-o pelo furo ou gire a pose</translation>
+    </message>
+    <message>
+        <source>%1: nothing keeps the body from sliding sideways in its cradle, for what stays dry is flat; mark its place and fix it there</source>
+        <translation>%1: nada impede o corpo de escorregar de lado no seu berço, pois o que fica seco é plano; marque o seu lugar e fixe-o ali</translation>
+    </message>
+    <message>
+        <source>%1: the cradle lies on %2 mm² of paint of an earlier dip; line it there with %3 mm of soft felt or foam</source>
+        <translation>%1: o berço apoia-se em %2 mm² de tinta de um mergulho anterior; forre-o ali com %3 mm de feltro macio ou espuma</translation>
+    </message>
+    <message>
+        <source>%1: the cradle&apos;s plate has no room for arrow and job; write them on it</source>
+        <translation>%1: a placa do berço não tem espaço para a seta e o trabalho; escreva-os nela</translation>
+    </message>
+    <message>
+        <source>%1: there is no cradle, for all that could hold the body is painted by an earlier dip; allow it with cradle.on_paint, through padding, or turn the pose</source>
+        <translation>%1: não há berço, pois tudo que poderia segurar o corpo foi pintado por um mergulho anterior; permita-o com cradle.on_paint, através de um forro, ou gire a pose</translation>
+    </message>
+    <message>
+        <source>%1: there is no cradle, for the film reaches all that could hold the body; dip it less deep or turn the pose</source>
+        <translation>%1: não há berço, pois o filme alcança tudo que poderia segurar o corpo; mergulhe-o menos fundo ou gire a pose</translation>
+    </message>
+    <message>
+        <source>Forming the cradle</source>
+        <translation>Formando o berço</translation>
+    </message>
+    <message>
+        <source>Checking the cradle</source>
+        <translation>Verificando o berço</translation>
+    </message>
+    <message>
+        <source>Looking for what stays dry</source>
+        <translation>Procurando o que fica seco</translation>
     </message>
 </context>
 <context>
@@ -566,6 +605,10 @@
     <message>
         <source>Varying the laws</source>
         <translation>Variando as leis</translation>
+    </message>
+    <message>
+        <source>Writing the cradle of %1</source>
+        <translation>Gravando o berço de %1</translation>
     </message>
 </context>
 <context>
@@ -1627,6 +1670,122 @@
         <source>Where one dip&apos;s film is drawn out to more times its length, the other is to paint, if it can.</source>
         <translation>Onde o filme de uma imersão é esticado além de tantas vezes o seu comprimento, a outra pinta, se puder.</translation>
     </message>
+    <message>
+        <source>Cradle</source>
+        <translation>Berço</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Folga</translation>
+    </message>
+    <message>
+        <source>How far the cradle keeps off the body that lies in it.</source>
+        <translation>Quanto o berço se afasta do corpo que está nele.</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>Paredes</translation>
+    </message>
+    <message>
+        <source>How thick what holds the body is, at its thinnest.</source>
+        <translation>Espessura mínima do que segura o corpo.</translation>
+    </message>
+    <message>
+        <source>Reaches down</source>
+        <translation>Desce até</translation>
+    </message>
+    <message>
+        <source>How far below the body&apos;s top the cradle reaches. It goes deeper where the body would tip or slide.</source>
+        <translation>Quanto abaixo do topo do corpo o berço alcança. Ele desce mais onde o corpo tombaria ou escorregaria.</translation>
+    </message>
+    <message>
+        <source>Off the film</source>
+        <translation>Longe do filme</translation>
+    </message>
+    <message>
+        <source>How far the cradle keeps off all that the film reaches, and off what earlier dips have painted.</source>
+        <translation>Quanto o berço se afasta de tudo que o filme alcança e do que mergulhos anteriores pintaram.</translation>
+    </message>
+    <message>
+        <source>On paint</source>
+        <translation>Sobre tinta</translation>
+    </message>
+    <message>
+        <source>Whether the cradle may lie on what earlier dips have painted, through padding.</source>
+        <translation>Se o berço pode apoiar-se, através de um forro, no que mergulhos anteriores pintaram.</translation>
+    </message>
+    <message>
+        <source>Padding</source>
+        <translation>Forro</translation>
+    </message>
+    <message>
+        <source>Room that is left for felt or foam where the cradle lies on paint.</source>
+        <translation>Espaço deixado para feltro ou espuma onde o berço se apoia em tinta.</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Placa</translation>
+    </message>
+    <message>
+        <source>How thick the plate is that the cradle hangs from.</source>
+        <translation>Espessura da placa em que o berço está pendurado.</translation>
+    </message>
+    <message>
+        <source>Off the water</source>
+        <translation>Acima da água</translation>
+    </message>
+    <message>
+        <source>How far the plate stays above the water at the end of the dip.</source>
+        <translation>Quanto a placa fica acima da água no fim do mergulho.</translation>
+    </message>
+    <message>
+        <source>Pins apart</source>
+        <translation>Distância dos pinos</translation>
+    </message>
+    <message>
+        <source>How far apart two of the datum pins are at most. They stand where the sheet&apos;s marks float, or are drawn in towards the film&apos;s middle.</source>
+        <translation>Distância máxima entre dois dos pinos de referência. Ficam onde as marcas da folha flutuam, ou recuados em direção ao meio do filme.</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Pinos</translation>
+    </message>
+    <message>
+        <source>The diameter of the datum pins of the tank&apos;s frame.</source>
+        <translation>Diâmetro dos pinos de referência da armação do tanque.</translation>
+    </message>
+    <message>
+        <source>Pin clearance</source>
+        <translation>Folga dos pinos</translation>
+    </message>
+    <message>
+        <source>How much wider than the pins their holes are, all round.</source>
+        <translation>Quanto os furos são mais largos que os pinos, em toda a volta.</translation>
+    </message>
+    <message>
+        <source>Bore</source>
+        <translation>Furo</translation>
+    </message>
+    <message>
+        <source>A hole through plate and seat, to fix the body by a screw, suction or hot glue. At 0 there is none.</source>
+        <translation>Um furo pela placa e pelo assento, para fixar o corpo com parafuso, ventosa ou cola quente. Em 0 não há nenhum.</translation>
+    </message>
+    <message>
+        <source>Engraving</source>
+        <translation>Gravação</translation>
+    </message>
+    <message>
+        <source>How deep arrow, number and job are cut into the plate. At 0 they are not.</source>
+        <translation>Profundidade com que seta, número e trabalho são gravados na placa. Em 0 não são.</translation>
+    </message>
+    <message>
+        <source>Fineness</source>
+        <translation>Finura</translation>
+    </message>
+    <message>
+        <source>The side of the cells that the cradle&apos;s form is computed on. Smaller is smoother, slower and makes larger files.</source>
+        <translation>O lado das células em que a forma do berço é calculada. Menor é mais liso, mais lento e gera arquivos maiores.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -2622,6 +2781,18 @@
     <message>
         <source>Wrote the maps to %1</source>
         <translation>Mapas gravados em %1</translation>
+    </message>
+    <message>
+        <source>Export Cradles</source>
+        <translation>Exportar berços</translation>
+    </message>
+    <message>
+        <source>Export Cradles to a Folder</source>
+        <translation>Exportar berços para uma pasta</translation>
+    </message>
+    <message>
+        <source>Wrote the cradles to %1</source>
+        <translation>Berços gravados em %1</translation>
     </message>
 </context>
 <context>
@@ -5147,6 +5318,14 @@ mm</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Crad&amp;les…</source>
+        <translation>&amp;Berços…</translation>
+    </message>
+    <message>
+        <source>Make what holds the body in each dip, as STL and 3MF to print in plastic</source>
+        <translation>Fazer o que segura o corpo em cada mergulho, em STL e 3MF para imprimir em plástico</translation>
     </message>
 </context>
 <context>

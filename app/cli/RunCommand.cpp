@@ -11,6 +11,7 @@ const QString outOption = QStringLiteral("out");
 const QString solverOption = QStringLiteral("solver");
 const QString dpiOption = QStringLiteral("dpi");
 const QString certaintyOption = QStringLiteral("no-certainty");
+const QString cradleOption = QStringLiteral("cradle");
 const QString lawsOption = QStringLiteral("laws");
 
 QString number(double value, int decimals) {
@@ -68,6 +69,20 @@ void printShare(const JobResult& result, QTextStream& out) {
     out << '\n';
 }
 
+void printCradle(const QString& name, const Cradle& cradle, QTextStream& out) {
+    if (!cradle.mesh.triangles.empty()) {
+        const CradleCheck& check = cradle.check;
+        out << QStringLiteral(
+                   "%1: its cradle keeps %2 mm off the body and %3 mm off the film, holds "
+                   "it by %4 mm², and may be tilted by %5°\n")
+                   .arg(name, number(check.leastGap, 2), number(check.paintGap, 1),
+                        number(check.seatArea, 0), number(check.standing.tiltDegrees, 0));
+    }
+    for (const QString& note : cradle.notes) {
+        out << QStringLiteral("  %1\n").arg(note);
+    }
+}
+
 void printSummary(const JobResult& result, QTextStream& out) {
     out << QStringLiteral("Solver: %1 %2 on %3\n")
                .arg(result.solver.name, result.solver.version, result.solver.device);
@@ -90,6 +105,9 @@ void printSummary(const JobResult& result, QTextStream& out) {
     }
     if (result.share) {
         printShare(result, out);
+    }
+    for (std::size_t i = 0; i < result.cradles.size(); ++i) {
+        printCradle(result.immersions[i].immersion.name, result.cradles[i], out);
     }
     out << QStringLiteral("Covered altogether: %1 %\n").arg(number(100 * result.coverageTotal, 1));
 }
@@ -117,6 +135,8 @@ public:
         syntax.addOption(
             {lawsOption, QStringLiteral("Dips eight times more an immersion to say how much each "
                                         "sheet depends on the laws that nobody has measured.")});
+        syntax.addOption({cradleOption, QStringLiteral("Also makes a cradle for each immersion, to "
+                                                       "print in plastic: STL and 3MF.")});
         declareThreads(syntax);
     }
 
@@ -141,6 +161,7 @@ public:
         }
         options.estimatesCertainty = !parser.isSet(certaintyOption);
         options.variesLaws = parser.isSet(lawsOption);
+        options.makesCradles = parser.isSet(cradleOption);
         applyFilmImage(options, parser);
         const JobResult result =
             runAndWrite(project, registry, options, folder, console.progress());

@@ -19,6 +19,8 @@ struct JobOptions {
     // Whether dips with the laws of ours varied tell how much each sheet depends on them: eight
     // more an immersion (LawChanges.h).
     bool variesLaws = false;
+    // Whether a cradle is made for each immersion (JobCradles.h): some seconds each.
+    bool makesCradles = false;
     // Called from the working thread with the immersion's number. Has no effect on the result.
     std::function<void(std::size_t, const FilmFrame&)> observer;
     // Called with an immersion's number and result as soon as its sheet is made, from any thread

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "parallel/Tasks.h"
+#include "pipeline/JobCradles.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/LawChanges.h"
 #include "pipeline/SolverChoice.h"
@@ -24,7 +25,8 @@ struct Text {
 // Shares of the time of a job, roughly as measured on a film of 120 × 170 points.
 constexpr double fieldDone = 0.1;
 constexpr double lawsBegin = 0.3; // where they are varied
-constexpr double dipsDone = 0.7;  // of what follows the field
+constexpr double cradlesBegin = 0.6;
+constexpr double dipsDone = 0.7; // of what follows the field
 constexpr double sharesDone = 0.75;
 constexpr double picturesDone = 0.8;
 
@@ -361,10 +363,14 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     result.fieldInputs = fieldInputs(project);
     result.field = fieldOf(run, inputs, progress.part(0, fieldDone));
 
+    const Progress job = options.makesCradles ? progress.part(0, cradlesBegin) : progress;
     const double allDone = options.variesLaws ? lawsBegin : 1;
-    runImmersions(result, run, inputs, solver, progress.part(fieldDone, allDone));
+    runImmersions(result, run, inputs, solver, job.part(fieldDone, allDone));
     if (options.variesLaws) {
-        varyLaws(result, run, solver, progress.part(allDone, 1));
+        varyLaws(result, run, solver, job.part(allDone, 1));
+    }
+    if (options.makesCradles) {
+        result.cradles = jobCradles(result, progress.part(cradlesBegin, 1));
     }
     result.solver = result.immersions.back().solver;
     result.notes += notesOf(result);

@@ -159,12 +159,36 @@ QJsonObject immersionJson(const ImmersionResult& result) {
     return json;
 }
 
+QJsonObject cradleJson(const Cradle& cradle) {
+    QJsonObject json{{"notes", QJsonArray::fromStringList(cradle.notes)}};
+    if (!cradle.mesh.triangles.empty()) {
+        const CradleCheck& check = cradle.check;
+        json["closed"] = check.isClosed && check.parts == 1 && check.volume > 0;
+        json["triangles"] = qint64(cradle.mesh.triangles.size());
+        json["volume_mm3"] = check.volume;
+        json["cell_mm"] = cradle.cell;
+        json["gap_mm"] = check.leastGap;
+        json["paint_gap_mm"] = check.paintGap;
+        json["comes_out"] = check.comesOut;
+        json["seat_area_mm2"] = check.seatArea;
+        json["padded_area_mm2"] = check.paddedArea;
+        json["tilt_deg"] = check.standing.tiltDegrees;
+        json["side_hold_deg"] = check.standing.sideHoldDegrees;
+    }
+    return json;
+}
+
 } // namespace
 
 QJsonObject report(const Project& project, const JobResult& result) {
     QJsonArray immersions;
     for (const ImmersionResult& immersion : result.immersions) {
         immersions.append(immersionJson(immersion));
+    }
+    for (std::size_t i = 0; i < result.cradles.size(); ++i) {
+        QJsonObject json = immersions.at(qsizetype(i)).toObject();
+        json["cradle"] = cradleJson(result.cradles[i]);
+        immersions.replace(qsizetype(i), json);
     }
     QJsonObject json{{"version", 1},
                      {"project", project.name},

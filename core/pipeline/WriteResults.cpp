@@ -3,8 +3,10 @@
 #include "base/Bytes.h"
 #include "base/Error.h"
 #include "base/Png.h"
+#include "cradle/CradleFiles.h"
 #include "disk/ResultFolder.h"
 #include "parallel/Tasks.h"
+#include "pipeline/JobCradles.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
 #include "results/Results.h"
@@ -30,10 +32,19 @@ QString immersionFolder(int number) {
     return QStringLiteral("immersion-%1").arg(number);
 }
 
+QString cradleFile(int number, const char* suffix) {
+    return QStringLiteral("cradle-%1.%2").arg(number).arg(QLatin1String(suffix));
+}
+
+QStringList cradleFiles() {
+    return {cradleFile(1, "stl"), cradleFile(1, "3mf"), cradleFile(2, "stl"), cradleFile(2, "3mf")};
+}
+
 // All that a run may write: those of both immersions, so that no second immersion of an earlier run
 // stays beside the results of a single one.
 QStringList resultFiles() {
-    QStringList files{QStringLiteral("proof.png"), QStringLiteral("report.json")};
+    QStringList files = cradleFiles();
+    files += {QStringLiteral("proof.png"), QStringLiteral("report.json")};
     for (const int number : {1, 2}) {
         for (const char* name : {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp", "stretch.png",
                                  "wrinkling.png", "certainty.png"}) {
@@ -122,18 +133,39 @@ std::vector<Piece> immersionPieces(const ImmersionResult& result, std::size_t nu
     return pieces;
 }
 
+// Of those immersions that have one. Keeps references to all.
+std::vector<Piece> cradlePieces(const JobResult& result, const std::vector<Cradle>& cradles,
+                                const ResultFolder& folder) {
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i < cradles.size(); ++i) {
+        if (cradles[i].mesh.triangles.empty()) {
+            continue;
+        }
+        const QString name = result.immersions[i].immersion.name;
+        pieces.push_back({Text::tr("Writing the cradle of %1").arg(name),
+                          [&cradle = cradles[i], &result, &folder, name, number = int(i) + 1] {
+                              folder.write(cradleFile(number, "stl"), cradleStl(cradle));
+                              folder.write(cradleFile(number, "3mf"),
+                                           cradle3mf(cradle, QStringLiteral("%1, %2").arg(
+                                                                 result.project.name, name)));
+                          }});
+    }
+    return pieces;
+}
+
 // The files of the whole job.
 std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
                              const ResultFolder& folder) {
-    return {{Text::tr("Writing the proof"),
-             [&] {
-                 const QString proof = QStringLiteral("proof.png");
-                 folder.write(proof, pngBytes(result.proof, proof));
-             }},
-            {Text::tr("Writing the report"), [&] {
-                 folder.write(QStringLiteral("report.json"),
-                              QJsonDocument(report(project, result)).toJson());
-             }}};
+    std::vector<Piece> pieces = cradlePieces(result, result.cradles, folder);
+    pieces.push_back({Text::tr("Writing the proof"), [&] {
+                          const QString proof = QStringLiteral("proof.png");
+                          folder.write(proof, pngBytes(result.proof, proof));
+                      }});
+    pieces.push_back({Text::tr("Writing the report"), [&] {
+                          folder.write(QStringLiteral("report.json"),
+                                       QJsonDocument(report(project, result)).toJson());
+                      }});
+    return pieces;
 }
 
 void commit(ResultFolder& folder, const Progress& progress) {
@@ -155,6 +187,16 @@ void writeResults(const Project& project, const JobResult& result, const QString
     }
     writeTogether(pieces, progress);
     commit(results, progress);
+}
+
+std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
+                                 const Progress& progress) {
+    ResultFolder files(folder, cradleFiles());
+    std::vector<Cradle> cradles =
+        result.cradles.empty() ? jobCradles(result, progress.part(0, 0.95)) : result.cradles;
+    writeTogether(cradlePieces(result, cradles, files), progress.part(0.95, 1));
+    commit(files, progress);
+    return cradles;
 }
 
 JobResult runAndWrite(const Project& project, const SolverRegistry& registry,

@@ -12,6 +12,11 @@ namespace dipwright {
 void writeResults(const Project& project, const JobResult& result, const QString& folder,
                   const Progress& progress);
 
+// Writes the cradles of the result, made if it has none, into `folder` in the same way, and nothing
+// else. Returns them.
+std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
+                                 const Progress& progress);
+
 // Runs the job (runJob) and writes its results (writeResults) in one: the files of one immersion
 // while the next is dipped. A folder that cannot be written is found out before the job.
 JobResult runAndWrite(const Project& project, const SolverRegistry& registry,

@@ -1,7 +1,6 @@
-// A zip as the store needs it: read with distrust, written the same way every time.
+// A zip as the store needs it: read with distrust. disk/ArchiveWriter.h writes one.
 #pragma once
 
-#include <QBuffer>
 #include <QByteArray>
 #include <QFile>
 #include <QSet>
@@ -32,23 +31,6 @@ private:
     QFile file_;
     std::unique_ptr<QuaZip> zip_;
     QSet<QString> names_;
-};
-
-// A zip written into memory: no time stamps, so that equal contents give equal bytes.
-class ArchiveWriter {
-public:
-    enum class Packing { Stored, Deflated };
-
-    ArchiveWriter();
-    ~ArchiveWriter();
-    void add(const QString& name, const QByteArray& contents, Packing packing);
-    // Throws Error unless all of it is in the bytes.
-    QByteArray finish();
-
-private:
-    QBuffer buffer_;
-    std::unique_ptr<QuaZip> zip_;
-    int entries_ = 0;
 };
 
 } // namespace dipwright

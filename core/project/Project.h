@@ -2,6 +2,7 @@
 // gives its file form.
 #pragma once
 
+#include "cradle/CradleSettings.h"
 #include "dip/Dip.h"
 #include "model/TexturedMesh.h"
 #include "project/Profiles.h"
@@ -36,7 +37,8 @@ struct Project {
     std::vector<Immersion> immersions{Immersion{}}; // one or two
     SheetSettings sheet;
     InkSettings ink;
-    ShareSettings share;      // of two immersions
+    ShareSettings share; // of two immersions
+    CradleSettings cradle;
     ProjectProfiles profiles; // that it was made with, by content
     QJsonObject unknown;      // keys this version does not know; they survive a save
     std::map<QString, QByteArray> unknownEntries; // and so do the file's other entries, by name

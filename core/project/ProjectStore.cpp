@@ -3,6 +3,7 @@
 #include "base/Budgets.h"
 #include "base/Error.h"
 #include "base/Png.h"
+#include "disk/ArchiveWriter.h"
 #include "disk/WholeFile.h"
 #include "import/ReadPictures.h"
 #include "model/StoredModel.h"

@@ -215,6 +215,29 @@ void addShareFields(std::vector<Field<Project>>& fields) {
         "share.stretch_limit", 1, 100, [](auto& p) -> auto& { return p.share.stretchLimit; }));
 }
 
+void addCradleFields(std::vector<Field<Project>>& fields) {
+    const auto add = [&](const char* path, double minimum, double maximum, auto member) {
+        fields.push_back(number(
+            path, minimum, maximum, [member](auto& p) -> auto& { return p.cradle.*member; }));
+    };
+    using C = CradleSettings;
+    add("cradle.clearance_mm", 0.05, 5, &C::clearance);
+    add("cradle.wall_mm", 0.8, 50, &C::wall);
+    add("cradle.reach_mm", 1, 1000, &C::reach);
+    add("cradle.paint_distance_mm", 0.5, 50, &C::paintDistance);
+    fields.push_back(flag(
+        "cradle.on_paint", [](auto& p) -> auto& { return p.cradle.onPaint; }));
+    add("cradle.padding_mm", 0, 20, &C::padding);
+    add("cradle.plate_thickness_mm", 2, 50, &C::plateThickness);
+    add("cradle.pin_span_mm", 40, 3000, &C::pinSpan);
+    add("cradle.standoff_mm", 0, 200, &C::standoff);
+    add("cradle.pin_diameter_mm", 1, 30, &C::pinDiameter);
+    add("cradle.pin_clearance_mm", 0, 2, &C::pinClearance);
+    add("cradle.bore_mm", 0, 100, &C::bore);
+    add("cradle.engraving_mm", 0, 5, &C::engravingDepth);
+    add("cradle.cell_mm", 0.2, 2, &C::cell);
+}
+
 } // namespace
 
 const std::vector<Field<Project>>& projectFields() {
@@ -229,6 +252,7 @@ const std::vector<Field<Project>>& projectFields() {
         addProcessFields(all);
         addSheetFields(all);
         addShareFields(all);
+        addCradleFields(all);
         return all;
     }();
     return fields;

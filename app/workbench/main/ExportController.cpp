@@ -9,10 +9,12 @@
 #include "panels/StretchPanel.h"
 #include "pipeline/WriteResults.h"
 #include "results/Results.h"
+#include "session/StartJob.h"
 #include "session/WriteFiles.h"
 #include "sheet/SheetFiles.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFileDialog>
 
 namespace dipwright {
@@ -27,6 +29,7 @@ ExportController::ExportController(const WindowActions& actions, const StretchPa
     on(actions.exportResults, &ExportController::exportResults);
     on(actions.exportPdf, &ExportController::exportSheetPdf);
     on(actions.exportPng, &ExportController::exportSheetPng);
+    on(actions.exportCradles, &ExportController::exportCradles);
     on(actions.print, &ExportController::print);
     connect(&stretch, &StretchPanel::exportAsked, this, &ExportController::exportStretch);
 }
@@ -75,6 +78,29 @@ void ExportController::exportSheetPng() {
                    const QString& path) {
                    writeWhole(path, [&](QIODevice& device) { writeSheetPng(sheet, device); });
                });
+}
+
+void ExportController::exportCradles() {
+    const QString title = tr("Export Cradles");
+    const QString folder =
+        QFileDialog::getExistingDirectory(&window_, tr("Export Cradles to a Folder"));
+    if (folder.isEmpty()) {
+        return;
+    }
+    startJob(
+        jobs_, messages_, title, title,
+        [result = session_.outcome().result, folder](const Progress& progress) {
+            return writeCradles(*result, folder, progress);
+        },
+        [this, folder](const std::vector<Cradle>& cradles) {
+            for (const Cradle& cradle : cradles) {
+                for (const QString& note : cradle.notes) {
+                    messages_.log(note);
+                }
+            }
+            messages_.logAndSay(
+                tr("Wrote the cradles to %1").arg(QDir::toNativeSeparators(folder)));
+        });
 }
 
 void ExportController::exportStretch(const QString& suffix) {

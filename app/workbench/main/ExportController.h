@@ -30,6 +30,7 @@ private:
     void exportResults();
     void exportSheetPdf();
     void exportSheetPng();
+    void exportCradles();
     void exportStretch(const QString& suffix); // png, csv or vtp
     void print();
     QString sheetName() const;

@@ -77,6 +77,8 @@ std::vector<WindowActions::Entry> WindowActions::fileEntries() {
          tr("Save this immersion's sheet as PDF at true size")},
         {&A::exportPng, "exportPng", "texture", tr("Sheet as P&NG…"),
          tr("Save this immersion's film image as PNG")},
+        {&A::exportCradles, "exportCradles", "export", tr("Crad&les…"),
+         tr("Make what holds the body in each dip, as STL and 3MF to print in plastic")},
         {&A::print, "print", "print", tr("&Print…"), tr("Print sheets at true size"),
          QKeySequence::Print},
         {&A::calibrate, "calibratePrinter", "measure", tr("Calibrate P&rinter…"),
@@ -236,7 +238,8 @@ void WindowActions::enable(const WindowState& state) {
     run->setEnabled(any && !state.isDipping);
     certainty->setEnabled(any && !state.isBusy);
     cancel->setEnabled(state.isBusy);
-    for (QAction* action : {print, exportResults, exportPdf, exportPng, coverage, filmOnBody}) {
+    for (QAction* action :
+         {print, exportResults, exportPdf, exportPng, exportCradles, coverage, filmOnBody}) {
         action->setEnabled(any && state.document->result());
     }
     play->setEnabled(state.isRecorded);

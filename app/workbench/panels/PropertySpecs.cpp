@@ -159,6 +159,56 @@ std::vector<PropertySection> filmProperties() {
     return {printed, material, edges, laws};
 }
 
+PropertySection cradleProperties() {
+    const auto length = [](const char* path, const QString& label, const QString& help) {
+        return PropertySpec{
+            .path = QLatin1String(path), .label = label, .help = help, .unit = Unit::Length};
+    };
+    const auto isOnPaint = [](const Project& project) { return project.cradle.onPaint; };
+    PropertySection cradle{Text::tr("Cradle"), {}};
+    cradle.specs = {
+        length("cradle.clearance_mm", Text::tr("Clearance"),
+               Text::tr("How far the cradle keeps off the body that lies in it.")),
+        length("cradle.wall_mm", Text::tr("Walls"),
+               Text::tr("How thick what holds the body is, at its thinnest.")),
+        length("cradle.reach_mm", Text::tr("Reaches down"),
+               Text::tr("How far below the body's top the cradle reaches. It goes deeper where the "
+                        "body would tip or slide.")),
+        length("cradle.paint_distance_mm", Text::tr("Off the film"),
+               Text::tr("How far the cradle keeps off all that the film reaches, and off what "
+                        "earlier dips have painted.")),
+        {.path = QStringLiteral("cradle.on_paint"),
+         .label = Text::tr("On paint"),
+         .help = Text::tr("Whether the cradle may lie on what earlier dips have painted, through "
+                          "padding.")},
+        {.path = QStringLiteral("cradle.padding_mm"),
+         .label = Text::tr("Padding"),
+         .help = Text::tr("Room that is left for felt or foam where the cradle lies on paint."),
+         .unit = Unit::Length,
+         .relevant = isOnPaint},
+        length("cradle.plate_thickness_mm", Text::tr("Plate"),
+               Text::tr("How thick the plate is that the cradle hangs from.")),
+        length("cradle.standoff_mm", Text::tr("Off the water"),
+               Text::tr("How far the plate stays above the water at the end of the dip.")),
+        length("cradle.pin_span_mm", Text::tr("Pins apart"),
+               Text::tr("How far apart two of the datum pins are at most. They stand where the "
+                        "sheet's marks float, or are drawn in towards the film's middle.")),
+        length("cradle.pin_diameter_mm", Text::tr("Pins"),
+               Text::tr("The diameter of the datum pins of the tank's frame.")),
+        length("cradle.pin_clearance_mm", Text::tr("Pin clearance"),
+               Text::tr("How much wider than the pins their holes are, all round.")),
+        length("cradle.bore_mm", Text::tr("Bore"),
+               Text::tr("A hole through plate and seat, to fix the body by a screw, suction or hot "
+                        "glue. At 0 there is none.")),
+        length("cradle.engraving_mm", Text::tr("Engraving"),
+               Text::tr("How deep arrow, number and job are cut into the plate. At 0 they are "
+                        "not.")),
+        length("cradle.cell_mm", Text::tr("Fineness"),
+               Text::tr("The side of the cells that the cradle's form is computed on. Smaller is "
+                        "smoother, slower and makes larger files."))};
+    return cradle;
+}
+
 std::vector<PropertySection> processProperties() {
     PropertySection motion{Text::tr("Motion"), {}};
     motion.specs = {
@@ -219,7 +269,7 @@ std::vector<PropertySection> processProperties() {
          .label = Text::tr("Self-contact"),
          .help = Text::tr("Keep film from passing through film."),
          .relevant = isPaperModel}};
-    return {motion, limits, accuracy};
+    return {motion, limits, accuracy, cradleProperties()};
 }
 
 std::vector<PropertySection> immersionProperties(std::size_t number) {

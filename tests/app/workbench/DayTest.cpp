@@ -2,6 +2,7 @@
 // the files that cannot be opened.
 #include "WindowDriver.h"
 #include "base/Error.h"
+#include "disk/ArchiveWriter.h"
 #include "panels/PictureView.h"
 #include "panels/ProjectTree.h"
 #include "panels/Timeline.h"

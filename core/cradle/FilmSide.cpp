@@ -1,0 +1,151 @@
+#include "cradle/FilmSide.h"
+
+#include "parallel/ParallelFor.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Cradle)
+};
+
+enum class Side : std::uint8_t { Dry, Film, EarlierPaint };
+
+// A like part of a body triangle: its corners' weights in it.
+struct Piece {
+    std::uint32_t triangle = 0;
+    std::array<Eigen::Vector3f, 3> corners;
+    Side side = Side::Dry;
+
+    SurfacePoint middle() const {
+        return {triangle, ((corners[0] + corners[1] + corners[2]) / 3).eval()};
+    }
+};
+
+// Each triangle cut evenly so that no side of a piece is longer than `edge`.
+std::vector<Piece> piecesOf(const TriangleMesh& mesh, double edge) {
+    std::vector<Piece> pieces;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& corner = mesh.triangles[t];
+        double longest = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Eigen::Vector3f side =
+                mesh.positions[corner[(i + 1) % 3]] - mesh.positions[corner[i]];
+            longest = std::max(longest, double(side.norm()));
+        }
+        const int cuts = std::max(1, int(std::ceil(longest / edge)));
+        const auto at = [&](int row, int place) {
+            const auto n = float(cuts);
+            return Eigen::Vector3f(1 - float(row) / n, float(row - place) / n, float(place) / n);
+        };
+        for (int row = 0; row < cuts; ++row) {
+            for (int place = 0; place <= row; ++place) {
+                pieces.push_back(
+                    {t, {at(row, place), at(row + 1, place), at(row + 1, place + 1)}, Side::Dry});
+                if (place < row) {
+                    pieces.push_back({t,
+                                      {at(row, place), at(row + 1, place + 1), at(row, place + 1)},
+                                      Side::Dry});
+                }
+            }
+        }
+    }
+    return pieces;
+}
+
+TriangleMesh meshOf(const std::vector<Piece>& pieces, const TriangleMesh& body, Side side) {
+    TriangleMesh mesh;
+    for (const Piece& piece : pieces) {
+        if (piece.side == side) {
+            const auto first = std::uint32_t(mesh.positions.size());
+            for (const Eigen::Vector3f& weights : piece.corners) {
+                mesh.positions.push_back(position(body, {piece.triangle, weights}));
+            }
+            mesh.triangles.push_back({first, first + 1, first + 2});
+        }
+    }
+    return mesh;
+}
+
+class Sorting {
+public:
+    Sorting(const LaidFilm& film, const std::vector<const LaidFilm*>& earlier,
+            const ProcessSettings& process)
+        : film_(film), earlier_(earlier), upward_(std::sin(radians(process.overhang))),
+          waterline_(dipTravel(process, film.body()) - startHeight) {}
+
+    Side sideOf(const Piece& piece) const {
+        const TriangleMesh& mesh = film_.body().model.mesh;
+        const SurfacePoint middle = piece.middle();
+        const bool isUnderWater = double(position(mesh, middle).y()) < waterline_;
+        const bool turnsUp = double(triangleNormal(mesh, piece.triangle).y()) > upward_;
+        if ((isUnderWater && !turnsUp) || film_.place(middle)) {
+            return Side::Film;
+        }
+        const bool wasPainted =
+            std::any_of(earlier_.begin(), earlier_.end(),
+                        [&](const LaidFilm* laid) { return laid->place(middle).has_value(); });
+        return wasPainted ? Side::EarlierPaint : Side::Dry;
+    }
+
+private:
+    const LaidFilm& film_;
+    const std::vector<const LaidFilm*>& earlier_;
+    double upward_, waterline_;
+};
+
+// Whether `place` is at least so far from all of a mesh; of none it is.
+bool isAway(const std::optional<SurfaceQuery>& from, const Eigen::Vector3f& place,
+            double distance) {
+    return !from || !from->closest(place, float(distance)).point.isValid();
+}
+
+std::optional<SurfaceQuery> queryOf(const TriangleMesh& mesh) {
+    return mesh.triangles.empty() ? std::nullopt : std::optional<SurfaceQuery>(mesh);
+}
+
+} // namespace
+
+FilmSide filmSide(const LaidFilm& film, const std::vector<const LaidFilm*>& earlier,
+                  const ProcessSettings& process, double edge, double filmDistance,
+                  std::optional<double> earlierDistance, const Progress& progress) {
+    progress(0, Text::tr("Looking for what stays dry"));
+    const PosedBody& body = film.body();
+    const TriangleMesh& mesh = body.model.mesh;
+    std::vector<Piece> pieces = piecesOf(mesh, edge);
+    const Sorting sorting(film, earlier, process);
+    parallelFor(std::size_t(0), pieces.size(),
+                [&](std::size_t i) { pieces[i].side = sorting.sideOf(pieces[i]); });
+    progress(0.5, Text::tr("Looking for what stays dry"));
+
+    FilmSide result{meshOf(pieces, mesh, Side::Film), meshOf(pieces, mesh, Side::EarlierPaint), {}};
+    const auto filmQuery = queryOf(result.film);
+    const auto paintQuery = queryOf(earlierDistance ? result.earlierPaint : TriangleMesh());
+    std::vector<SeatPiece> seats(pieces.size());
+    parallelFor(std::size_t(0), pieces.size(), [&](std::size_t i) {
+        const Piece& piece = pieces[i];
+        const Eigen::Vector3f place = position(mesh, piece.middle());
+        const Eigen::Vector3f normal = triangleNormal(mesh, piece.triangle);
+        if (piece.side == Side::Film || !isAway(filmQuery, place, filmDistance) ||
+            !isAway(paintQuery, place, earlierDistance.value_or(0)) ||
+            body.query.hit(place + normal * 1e-3F * float(edge), Eigen::Vector3f::UnitY())
+                .point.isValid()) {
+            return;
+        }
+        const Eigen::Vector3f a = position(mesh, {piece.triangle, piece.corners[0]}),
+                              b = position(mesh, {piece.triangle, piece.corners[1]}),
+                              c = position(mesh, {piece.triangle, piece.corners[2]});
+        seats[i] = {place.cast<double>(), normal.cast<double>(),
+                    double((b - a).cross(c - a).norm()) / 2, piece.side == Side::EarlierPaint};
+    });
+    std::copy_if(seats.begin(), seats.end(), std::back_inserter(result.seat),
+                 [](const SeatPiece& seat) { return seat.area > 0; });
+    return result;
+}
+
+} // namespace dipwright

@@ -1,0 +1,291 @@
+// Cradles of bodies that film was laid round by hand, judged by what is known of these bodies.
+#include "cradle/Cradle.h"
+#include "DippedByHand.h"
+#include "cradle/CradleFiles.h"
+#include "geometry/Shapes.h"
+#include "import/ImportModel.h"
+#include "parallel/Threads.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr double radius = 25;
+const QString hash = QStringLiteral("0a1b2c3d4e5f");
+
+// Coarse and small, to be quick.
+CradleSettings settings() {
+    CradleSettings result;
+    result.pinSpan = Millimetres(80);
+    result.reach = Millimetres(10);
+    return result;
+}
+
+TexturedMesh ball() {
+    return test::plainModel(sphereMesh(radius, 90, 180), Qt::white);
+}
+
+// Film up to the ball's equator.
+std::shared_ptr<const LaidFilm> halfPainted() {
+    static const auto laid =
+        test::laid(ball(), test::viscousOnSphere(test::a4Grid(), radius, pi / 2));
+    return laid;
+}
+
+// An earlier dip with the ball the other way up: film round its top, to `angle` from the pole.
+LaidFilm paintedFromAbove(double angle) {
+    Immersion turned;
+    turned.rotation[0] = Degrees(180);
+    const auto body = std::make_shared<const PosedBody>(posedBody(ball(), turned));
+    const auto laid = layFilm(body, test::viscousOnSphere(test::a4Grid(), radius, angle), {});
+    return {body, laid->film(), laid->contact()};
+}
+
+Cradle cradleOf(const LaidFilm& laid, const CradleSettings& wanted = settings(),
+                const ProcessSettings& process = {}, std::vector<const LaidFilm*> earlier = {},
+                const Progress& progress = {}) {
+    const Immersion immersion;
+    const TriangleMesh inModel =
+        transformed(laid.body().model.mesh, laid.body().modelToPose.inverse());
+    const DistanceField field = buildDistanceField(inModel, 96, {});
+    const DatumPins pins = datumPins(Sheet(), FilmSettings(), wanted.pinSpan);
+    return makeCradle({laid, std::move(earlier), field, immersion, process, pins, 1, hash}, wanted,
+                      progress);
+}
+
+void isSound(const Cradle& cradle) {
+    QVERIFY(cradle.check.isClosed);
+    QCOMPARE(cradle.check.parts, 1);
+    QVERIFY(cradle.check.volume > 0);
+    QVERIFY2(cradle.check.leastGap >= cradle.clearance - cradle.cell / 2,
+             qPrintable(QString::number(cradle.check.leastGap)));
+    QVERIFY(cradle.check.comesOut);
+}
+
+} // namespace
+
+class CradleTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // In the pose frame the ball's middle is at (0, radius, 0).
+    void aBallLiesInAPocketOfItsOwnForm() {
+        const Cradle cradle = cradleOf(*halfPainted());
+        isSound(cradle);
+        QVERIFY(cradle.notes.isEmpty());
+        const Eigen::Vector3f middle(0, float(radius), 0);
+        std::size_t pocket = 0;
+        for (const Eigen::Vector3f& place : cradle.mesh.positions) {
+            const Eigen::Vector3f from = place - middle;
+            const double away = double(from.norm()) - radius;
+            QVERIFY(away > 0.2);
+            // Off the bore's edge and the rim's, what is near the ball is the pocket.
+            const double aside = std::hypot(double(from.x()), double(from.z()));
+            if (away < 0.8 && aside > 5 && from.y() > radius - 9) {
+                QVERIFY2(std::abs(away - 0.3) < 0.1, qPrintable(QString::number(away)));
+                ++pocket;
+            }
+        }
+        QVERIFY(pocket > 2000);
+        QVERIFY(std::abs(cradle.check.leastGap - 0.3) < 0.1);
+    }
+
+    // The cap that is 10 mm deep: its area is 2πρh, the bore's taken out, and a ball stands in it
+    // as it can be tilted: its rim's radius over how far that is from the middle.
+    void itSaysHowTheBallIsHeld() {
+        const CradleCheck check = cradleOf(*halfPainted()).check;
+        const double cap = 2 * pi * radius * 10 - pi * 16;
+        QVERIFY2(std::abs(check.seatArea / cap - 1) < 0.05,
+                 qPrintable(QString::number(check.seatArea / cap)));
+        const double rim = std::sqrt(radius * radius - 15 * 15);
+        const double tilt = std::atan2(rim, 15) * 180 / pi;
+        QVERIFY(std::abs(check.standing.tiltDegrees - tilt) < 2);
+        // The rim is as steep as the ball is there.
+        QVERIFY(std::abs(check.standing.sideHoldDegrees - tilt) < 2);
+        QCOMPARE(check.paddedArea, 0.0);
+    }
+
+    // Film holds up to 20° past the equator; the cradle keeps 4 mm off it, however far it may
+    // reach.
+    void itKeepsOffWhatTheFilmReaches() {
+        CradleSettings deep = settings();
+        deep.reach = Millimetres(40);
+        const Cradle cradle = cradleOf(*halfPainted(), deep);
+        isSound(cradle);
+        QVERIFY(cradle.check.paintGap > 4 - cradle.cell / 2);
+        const double edge = radius * std::sin(radians(Degrees(20)));
+        for (const Eigen::Vector3f& place : cradle.mesh.positions) {
+            QVERIFY(double(place.y()) > radius + edge);
+        }
+    }
+
+    void aFlatTopIsHeldButCanSlide() {
+        const Eigen::Vector3d size(40, 30, 40);
+        const TexturedMesh box = test::plainModel(boxMesh(size), Qt::white);
+        const auto laid = test::laid(box, test::flatUnderBox(test::a4Grid(), size));
+        const Cradle cradle = cradleOf(*laid);
+        isSound(cradle);
+        QVERIFY(cradle.check.standing.tiltDegrees > 30);
+        QVERIFY(cradle.check.standing.sideHoldDegrees < 1);
+        QVERIFY(cradle.notes.join(u' ').contains(QStringLiteral("sliding")));
+    }
+
+    // What stays above the water may be held from the side.
+    void sidesAboveTheWaterHoldToo() {
+        const Eigen::Vector3d size(40, 30, 40);
+        const TexturedMesh box = test::plainModel(boxMesh(size), Qt::white);
+        const auto laid = test::laid(box, test::flatUnderBox(test::a4Grid(), size));
+        ProcessSettings process;
+        process.depth = Millimetres(10);
+        const Cradle cradle = cradleOf(*laid, settings(), process);
+        isSound(cradle);
+        QVERIFY(cradle.check.standing.sideHoldDegrees > 80);
+        for (const Eigen::Vector3f& place : cradle.mesh.positions) {
+            QVERIFY(place.y() > 10 + 3);
+        }
+    }
+
+    // A lying ring: the hole is undercut by the ring's own upper half, and comes out all the same.
+    void undercutsAreFilled() {
+        const TexturedMesh ring = test::plainModel(torusMesh(20, 8, 48, 96), Qt::white);
+        const auto laid =
+            test::laid(ring, test::flatUnderBox(test::a4Grid(), Eigen::Vector3d(1, 1, 1)));
+        CradleSettings deep = settings();
+        deep.reach = Millimetres(16);
+        const Cradle cradle = cradleOf(*laid, deep);
+        isSound(cradle);
+    }
+
+    void earlierPaintIsNotTouched() {
+        const LaidFilm earlier = paintedFromAbove(radians(Degrees(20)));
+        const Cradle cradle = cradleOf(*halfPainted(), settings(), {}, {&earlier});
+        isSound(cradle);
+        QCOMPARE(cradle.check.paddedArea, 0.0);
+        QVERIFY(cradle.check.paintGap > 4 - cradle.cell / 2);
+        const double capHeight = radius * (1 + std::cos(radians(Degrees(20))));
+        for (const Eigen::Vector3f& place : cradle.mesh.positions) {
+            const bool isOverCap =
+                std::hypot(place.x(), place.z()) < radius * std::sin(radians(Degrees(20)));
+            QVERIFY(!isOverCap || place.y() > capHeight + 3.5);
+        }
+    }
+
+    void earlierPaintIsPaddedWhereAllowed() {
+        const LaidFilm earlier = paintedFromAbove(radians(Degrees(120)));
+        const Cradle without = cradleOf(*halfPainted(), settings(), {}, {&earlier});
+        QVERIFY(without.mesh.triangles.empty());
+        QVERIFY(without.notes.join(u' ').contains(QStringLiteral("cradle.on_paint")));
+
+        CradleSettings allowed = settings();
+        allowed.onPaint = true;
+        const Cradle cradle = cradleOf(*halfPainted(), allowed, {}, {&earlier});
+        isSound(cradle);
+        QVERIFY2(std::abs(cradle.check.leastGap - 1.8) < 0.1,
+                 qPrintable(QString::number(cradle.check.leastGap)));
+        QCOMPARE(cradle.check.paddedArea, cradle.check.seatArea);
+        QVERIFY(cradle.notes.join(u' ').contains(QStringLiteral("1.5 mm")));
+    }
+
+    void filmAllRoundLeavesNothingToHold() {
+        ProcessSettings clinging; // film that would hold on faces that turn up, too
+        clinging.overhang = Degrees(90);
+        const Cradle cradle = cradleOf(*halfPainted(), settings(), clinging);
+        QVERIFY(cradle.mesh.triangles.empty());
+        QVERIFY(cradle.notes.join(u' ').contains(QStringLiteral("no cradle")));
+    }
+
+    // Holes of the pins' diameter and clearance where the sheet's marks float, or on the way there.
+    void pinsAreInLineWithTheSheetsMarks() {
+        FilmSettings film;
+        film.swellX = 1.1;
+        const DatumPins wide = datumPins(Sheet(), film, Millimetres(1000));
+        QCOMPARE(wide.share, 1.0);
+        // Of A4 with marks 6 mm from the edges.
+        QVERIFY((wide.pins[0] - Eigen::Vector2d(-99 * 1.1, -142.5)).norm() < 1e-9);
+        QVERIFY((wide.pins[1] - Eigen::Vector2d(99 * 1.1, -142.5)).norm() < 1e-9);
+        QVERIFY((wide.pins[2] - Eigen::Vector2d(-99 * 1.1, 142.5)).norm() < 1e-9);
+
+        const DatumPins pins = datumPins(Sheet(), FilmSettings(), settings().pinSpan);
+        QVERIFY(std::abs(pins.share - 80 / 285.0) < 1e-9);
+        const Cradle cradle = cradleOf(*halfPainted());
+        for (const Eigen::Vector2d& pin : pins.pins) {
+            double nearest = 1e3, farthest = 0;
+            for (const Eigen::Vector3f& place : cradle.mesh.positions) {
+                const double away = std::hypot(place.x() - pin.x(), place.z() - pin.y());
+                nearest = std::min(nearest, away);
+                farthest = away < 3.4 ? std::max(farthest, away) : farthest;
+            }
+            QVERIFY2(std::abs(nearest - 3.1) < 0.05, qPrintable(QString::number(nearest)));
+            QVERIFY(farthest < 3.4);
+        }
+    }
+
+    // On the bed of a printer: all at z ≥ 0, the plate's face down; the engraving is cut into it.
+    void filesComeBackAsTheyWere_data() {
+        QTest::addColumn<QString>("suffix");
+        QTest::newRow("stl") << QStringLiteral("stl");
+        QTest::newRow("3mf") << QStringLiteral("3mf");
+    }
+
+    void filesComeBackAsTheyWere() {
+        QFETCH(QString, suffix);
+        const Cradle cradle = cradleOf(*halfPainted());
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("cradle.") + suffix);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(suffix == QLatin1String("stl")
+                       ? cradleStl(cradle)
+                       : cradle3mf(cradle, QStringLiteral("Ball & <base>")));
+        file.close();
+        const ImportedModel read = importModel(path, {}, {});
+        QVERIFY(read.report.closed);
+        const TriangleMesh& mesh = read.model.mesh;
+        QVERIFY(std::abs(volume(mesh) / cradle.check.volume - 1) < 1e-4);
+        const BoundingBox box = boundingBox(mesh);
+        QVERIFY(box.min().cwiseAbs().maxCoeff() < 0.01F);
+        // 80 mm and the rims round the pins; from the plate's face to 10 mm under the ball's top.
+        QVERIFY(std::abs(box.max().y() - (80 + 2 * 9.1F)) < 0.01F);
+        QVERIFY(std::abs(box.max().z() - (5 + 13 + 10)) < 0.3F);
+    }
+
+    void theJobIsEngraved() {
+        const Cradle cradle = cradleOf(*halfPainted());
+        CradleSettings plain = settings();
+        plain.engravingDepth = Millimetres(0);
+        const Cradle bare = cradleOf(*halfPainted(), plain);
+        // Of about 0.8 mm times the area of the letters, the arrow and the sign of the dip.
+        const double taken = bare.check.volume - cradle.check.volume;
+        QVERIFY2(taken > 100 && taken < 400, qPrintable(QString::number(taken)));
+        const double top = double(boundingBox(cradle.mesh).max().y());
+        const auto isFloor = [&](const Eigen::Vector3f& place) {
+            return std::abs(double(place.y()) - (top - 0.8)) < 0.02;
+        };
+        QVERIFY(std::count_if(cradle.mesh.positions.begin(), cradle.mesh.positions.end(), isFloor) >
+                200);
+    }
+
+    void itIsTheSameForAnyNumberOfThreads() {
+        const QByteArray once = cradleStl(cradleOf(*halfPainted()));
+        const ThreadLimit limit(1);
+        QCOMPARE(cradleStl(cradleOf(*halfPainted())), once);
+    }
+
+    void itCanBeCancelled() {
+        Progress progress;
+        progress.report = [&](double share, const QString&) {
+            if (share > 0.3) {
+                progress.cancelSwitch.cancel();
+            }
+        };
+        QVERIFY_EXCEPTION_THROWN(cradleOf(*halfPainted(), settings(), {}, {}, progress), Cancelled);
+    }
+};
+
+QTEST_MAIN(CradleTest)
+#include "CradleTest.moc"

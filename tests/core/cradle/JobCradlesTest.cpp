@@ -1,0 +1,117 @@
+// Cradles of whole jobs. Some need models that are not in the repository: those in ../shared beside
+// it. Without them these cases are skipped, and scripts/test counts them.
+#include "pipeline/JobCradles.h"
+#include "cradle/CradleFiles.h"
+#include "import/ImportModel.h"
+#include "pipeline/Pipeline.h"
+#include "project/ProjectStore.h"
+
+#include <QDir>
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+const QDir shared(QStringLiteral(DIPWRIGHT_SHARED_MODELS));
+
+Project turtle() {
+    Project project = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw"));
+    project.sheet.resolution = DotsPerInch(50);
+    return project;
+}
+
+// A shared model, 90 mm long, dipped from below and from above.
+Project twoDipsOf(const QString& model) {
+    ImportOptions options;
+    options.longestEdge = Millimetres(90);
+    Project project;
+    applyPreset(project, QStringLiteral("production"));
+    project.model = std::make_shared<const TexturedMesh>(
+        importModel(shared.filePath(model), options, {}).model);
+    project.name = model.section(QLatin1Char('/'), 0, 0);
+    project.immersions = {{QStringLiteral("Below"), {}, {}},
+                          {QStringLiteral("Above"), {Degrees(180), Degrees(0), Degrees(0)}, {}}};
+    project.sheet.resolution = DotsPerInch(50);
+    return project;
+}
+
+JobResult resultOf(const Project& project) {
+    static const SolverRegistry registry{QStringList{DIPWRIGHT_PLUGINS}};
+    JobOptions options;
+    options.estimatesCertainty = false;
+    return runJob(project, registry, options, nullptr, {});
+}
+
+// The cradle, and the body in it, as they lie on the printer.
+void keep(const QString& name, const JobResult& result, const std::vector<Cradle>& cradles) {
+    const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES");
+    for (std::size_t i = 0; i < cradles.size() && !folder.isEmpty(); ++i) {
+        Cradle body = cradles[i];
+        body.mesh = result.immersions[i].body->model.mesh;
+        for (const auto& [suffix, one] : {std::pair("cradle", cradles[i]), {"body", body}}) {
+            QFile file(QStringLiteral("%1/%2-%3-%4.stl").arg(folder, name).arg(i + 1).arg(suffix));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(cradleStl(one));
+        }
+    }
+}
+
+void judge(const Cradle& cradle) {
+    const CradleCheck& check = cradle.check;
+    QVERIFY(check.isClosed);
+    QCOMPARE(check.parts, 1);
+    QVERIFY(check.volume > 0);
+    QVERIFY2(check.leastGap >= cradle.clearance - cradle.cell / 2,
+             qPrintable(QString::number(check.leastGap)));
+    QVERIFY(check.comesOut);
+    QVERIFY2(check.standing.tiltDegrees > 5, qPrintable(cradle.notes.join(u'\n')));
+}
+
+} // namespace
+
+class JobCradlesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void bodiesAreHeld_data() {
+        QTest::addColumn<QString>("model");
+        QTest::newRow("turtle") << QString();
+        QTest::newRow("spot") << QStringLiteral("spot/spot_triangulated.obj");
+        QTest::newRow("penguin") << QStringLiteral("penguin/penguin.obj");
+    }
+
+    // The first dip's cradle keeps off the film; the second's may lie on the first's paint only
+    // where that is allowed, and leaves room for padding then.
+    void bodiesAreHeld() {
+        QFETCH(QString, model);
+        if (!model.isEmpty() && !shared.exists()) {
+            QSKIP("no shared models");
+        }
+        JobResult result = resultOf(model.isEmpty() ? turtle() : twoDipsOf(model));
+        const CradleSettings& settings = result.project.cradle;
+        const std::vector<Cradle> careful = jobCradles(result, {});
+        QCOMPARE(careful.size(), std::size_t(2));
+        judge(careful[0]);
+        QVERIFY(careful[0].check.paintGap >= settings.paintDistance.value() - careful[0].cell / 2);
+        QVERIFY(careful[0].check.paddedArea == 0 && careful[1].check.paddedArea == 0);
+        if (careful[1].mesh.triangles.empty()) {
+            QVERIFY(careful[1].notes.join(u' ').contains(QStringLiteral("cradle.on_paint")));
+        } else {
+            QVERIFY(careful[1].check.paintGap >=
+                    settings.paintDistance.value() - careful[1].cell / 2);
+        }
+
+        result.project.cradle.onPaint = true;
+        const std::vector<Cradle> padded = jobCradles(result, {});
+        keep(QTest::currentDataTag(), result, padded);
+        judge(padded[0]);
+        judge(padded[1]);
+        QVERIFY(padded[1].check.paddedArea > 100);
+        QVERIFY(padded[1].notes.join(u' ').contains(QStringLiteral("felt")));
+        QVERIFY(padded[1].check.paintGap >= settings.paintDistance.value() - padded[1].cell / 2);
+    }
+};
+
+QTEST_MAIN(JobCradlesTest)
+#include "JobCradlesTest.moc"
