@@ -4702,6 +4702,10 @@ mm</translation>
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
+    <message>
+        <source>It does not stop. Save your work; closing the window ends it.</source>
+        <translation>Es hält nicht an. Speichern Sie Ihre Arbeit; wird das Fenster geschlossen, endet es.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::StretchPanel</name>

@@ -4702,6 +4702,10 @@ mm</translation>
         <source>Progress</source>
         <translation>Progresso</translation>
     </message>
+    <message>
+        <source>It does not stop. Save your work; closing the window ends it.</source>
+        <translation>Não para. Salve seu trabalho; fechar a janela encerra isso.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::StretchPanel</name>

@@ -67,10 +67,6 @@ void requireEnd(bool comesForward) {
     require(comesForward, Text::tr("it does not come forward"));
 }
 
-void requireFilm(const solver::FilmSolver* film) {
-    require(film != nullptr, Text::tr("it gave no film"));
-}
-
 class CheckedFilm : public StoppableFilm {
 public:
     explicit CheckedFilm(std::unique_ptr<solver::FilmSolver> film) : film_(std::move(film)) {}
@@ -170,6 +166,10 @@ private:
 };
 
 } // namespace
+
+void requireFilm(const solver::FilmSolver* film) {
+    require(film != nullptr, Text::tr("it gave no film"));
+}
 
 std::unique_ptr<solver::SolverModule> checkedSolver(const solver::SolverModule& module) {
     return std::make_unique<CheckedModule>(module);

@@ -24,4 +24,7 @@ public:
 // shown. Keeps a reference to the module.
 std::unique_ptr<solver::SolverModule> checkedSolver(const solver::SolverModule& module);
 
+// Throws std::runtime_error with a sentence for null.
+void requireFilm(const solver::FilmSolver* film);
+
 } // namespace dipwright

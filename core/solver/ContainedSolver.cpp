@@ -8,6 +8,7 @@
 #include "solver/LoadMarker.h"
 #include "solver/LoadModule.h"
 #include "solver/SolverMessages.h"
+#include "solver/WatchedSolver.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -21,13 +22,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(ContainedSolver)
 };
 
+struct UnknownException {}; // the module's; CheckedSolver.h has the sentence for it
+
 using IsCancelled = std::function<bool()>;
 constexpr int pause = 20; // ms between two looks at whether it is cancelled
-
-int secondsOfACall() {
-    const int chosen = qEnvironmentVariableIntValue("DIPWRIGHT_SOLVER_SECONDS");
-    return chosen > 0 ? std::min(chosen, 86'400) : longestCall;
-}
 
 [[noreturn]] void fail(const QString& sentence) {
     throw std::runtime_error(sentence.toStdString());
@@ -67,8 +65,16 @@ public:
             case SolverAnswer::Working:
                 sinceLife.start();
                 break;
-            case SolverAnswer::Failed:
+            case SolverAnswer::Refused: {
+                const auto fault = answer.take<LoadFault>();
+                throw LoadFailure(fault, QString::fromStdString(answer.takeText()));
+            }
+            case SolverAnswer::Threw:
                 throw std::runtime_error(answer.takeText());
+            case SolverAnswer::ThrewUnknown:
+                throw UnknownException();
+            case SolverAnswer::GaveNoFilm:
+                requireFilm(nullptr);
             }
         }
     }
@@ -191,8 +197,12 @@ public:
         try {
             SolverProcess process(modulePath_);
             device_ = process.ask(message(SolverRequest::Describe), {}).takeText();
+        } catch (const Refusal&) {
+            throw;
         } catch (const std::exception& failure) {
             throw Refusal(QString::fromUtf8(failure.what()));
+        } catch (const UnknownException&) {
+            throw LoadFailure(LoadFault::FailedUnknown);
         }
     }
 
@@ -212,6 +222,7 @@ public:
             SolverProcess process(modulePath_);
             MessageReader answer = process.ask(
                 request, [&] { return isCancelled != nullptr && isCancelled(context); });
+            const bool isDone = answer.take<std::uint8_t>() != 0;
             for (solver::BatchItem& item : items) {
                 item.positions = answer.takeAll<float>();
                 item.states = answer.takeAll<solver::PointState>();
@@ -219,10 +230,10 @@ public:
                 item.steps = answer.take<std::int64_t>();
                 item.equilibrium = answer.take<solver::EquilibriumAccount>();
             }
+            return isDone;
         } catch (const Cancelled&) {
             return false;
         }
-        return true;
     }
     std::optional<solver::Ceiling> measuredCeiling() const override {
         SolverProcess process(modulePath_);

@@ -8,11 +8,6 @@
 
 namespace dipwright {
 
-// How long a module may be at one call, be it a step or what comes before the first, and between
-// two signs of life of a batch (it asks whether it is cancelled): seconds. DIPWRIGHT_SOLVER_SECONDS
-// sets another, 1 … 86,400.
-inline constexpr int longestCall = 120;
-
 // Loads the module in a process of its own, the program dipwright-solver, and asks it whether it
 // can run here. Throws Refusal (LoadModule.h), also where it crashes or takes too long.
 //

@@ -10,17 +10,37 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(SolverRegistry)
 };
 
+QString sentenceOf(LoadFault fault, const QString& detail) {
+    switch (fault) {
+    case LoadFault::NotLoadable:
+        return Text::tr("Its module cannot be loaded: %1").arg(detail);
+    case LoadFault::NoEntryPoint:
+        return Text::tr("Its module has no entry point %1")
+            .arg(QLatin1String(DIPWRIGHT_SOLVER_ENTRY));
+    case LoadFault::FailedAtStart:
+        return Text::tr("Its module failed at start: %1").arg(detail);
+    case LoadFault::FailedUnknown:
+        return Text::tr("Its module failed at start with an unknown exception");
+    case LoadFault::DoesNotFit:
+        return Text::tr("Its module does not fit this program's solver interface %1, "
+                        "whatever its description says; build it anew")
+            .arg(solver::interfaceVersion);
+    case LoadFault::Unavailable:
+        break;
+    }
+    return detail;
+}
+
 DipwrightSolverEntry* resolvedEntry(const QString& modulePath) {
     QLibrary library(modulePath);
     library.setLoadHints(QLibrary::ResolveAllSymbolsHint);
     if (!library.load()) {
-        throw Refusal(Text::tr("Its module cannot be loaded: %1").arg(library.errorString()));
+        throw LoadFailure(LoadFault::NotLoadable, library.errorString());
     }
     const auto entry =
         reinterpret_cast<DipwrightSolverEntry*>(library.resolve(DIPWRIGHT_SOLVER_ENTRY));
     if (!entry) {
-        throw Refusal(Text::tr("Its module has no entry point %1")
-                          .arg(QLatin1String(DIPWRIGHT_SOLVER_ENTRY)));
+        throw LoadFailure(LoadFault::NoEntryPoint);
     }
     return entry; // the library stays loaded until the program ends
 }
@@ -31,26 +51,26 @@ auto guarded(const Call& call) {
     try {
         return call();
     } catch (const std::exception& error) {
-        throw Refusal(
-            Text::tr("Its module failed at start: %1").arg(QString::fromUtf8(error.what())));
+        throw LoadFailure(LoadFault::FailedAtStart, QString::fromUtf8(error.what()));
     } catch (...) {
-        throw Refusal(Text::tr("Its module failed at start with an unknown exception"));
+        throw LoadFailure(LoadFault::FailedUnknown);
     }
 }
 
 } // namespace
+
+LoadFailure::LoadFailure(LoadFault fault, const QString& detail)
+    : Refusal(sentenceOf(fault, detail)), fault_(fault), detail_(detail) {}
 
 LoadedModule loadModule(const QString& modulePath) {
     DipwrightSolverEntry* const entry = resolvedEntry(modulePath);
     LoadedModule loaded;
     loaded.module = guarded([entry] { return entry(solver::interfaceVersion); });
     if (!loaded.module) {
-        throw Refusal(Text::tr("Its module does not fit this program's solver interface %1, "
-                               "whatever its description says; build it anew")
-                          .arg(solver::interfaceVersion));
+        throw LoadFailure(LoadFault::DoesNotFit);
     }
     if (const char* reason = guarded([&] { return loaded.module->unavailableReason(); })) {
-        throw Refusal(QString::fromUtf8(reason));
+        throw LoadFailure(LoadFault::Unavailable, QString::fromUtf8(reason));
     }
     if (const char* device = guarded([&] { return loaded.module->device(); })) {
         loaded.device = QString::fromUtf8(device);

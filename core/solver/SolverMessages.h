@@ -21,14 +21,17 @@ enum class SolverRequest : std::uint8_t {
     Read,      // -> positions, states
     ReadMarks, // -> marks
     Peek,      // state -> whether there, positions, states, state
-    RunBatch,  // setups -> the rest of each item
+    RunBatch,  // setups -> whether done, the rest of each item
     Ceiling,   // -> whether there, ceiling
 };
 
 enum class SolverAnswer : std::uint8_t {
-    Done,    // and what was asked for
-    Failed,  // a sentence
-    Working, // a sign of life within a batch
+    Done,         // and what was asked for
+    Working,      // a sign of life within a batch
+    Refused,      // fault and detail of a LoadFailure
+    Threw,        // the module's own sentence
+    ThrewUnknown, // no std::exception
+    GaveNoFilm,
 };
 
 class MessageWriter {

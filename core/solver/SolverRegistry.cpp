@@ -7,6 +7,7 @@
 #include "solver/FolderRights.h"
 #include "solver/LoadMarker.h"
 #include "solver/LoadModule.h"
+#include "solver/WatchedSolver.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -32,10 +33,10 @@ struct Text {
 // A plugin and how far it has come.
 struct Plugin {
     SolverInfo info;
-    bool isShipped = false;                          // with the program: loaded into it
-    std::unique_ptr<solver::SolverModule> contained; // of any other
-    std::unique_ptr<solver::SolverModule> module;    // of either, checked
-    bool isLoaded = false;                           // or refused for good
+    bool isShipped = false;                       // with the program: loaded into it
+    std::unique_ptr<solver::SolverModule> inner;  // watched, or contained
+    std::unique_ptr<solver::SolverModule> module; // the same, checked
+    bool isLoaded = false;                        // or refused for good
 };
 
 QString requiredText(const QJsonObject& metadata, const char* key) {
@@ -125,7 +126,8 @@ void refuseOthersFolder(const SolverInfo& info) {
 void loadShipped(Plugin& plugin) {
     const LoadMarker marker(plugin.info.modulePath);
     const LoadedModule loaded = loadModule(plugin.info.modulePath);
-    plugin.module = checkedSolver(*loaded.module);
+    plugin.inner = watchedSolver(*loaded.module, plugin.info.modulePath);
+    plugin.module = checkedSolver(*plugin.inner);
     if (!loaded.device.isEmpty()) {
         plugin.info.device = loaded.device;
     }
@@ -133,8 +135,8 @@ void loadShipped(Plugin& plugin) {
 
 void loadContained(Plugin& plugin) {
     refuseOthersFolder(plugin.info);
-    plugin.contained = containedSolver(plugin.info.modulePath);
-    plugin.module = checkedSolver(*plugin.contained);
+    plugin.inner = containedSolver(plugin.info.modulePath);
+    plugin.module = checkedSolver(*plugin.inner);
     if (*plugin.module->device() != 0) {
         plugin.info.device = QString::fromUtf8(plugin.module->device());
     }
@@ -147,7 +149,8 @@ void load(Plugin& plugin) {
     plugin.isLoaded = true;
     try {
         refuseCrashed(plugin.info.modulePath);
-        plugin.isShipped ? loadShipped(plugin) : loadContained(plugin);
+        const bool isTrusted = plugin.isShipped && crashesOf(plugin.info.modulePath) == 0;
+        isTrusted ? loadShipped(plugin) : loadContained(plugin);
         plugin.info.available = true;
     } catch (const Refusal& refusal) {
         plugin.info.reason = refusal.reason();

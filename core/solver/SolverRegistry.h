@@ -36,8 +36,9 @@ public:
     // the other is found by the id with -2 behind.
     static QStringList standardFolders();
 
-    // Modules in the folders `shipped` are loaded into this process; each of the others runs in one
-    // of its own (ContainedSolver.h), and is refused where others than the user can write to it.
+    // Modules in the folders `shipped` are loaded into this process and watched (WatchedSolver.h);
+    // each of the others, and of these any that has crashed or hung before, runs in one of its own
+    // (ContainedSolver.h), and is refused where others than the user can write to it.
     explicit SolverRegistry(const QStringList& folders = standardFolders(),
                             const QStringList& shipped = shippedPluginFolders());
     ~SolverRegistry();

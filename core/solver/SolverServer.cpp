@@ -1,6 +1,5 @@
 #include "solver/SolverServer.h"
 
-#include "solver/CheckedSolver.h"
 #include "solver/LoadModule.h"
 #include "solver/SolverMessages.h"
 
@@ -53,6 +52,7 @@ private:
     std::deque<QByteArray> waiting_;
 };
 
+// Says what the module says: whoever asked judges it, in the user's language.
 class Server {
 public:
     Server(const QString& modulePath, std::FILE* answers)
@@ -64,21 +64,28 @@ public:
         try {
             writer.put(SolverAnswer::Done);
             respond(reader.take<SolverRequest>(), reader, writer);
-        } catch (const Refusal& refusal) {
-            writer = failure(refusal.reason().toStdString());
+        } catch (const LoadFailure& failure) {
+            writer = MessageWriter();
+            writer.put(SolverAnswer::Refused);
+            writer.put(failure.fault());
+            writer.putText(failure.detail().toStdString());
+        } catch (const NoFilm&) {
+            writer = MessageWriter();
+            writer.put(SolverAnswer::GaveNoFilm);
         } catch (const std::exception& error) {
-            writer = failure(error.what());
+            writer = MessageWriter();
+            writer.put(SolverAnswer::Threw);
+            writer.putText(error.what());
+        } catch (...) {
+            writer = MessageWriter();
+            writer.put(SolverAnswer::ThrewUnknown);
         }
         send(writer);
     }
 
 private:
-    static MessageWriter failure(const std::string& sentence) {
-        MessageWriter writer;
-        writer.put(SolverAnswer::Failed);
-        writer.putText(sentence);
-        return writer;
-    }
+    struct NoFilm {};
+
     void send(const MessageWriter& writer) {
         const auto length = std::uint64_t(writer.bytes().size());
         std::fwrite(&length, sizeof length, 1, answers_);
@@ -113,17 +120,16 @@ private:
     const LoadedModule& loaded() {
         if (!loaded_.module) {
             loaded_ = loadModule(modulePath_);
-            checked_ = checkedSolver(*loaded_.module);
         }
         return loaded_;
     }
-    const solver::SolverModule& module() {
-        loaded();
-        return *checked_;
-    }
+    const solver::SolverModule& module() { return *loaded().module; }
     solver::FilmSolver& film() {
         if (!film_) {
             film_ = module().create();
+        }
+        if (!film_) {
+            throw NoFilm();
         }
         return *film_;
     }
@@ -157,7 +163,7 @@ private:
             static_cast<Server*>(self)->showLife();
             return false; // who cancels ends this process
         };
-        module().runBatch(items, isCancelled, this);
+        writer.put(std::uint8_t(module().runBatch(items, isCancelled, this)));
         for (const solver::BatchItem& item : items) {
             writer.putAll(item.positions);
             writer.putAll(item.states);
@@ -180,7 +186,6 @@ private:
     QString modulePath_;
     std::FILE* answers_;
     LoadedModule loaded_;
-    std::unique_ptr<solver::SolverModule> checked_;
     std::unique_ptr<solver::FilmSolver> film_;
     OwnedSetup setup_;
     std::vector<float> positions_;

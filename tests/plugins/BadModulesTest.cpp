@@ -9,6 +9,7 @@
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTest>
+#include <QTranslator>
 #include <chrono>
 #include <thread>
 
@@ -68,6 +69,8 @@ private slots:
     void aGoodModuleIsAvailable();
     void badModulesAreListedWithTheirReason_data();
     void badModulesAreListedWithTheirReason();
+    void reasonsAreInTheUsersLanguage_data();
+    void reasonsAreInTheUsersLanguage();
     void aModuleOfAnotherInterfaceIsNotEvenLoaded_data();
     void aModuleOfAnotherInterfaceIsNotEvenLoaded();
     void automaticChoiceLeavesThemOut();
@@ -78,6 +81,7 @@ private slots:
     void failuresInABatchReachTheUser();
     void aModuleThatCrashesTwiceIsLeftOut_data();
     void aModuleThatCrashesTwiceIsLeftOut();
+    void aShippedModuleThatHungIsContained();
     void aShippedModuleThatCrashedTwiceIsLeftOut();
     void aModuleThatOthersCanWriteIsNotLoaded();
     void beingKilledWhileLoadingIsNotTheModulesFault();
@@ -126,6 +130,35 @@ void BadModulesTest::badModulesAreListedWithTheirReason() {
     } catch (const Error& error) {
         QVERIFY2(error.message().contains(reasonPart), qPrintable(error.message()));
     }
+}
+
+void BadModulesTest::reasonsAreInTheUsersLanguage_data() {
+    QTest::addColumn<QString>("reasonPart");
+    QTest::newRow("entry") << "+Its module failed at start: not today";
+    QTest::newRow("entry-unknown") << "+Its module failed at start with an unknown";
+    QTest::newRow("old") << "+Its module does not fit";
+    QTest::newRow("name") << "+Its module has no entry point";
+    QTest::newRow("load") << "+it crashed";
+}
+
+// Though most of them come up in a process that does not know it.
+void BadModulesTest::reasonsAreInTheUsersLanguage() {
+    class Marking : public QTranslator {
+    public:
+        bool isEmpty() const override { return false; }
+        QString translate(const char*, const char* text, const char*, int) const override {
+            return QLatin1Char('+') + QString::fromUtf8(text);
+        }
+    };
+    QFETCH(QString, reasonPart);
+    const QString id = QString::fromLatin1(QTest::currentDataTag());
+    const PluginFolder folder;
+    folder.add(id, builtModule(id));
+    Marking language;
+    QCoreApplication::installTranslator(&language);
+    const QString reason = SolverRegistry({folder.path()}).found(id)->reason;
+    QCoreApplication::removeTranslator(&language);
+    QVERIFY2(reason.contains(reasonPart), qPrintable(reason));
 }
 
 void BadModulesTest::aModuleOfAnotherInterfaceIsNotEvenLoaded_data() {
@@ -259,6 +292,26 @@ void BadModulesTest::aModuleThatCrashesTwiceIsLeftOut() {
     QVERIFY(listedByProgram(folder).output.contains(QLatin1String("crashing available")));
 }
 
+// What hangs in the program itself can only be left with it, and once: the next program runs the
+// module in a process of its own, which it can end.
+void BadModulesTest::aShippedModuleThatHungIsContained() {
+    const PluginFolder folder;
+    folder.add(QStringLiteral("hanging"), builtModule(QStringLiteral("advance-hang")));
+    QProcess program;
+    program.start(QStringLiteral(DIPWRIGHT_LOAD_SOLVERS),
+                  {folder.path(), QStringLiteral("shipped"), QStringLiteral("dip")});
+    QVERIFY(program.waitForStarted());
+    program.waitForFinished(4000); // longer than a call may take
+    QCOMPARE(program.state(), QProcess::Running);
+    program.kill();
+    program.waitForFinished();
+    const Listing next =
+        listedByProgram(folder, {QStringLiteral("shipped"), QStringLiteral("dip")});
+    QVERIFY(!next.crashed);
+    QVERIFY2(next.output.contains(QLatin1String("at one step for more than 1 s")),
+             qPrintable(next.output));
+}
+
 // Modules that come with the program are loaded into it.
 void BadModulesTest::aShippedModuleThatCrashedTwiceIsLeftOut() {
     const PluginFolder folder;
@@ -266,7 +319,8 @@ void BadModulesTest::aShippedModuleThatCrashedTwiceIsLeftOut() {
     folder.add(QStringLiteral("crashing"), builtModule(QStringLiteral("abort")));
     folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
     QVERIFY(listedByProgram(folder, shipped).crashed);
-    QVERIFY(listedByProgram(folder, shipped).crashed); // it may have been something else once
+    // It may have been something else: tried again, in a process of its own.
+    QVERIFY(listedByProgram(folder, shipped).output.contains(QLatin1String("crashing it crashed")));
     for (int start = 0; start < 2; ++start) {
         const Listing next = listedByProgram(folder, shipped);
         QVERIFY(!next.crashed);

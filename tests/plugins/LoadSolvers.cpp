@@ -1,5 +1,6 @@
 // Lists the solvers of one folder, a line each: a program of its own, so that it may go down. With
-// a second word, the folder's modules are loaded into it as those that come with the program.
+// a second word, the folder's modules are loaded into it as those that come with the program; with
+// a third, each available one makes a step.
 
 #include "solver/SolverRegistry.h"
 
@@ -13,8 +14,16 @@ int main(int argc, char** argv) {
     QStandardPaths::setTestModeEnabled(true);
     const QStringList folders = QCoreApplication::arguments().mid(1, 1);
     const dipwright::SolverRegistry registry(folders, argc > 2 ? folders : QStringList());
+    const bool steps = argc > 3;
     for (const dipwright::SolverInfo& info : registry.solvers()) {
         std::printf("%s %s\n", qPrintable(info.id),
                     info.available ? "available" : qPrintable(info.reason));
+        if (steps && info.available) {
+            try {
+                registry.module(info.id).create()->advance(1);
+            } catch (const std::exception& failure) {
+                std::printf("%s\n", failure.what());
+            }
+        }
     }
 }

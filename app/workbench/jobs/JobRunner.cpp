@@ -2,6 +2,8 @@
 
 #include "base/HandOver.h"
 
+#include <cstdlib>
+
 namespace dipwright {
 
 JobRunner::JobRunner(QObject* parent) : QObject(parent), worker_([this] { work(); }) {}
@@ -13,6 +15,12 @@ JobRunner::~JobRunner() {
         ending_ = true;
     }
     wake_.notify_all();
+    {
+        std::unique_lock lock(mutex_);
+        if (!gone_.wait_for(lock, longestEnd, [this] { return ended_; })) {
+            std::_Exit(EXIT_FAILURE);
+        }
+    }
     worker_.join();
 }
 
@@ -45,6 +53,8 @@ void JobRunner::work() {
             std::unique_lock lock(mutex_);
             wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
             if (ending_) {
+                ended_ = true;
+                gone_.notify_all();
                 return;
             }
             entry = waiting_.front();

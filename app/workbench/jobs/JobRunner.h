@@ -4,6 +4,7 @@
 #include "jobs/Job.h"
 
 #include <QObject>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -16,8 +17,13 @@ class JobRunner : public QObject {
     Q_OBJECT
 
 public:
+    static constexpr std::chrono::seconds longestEnd{30};
+
     explicit JobRunner(QObject* parent = nullptr);
-    // Cancels everything and waits for the worker; nothing is finalized any more.
+    // Cancels everything and waits for the worker; nothing is finalized any more. Work that does
+    // not end within `longestEnd` takes the program with it: a call that hangs cannot be ended
+    // alone. What other windows have not saved is kept (document/Recovery.h), and files are written
+    // whole or not at all.
     ~JobRunner() override;
 
     CancelSwitch start(std::unique_ptr<Job> job); // which cancels this one
@@ -41,10 +47,11 @@ private:
     void deliverReport();
 
     std::mutex mutex_;
-    std::condition_variable wake_;
+    std::condition_variable wake_, gone_;
     std::deque<Entry> waiting_;
     CancelSwitch current_;
     bool ending_ = false;
+    bool ended_ = false;
     bool reportPending_ = false;
     double share_ = 0;
     QString text_;

@@ -13,6 +13,7 @@ namespace dipwright {
 namespace {
 
 constexpr int progressSteps = 1000;
+constexpr std::chrono::seconds answerTime{15}; // from Cancel until its end
 
 } // namespace
 
@@ -34,6 +35,14 @@ StatusLine::StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel)
     bar.addPermanentWidget(progress_);
     bar.addPermanentWidget(cancel_);
     showJob(false);
+    unanswered_.setSingleShot(true);
+    unanswered_.setInterval(answerTime);
+    connect(&cancel, &QAction::triggered, &unanswered_, qOverload<>(&QTimer::start));
+    connect(&jobs, &JobRunner::started, &unanswered_, &QTimer::stop);
+    connect(&jobs, &JobRunner::idle, &unanswered_, &QTimer::stop);
+    connect(&unanswered_, &QTimer::timeout, this, [this] {
+        job_->setText(tr("It does not stop. Save your work; closing the window ends it."));
+    });
     connect(&jobs, &JobRunner::busy, this, [this] { showJob(true); });
     connect(&jobs, &JobRunner::idle, this, [this] { showJob(false); });
     connect(&jobs, &JobRunner::started, this, [this](const QString& title) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 
 class QAction;
 class QLabel;
@@ -29,6 +30,7 @@ private:
     QLabel* job_;
     QProgressBar* progress_;
     QToolButton* cancel_;
+    QTimer unanswered_; // since a job was to stop
 };
 
 } // namespace dipwright

@@ -4,6 +4,7 @@
 #include "jobs/DipRecording.h"
 #include "jobs/JobRunner.h"
 
+#include <QProcess>
 #include <QSemaphore>
 #include <QSignalSpy>
 #include <QTest>
@@ -47,6 +48,19 @@ private:
     Log& log_;
     std::function<void(const Progress&)> work_;
 };
+
+const char* const hanging = "--hanging"; // this program again, with a job that never ends
+
+void endWhileHanging() {
+    ProbeJob::Log log;
+    QSemaphore started;
+    JobRunner runner;
+    runner.start(std::make_unique<ProbeJob>(log, [&](const Progress&) {
+        started.release();
+        QThread::sleep(24 * 60 * 60);
+    }));
+    started.acquire();
+}
 
 const solver::FilmGrid recordedGrid{8, 8, 100, 100};
 
@@ -151,6 +165,17 @@ private slots:
         QVERIFY(log.finalized == nullptr);
     }
 
+    // Nothing but the process can be ended where a solver hangs; and it is, so that a window that
+    // is closed does not stay for ever.
+    void aRunnerEndsThoughItsWorkDoesNot() {
+        QProcess program;
+        program.start(QCoreApplication::applicationFilePath(), {QLatin1String(hanging)});
+        QVERIFY(program.waitForFinished(patience()));
+        QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+        QVERIFY2(program.readAllStandardError().isEmpty(), "it ended in another way");
+        QCOMPARE(program.exitCode(), EXIT_FAILURE);
+    }
+
     void aThinnedFilmKeepsItsBorder() {
         const solver::FilmGrid grid{280, 396, 210, 297};
         const ThinnedFilm film = thinFilm(grid, 6000);
@@ -184,5 +209,13 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(JobTest)
+int main(int argc, char* argv[]) {
+    QCoreApplication application(argc, argv);
+    if (argc == 2 && qstrcmp(argv[1], hanging) == 0) {
+        endWhileHanging();
+        return 0;
+    }
+    JobTest test;
+    return QTest::qExec(&test, argc, argv);
+}
 #include "JobTest.moc"
