@@ -134,7 +134,7 @@ public:
         ProjectFile file(path);
         checkWritable(path); // better now than after the work
         Project project;
-        project.name = QFileInfo(path).completeBaseName();
+        project.name = projectName(path);
         project.date = QDate::currentDate().toString(Qt::ISODate);
         project.film.resolution = FilmResolution::Automatic;
         applyPresetOption(project, parser.value(presetOption));

@@ -4,6 +4,7 @@
 #include "disk/Unfinished.h"
 
 #include <QGuiApplication>
+#include <QLocale>
 #include <QLoggingCategory>
 
 namespace dipwright::cli {
@@ -93,8 +94,19 @@ void run(const QStringList& arguments, Console& console) {
                      first.isEmpty() ? QStringLiteral("command line") : first);
 }
 
+// What is not UTF-8 comes with other characters in its place, and would name another file.
+void requireText(const QStringList& arguments) {
+    for (const QString& argument : arguments) {
+        if (argument.contains(QChar::ReplacementCharacter)) {
+            throw UsageError(QStringLiteral("This is not text in UTF-8, rename the file"),
+                             argument);
+        }
+    }
+}
+
 int guardedRun(const QStringList& arguments, Console& console) {
     try {
+        requireText(arguments);
         run(arguments, console);
         if (!console.finish()) {
             throw Error(QStringLiteral("The output cannot be written"),
@@ -158,6 +170,7 @@ int main(int argc, char* argv[]) {
     QLoggingCategory::setFilterRules(
         QStringLiteral("*.debug=false\n*.info=false\n*.warning=false"));
     const QGuiApplication application(argc, argv);
+    QLocale::setDefault(QLocale::c()); // the command line speaks English, and so do its maps
     dipwright::nameProgram();
     dipwright::tidyUnfinished();
     dipwright::cli::Console console;

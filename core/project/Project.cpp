@@ -5,6 +5,7 @@
 #include "project/Schema.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QRegularExpression>
 #include <limits>
@@ -200,6 +201,10 @@ bool setFieldAt(Owner& owner, const std::vector<Field<Owner>>& fields, const QSt
 }
 
 } // namespace
+
+QString projectName(const QString& path) {
+    return QFileInfo(path).completeBaseName().left(longestProjectName);
+}
 
 void applyPreset(Project& project, const QString& preset) {
     const ProcessSettings standard;

@@ -25,6 +25,8 @@ struct ModelOrigin {
     bool operator==(const ModelOrigin&) const = default;
 };
 
+inline constexpr int longestProjectName = 200;
+
 struct Project {
     QString name;
     QString date; // ISO date of creation; stands in the job line
@@ -45,6 +47,10 @@ struct Project {
 
     bool operator==(const Project&) const = default;
 };
+
+// What a project is called that is made of this file, or written to it: as the file, as far as a
+// name may be long.
+QString projectName(const QString& path);
 
 // "production" (the default) or "paper-2020"; changes film and process, throws Error on another
 // name.

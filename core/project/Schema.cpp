@@ -244,7 +244,7 @@ const std::vector<Field<Project>>& projectFields() {
     static const std::vector<Field<Project>> fields = [] {
         std::vector<Field<Project>> all;
         all.push_back(text(
-            "name", 200, [](auto& p) -> auto& { return p.name; }));
+            "name", longestProjectName, [](auto& p) -> auto& { return p.name; }));
         all.push_back(text(
             "created", 40, [](auto& p) -> auto& { return p.date; }));
         addModelFields(all);

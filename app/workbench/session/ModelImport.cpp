@@ -4,7 +4,6 @@
 
 #include <QCoreApplication>
 #include <QDate>
-#include <QFileInfo>
 
 namespace dipwright {
 
@@ -48,7 +47,7 @@ void importInto(Document& document, const QString& path, const QString& texture,
 Project newProject(const ImportedModel& imported, const QString& path,
                    const ImportOptions& options) {
     Project project;
-    project.name = QFileInfo(path).completeBaseName();
+    project.name = projectName(path);
     project.date = QDate::currentDate().toString(Qt::ISODate);
     project.film.resolution = FilmResolution::Automatic;
     project.immersions.front().name =

@@ -10,6 +10,7 @@
 #include "project/ProjectStore.h"
 #include "project/Schema.h"
 
+#include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -40,6 +41,20 @@ std::shared_ptr<const JobResult> resultOf(const Project& project) {
             sheetInputs(project, {}, number, result->chosenSolver);
     }
     return result;
+}
+
+QByteArray contentsOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+// As the window does for who wants it all the same.
+void saveAnyway(Document& document, const QString& path) {
+    try {
+        document.save();
+    } catch (const ChangedFile&) {
+        document.saveAs(path);
+    }
 }
 
 } // namespace
@@ -209,6 +224,71 @@ private slots:
                                  std::exception);
         QVERIFY(document.isModified());
         QVERIFY(document.path().isEmpty());
+    }
+
+    // A network folder that vanishes and comes back, empty or as it was.
+    void aFolderThatVanishesTakesNothingAlong() {
+        const QTemporaryDir folder;
+        const QString place = folder.filePath(QStringLiteral("server"));
+        const QString away = folder.filePath(QStringLiteral("away"));
+        const QString file = place + QStringLiteral("/job.dipw");
+        QVERIFY(QDir().mkpath(place));
+        Document document(boxProject());
+        document.saveAs(file);
+        AutoSaver saver(document, folder.filePath(QStringLiteral("recovery")));
+        setWidth(document, "", 123);
+        QVERIFY(QDir().rename(place, away));
+        QVERIFY_EXCEPTION_THROWN(document.save(), Error);
+        QVERIFY(document.isModified());
+        saver.keepNow();
+        QCOMPARE(
+            QDir(folder.filePath(QStringLiteral("recovery")), QStringLiteral("*.dipw")).count(),
+            1u);
+        QVERIFY(QDir().rename(away, place));
+        QCOMPARE(loadProject(file).film.width.value(), 210);
+        document.save();
+        QVERIFY(!document.isModified());
+        QCOMPARE(loadProject(file).film.width.value(), 123);
+
+        setWidth(document, "", 150);
+        QVERIFY(QDir(place).removeRecursively());
+        QVERIFY(QDir().mkpath(place));
+        saveAnyway(document, file);
+        QCOMPARE(loadProject(file).film.width.value(), 150);
+    }
+
+    // Clocks are set back, and machines come up in 1970: copies are found by their names alone.
+    void unsavedWorkIsFoundWhateverTheClockSays_data() {
+        QTest::addColumn<QDate>("day");
+        QTest::newRow("in 1970") << QDate(1970, 1, 2);
+        QTest::newRow("before the project was saved") << QDate(2001, 2, 3);
+        QTest::newRow("in the future") << QDate(2099, 12, 31);
+    }
+    void unsavedWorkIsFoundWhateverTheClockSays() {
+        QFETCH(QDate, day);
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("job.dipw"));
+        const QString kept = folder.filePath(QStringLiteral("recovery"));
+        Document document(boxProject());
+        document.saveAs(file);
+        const QByteArray saved = contentsOf(file);
+        auto saver = std::make_unique<AutoSaver>(document, kept);
+        setWidth(document, "", 123);
+        saver->keepNow();
+        // As a crash leaves it: what is kept, without the lock.
+        const QString left = folder.filePath(QStringLiteral("left"));
+        QVERIFY(QDir().mkpath(left));
+        for (const QFileInfo& each : QDir(kept).entryInfoList(QDir::Files)) {
+            QVERIFY(QFile::copy(each.filePath(), left + QLatin1Char('/') + each.fileName()));
+            QFile copy(left + QLatin1Char('/') + each.fileName());
+            QVERIFY(copy.open(QIODevice::ReadWrite));
+            QVERIFY(copy.setFileTime(day.startOfDay(), QFileDevice::FileModificationTime));
+        }
+        const auto found = findRecoveredDocuments(left);
+        QCOMPARE(found.size(), std::size_t(1));
+        QCOMPARE(found.front().original, file);
+        QCOMPARE(loadProject(found.front().copy).film.width.value(), 123);
+        QCOMPARE(contentsOf(file), saved);
     }
 
     void anOpenProjectIsLocked() {
