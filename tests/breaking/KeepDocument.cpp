@@ -109,6 +109,8 @@ long allocations() {
     return reinterpret_cast<long (*)()>(dlsym(RTLD_DEFAULT, "allocations"))();
 }
 
+constexpr unsigned secondsOfALife = 60;
+
 enum Exit { Done = 0, Told = 1, OtherException = 2, Damaged = 3 };
 
 // In a process of its own; `work` with the allocation failing.
@@ -117,6 +119,7 @@ int lifeWith(long allocation, const Work& work) {
     std::fflush(stdout);
     const pid_t child = fork();
     if (child == 0) {
+        alarm(secondsOfALife); // TBB has been seen to wait for ever
         int code = Done;
         failAllocation(allocation);
         try {
