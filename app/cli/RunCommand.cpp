@@ -4,6 +4,9 @@
 #include "pipeline/Pipeline.h"
 #include "pipeline/WriteResults.h"
 
+#include <algorithm>
+#include <span>
+
 namespace dipwright::cli {
 namespace {
 
@@ -13,6 +16,8 @@ const QString dpiOption = QStringLiteral("dpi");
 const QString certaintyOption = QStringLiteral("no-certainty");
 const QString cradleOption = QStringLiteral("cradle");
 const QString lawsOption = QStringLiteral("laws");
+
+constexpr std::size_t mostPlaces = 8; // not reached, that are listed
 
 QString number(double value, int decimals) {
     return QString::number(value, 'f', decimals);
@@ -55,10 +60,16 @@ void printShare(const JobResult& result, QTextStream& out) {
                .arg(result.immersions[0].immersion.name, part(areas.first),
                     result.immersions[1].immersion.name, part(areas.second), part(areas.both),
                     number(result.share->overlap, 1), part(areas.none));
-    for (const UnpaintedPlace& place : result.share->unpainted) {
+    const std::vector<UnpaintedPlace>& places = result.share->unpainted;
+    const std::size_t listed = std::min(places.size(), mostPlaces);
+    for (const UnpaintedPlace& place : std::span(places).first(listed)) {
         out << QStringLiteral("  not reached: %1 mm² at %2, %3, %4 mm of the model\n")
                    .arg(number(place.area, 0), number(double(place.place.x()), 1),
                         number(double(place.place.y()), 1), number(double(place.place.z()), 1));
+    }
+    if (listed < places.size()) {
+        out << QStringLiteral("  and %1 smaller places, in report.json\n")
+                   .arg(places.size() - listed);
     }
     const double equator = result.share->equator.cost;
     out << QStringLiteral("Join: %1 mm long").arg(number(result.share->cost.length, 0));

@@ -7,6 +7,8 @@
 #include <QLocale>
 #include <QTextBrowser>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <span>
 
 namespace dipwright {
 
@@ -15,6 +17,8 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(ReportPanel)
 };
+
+constexpr std::size_t mostPlaces = 8; // not reached, that are listed one by one
 
 class Table {
 public:
@@ -58,11 +62,16 @@ QString shareHtml(const JobResult& result) {
     table.row(Text::tr("Reached by neither"), area(share.areas.none));
     table.row(Text::tr("Width of the overlap"), Text::tr("%1 mm").arg(number(share.overlap, 1)));
     table.row(Text::tr("Length of the join"), Text::tr("%1 mm").arg(number(share.cost.length, 0)));
-    for (const UnpaintedPlace& place : share.unpainted) {
+    const std::size_t listed = std::min(share.unpainted.size(), mostPlaces);
+    for (const UnpaintedPlace& place : std::span(share.unpainted).first(listed)) {
         table.row(Text::tr("Not reached at %1, %2, %3 mm")
                       .arg(number(double(place.place.x()), 1), number(double(place.place.y()), 1),
                            number(double(place.place.z()), 1)),
                   Text::tr("%1 mm²").arg(number(place.area, 0)));
+    }
+    if (listed < share.unpainted.size()) {
+        table.row(Text::tr("Smaller places not reached"),
+                  QLocale().toString(qulonglong(share.unpainted.size() - listed)));
     }
     return heading(Text::tr("Join")) + table.html();
 }

@@ -51,9 +51,10 @@ private:
 void photographParts(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
     auto* tree = driver.find<ProjectTree>("projectTree");
     const std::vector<std::pair<ProjectPart, const char*>> parts{
-        {ProjectPart::Model, "model"},     {ProjectPart::Film, "film"},
-        {ProjectPart::Process, "process"}, {ProjectPart::Sheet, "sheet"},
-        {ProjectPart::Ink, "ink"},         {ProjectPart::Immersion, "immersion"}};
+        {ProjectPart::Model, "model"},        {ProjectPart::Film, "film"},
+        {ProjectPart::Process, "process"},    {ProjectPart::Share, "join"},
+        {ProjectPart::Sheet, "sheet"},        {ProjectPart::Ink, "ink"},
+        {ProjectPart::Immersion, "immersion"}};
     for (const auto& [part, name] : parts) {
         tree->select({part, 0});
         camera.take(window, QStringLiteral("part-%1").arg(QLatin1String(name)));
