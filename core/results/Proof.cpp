@@ -3,8 +3,8 @@
 
 #include "dip/FilmMarks.h"
 #include "results/Hatch.h"
+#include "results/PaintedBody.h"
 #include "results/ProofScene.h"
-#include "texture/Ink.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -19,99 +19,9 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Results)
 };
 
-const LinearColour bareBody(0.62f, 0.62f, 0.60f);
 const LinearColour table(0.93f, 0.935f, 0.94f);
 constexpr int samplesAcross = 3;                                  // of a pixel, both ways
 constexpr float elevation = 22 * std::numbers::pi_v<float> / 180; // of the camera over the horizon
-
-// A film image that can be asked for the light at a place on the film.
-class FilmPicture {
-public:
-    FilmPicture(const QImage& image, const solver::FilmGrid& grid)
-        : image_(image.convertToFormat(QImage::Format_RGBA8888)), width_(float(grid.width)),
-          depth_(float(grid.depth)) {}
-
-    struct Paint {
-        LinearColour colour = LinearColour::Zero(); // of a sum: times the cover
-        float cover = 0;                            // 0: unprinted … 1
-    };
-
-    Paint at(const Eigen::Vector2f& rest) const {
-        const float x = (rest.x() / width_ + 0.5f) * float(image_.width()) - 0.5f;
-        const float y = (rest.y() / depth_ + 0.5f) * float(image_.height()) - 0.5f;
-        const int i = int(std::floor(x));
-        const int j = int(std::floor(y));
-        const float u = x - float(i);
-        const float v = y - float(j);
-        Paint sum;
-        add(sum, i, j, (1 - u) * (1 - v));
-        add(sum, i + 1, j, u * (1 - v));
-        add(sum, i, j + 1, (1 - u) * v);
-        add(sum, i + 1, j + 1, u * v);
-        return sum;
-    }
-
-private:
-    void add(Paint& sum, int column, int row, float weight) const {
-        const int i = std::clamp(column, 0, image_.width() - 1);
-        const int j = std::clamp(row, 0, image_.height() - 1);
-        const uchar* pixel = image_.constScanLine(j) + qsizetype(i) * 4;
-        const std::array<float, 256>& light = linearTable();
-        const float cover = weight * float(pixel[3]) / 255;
-        sum.colour += cover * LinearColour(light[pixel[0]], light[pixel[1]], light[pixel[2]]);
-        sum.cover += cover;
-    }
-
-    QImage image_;
-    float width_, depth_;
-};
-
-// One immersion's paint on the body.
-class PaintedFilm {
-public:
-    PaintedFilm(const WornFilm& worn, bool compensatedInk)
-        : laid_(worn.laid), picture_(worn.image, worn.laid->film().grid),
-          ink_({compensatedInk, InkSettings().limit}), compensatedInk_(compensatedInk) {}
-
-    // The light that its ink lets through at a place of the body, and how much of it is there.
-    FilmPicture::Paint at(const SurfacePoint& point) const {
-        const std::optional<FilmPlace> place = laid_->place(point);
-        if (!place) {
-            return {};
-        }
-        FilmPicture::Paint paint = picture_.at(place->rest);
-        if (paint.cover > 0) {
-            paint.colour /= paint.cover;
-            if (compensatedInk_) {
-                paint.colour = ink_.shown(paint.colour, areaStretch(*place));
-            }
-        }
-        return paint;
-    }
-
-    // solver::PointMark bits of its paint there; nothing where it has put none.
-    std::optional<std::uint8_t> marks(const SurfacePoint& point) const {
-        const std::optional<FilmPlace> place = laid_->place(point);
-        if (!place || picture_.at(place->rest).cover <= 0) {
-            return std::nullopt;
-        }
-        return laid_->marks(place->triangle);
-    }
-
-private:
-    float areaStretch(const FilmPlace& place) const {
-        const auto& [a, b, c] = laid_->triangles()[place.triangle];
-        const std::vector<float>& stretches = laid_->painted().pointAreas;
-        const Eigen::Vector3f share = laid_->weights(place);
-        return stretches[a] + share[1] * (stretches[b] - stretches[a]) +
-               share[2] * (stretches[c] - stretches[a]);
-    }
-
-    std::shared_ptr<const LaidFilm> laid_;
-    FilmPicture picture_;
-    InkCompensation ink_;
-    bool compensatedInk_;
-};
 
 struct Ray {
     Eigen::Vector3f origin, direction;
@@ -159,9 +69,9 @@ class Scene {
 public:
     Scene(const ProofStage& stage, const std::vector<WornFilm>& films, bool compensatedInk)
         : query_(stage.query), normals_(stage.normals), sky_(stage.sky),
-          middle_(stage.box.center()), size_(stage.box.diagonal().norm()) {
+          middle_(stage.box.center()), size_(stage.box.diagonal().norm()),
+          films_(films, compensatedInk) {
         for (const WornFilm& worn : films) {
-            films_.push_back(std::make_unique<PaintedFilm>(worn, compensatedInk));
             marks_ |= paintedMarks(*worn.laid);
         }
     }
@@ -171,12 +81,8 @@ public:
     // How the paint is marked that a ray meets first, that of the film that was dipped last.
     std::optional<solver::PointMark> mark(const Ray& ray) const {
         const RayHit hit = query_.hit(ray.origin, ray.direction);
-        for (std::size_t film = hit.point.isValid() ? films_.size() : 0; film-- > 0;) {
-            if (const auto marks = films_[film]->marks(hit.point)) {
-                return gravestMark(*marks);
-            }
-        }
-        return std::nullopt;
+        const auto marks = hit.point.isValid() ? films_.marks(hit.point) : std::nullopt;
+        return marks ? gravestMark(*marks) : std::nullopt;
     }
 
     LinearColour light(const Ray& ray, const Camera& camera) const {
@@ -186,7 +92,7 @@ public:
 
 private:
     LinearColour bodyLight(const SurfacePoint& point, const Ray& ray, const Camera& camera) const {
-        const LinearColour colour = colourAt(point);
+        const LinearColour colour = films_.colour(point);
         Eigen::Vector3f normal = normalAt(normals_, point);
         if (normal.dot(ray.direction) > 0) {
             normal = -normal;
@@ -199,19 +105,6 @@ private:
         const Eigen::Vector3f halfway = (lamp - ray.direction).normalized();
         const float gloss = 0.05f * std::pow(std::max(0.0f, normal.dot(halfway)), 60.0f);
         return colour * (0.5f * facing + 0.56f * room) + gloss;
-    }
-
-    // The bare body, or the films' ink on white. Densities add up: light goes through them all.
-    LinearColour colourAt(const SurfacePoint& point) const {
-        LinearColour colour = bareBody;
-        LinearColour ink = LinearColour::Ones();
-        for (const auto& film : films_) {
-            const FilmPicture::Paint paint = film->at(point);
-            const LinearColour both = ink * paint.colour;
-            colour = (1 - paint.cover) * colour + paint.cover * both;
-            ink = (1 - paint.cover) * ink + paint.cover * both;
-        }
-        return colour;
     }
 
     LinearColour tableLight(const Ray& ray) const {
@@ -228,7 +121,7 @@ private:
     const SkyLight& sky_;
     Eigen::Vector3f middle_;
     float size_;
-    std::vector<std::unique_ptr<PaintedFilm>> films_;
+    PaintedBody films_;
     std::uint8_t marks_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #include "texture/ReverseTexture.h"
 
 #include <QJsonObject>
+#include <QRgb>
 
 namespace dipwright {
 
@@ -46,11 +47,27 @@ QColor markColour(solver::PointMark mark);
 // By which the shares of two dips are told apart, in maps and views.
 QColor painterColour(Painter painter);
 
+// How far a floating film lies off its place when the body comes down, and how much it has grown
+// beyond what was reckoned with. The film is much alike everywhere, so that the body meets other
+// ink and no other film.
+struct FilmSlip {
+    std::array<Millimetres, 2> shift{}; // along the film's X and Z
+    Degrees turn{0};                    // from X to Z, about the film's middle
+    double swell = 1;                   // times as large
+    bool operator==(const FilmSlip&) const = default;
+};
+
 // One immersion's film, on the body in its own pose, wearing a picture.
 struct WornFilm {
     std::shared_ptr<const LaidFilm> laid;
     QImage image; // of the flat film
+    FilmSlip slip = {};
 };
+
+// What the films give the body, by the middles of the fine triangles: a colour each, as the proof
+// has it in white light. All cores.
+std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<WornFilm>& films,
+                                 bool compensatedInk);
 
 struct ProofOptions {
     QSize tile{800, 800};       // one view's pixels

@@ -109,6 +109,7 @@ void MainWindow::connectPanels() {
             session_.lookAt(node.immersion);
         }
     });
+    connect(parts_.properties, &PropertyPanel::slipChanged, &scene_, &DipScene::setSlip);
     connect(parts_.properties, &PropertyPanel::joinBrushChanged, &join_, &JoinTool::setBrush);
     connect(parts_.properties, &PropertyPanel::failed, &messages_,
             [this](const QString& sentence) { messages_.say(sentence); });

@@ -40,9 +40,25 @@ void ViewController::connectCamera(const WindowActions& actions) {
 
 void ViewController::connectDisplay(const WindowActions& actions) {
     connect(actions.rings, &QAction::toggled, &scene_, &DipScene::setShowRings);
-    connect(actions.water, &QAction::toggled, &view_, &DipView::setWaterVisible);
     connect(actions.body, &QAction::toggled, &view_, &DipView::setBodyVisible);
-    connect(actions.coverage, &QAction::toggled, &scene_, &DipScene::setShowCoverage);
+    // Colours are to be judged, or told apart, without water over them.
+    const auto wear = [this, &actions] {
+        const BodyLook look = actions.coverage->isChecked()    ? BodyLook::Coverage
+                              : actions.bodyPrint->isChecked() ? BodyLook::Print
+                                                               : BodyLook::Own;
+        scene_.setBodyLook(look);
+        view_.setWaterVisible(actions.water->isChecked() && look == BodyLook::Own);
+    };
+    connect(actions.water, &QAction::toggled, this, wear);
+    const auto onlyOne = [this, wear](QAction* shown, QAction* other) {
+        connect(shown, &QAction::toggled, this, [wear, other](bool on) {
+            const QSignalBlocker quiet(other);
+            other->setChecked(other->isChecked() && !on);
+            wear();
+        });
+    };
+    onlyOne(actions.coverage, actions.bodyPrint);
+    onlyOne(actions.bodyPrint, actions.coverage);
     connect(actions.filmOnBody, &QAction::toggled, this, [this](bool only) {
         scene_.setFilmExtent(only ? FilmExtent::OnBody : FilmExtent::Whole);
     });

@@ -180,7 +180,14 @@ std::vector<WindowActions::Entry> WindowActions::displayEntries() {
          "coverage",
          "proof",
          tr("&Coverage on the Body"),
-         tr("Show how much of the body this immersion paints"),
+         tr("Show what the dips paint of the body"),
+         {},
+         Kind::ToggledOff},
+        {&A::bodyPrint,
+         "bodyPrint",
+         "texture",
+         tr("&Print on the Body"),
+         tr("Show the body as it comes out of all dips, from every side"),
          {},
          Kind::ToggledOff},
         {&A::filmOnBody,
@@ -238,8 +245,8 @@ void WindowActions::enable(const WindowState& state) {
     run->setEnabled(any && !state.isDipping);
     certainty->setEnabled(any && !state.isBusy);
     cancel->setEnabled(state.isBusy);
-    for (QAction* action :
-         {print, exportResults, exportPdf, exportPng, exportCradles, coverage, filmOnBody}) {
+    for (QAction* action : {print, exportResults, exportPdf, exportPng, exportCradles, coverage,
+                            bodyPrint, filmOnBody}) {
         action->setEnabled(any && state.document->result());
     }
     play->setEnabled(state.isRecorded);

@@ -35,7 +35,7 @@ public:
     QAction *run, *cancel, *live, *certainty, *play;
     QAction *fit, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout, *saveLayout,
         *parallel;
-    QAction *rings, *water, *body, *coverage, *filmOnBody, *measure;
+    QAction *rings, *water, *body, *coverage, *bodyPrint, *filmOnBody, *measure;
     QActionGroup* filmLook; // each has its FilmLook as data
     QAction *tour, *guide, *whatsThis, *about;
 

@@ -59,7 +59,7 @@ void WindowMenus::makeViewMenu(QMenu& menu, const WindowActions& a) {
     menu.addSeparator();
     film_ = menu.addMenu(icon(QStringLiteral("film")), tr("Film &Wears"));
     film_->addActions(a.filmLook->actions());
-    menu.addActions({a.filmOnBody, a.body, a.coverage, a.water, a.rings, a.measure});
+    menu.addActions({a.filmOnBody, a.body, a.coverage, a.bodyPrint, a.water, a.rings, a.measure});
 }
 
 void WindowMenus::makeWindowMenu(QMenu& menu, const WindowActions& a,

@@ -84,7 +84,7 @@ void JoinBrush::setDips(const QString& first, const QString& second) {
 }
 
 void JoinBrush::setMarkCount(std::size_t count) {
-    count_->setText(tr("%n mark(s) on the body", nullptr, int(count)));
+    count_->setText(tr("Marks on the body: %1").arg(count));
     removeLast_->setEnabled(count > 0);
     removeAll_->setEnabled(count > 0);
 }

@@ -7,6 +7,7 @@
 #include "panels/JoinBrush.h"
 #include "panels/PropertySpecs.h"
 #include "panels/ShippedNames.h"
+#include "panels/SlipFields.h"
 
 #include <QComboBox>
 #include <QFileInfo>
@@ -56,6 +57,7 @@ void PropertyPanel::showNode(const ProjectNode& node) {
 void PropertyPanel::rebuild() {
     refreshers_.clear();
     emit joinBrushChanged(std::nullopt);
+    emit slipChanged({});
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
     form->setContentsMargins(10, 8, 10, 10);
@@ -92,6 +94,7 @@ void PropertyPanel::rebuild() {
     }
     if (document_ && node_.part == ProjectPart::Share) {
         addJoinBrush(*form);
+        addSlip(*form);
     }
     setWidget(page);
     refresh();
@@ -240,6 +243,16 @@ void PropertyPanel::addJoinBrush(QFormLayout& form) {
         brush->setEnabled(project.share.enabled);
         brush->setMarkCount(project.share.marks.size());
     });
+}
+
+void PropertyPanel::addSlip(QFormLayout& form) {
+    addHeading(form, tr("If the second film lies off"));
+    auto* note = new QLabel(tr("Shown with “Print on the Body”; changes no sheet."));
+    note->setWordWrap(true);
+    form.addRow(note);
+    auto* slip = new SlipFields(lengthUnit_);
+    form.addRow(slip);
+    connect(slip, &SlipFields::changed, this, [this, slip] { emit slipChanged(slip->slip()); });
 }
 
 void PropertyPanel::addPreset(QFormLayout& form) {

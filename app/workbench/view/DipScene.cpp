@@ -102,10 +102,17 @@ std::vector<float> flatPositions(const solver::FilmGrid& grid, const ThinnedFilm
 
 constexpr std::size_t setupPoints = 2500;
 
-// The triangles that are shared out, as a body of one plain colour.
-std::shared_ptr<const TexturedMesh> fineBody(const BodyShare& share) {
+constexpr double printTriangles = 150'000; // about so many, to show a print by
+
+// The longest edge of about so many triangles of one size.
+float edgeFor(const TriangleMesh& mesh, double triangles) {
+    return float(1.5 * std::sqrt(4 * surfaceArea(mesh) / triangles / std::sqrt(3.0)));
+}
+
+// As a body of one plain colour.
+std::shared_ptr<const TexturedMesh> fineBody(const RefinedMesh& mesh) {
     auto body = std::make_shared<TexturedMesh>();
-    body->mesh = share.distance.mesh->mesh();
+    body->mesh = mesh.mesh();
     body->textureCoordinates.resize(body->mesh.triangles.size());
     body->material.resize(body->mesh.triangles.size());
     body->chart.resize(body->mesh.triangles.size());
@@ -124,6 +131,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     immersion_ = std::min(immersion, project.immersions.size() - 1);
     if (otherModel) {
         query_ = std::make_unique<SurfaceQuery>(project.model->mesh);
+        printed_ = nullptr;
         wearBody(project.model, {}, {});
     }
     if (otherModel || otherFilm) {
@@ -236,7 +244,7 @@ void DipScene::showEnd() {
 }
 
 std::vector<FilmTriangle> DipScene::shownTriangles(const LaidFilm& laid) const {
-    if (coverage_) { // floating film would lie over the body
+    if (bodyLook_ != BodyLook::Own) { // floating film would lie over the body
         return {};
     }
     const FilmContact& contact = laid.contact();
@@ -275,10 +283,20 @@ void DipScene::setHeat(FilmQuantity quantity, const HeatScale& scale) {
     }
 }
 
-void DipScene::setShowCoverage(bool show) {
-    coverage_ = show;
+void DipScene::setBodyLook(BodyLook look) {
+    bodyLook_ = look;
     dressBody();
     showEndAnew();
+}
+
+void DipScene::setSlip(const FilmSlip& slip) {
+    if (slip == slip_) {
+        return;
+    }
+    slip_ = slip;
+    if (bodyLook_ == BodyLook::Print) {
+        dressBody();
+    }
 }
 
 void DipScene::setShowRings(bool show) {
@@ -362,9 +380,11 @@ std::vector<QRgb> DipScene::frameColours() const {
 }
 
 void DipScene::dressBody() {
-    if (!coverage_ || !result_ || result_->project.model != project_.model ||
+    if (bodyLook_ == BodyLook::Own || !result_ || result_->project.model != project_.model ||
         immersion_ >= result_->immersions.size()) {
         wearBody(project_.model, {}, {});
+    } else if (bodyLook_ == BodyLook::Print) {
+        wearPrint(*result_);
     } else if (result_->share) {
         wearShare(*result_);
     } else {
@@ -413,11 +433,29 @@ void DipScene::wearShare(const JobResult& result) {
                 .arg(name, QLocale().toString(area, 'f', 0),
                      QLocale().toString(100 * area / share.areas.total(), 'f', 1))};
     };
-    wearBody(fineBody(share), colours,
+    wearBody(fineBody(*share.distance.mesh), colours,
              {line(Painter::First, result.immersions[0].immersion.name, share.areas.first),
               line(Painter::Second, result.immersions[1].immersion.name, share.areas.second),
               line(Painter::Both, tr("Both, along the join"), share.areas.both),
               line(Painter::None, tr("Not reached"), share.areas.none)});
+}
+
+void DipScene::wearPrint(const JobResult& result) {
+    if (!printed_) {
+        const TriangleMesh& mesh = project_.model->mesh;
+        printed_ = std::make_shared<const RefinedMesh>(mesh, edgeFor(mesh, printTriangles));
+        printedBody_ = fineBody(*printed_);
+    }
+    std::vector<WornFilm> films;
+    for (const ImmersionResult& immersion : result.immersions) {
+        films.push_back({immersion.laid, immersion.texture->image});
+    }
+    if (films.size() > 1) {
+        films.back().slip = slip_;
+    }
+    const TextureInputs& inputs = result.immersions.front().inputs.texture;
+    wearBody(printedBody_,
+             printedColours(*printed_, films, inputs.isReversed() && inputs.ink.compensate), {});
 }
 
 std::optional<Eigen::Isometry3d> DipScene::worldToEnd() const {

@@ -1,8 +1,10 @@
 // Brings project, recording and result into the 3D view: which body, which film, at which moment.
 #pragma once
 
+#include "geometry/RefinedMesh.h"
 #include "jobs/DipJob.h"
 #include "look/HeatScale.h"
+#include "results/Results.h"
 #include "viewport/DipView.h"
 
 #include <QObject>
@@ -12,6 +14,9 @@ namespace dipwright {
 
 enum class FilmLook { Lines, Sheet, Chessboard, Picture, Stretch };
 enum class FilmExtent { Whole, OnBody };
+// The model's texture; painted, bare and marked parts, or the dips' shares; what comes out of the
+// dips. All but the first hide the film at the end of the dip.
+enum class BodyLook { Own, Coverage, Print };
 
 class DipScene : public QObject {
     Q_OBJECT
@@ -35,9 +40,9 @@ public:
     void setFilmLook(FilmLook look, const QImage& picture = {});
     void setFilmExtent(FilmExtent extent);
     void setHeat(FilmQuantity quantity, const HeatScale& scale);
-    // Painted, bare and marked parts of the body, in the place of its texture and of the film on
-    // it.
-    void setShowCoverage(bool show);
+    void setBodyLook(BodyLook look);
+    // How far the second film lies off in BodyLook::Print.
+    void setSlip(const FilmSlip& slip);
     void setShowRings(bool show);
 
     // From the world to the pose frame at the end of the dip; only while the end is shown.
@@ -62,6 +67,7 @@ private:
     void dressBody();
     void wearCoverage(const Coverage& coverage);
     void wearShare(const JobResult& result);
+    void wearPrint(const JobResult& result);
     void wearBody(std::shared_ptr<const TexturedMesh> model, const std::vector<QRgb>& colours,
                   const std::vector<ViewLegendEntry>& legend);
     void showEndAnew(); // where the end is shown
@@ -73,6 +79,9 @@ private:
     Project project_;
     std::size_t immersion_ = 0;
     std::shared_ptr<const TexturedMesh> worn_; // what the view shows as the body
+    // For BodyLook::Print, of the project's model; null until it is shown.
+    std::shared_ptr<const RefinedMesh> printed_;
+    std::shared_ptr<const TexturedMesh> printedBody_;
     std::shared_ptr<const JobResult> result_;
     std::shared_ptr<const FilmReading> reading_;
     std::unique_ptr<SurfaceQuery> query_; // of the model
@@ -88,7 +97,8 @@ private:
     QImage picture_;
     FilmQuantity quantity_ = FilmQuantity::Length;
     HeatScale scale_;
-    bool coverage_ = false;
+    BodyLook bodyLook_ = BodyLook::Own;
+    FilmSlip slip_;
     bool rings_ = true;
 };
 

@@ -283,6 +283,42 @@ private slots:
         QVERIFY(!window.document()->isModified());
     }
 
+    void aClickMovesTheJoinAndUndoTakesItBack() {
+        MainWindow window(*workbench_);
+        window.show();
+        WindowDriver driver(window);
+        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        QVERIFY(driver.run());
+        const Document& document = *window.document();
+        const double before = document.result()->share->areas.second;
+        driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
+        driver.find<QDoubleSpinBox>("joinBrushRadius")->setValue(15);
+        driver.trigger("coverage"); // without film over the body
+        driver.trigger("right");    // where both dips reach
+        const auto areaGivenTo = [&](ShareMarkKind kind) {
+            auto* brush = driver.find<QComboBox>("joinBrush");
+            brush->setCurrentIndex(brush->findData(int(kind)));
+            window.view().picture();
+            const ImmersionResult& dip = document.result()->immersions[0];
+            const double travel = dipTravel(document.project().process, *dip.body);
+            const Eigen::Vector3d middle =
+                poseToWorld(dip.immersion, travel) + Eigen::Vector3d(0, dip.body->height / 2, 0);
+            QTest::mouseClick(&window.view(), Qt::LeftButton, {},
+                              window.view().positionOf(middle.cast<float>()).toPoint());
+            const bool isMarked = document.project().share.marks.size() == 1 && !document.isFresh();
+            return isMarked && driver.run() ? document.result()->share->areas.second : -1;
+        };
+        const double more = areaGivenTo(ShareMarkKind::Second);
+        driver.trigger("undo");
+        QVERIFY(document.project().share.marks.empty());
+        const double less = areaGivenTo(ShareMarkKind::First);
+        QVERIFY2(less > 0 && less <= before && before <= more && less + 20 < more,
+                 qPrintable(QStringLiteral("%1 %2 %3").arg(less).arg(before).arg(more)));
+        driver.trigger("undo");
+        QVERIFY(driver.run());
+        QCOMPARE(document.result()->share->areas.second, before);
+    }
+
 private:
     void scrub(MainWindow& window) {
         auto* timeline = window.findChild<Timeline*>();

@@ -86,6 +86,9 @@ void photographResults(WindowDriver& driver, MainWindow& window, const Photograp
     driver.trigger("coverage");
     camera.take(window, QStringLiteral("coverage"));
     driver.trigger("coverage");
+    driver.trigger("bodyPrint");
+    camera.take(window, QStringLiteral("print-on-body"));
+    driver.trigger("bodyPrint");
     driver.trigger("filmLines");
 }
 

@@ -191,7 +191,7 @@ private slots:
         };
         scene.setShowRings(false); // one of them is red
         show(0);
-        scene.setShowCoverage(true);
+        scene.setBodyLook(BodyLook::Coverage);
         QCOMPARE(countReddish(view_->picture()), 0);
         const QImage unmarked = view_->grab().toImage();
         show(std::uint8_t(solver::PointMark::Torn));
@@ -200,7 +200,7 @@ private slots:
         const QRect corner(0, 200, 130, 160);
         QVERIFY(countReddish(view_->grab().toImage().copy(corner)) >
                 countReddish(unmarked.copy(corner)) + 100);
-        scene.setShowCoverage(false);
+        scene.setBodyLook(BodyLook::Own);
         QCOMPARE(countReddish(view_->grab().toImage().copy(corner)), 0);
     }
 

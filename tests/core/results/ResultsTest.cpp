@@ -1,6 +1,7 @@
 // The files and pictures of a run, on a film laid round a ball by its closed form: no solver
 // needed.
 #include "results/Results.h"
+#include "texture/LinearLight.h"
 
 #include "base/Error.h"
 #include "dip/FilmMarks.h"
@@ -160,6 +161,8 @@ private slots:
     void proofShowsTheImageOnTheBody();
     void proofTakesInkBackToWhatShows();
     void filmsOverEachOtherAddTheirInk();
+    void slippedFilmPrintsBesideItsPlace();
+    void shiftedJoinIsAsWrongAsReckoned();
     void proofIsTheSameEveryTime();
     void proofCanBeCancelled();
     void creasesStaySharp();
@@ -498,6 +501,76 @@ void ResultsTest::filmsOverEachOtherAddTheirInk() {
     QVERIFY(left.red() > left.green() + 40);
     QVERIFY(right.red() < left.red() - 40); // the green lets no red through
     QVERIFY(right.green() < 60);            // nor the red green
+}
+
+void ResultsTest::slippedFilmPrintsBesideItsPlace() {
+    QImage halves(1400, 1960, QImage::Format_RGBA8888);
+    halves.fill(Qt::red);
+    QPainter painter(&halves);
+    painter.fillRect(700, 0, 700, 1960, Qt::green);
+    painter.end();
+    const RefinedMesh fine(dip_.model.mesh, 0.5f);
+    FilmSlip slip;
+    slip.shift = {Millimetres(3), Millimetres(-2)};
+    slip.turn = Degrees(10);
+    slip.swell = 1.05;
+    const std::vector<QRgb> colours = printedColours(fine, {{dip_.laid, halves, slip}}, false);
+    // By the closed form: where the film rested that lies at a place of the ball, and which part of
+    // the picture was there.
+    const double turn = radians(slip.turn);
+    std::size_t tried = 0;
+    for (std::size_t triangle = 0; triangle < colours.size(); ++triangle) {
+        const Eigen::Vector3d place =
+            position(dip_.model.mesh, fine.middle(triangle)).cast<double>();
+        const double across = std::hypot(place.x(), place.z());
+        const double theta = std::atan2(across, -place.y());
+        if (theta > 1.4 || across < 1) {
+            continue;
+        }
+        const double flat = 2 * radius * std::sin(theta / 2);
+        const double x = flat * place.x() / across - 3;
+        const double z = flat * place.z() / across + 2;
+        const double printed = (std::cos(turn) * x + std::sin(turn) * z) / 1.05;
+        if (std::abs(printed) > 0.3) {
+            QCOMPARE(qRed(colours[triangle]) > 128, printed < 0);
+            ++tried;
+        }
+    }
+    QVERIFY(tried > 5000);
+}
+
+void ResultsTest::shiftedJoinIsAsWrongAsReckoned() {
+    // Two films on the same place that fade into each other over 10 mm, the second shifted: ink is
+    // missing there, and a grey of reflectance R shows R^(1 − e/b).
+    const double shift = 2, band = 10, grey = 0.3;
+    const auto fading = [&](bool toTheRight) {
+        QImage image(1400, 1960, QImage::Format_RGBA8888);
+        for (int column = 0; column < image.width(); ++column) {
+            const double x = (column + 0.5) / 10 - 70;
+            const double share = std::clamp(0.5 + (toTheRight ? x : -x) / band, 0.0, 1.0);
+            const int value = encodedByte(float(std::pow(grey, share)));
+            QPainter(&image).fillRect(column, 0, 1, image.height(), QColor(value, value, value));
+        }
+        return image;
+    };
+    const RefinedMesh fine(dip_.model.mesh, 1);
+    FilmSlip slip;
+    slip.shift[0] = Millimetres(shift);
+    const std::vector<QRgb> colours =
+        printedColours(fine, {{dip_.laid, fading(false)}, {dip_.laid, fading(true), slip}}, false);
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t triangle = 0; triangle < colours.size(); ++triangle) {
+        const Eigen::Vector3f place = position(dip_.model.mesh, fine.middle(triangle));
+        if (place.y() < -34 && std::abs(place.x()) < 2) {
+            sum += linearFromSrgb(qRed(colours[triangle]) / 255.0);
+            ++count;
+        }
+    }
+    QVERIFY(count > 20);
+    const double wanted = std::pow(grey, 1 - shift / band);
+    QVERIFY2(std::abs(sum / double(count) - wanted) < 0.01 * wanted,
+             qPrintable(QStringLiteral("%1 instead of %2").arg(sum / double(count)).arg(wanted)));
 }
 
 void ResultsTest::proofIsTheSameEveryTime() {

@@ -1,0 +1,155 @@
+#include "results/PaintedBody.h"
+
+#include "parallel/ParallelFor.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+const LinearColour bareBody(0.62f, 0.62f, 0.60f);
+
+// A film image that can be asked for the light at a place on the film.
+class FilmPicture {
+public:
+    FilmPicture(const QImage& image, const solver::FilmGrid& grid)
+        : image_(image.convertToFormat(QImage::Format_RGBA8888)), width_(float(grid.width)),
+          depth_(float(grid.depth)) {}
+
+    struct Paint {
+        LinearColour colour = LinearColour::Zero(); // of a sum: times the cover
+        float cover = 0;                            // 0: unprinted … 1
+    };
+
+    Paint at(const Eigen::Vector2f& rest) const {
+        const float x = (rest.x() / width_ + 0.5f) * float(image_.width()) - 0.5f;
+        const float y = (rest.y() / depth_ + 0.5f) * float(image_.height()) - 0.5f;
+        const int i = int(std::floor(x));
+        const int j = int(std::floor(y));
+        const float u = x - float(i);
+        const float v = y - float(j);
+        Paint sum;
+        add(sum, i, j, (1 - u) * (1 - v));
+        add(sum, i + 1, j, u * (1 - v));
+        add(sum, i, j + 1, (1 - u) * v);
+        add(sum, i + 1, j + 1, u * v);
+        return sum;
+    }
+
+private:
+    void add(Paint& sum, int column, int row, float weight) const {
+        const int i = std::clamp(column, 0, image_.width() - 1);
+        const int j = std::clamp(row, 0, image_.height() - 1);
+        const uchar* pixel = image_.constScanLine(j) + qsizetype(i) * 4;
+        const std::array<float, 256>& light = linearTable();
+        const float cover = weight * float(pixel[3]) / 255;
+        sum.colour += cover * LinearColour(light[pixel[0]], light[pixel[1]], light[pixel[2]]);
+        sum.cover += cover;
+    }
+
+    QImage image_;
+    float width_, depth_;
+};
+
+} // namespace
+
+// One immersion's paint on the body.
+class PaintedFilm {
+public:
+    PaintedFilm(const WornFilm& worn, bool compensatedInk)
+        : laid_(worn.laid), picture_(worn.image, worn.laid->film().grid),
+          ink_({compensatedInk, InkSettings().limit}), compensatedInk_(compensatedInk),
+          slip_(worn.slip) {}
+
+    // The light that its ink lets through at a place of the body, and how much of it is there.
+    FilmPicture::Paint at(const SurfacePoint& point) const {
+        const std::optional<FilmPlace> place = laid_->place(point);
+        if (!place) {
+            return {};
+        }
+        FilmPicture::Paint paint = picture_.at(printedAt(place->rest));
+        if (paint.cover > 0) {
+            paint.colour /= paint.cover;
+            if (compensatedInk_) {
+                paint.colour = ink_.shown(paint.colour, areaStretch(*place));
+            }
+        }
+        return paint;
+    }
+
+    // solver::PointMark bits of its paint there; nothing where it has put none.
+    std::optional<std::uint8_t> marks(const SurfacePoint& point) const {
+        const std::optional<FilmPlace> place = laid_->place(point);
+        if (!place || picture_.at(printedAt(place->rest)).cover <= 0) {
+            return std::nullopt;
+        }
+        return laid_->marks(place->triangle);
+    }
+
+private:
+    // The place of the picture that lies where the flat film has `rest`, were it in its place.
+    Eigen::Vector2f printedAt(const Eigen::Vector2f& rest) const {
+        const Eigen::Rotation2Df back(-float(radians(slip_.turn)));
+        const Eigen::Vector2f shift(float(slip_.shift[0].value()), float(slip_.shift[1].value()));
+        return back * (rest - shift) / float(slip_.swell);
+    }
+    float areaStretch(const FilmPlace& place) const {
+        const auto& [a, b, c] = laid_->triangles()[place.triangle];
+        const std::vector<float>& stretches = laid_->painted().pointAreas;
+        const Eigen::Vector3f share = laid_->weights(place);
+        return stretches[a] + share[1] * (stretches[b] - stretches[a]) +
+               share[2] * (stretches[c] - stretches[a]);
+    }
+
+    std::shared_ptr<const LaidFilm> laid_;
+    FilmPicture picture_;
+    InkCompensation ink_;
+    bool compensatedInk_;
+    FilmSlip slip_;
+};
+
+PaintedBody::PaintedBody(const std::vector<WornFilm>& films, bool compensatedInk) {
+    for (const WornFilm& worn : films) {
+        films_.push_back(std::make_unique<const PaintedFilm>(worn, compensatedInk));
+    }
+}
+
+PaintedBody::~PaintedBody() = default;
+
+LinearColour PaintedBody::colour(const SurfacePoint& point) const {
+    LinearColour colour = bareBody;
+    LinearColour ink = LinearColour::Ones();
+    for (const auto& film : films_) {
+        const FilmPicture::Paint paint = film->at(point);
+        const LinearColour both = ink * paint.colour;
+        colour = (1 - paint.cover) * colour + paint.cover * both;
+        ink = (1 - paint.cover) * ink + paint.cover * both;
+    }
+    return colour;
+}
+
+std::optional<std::uint8_t> PaintedBody::marks(const SurfacePoint& point) const {
+    for (auto film = films_.rbegin(); film != films_.rend(); ++film) {
+        if (const auto marks = (*film)->marks(point)) {
+            return marks;
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<WornFilm>& films,
+                                 bool compensatedInk) {
+    const PaintedBody painted(films, compensatedInk);
+    std::vector<QRgb> colours(body.mesh().triangles.size());
+    parallelFor(std::size_t(0), colours.size(), [&](std::size_t triangle) {
+        const LinearColour colour = painted.colour(body.middle(triangle));
+        colours[triangle] =
+            qRgb(encodedByte(colour[0]), encodedByte(colour[1]), encodedByte(colour[2]));
+    });
+    return colours;
+}
+
+} // namespace dipwright

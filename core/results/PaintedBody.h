@@ -1,0 +1,30 @@
+// The ink of several films on one body.
+#pragma once
+
+#include "results/Results.h"
+#include "texture/Ink.h"
+
+#include <memory>
+
+namespace dipwright {
+
+class PaintedFilm;
+
+// Keeps the films. Any thread may read.
+class PaintedBody {
+public:
+    // `compensatedInk`: the images hold D·J.
+    PaintedBody(const std::vector<WornFilm>& films, bool compensatedInk);
+    ~PaintedBody();
+
+    // The bare body, or the films' ink on white. Densities add up: light goes through them all.
+    LinearColour colour(const SurfacePoint& point) const;
+    // solver::PointMark bits of the film that was dipped last of those that paint a place; nothing
+    // where none does.
+    std::optional<std::uint8_t> marks(const SurfacePoint& point) const;
+
+private:
+    std::vector<std::unique_ptr<const PaintedFilm>> films_;
+};
+
+} // namespace dipwright
