@@ -1889,6 +1889,10 @@
         <source>Join</source>
         <translation>Fuge</translation>
     </message>
+    <message>
+        <source>Smaller places not reached</source>
+        <translation>Kleinere nicht erreichte Stellen</translation>
+    </message>
 </context>
 <context>
     <name>ResultFolder</name>
@@ -3185,12 +3189,9 @@
         <source>Gives the place to %1</source>
         <translation>Gibt die Stelle %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n mark(s) on the body</source>
-        <translation>
-            <numerusform>%n Marke auf dem Körper</numerusform>
-            <numerusform>%n Marken auf dem Körper</numerusform>
-        </translation>
+    <message>
+        <source>Marks on the body: %1</source>
+        <translation>Marken auf dem Körper: %1</translation>
     </message>
 </context>
 <context>
@@ -4328,6 +4329,14 @@
         <source>Where the join runs</source>
         <translation>Wo die Fuge läuft</translation>
     </message>
+    <message>
+        <source>If the second film lies off</source>
+        <translation>Wenn der zweite Film daneben liegt</translation>
+    </message>
+    <message>
+        <source>Shown with “Print on the Body”; changes no sheet.</source>
+        <translation>Zu sehen mit „Druck auf dem Körper“; ändert keinen Bogen.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ReaderProcess</name>
@@ -4602,6 +4611,49 @@ mm</translation>
     <message>
         <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashes</source>
         <translation>%1 · Zeile %2 von %3, Spalte %4 von %5 · an den Strichen schneiden</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SlipFields</name>
+    <message>
+        <source>Shift X</source>
+        <translation>Versatz X</translation>
+    </message>
+    <message>
+        <source>How far the second film lies off along X.</source>
+        <translation>Wie weit der zweite Film längs X daneben liegt.</translation>
+    </message>
+    <message>
+        <source>Shift Z</source>
+        <translation>Versatz Z</translation>
+    </message>
+    <message>
+        <source>How far it lies off along Z.</source>
+        <translation>Wie weit er längs Z daneben liegt.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>How far it is turned, from X to Z.</source>
+        <translation>Wie weit er gedreht ist, von X nach Z.</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Quellung</translation>
+    </message>
+    <message>
+        <source>How much more it has grown than the sheet reckons with.</source>
+        <translation>Wie viel mehr er gewachsen ist, als der Bogen annimmt.</translation>
+    </message>
+    <message>
+        <source>In its Place</source>
+        <translation>An seinen Platz</translation>
+    </message>
+    <message>
+        <source>The second film where it belongs.</source>
+        <translation>Der zweite Film dort, wo er hingehört.</translation>
     </message>
 </context>
 <context>
@@ -5240,10 +5292,6 @@ mm</translation>
         <translation>&amp;Abdeckung auf dem Körper</translation>
     </message>
     <message>
-        <source>Show how much of the body this immersion paints</source>
-        <translation>Zeigen, wie viel vom Körper dieser Tauchgang bemalt</translation>
-    </message>
-    <message>
         <source>Film on the Body &amp;Only</source>
         <translation>&amp;Nur Film auf dem Körper</translation>
     </message>
@@ -5330,6 +5378,18 @@ mm</translation>
     <message>
         <source>Make what holds the body in each dip, as STL and 3MF to print in plastic</source>
         <translation>Machen, was den Körper in jedem Tauchgang hält, als STL und 3MF zum Drucken in Kunststoff</translation>
+    </message>
+    <message>
+        <source>Show what the dips paint of the body</source>
+        <translation>Zeigt, was die Tauchgänge vom Körper färben</translation>
+    </message>
+    <message>
+        <source>&amp;Print on the Body</source>
+        <translation>&amp;Druck auf dem Körper</translation>
+    </message>
+    <message>
+        <source>Show the body as it comes out of all dips, from every side</source>
+        <translation>Zeigt den Körper, wie er aus allen Tauchgängen kommt, von allen Seiten</translation>
     </message>
 </context>
 <context>

@@ -1889,6 +1889,10 @@
         <source>Join</source>
         <translation>Junção</translation>
     </message>
+    <message>
+        <source>Smaller places not reached</source>
+        <translation>Lugares menores não alcançados</translation>
+    </message>
 </context>
 <context>
     <name>ResultFolder</name>
@@ -3185,12 +3189,9 @@
         <source>Gives the place to %1</source>
         <translation>Dá o lugar a %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n mark(s) on the body</source>
-        <translation>
-            <numerusform>%n marca no corpo</numerusform>
-            <numerusform>%n marcas no corpo</numerusform>
-        </translation>
+    <message>
+        <source>Marks on the body: %1</source>
+        <translation>Marcas no corpo: %1</translation>
     </message>
 </context>
 <context>
@@ -4328,6 +4329,14 @@
         <source>Where the join runs</source>
         <translation>Por onde passa a junção</translation>
     </message>
+    <message>
+        <source>If the second film lies off</source>
+        <translation>Se o segundo filme desvia</translation>
+    </message>
+    <message>
+        <source>Shown with “Print on the Body”; changes no sheet.</source>
+        <translation>Visto com “Impressão no corpo”; não muda folha alguma.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ReaderProcess</name>
@@ -4602,6 +4611,49 @@ mm</translation>
     <message>
         <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashes</source>
         <translation>%1 · linha %2 de %3, coluna %4 de %5 · corte nos tracejados</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SlipFields</name>
+    <message>
+        <source>Shift X</source>
+        <translation>Desvio X</translation>
+    </message>
+    <message>
+        <source>How far the second film lies off along X.</source>
+        <translation>Quanto o segundo filme desvia ao longo de X.</translation>
+    </message>
+    <message>
+        <source>Shift Z</source>
+        <translation>Desvio Z</translation>
+    </message>
+    <message>
+        <source>How far it lies off along Z.</source>
+        <translation>Quanto ele desvia ao longo de Z.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>How far it is turned, from X to Z.</source>
+        <translation>Quanto ele está girado, de X para Z.</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Inchamento</translation>
+    </message>
+    <message>
+        <source>How much more it has grown than the sheet reckons with.</source>
+        <translation>Quanto ele cresceu além do que a folha supõe.</translation>
+    </message>
+    <message>
+        <source>In its Place</source>
+        <translation>No seu lugar</translation>
+    </message>
+    <message>
+        <source>The second film where it belongs.</source>
+        <translation>O segundo filme onde deve ficar.</translation>
     </message>
 </context>
 <context>
@@ -5240,10 +5292,6 @@ mm</translation>
         <translation>Co&amp;bertura no corpo</translation>
     </message>
     <message>
-        <source>Show how much of the body this immersion paints</source>
-        <translation>Mostra quanto do corpo esta imersão pinta</translation>
-    </message>
-    <message>
         <source>Film on the Body &amp;Only</source>
         <translation>&amp;Só o filme no corpo</translation>
     </message>
@@ -5330,6 +5378,18 @@ mm</translation>
     <message>
         <source>Make what holds the body in each dip, as STL and 3MF to print in plastic</source>
         <translation>Fazer o que segura o corpo em cada mergulho, em STL e 3MF para imprimir em plástico</translation>
+    </message>
+    <message>
+        <source>Show what the dips paint of the body</source>
+        <translation>Mostra o que as imersões pintam do corpo</translation>
+    </message>
+    <message>
+        <source>&amp;Print on the Body</source>
+        <translation>Im&amp;pressão no corpo</translation>
+    </message>
+    <message>
+        <source>Show the body as it comes out of all dips, from every side</source>
+        <translation>Mostra o corpo como sai de todas as imersões, de todos os lados</translation>
     </message>
 </context>
 <context>
