@@ -1,6 +1,7 @@
 #include "geometry/RefinedMesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 #include <Eigen/LU>
@@ -76,6 +77,12 @@ std::vector<Triangle> cut(const Triangle& middles, const auto& isShorter) {
 }
 
 } // namespace
+
+float edgeForTriangles(const TriangleMesh& mesh, double triangles) {
+    // Halving leaves edges between half of the longest and all of it.
+    const double area = surfaceArea(mesh) / triangles;
+    return float(std::max(1.5 * std::sqrt(4 * area / std::sqrt(3.0)), 1e-3));
+}
 
 RefinedMesh::RefinedMesh(const TriangleMesh& coarse, float longestEdge) {
     mesh_.positions = coarse.positions;

@@ -7,6 +7,9 @@
 
 namespace dipwright {
 
+// The longest edge, mm, with which about so many triangles of one size cover a mesh.
+float edgeForTriangles(const TriangleMesh& mesh, double triangles);
+
 // Immutable once it is made; any thread may read.
 class RefinedMesh {
 public:

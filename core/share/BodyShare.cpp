@@ -33,12 +33,6 @@ constexpr double leastUnpainted = 1;     // mm² of a place that is listed
 using Films = std::array<std::shared_ptr<const LaidFilm>, 2>;
 using Suitabilities = std::array<Suitability, 2>;
 
-// The longest edge, mm, of about so many triangles of one size that cover an area.
-float fineEdge(const TriangleMesh& mesh) {
-    const double area = surfaceArea(mesh) / fineTriangles;
-    return float(std::max(1.5 * std::sqrt(4 * area / std::sqrt(3.0)), 0.05));
-}
-
 // How deep each position lies in what a dip reaches, mm: 0 past it, infinite where it reaches all.
 std::vector<float> depthInReach(const TriangleMesh& mesh,
                                 const std::vector<std::uint8_t>& reached) {
@@ -239,7 +233,8 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
                     const InkSettings& ink, const Progress& progress) {
     const auto tell = [&](double done) { progress(done, Text::tr("Sharing out the body")); };
     tell(0);
-    const auto body = std::make_shared<const RefinedMesh>(model.mesh, fineEdge(model.mesh));
+    const float edge = edgeForTriangles(model.mesh, fineTriangles);
+    const auto body = std::make_shared<const RefinedMesh>(model.mesh, edge);
     const TriangleMesh& mesh = body->mesh();
     const JoinPlaces places = joinPlaces(*body, model, SurfaceQuery(model.mesh));
     tell(0.3);
@@ -257,7 +252,7 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
         cutBody(*body, costsOf(mesh, dips, depths, margin), places.weights, settings);
     tell(0.8);
     BodyShare share;
-    const double width = std::max(smoothing, 2.0 * double(fineEdge(model.mesh)));
+    const double width = std::max(smoothing, 2 * double(edge));
     share.distance = {body, signedDistance(mesh, smoothBorder(mesh, labels, width), farthest)};
     share.overlap =
         neededOverlap(coloursAlong(zeroLine(mesh, share.distance.values), places.colours),

@@ -104,11 +104,6 @@ constexpr std::size_t setupPoints = 2500;
 
 constexpr double printTriangles = 150'000; // about so many, to show a print by
 
-// The longest edge of about so many triangles of one size.
-float edgeFor(const TriangleMesh& mesh, double triangles) {
-    return float(1.5 * std::sqrt(4 * surfaceArea(mesh) / triangles / std::sqrt(3.0)));
-}
-
 // As a body of one plain colour.
 std::shared_ptr<const TexturedMesh> fineBody(const RefinedMesh& mesh) {
     auto body = std::make_shared<TexturedMesh>();
@@ -443,7 +438,8 @@ void DipScene::wearShare(const JobResult& result) {
 void DipScene::wearPrint(const JobResult& result) {
     if (!printed_) {
         const TriangleMesh& mesh = project_.model->mesh;
-        printed_ = std::make_shared<const RefinedMesh>(mesh, edgeFor(mesh, printTriangles));
+        printed_ =
+            std::make_shared<const RefinedMesh>(mesh, edgeForTriangles(mesh, printTriangles));
         printedBody_ = fineBody(*printed_);
     }
     std::vector<WornFilm> films;
