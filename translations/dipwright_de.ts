@@ -378,6 +378,17 @@
     </message>
 </context>
 <context>
+    <name>Motion</name>
+    <message>
+        <source>The template of the motion names {%1}, which there is not; use one of %2</source>
+        <translation>Die Vorlage der Bewegung nennt {%1}, das es nicht gibt; nehmen Sie eines von %2</translation>
+    </message>
+    <message>
+        <source>The template of the motion cannot be read: %1</source>
+        <translation>Die Vorlage der Bewegung lässt sich nicht lesen: %1</translation>
+    </message>
+</context>
+<context>
     <name>PhysicsValidation</name>
     <message>
         <source>%1 film, %2 cells in the contact radius</source>
@@ -609,6 +620,14 @@
     <message>
         <source>Writing the cradle of %1</source>
         <translation>Halterung von %1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the traveller</source>
+        <translation>Laufkarte wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the motion</source>
+        <translation>Bewegung wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -977,6 +996,26 @@
     <message>
         <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
         <translation>Um wie viel länger als zu Beginn des Tauchgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
+    </message>
+    <message>
+        <source>Flash time</source>
+        <translation>Ablüftzeit</translation>
+    </message>
+    <message>
+        <source>From the dip to the rinse.</source>
+        <translation>Vom Tauchen bis zum Abspülen.</translation>
+    </message>
+    <message>
+        <source>Not given</source>
+        <translation>Nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Drying time</source>
+        <translation>Trockenzeit</translation>
+    </message>
+    <message>
+        <source>From the rinse until the body may be touched, or dipped again.</source>
+        <translation>Vom Abspülen, bis der Körper angefasst oder wieder getaucht werden darf.</translation>
     </message>
 </context>
 <context>
@@ -2104,6 +2143,149 @@
     <message>
         <source>Others can write to %1; take that right from them, or move the plugin</source>
         <translation>Andere können %1 schreiben; nehmen Sie ihnen das Recht, oder verschieben Sie das Plugin</translation>
+    </message>
+</context>
+<context>
+    <name>Traveller</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Dip %1 of %2: %3</source>
+        <translation>Tauchgang %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Traveller of %1, %2</source>
+        <translation>Laufkarte von %1, %2</translation>
+    </message>
+    <message>
+        <source>%1. %2, sheet %3</source>
+        <translation>%1. %2, Bogen %3</translation>
+    </message>
+    <message>
+        <source>Order: %1</source>
+        <translation>Reihenfolge: %1</translation>
+    </message>
+    <message>
+        <source>Job %1</source>
+        <translation>Auftrag %1</translation>
+    </message>
+    <message>
+        <source>Turned about X %1°, then Y %2°, then Z %3°. Its middle %4 mm to the right of the film&apos;s middle and %5 mm towards the film&apos;s lower edge. Solid blue: the water when the dip begins; dashed: when it ends.</source>
+        <translation>Gedreht um X %1°, dann Y %2°, dann Z %3°. Seine Mitte %4 mm rechts von der Mitte des Films und %5 mm zu seiner unteren Kante hin. Blau durchgezogen: das Wasser, wenn das Tauchen beginnt; gestrichelt: wenn es endet.</translation>
+    </message>
+    <message>
+        <source>No cradle was made for this job; hold the body as drawn.</source>
+        <translation>Für diesen Auftrag wurde keine Halterung gemacht; halten Sie den Körper wie gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Cradle %1: its plate shows the same number and job; its arrow points to the film&apos;s upper edge.</source>
+        <translation>Halterung %1: Ihre Platte zeigt dieselbe Nummer und denselben Auftrag; ihr Pfeil zeigt zur oberen Kante des Films.</translation>
+    </message>
+    <message>
+        <source>Seen from the film&apos;s lower edge</source>
+        <translation>Von der unteren Kante des Films gesehen</translation>
+    </message>
+    <message>
+        <source>Seen from the film&apos;s right edge</source>
+        <translation>Von der rechten Kante des Films gesehen</translation>
+    </message>
+    <message>
+        <source>upper edge</source>
+        <translation>obere Kante</translation>
+    </message>
+    <message>
+        <source>lower edge</source>
+        <translation>untere Kante</translation>
+    </message>
+    <message>
+        <source>left edge</source>
+        <translation>linke Kante</translation>
+    </message>
+    <message>
+        <source>From above, ink side up. Crosses: the sheet&apos;s marks as they float; red: the datum pins, at %1 / %2 / %3 mm from the film&apos;s middle (to the right; down); dashed: the body.</source>
+        <translation>Von oben, Farbseite oben. Kreuze: die Marken des Bogens, wie sie schwimmen; rot: die Passstifte, bei %1 / %2 / %3 mm von der Mitte des Films (nach rechts; nach unten); gestrichelt: der Körper.</translation>
+    </message>
+    <message>
+        <source>Dotted: the tank&apos;s marks, %1 × %2 mm apart; the film lies in their middle.</source>
+        <translation>Gepunktet: die Marken des Beckens, %1 × %2 mm voneinander; der Film liegt in ihrer Mitte.</translation>
+    </message>
+    <message>
+        <source>The tank&apos;s marks are not given.</source>
+        <translation>Die Marken des Beckens sind nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Film %1 × %2 mm, swell %3 × %4.</source>
+        <translation>Film %1 × %2 mm, Quellung %3 × %4.</translation>
+    </message>
+    <message>
+        <source>No film profile is given.</source>
+        <translation>Kein Filmprofil ist angegeben.</translation>
+    </message>
+    <message>
+        <source>%1, lot %2, good until %3.</source>
+        <translation>%1, Charge %2, haltbar bis %3.</translation>
+    </message>
+    <message>
+        <source>Sheet %1 lies on the water, ink side up, its upper edge where the arrow of the plate points.</source>
+        <translation>Bogen %1 liegt auf dem Wasser, Farbseite oben, die obere Kante dort, wohin der Pfeil der Platte zeigt.</translation>
+    </message>
+    <message>
+        <source>Soaked: %1</source>
+        <translation>Gequollen: %1</translation>
+    </message>
+    <message>
+        <source>Activator sprayed, waited: %1</source>
+        <translation>Aktivator gesprüht, gewartet: %1</translation>
+    </message>
+    <message>
+        <source>Dipped from %1 mm above the water to %2 mm under it, at %3 mm/s: %4 s</source>
+        <translation>Getaucht von %1 mm über dem Wasser bis %2 mm darunter, mit %3 mm/s: %4 s</translation>
+    </message>
+    <message>
+        <source>Held under water %1 s, the film round it cleared, out at %2 mm/s</source>
+        <translation>%1 s unter Wasser gehalten, den Film ringsum entfernt, mit %2 mm/s heraus</translation>
+    </message>
+    <message>
+        <source>Left to flash before rinsing: %1</source>
+        <translation>Vor dem Abspülen abgelüftet: %1</translation>
+    </message>
+    <message>
+        <source>Rinsed, dried: %1</source>
+        <translation>Abgespült, getrocknet: %1</translation>
+    </message>
+    <message>
+        <source>Compared with the picture before dip %1: colour in its place, no tear, no fold, dry where the next cradle holds it</source>
+        <translation>Vor Tauchgang %1 mit dem Bild verglichen: Farbe an ihrem Platz, kein Riss, keine Falte, trocken, wo die nächste Halterung greift</translation>
+    </message>
+    <message>
+        <source>Compared with the picture</source>
+        <translation>Mit dem Bild verglichen</translation>
+    </message>
+    <message>
+        <source>At the tank</source>
+        <translation>Am Becken</translation>
+    </message>
+    <message>
+        <source>Done by</source>
+        <translation>Ausgeführt von</translation>
+    </message>
+    <message>
+        <source>Date, time</source>
+        <translation>Datum, Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>Geprüft von</translation>
+    </message>
+    <message>
+        <source>So it has to look after dip %1: as it hung, from the film&apos;s lower edge, from its right edge, and from below</source>
+        <translation>So muss es nach Tauchgang %1 aussehen: wie es hing, von der unteren und von der rechten Kante des Films und von unten</translation>
     </message>
 </context>
 <context>

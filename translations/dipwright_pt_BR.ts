@@ -378,6 +378,17 @@
     </message>
 </context>
 <context>
+    <name>Motion</name>
+    <message>
+        <source>The template of the motion names {%1}, which there is not; use one of %2</source>
+        <translation>O modelo do movimento cita {%1}, que não existe; use um de %2</translation>
+    </message>
+    <message>
+        <source>The template of the motion cannot be read: %1</source>
+        <translation>O modelo do movimento não pode ser lido: %1</translation>
+    </message>
+</context>
+<context>
     <name>PhysicsValidation</name>
     <message>
         <source>%1 film, %2 cells in the contact radius</source>
@@ -609,6 +620,14 @@
     <message>
         <source>Writing the cradle of %1</source>
         <translation>Gravando o berço de %1</translation>
+    </message>
+    <message>
+        <source>Writing the traveller</source>
+        <translation>Gravando a ficha de acompanhamento</translation>
+    </message>
+    <message>
+        <source>Writing the motion</source>
+        <translation>Gravando o movimento</translation>
     </message>
 </context>
 <context>
@@ -977,6 +996,26 @@
     <message>
         <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
         <translation>Quanto mais comprido do que no início da imersão o filme flutuante fica no fim. Com 0 não cresce.</translation>
+    </message>
+    <message>
+        <source>Flash time</source>
+        <translation>Tempo de evaporação</translation>
+    </message>
+    <message>
+        <source>From the dip to the rinse.</source>
+        <translation>Do mergulho ao enxágue.</translation>
+    </message>
+    <message>
+        <source>Not given</source>
+        <translation>Não informado</translation>
+    </message>
+    <message>
+        <source>Drying time</source>
+        <translation>Tempo de secagem</translation>
+    </message>
+    <message>
+        <source>From the rinse until the body may be touched, or dipped again.</source>
+        <translation>Do enxágue até o corpo poder ser tocado ou mergulhado de novo.</translation>
     </message>
 </context>
 <context>
@@ -2104,6 +2143,149 @@
     <message>
         <source>Others can write to %1; take that right from them, or move the plugin</source>
         <translation>Outros podem gravar em %1; tire-lhes esse direito ou mova o plugin</translation>
+    </message>
+</context>
+<context>
+    <name>Traveller</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>não informado</translation>
+    </message>
+    <message>
+        <source>Dip %1 of %2: %3</source>
+        <translation>Mergulho %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>Traveller of %1, %2</source>
+        <translation>Ficha de acompanhamento de %1, %2</translation>
+    </message>
+    <message>
+        <source>%1. %2, sheet %3</source>
+        <translation>%1. %2, folha %3</translation>
+    </message>
+    <message>
+        <source>Order: %1</source>
+        <translation>Ordem: %1</translation>
+    </message>
+    <message>
+        <source>Job %1</source>
+        <translation>Trabalho %1</translation>
+    </message>
+    <message>
+        <source>Turned about X %1°, then Y %2°, then Z %3°. Its middle %4 mm to the right of the film&apos;s middle and %5 mm towards the film&apos;s lower edge. Solid blue: the water when the dip begins; dashed: when it ends.</source>
+        <translation>Girado em X %1°, depois Y %2°, depois Z %3°. Seu meio %4 mm à direita do meio do filme e %5 mm em direção à borda inferior. Azul contínuo: a água quando o mergulho começa; tracejado: quando termina.</translation>
+    </message>
+    <message>
+        <source>No cradle was made for this job; hold the body as drawn.</source>
+        <translation>Nenhum berço foi feito para este trabalho; segure o corpo como no desenho.</translation>
+    </message>
+    <message>
+        <source>Cradle %1: its plate shows the same number and job; its arrow points to the film&apos;s upper edge.</source>
+        <translation>Berço %1: a placa mostra o mesmo número e trabalho; a seta aponta para a borda superior do filme.</translation>
+    </message>
+    <message>
+        <source>Seen from the film&apos;s lower edge</source>
+        <translation>Visto da borda inferior do filme</translation>
+    </message>
+    <message>
+        <source>Seen from the film&apos;s right edge</source>
+        <translation>Visto da borda direita do filme</translation>
+    </message>
+    <message>
+        <source>upper edge</source>
+        <translation>borda superior</translation>
+    </message>
+    <message>
+        <source>lower edge</source>
+        <translation>borda inferior</translation>
+    </message>
+    <message>
+        <source>left edge</source>
+        <translation>borda esquerda</translation>
+    </message>
+    <message>
+        <source>From above, ink side up. Crosses: the sheet&apos;s marks as they float; red: the datum pins, at %1 / %2 / %3 mm from the film&apos;s middle (to the right; down); dashed: the body.</source>
+        <translation>De cima, lado da tinta para cima. Cruzes: as marcas da folha como flutuam; vermelho: os pinos de referência, a %1 / %2 / %3 mm do meio do filme (à direita; para baixo); tracejado: o corpo.</translation>
+    </message>
+    <message>
+        <source>Dotted: the tank&apos;s marks, %1 × %2 mm apart; the film lies in their middle.</source>
+        <translation>Pontilhado: as marcas do tanque, a %1 × %2 mm uma da outra; o filme fica no meio delas.</translation>
+    </message>
+    <message>
+        <source>The tank&apos;s marks are not given.</source>
+        <translation>As marcas do tanque não foram informadas.</translation>
+    </message>
+    <message>
+        <source>Film %1 × %2 mm, swell %3 × %4.</source>
+        <translation>Filme %1 × %2 mm, dilatação %3 × %4.</translation>
+    </message>
+    <message>
+        <source>No film profile is given.</source>
+        <translation>Nenhum perfil de filme foi informado.</translation>
+    </message>
+    <message>
+        <source>%1, lot %2, good until %3.</source>
+        <translation>%1, lote %2, válido até %3.</translation>
+    </message>
+    <message>
+        <source>Sheet %1 lies on the water, ink side up, its upper edge where the arrow of the plate points.</source>
+        <translation>A folha %1 está na água, lado da tinta para cima, com a borda superior para onde aponta a seta da placa.</translation>
+    </message>
+    <message>
+        <source>Soaked: %1</source>
+        <translation>De molho: %1</translation>
+    </message>
+    <message>
+        <source>Activator sprayed, waited: %1</source>
+        <translation>Ativador aplicado, espera: %1</translation>
+    </message>
+    <message>
+        <source>Dipped from %1 mm above the water to %2 mm under it, at %3 mm/s: %4 s</source>
+        <translation>Mergulhado de %1 mm acima da água até %2 mm abaixo, a %3 mm/s: %4 s</translation>
+    </message>
+    <message>
+        <source>Held under water %1 s, the film round it cleared, out at %2 mm/s</source>
+        <translation>Mantido %1 s sob a água, filme em volta removido, retirado a %2 mm/s</translation>
+    </message>
+    <message>
+        <source>Left to flash before rinsing: %1</source>
+        <translation>Deixado evaporar antes do enxágue: %1</translation>
+    </message>
+    <message>
+        <source>Rinsed, dried: %1</source>
+        <translation>Enxaguado, seco: %1</translation>
+    </message>
+    <message>
+        <source>Compared with the picture before dip %1: colour in its place, no tear, no fold, dry where the next cradle holds it</source>
+        <translation>Comparado com a figura antes do mergulho %1: cor no lugar, sem rasgo, sem dobra, seco onde o próximo berço o segura</translation>
+    </message>
+    <message>
+        <source>Compared with the picture</source>
+        <translation>Comparado com a figura</translation>
+    </message>
+    <message>
+        <source>At the tank</source>
+        <translation>No tanque</translation>
+    </message>
+    <message>
+        <source>Done by</source>
+        <translation>Feito por</translation>
+    </message>
+    <message>
+        <source>Date, time</source>
+        <translation>Data, hora</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>Conferido por</translation>
+    </message>
+    <message>
+        <source>So it has to look after dip %1: as it hung, from the film&apos;s lower edge, from its right edge, and from below</source>
+        <translation>Assim deve ficar após o mergulho %1: como estava pendurado, da borda inferior do filme, da borda direita e de baixo</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,14 @@
 #include "cli/Arguments.h"
 
+#include "base/Error.h"
 #include "parallel/Tasks.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/WriteResults.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QLocale>
+#include <QTranslator>
 
 #include <algorithm>
 #include <span>
@@ -15,6 +21,8 @@ const QString solverOption = QStringLiteral("solver");
 const QString dpiOption = QStringLiteral("dpi");
 const QString certaintyOption = QStringLiteral("no-certainty");
 const QString cradleOption = QStringLiteral("cradle");
+const QString motionOption = QStringLiteral("motion-template");
+const QString languageOption = QStringLiteral("language");
 const QString lawsOption = QStringLiteral("laws");
 
 constexpr std::size_t mostPlaces = 8; // not reached, that are listed
@@ -123,6 +131,31 @@ void printSummary(const JobResult& result, QTextStream& out) {
     out << QStringLiteral("Covered altogether: %1 %\n").arg(number(100 * result.coverageTotal, 1));
 }
 
+// Has core speak a language from here on.
+void speak(const QString& code) {
+    const QStringList known{QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("pt_BR")};
+    auto* words = new QTranslator(QCoreApplication::instance());
+    if (!known.contains(code) ||
+        (code != known.first() &&
+         !words->load(QStringLiteral(":/translations/dipwright_") + code))) {
+        throw UsageError(QStringLiteral("There is no language %1 here, choose one of %2")
+                             .arg(code, known.join(QStringLiteral(", "))),
+                         QStringLiteral("--language"));
+    }
+    QLocale::setDefault(QLocale(code));
+    QCoreApplication::installTranslator(words);
+}
+
+MotionTemplate readTemplate(const QString& path) {
+    constexpr qint64 longest = 1 << 20; // bytes
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        throw Error(QStringLiteral("The template cannot be read: %1").arg(file.errorString()),
+                    path);
+    }
+    return {QString::fromUtf8(file.read(longest)), path};
+}
+
 class RunCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("run"); }
@@ -148,6 +181,13 @@ public:
                                         "sheet depends on the laws that nobody has measured.")});
         syntax.addOption({cradleOption, QStringLiteral("Also makes a cradle for each immersion, to "
                                                        "print in plastic: STL and 3MF.")});
+        syntax.addOption({motionOption,
+                          QStringLiteral("A text with {names} to fill in for motion-N.gcode."),
+                          QStringLiteral("FILE")});
+        syntax.addOption({languageOption,
+                          QStringLiteral("The language of traveller, job line and notes: en, de or "
+                                         "pt_BR."),
+                          QStringLiteral("CODE")});
         declareThreads(syntax);
     }
 
@@ -172,6 +212,12 @@ public:
         }
         options.estimatesCertainty = !parser.isSet(certaintyOption);
         options.variesLaws = parser.isSet(lawsOption);
+        if (parser.isSet(languageOption)) {
+            speak(parser.value(languageOption));
+        }
+        if (parser.isSet(motionOption)) {
+            options.motion = readTemplate(parser.value(motionOption));
+        }
         options.makesCradles = parser.isSet(cradleOption);
         applyFilmImage(options, parser);
         const JobResult result =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dip/Dip.h"
+#include "traveller/Motion.h"
 
 #include <QImage>
 
@@ -21,6 +22,8 @@ struct JobOptions {
     bool variesLaws = false;
     // Whether a cradle is made for each immersion (JobCradles.h): some seconds each.
     bool makesCradles = false;
+    // Of the motion's files, in place of motionTemplate() (traveller/Motion.h).
+    std::optional<MotionTemplate> motion;
     // Called from the working thread with the immersion's number. Has no effect on the result.
     std::function<void(std::size_t, const FilmFrame&)> observer;
     // Called with an immersion's number and result as soon as its sheet is made, from any thread

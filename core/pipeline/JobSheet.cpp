@@ -36,8 +36,9 @@ QString scaleText(const FilmSettings& film) {
 // was: those values count only where they are not the `usual` ones, so that an old project keeps
 // its job.
 QJsonObject withoutLater(QJsonObject film, const QJsonObject& usual) {
-    for (const char* key : {"growth_per_s", "growth_limit", "grip_fade_deg", "gathering_stretch",
-                            "overhang_deg", "tear_stretch", "resolution", "cell_mm"}) {
+    for (const char* key :
+         {"growth_per_s", "growth_limit", "grip_fade_deg", "gathering_stretch", "overhang_deg",
+          "tear_stretch", "flash_time_s", "drying_time_s", "resolution", "cell_mm"}) {
         const QLatin1String name(key);
         if (film.value(name) == usual.value(name)) {
             film.remove(name);

@@ -7,6 +7,7 @@
 #include "disk/ResultFolder.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobCradles.h"
+#include "pipeline/JobTraveller.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
 #include "results/Results.h"
@@ -36,6 +37,10 @@ QString cradleFile(int number, const char* suffix) {
     return QStringLiteral("cradle-%1.%2").arg(number).arg(QLatin1String(suffix));
 }
 
+QString motionFile(int number, const char* suffix) {
+    return QStringLiteral("motion-%1.%2").arg(number).arg(QLatin1String(suffix));
+}
+
 QStringList cradleFiles() {
     return {cradleFile(1, "stl"), cradleFile(1, "3mf"), cradleFile(2, "stl"), cradleFile(2, "3mf")};
 }
@@ -44,7 +49,11 @@ QStringList cradleFiles() {
 // stays beside the results of a single one.
 QStringList resultFiles() {
     QStringList files = cradleFiles();
-    files += {QStringLiteral("proof.png"), QStringLiteral("report.json")};
+    files += {QStringLiteral("proof.png"), QStringLiteral("report.json"),
+              QStringLiteral("traveller.pdf")};
+    for (const int number : {1, 2}) {
+        files += {motionFile(number, "csv"), motionFile(number, "gcode")};
+    }
     for (const int number : {1, 2}) {
         for (const char* name : {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp", "stretch.png",
                                  "wrinkling.png", "certainty.png"}) {
@@ -153,6 +162,23 @@ std::vector<Piece> cradlePieces(const JobResult& result, const std::vector<Cradl
     return pieces;
 }
 
+// The page for each dip, and its motion. Keeps references to all but the template.
+void addTraveller(std::vector<Piece>& pieces, const JobResult& result, const MotionTemplate& motion,
+                  const ResultFolder& folder, const CancelSwitch& cancelSwitch) {
+    pieces.push_back({Text::tr("Writing the traveller"), [&result, &folder, cancelSwitch] {
+                          folder.write(QStringLiteral("traveller.pdf"),
+                                       travellerPdf(jobTraveller(result, {{}, cancelSwitch})));
+                      }});
+    pieces.push_back({Text::tr("Writing the motion"), [&result, &folder, motion] {
+                          for (std::size_t i = 0; i < result.immersions.size(); ++i) {
+                              const DipMotion way = jobMotion(result, i);
+                              folder.write(motionFile(int(i) + 1, "csv"), motionCsv(way));
+                              folder.write(motionFile(int(i) + 1, "gcode"),
+                                           filledTemplate(way, motion.text, motion.where));
+                          }
+                      }});
+}
+
 // The files of the whole job.
 std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
                              const ResultFolder& folder) {
@@ -180,6 +206,7 @@ void writeResults(const Project& project, const JobResult& result, const QString
                   const Progress& progress) {
     ResultFolder results(folder, resultFiles());
     std::vector<Piece> pieces = jobPieces(project, result, results);
+    addTraveller(pieces, result, motionTemplate(), results, progress.cancelSwitch);
     for (std::size_t number = 0; number < result.immersions.size(); ++number) {
         for (Piece& piece : immersionPieces(result.immersions[number], number, results)) {
             pieces.push_back(std::move(piece));
@@ -202,6 +229,8 @@ std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
 JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
                       const JobOptions& options, const QString& folder, const Progress& progress) {
     ResultFolder results(folder, resultFiles());
+    const MotionTemplate motion = options.motion ? *options.motion : motionTemplate();
+    filledTemplate({}, motion.text, motion.where); // refused before the job
     Tasks writing;
     JobOptions watched = options;
     watched.finished = [&](std::size_t number, const ImmersionResult& immersion) {
@@ -210,7 +239,9 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
         });
     };
     const JobResult result = runJob(project, registry, watched, nullptr, progress.part(0, 0.95));
-    writeTogether(jobPieces(project, result, results), progress.part(0.95, 1));
+    std::vector<Piece> pieces = jobPieces(project, result, results);
+    addTraveller(pieces, result, motion, results, progress.cancelSwitch);
+    writeTogether(pieces, progress.part(0.95, 1));
     writing.wait();
     commit(results, progress);
     return result;

@@ -134,6 +134,10 @@ const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
                 "soak_time_s", 0, 3600, [](auto& p) -> auto& { return p.soakTime; }),
             number<P>(
                 "activator_time_s", 0, 3600, [](auto& p) -> auto& { return p.activatorTime; }),
+            numberOrNone<P>(
+                "flash_time_s", 0, 86'400, [](auto& p) -> auto& { return p.flashTime; }),
+            numberOrNone<P>(
+                "drying_time_s", 0, 604'800, [](auto& p) -> auto& { return p.dryingTime; }),
             text<P>(
                 "lot", 100, [](auto& p) -> auto& { return p.lot; }),
             expiryField()};

@@ -51,6 +51,9 @@ struct FilmProfile {
     FeedDirection feed = FeedDirection::ShortEdgeFirst;
     Seconds soakTime{60};      // on the water before the activator
     Seconds activatorTime{10}; // from the activator to the dip
+    // None: not known.
+    std::optional<Seconds> flashTime;  // from the dip to the rinse
+    std::optional<Seconds> dryingTime; // before the body is touched, or dipped again
     QString lot;
     QString expiry; // ISO date, or empty
     bool operator==(const FilmProfile&) const = default;

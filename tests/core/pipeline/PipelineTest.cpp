@@ -362,7 +362,7 @@ private slots:
         JobResult single = first_;
         single.immersions.pop_back();
         writeResults(job_, single, home.path(), {});
-        QCOMPARE(filesBelow(home.path()).size(), 9 + 2);
+        QCOMPARE(filesBelow(home.path()).size(), 12 + 2);
         QVERIFY(QFileInfo::exists(home.filePath("immersion-1/job.dipw")));
         QCOMPARE(filesBelow(home.filePath("immersion-2")), QStringList("notes.txt"));
     }
@@ -424,7 +424,7 @@ private slots:
         QTemporaryDir home;
         writeResults(job_, first_, home.path(), {});
         const QStringList before = filesBelow(home.path());
-        QCOMPARE(before.size(), 16);
+        QCOMPARE(before.size(), 21);
         Progress progress;
         CancelSwitch cancelSwitch = progress.cancelSwitch;
         progress.report = [&](double share, const QString&) {

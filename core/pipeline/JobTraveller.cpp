@@ -1,0 +1,72 @@
+#include "pipeline/JobTraveller.h"
+
+#include <QPainter>
+
+namespace dipwright {
+namespace {
+
+const QSize posePixels(900, 560), afterPixels(620, 480);
+constexpr int sheetPixelsAcross = 500;
+
+// The body without its cradle, beside each other from the front, from the right and from below.
+QImage afterDip(const PoseView& view, const Progress& progress) {
+    QImage pictures(3 * afterPixels.width(), afterPixels.height(), QImage::Format_RGB32);
+    QPainter painter(&pictures);
+    int x = 0;
+    for (const PoseSide side : {PoseSide::Front, PoseSide::Right, PoseSide::Below}) {
+        painter.drawImage(x, 0, posePicture(view, side, afterPixels, progress).image);
+        x += afterPixels.width();
+    }
+    return pictures;
+}
+
+} // namespace
+
+DipMotion jobMotion(const JobResult& result, std::size_t immersion) {
+    const ImmersionResult& dip = result.immersions[immersion];
+    const ProcessSettings& process = result.project.process;
+    DipMotion motion;
+    motion.project = result.project.name;
+    motion.immersion = dip.immersion.name;
+    motion.job = dip.sheet.job.hash;
+    motion.start = Millimetres(startHeight);
+    motion.depth = Millimetres(dipTravel(process, *dip.body) - startHeight);
+    motion.speed = process.dipSpeed;
+    return motion;
+}
+
+Traveller jobTraveller(const JobResult& result, const Progress& progress) {
+    const Project& project = result.project;
+    Traveller traveller;
+    traveller.project = project.name;
+    traveller.date = project.date;
+    traveller.film = project.film;
+    traveller.profiles = project.profiles;
+    traveller.pins =
+        datumPins(result.immersions.front().sheet, project.film, project.cradle.pinSpan);
+    std::vector<WornFilm> films;
+    for (std::size_t i = 0; i < result.immersions.size(); ++i) {
+        const ImmersionResult& immersion = result.immersions[i];
+        const Cradle* cradle = i < result.cradles.size() ? &result.cradles[i] : nullptr;
+        const PoseView view{*immersion.body, cradle ? &cradle->mesh : nullptr, films};
+        TravellerDip dip;
+        dip.immersion = immersion.immersion;
+        dip.job = immersion.sheet.job.hash;
+        dip.motion = jobMotion(result, i);
+        dip.waterAtEnd = dip.motion.depth.value();
+        dip.front = posePicture(view, PoseSide::Front, posePixels, progress.silent());
+        dip.right = posePicture(view, PoseSide::Right, posePixels, progress.silent());
+        if (cradle) {
+            dip.cradle = cradle->notes;
+        }
+        dip.sheet = flattened(immersion.sheet.image)
+                        .scaledToWidth(sheetPixelsAcross, Qt::SmoothTransformation);
+        dip.body = boundingBox(immersion.body->model.mesh);
+        films.push_back({immersion.laid, immersion.texture->image});
+        dip.after = afterDip({*immersion.body, nullptr, films}, progress.silent());
+        traveller.dips.push_back(std::move(dip));
+    }
+    return traveller;
+}
+
+} // namespace dipwright

@@ -1,0 +1,116 @@
+#include "traveller/PosePicture.h"
+
+#include "parallel/ParallelFor.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace dipwright {
+namespace {
+
+constexpr int samplesAcross = 2; // of a pixel, both ways
+constexpr double room = 1.06;    // of the picture, over what is in it
+const Eigen::Array3f bareBody(0.78F, 0.78F, 0.76F), cradleColour(0.93F, 0.80F, 0.55F);
+
+class Drawing {
+public:
+    Drawing(const PoseView& view, PoseSide side, QSize size) : view_(view), size_(size) {
+        BoundingBox box = boundingBox(view.body.model.mesh);
+        if (view.cradle && !view.cradle->triangles.empty()) {
+            cradle_.emplace(*view.cradle);
+            box.extend(boundingBox(*view.cradle));
+        }
+        right_ = side == PoseSide::Front   ? Eigen::Vector3f(1, 0, 0)
+                 : side == PoseSide::Right ? Eigen::Vector3f(0, 0, -1)
+                                           : Eigen::Vector3f(-1, 0, 0);
+        back_ = side == PoseSide::Front   ? Eigen::Vector3f(0, 0, 1)
+                : side == PoseSide::Right ? Eigen::Vector3f(1, 0, 0)
+                                          : Eigen::Vector3f(0, -1, 0);
+        up_ = back_.cross(right_);
+        middle_ = box.center();
+        away_ = box.diagonal().norm();
+        const float width = std::abs(box.diagonal().dot(right_)),
+                    height = std::abs(box.diagonal().dot(up_));
+        scale_ = float(std::min(size.width() / (room * double(width)),
+                                size.height() / (room * double(height))));
+    }
+
+    QRgb pixel(int x, int y) const {
+        Eigen::Array3f sum = Eigen::Array3f::Zero();
+        for (int j = 0; j < samplesAcross; ++j) {
+            for (int i = 0; i < samplesAcross; ++i) {
+                sum += colour(float(x) + (float(i) + 0.5F) / samplesAcross,
+                              float(y) + (float(j) + 0.5F) / samplesAcross);
+            }
+        }
+        sum *= 255.0F / (samplesAcross * samplesAcross);
+        return qRgb(int(sum[0] + 0.5F), int(sum[1] + 0.5F), int(sum[2] + 0.5F));
+    }
+
+    double scale() const { return double(scale_); }
+    double bottom() const { return double(middle_.y()) - size_.height() / 2.0 / double(scale_); }
+
+private:
+    Eigen::Array3f colour(float x, float y) const {
+        const Eigen::Vector3f origin = middle_ + away_ * back_ +
+                                       (x - float(size_.width()) / 2) / scale_ * right_ +
+                                       (float(size_.height()) / 2 - y) / scale_ * up_;
+        const RayHit body = view_.body.query.hit(origin, -back_);
+        const RayHit cradle = cradle_ ? cradle_->hit(origin, -back_) : RayHit();
+        if (cradle.point.isValid() && cradle.distance < body.distance) {
+            return lit(cradleColour, triangleNormal(*view_.cradle, cradle.point.triangle));
+        }
+        if (!body.point.isValid()) {
+            return Eigen::Array3f::Ones();
+        }
+        return lit(worn(body.point), triangleNormal(view_.body.model.mesh, body.point.triangle));
+    }
+
+    Eigen::Array3f worn(const SurfacePoint& point) const {
+        for (auto film = view_.films.rbegin(); film != view_.films.rend(); ++film) {
+            if (const auto place = film->laid->place(point)) {
+                const solver::FilmGrid& grid = film->laid->film().grid;
+                const double u = double(place->rest.x()) / grid.width + 0.5;
+                const double v = double(place->rest.y()) / grid.depth + 0.5;
+                const QColor colour = film->image.pixelColor(
+                    std::clamp(int(u * film->image.width()), 0, film->image.width() - 1),
+                    std::clamp(int(v * film->image.height()), 0, film->image.height() - 1));
+                if (colour.alpha() > 127) {
+                    return {colour.redF(), colour.greenF(), colour.blueF()};
+                }
+            }
+        }
+        return bareBody;
+    }
+
+    // By a lamp over the left shoulder.
+    Eigen::Array3f lit(const Eigen::Array3f& colour, const Eigen::Vector3f& normal) const {
+        const Eigen::Vector3f lamp = (back_ - 0.5F * right_ + 0.6F * up_).normalized();
+        return colour * (0.55F + 0.45F * std::max(0.0F, normal.dot(lamp)));
+    }
+
+    const PoseView& view_;
+    QSize size_;
+    std::optional<SurfaceQuery> cradle_;
+    Eigen::Vector3f right_, up_, back_, middle_;
+    float away_ = 0, scale_ = 1;
+};
+
+} // namespace
+
+PosePicture posePicture(const PoseView& view, PoseSide side, QSize size, const Progress& progress) {
+    const Drawing drawing(view, side, size);
+    PosePicture result{QImage(size, QImage::Format_RGB32), drawing.scale(), drawing.bottom()};
+    uchar* const bits = result.image.bits();
+    const qsizetype line = result.image.bytesPerLine();
+    parallelFor(0, size.height(), [&](int y) {
+        progress.cancelSwitch.throwIfCancelled();
+        auto* const row = reinterpret_cast<QRgb*>(bits + y * line);
+        for (int x = 0; x < size.width(); ++x) {
+            row[x] = drawing.pixel(x, y);
+        }
+    });
+    return result;
+}
+
+} // namespace dipwright

@@ -1,0 +1,325 @@
+#include "traveller/Traveller.h"
+
+#include "sheet/PdfDocument.h"
+#include "traveller/PageInk.h"
+#include "traveller/QrCode.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Traveller)
+};
+
+const QSizeF page(210, 297);
+constexpr double margin = 12;
+constexpr double column = 93 - 2; // of two beside each other
+constexpr double secondColumn = margin + column + 4;
+constexpr double wordHeight = 2.9, headHeight = 3.8; // of the type
+const QColor water(40, 110, 200), paper(120, 120, 120), pinColour(190, 30, 30);
+
+QString plain(double number, int decimals = 1) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    QString text = locale.toString(number, 'f', decimals);
+    if (text.contains(locale.decimalPoint())) {
+        while (text.endsWith(locale.zeroDigit())) {
+            text.chop(1);
+        }
+        if (text.endsWith(locale.decimalPoint())) {
+            text.chop(locale.decimalPoint().size());
+        }
+    }
+    return text;
+}
+
+QString secondsText(const std::optional<Seconds>& time) {
+    return time ? Text::tr("%1 s").arg(plain(time->value())) : Text::tr("not given");
+}
+
+std::optional<Seconds> ofFilm(const Traveller& traveller, Seconds FilmProfile::*time) {
+    const auto& film = traveller.profiles.film;
+    return film ? std::optional<Seconds>((*film).*time) : std::nullopt;
+}
+
+std::optional<Seconds> ofFilm(const Traveller& traveller,
+                              std::optional<Seconds> FilmProfile::*time) {
+    const auto& film = traveller.profiles.film;
+    return film ? (*film).*time : std::nullopt;
+}
+
+// The head of a page, and the job as a QR code; returns the y under it.
+double paintHead(QPainter& painter, const Traveller& traveller, std::size_t number) {
+    const PageInk ink(painter);
+    const TravellerDip& dip = traveller.dips[number];
+    constexpr double code = 30;
+    const double width = page.width() - 2 * margin - code;
+    double y = ink.text({margin, margin, width, 0}, 6,
+                        Text::tr("Dip %1 of %2: %3")
+                            .arg(number + 1)
+                            .arg(traveller.dips.size())
+                            .arg(dip.immersion.name));
+    y = ink.text({margin, y + 1, width, 0}, headHeight,
+                 Text::tr("Traveller of %1, %2").arg(traveller.project, traveller.date));
+    QStringList order;
+    for (std::size_t i = 0; i < traveller.dips.size(); ++i) {
+        order << Text::tr("%1. %2, sheet %3")
+                     .arg(i + 1)
+                     .arg(traveller.dips[i].immersion.name, traveller.dips[i].job);
+    }
+    y = ink.text({margin, y + 1, width, 0}, wordHeight,
+                 Text::tr("Order: %1").arg(order.join(QStringLiteral(" → "))));
+    const QRectF place(page.width() - margin - code, margin - 4, code, code);
+    paintQrCode(painter, place, travellerJob(traveller));
+    const double under = ink.text({place.x() - 10, place.bottom() - 1, code + 10, 0}, wordHeight,
+                                  Text::tr("Job %1").arg(travellerJob(traveller)), Qt::AlignRight);
+    return std::max(y, under) + 2;
+}
+
+// A view of the pose with the water before and after.
+void paintPose(QPainter& painter, const QRectF& place, const QString& title,
+               const PosePicture& picture, const TravellerDip& dip) {
+    const PageInk ink(painter);
+    const double under = ink.text({place.x(), place.y(), place.width(), 0}, wordHeight, title);
+    const QRectF frame(place.x(), under + 0.5, place.width(), place.bottom() - under - 0.5);
+    const QRectF where = ink.picture(frame, picture.image);
+    const double perMillimetre = where.height() / picture.image.height() * picture.scale;
+    const auto heightOf = [&](double y) {
+        return where.bottom() - (y - picture.bottom) * perMillimetre;
+    };
+    for (const double level : {-dip.motion.start.value(), dip.waterAtEnd}) {
+        const double y = heightOf(level);
+        if (y > where.top() && y < where.bottom()) {
+            ink.line({frame.left(), y}, {frame.right(), y}, 0.3, water,
+                     level > 0 ? Qt::DashLine : Qt::SolidLine);
+        }
+    }
+    ink.arrow({frame.left() + 4, where.top() + 3}, {frame.left() + 4, where.top() + 15}, Qt::black);
+    ink.box(frame, 0.15, paper);
+}
+
+QString poseText(const TravellerDip& dip) {
+    const auto& angles = dip.immersion.rotation;
+    const auto& offset = dip.immersion.offset;
+    return Text::tr("Turned about X %1°, then Y %2°, then Z %3°. Its middle %4 mm to the right of "
+                    "the film's middle and %5 mm towards the film's lower edge. Solid blue: the "
+                    "water when the dip begins; dashed: when it ends.")
+        .arg(plain(angles[0].value()), plain(angles[1].value()), plain(angles[2].value()),
+             plain(offset[0].value()), plain(offset[1].value()));
+}
+
+QString cradleText(const TravellerDip& dip) {
+    if (!dip.cradle) {
+        return Text::tr("No cradle was made for this job; hold the body as drawn.");
+    }
+    QStringList words{
+        Text::tr("Cradle %1: its plate shows the same number and job; its arrow points "
+                 "to the film's upper edge.")
+            .arg(dip.job)};
+    return (words + *dip.cradle).join(QStringLiteral(" "));
+}
+
+double paintPoses(QPainter& painter, const TravellerDip& dip, double top) {
+    const PageInk ink(painter);
+    constexpr double high = 62;
+    paintPose(painter, {margin, top, column, high}, Text::tr("Seen from the film's lower edge"),
+              dip.front, dip);
+    paintPose(painter, {secondColumn, top, column, high},
+              Text::tr("Seen from the film's right edge"), dip.right, dip);
+    const double width = page.width() - 2 * margin;
+    const double y = ink.text({margin, top + high + 1, width, 0}, wordHeight, poseText(dip));
+    return ink.text({margin, y + 0.8, width, 0}, wordHeight, cradleText(dip)) + 2;
+}
+
+// The film on the water from above: edges, marks, pins, and the body over it.
+void paintFilm(QPainter& painter, const QRectF& place, const Traveller& traveller,
+               const TravellerDip& dip) {
+    const PageInk ink(painter);
+    const FilmSettings& film = traveller.film;
+    const QSizeF floating(film.width.value() * film.swellX, film.height.value() * film.swellY);
+    std::array<Millimetres, 2> tank{};
+    if (traveller.profiles.tank) {
+        tank = traveller.profiles.tank->markDistance;
+    }
+    const double scale =
+        std::min((place.width() - 14) / std::max(floating.width(), tank[0].value()),
+                 (place.height() - 14) / std::max(floating.height(), tank[1].value()));
+    const QPointF middle = place.center();
+    const auto at = [&](double x, double z) { return middle + QPointF(x * scale, z * scale); };
+    QRectF sheet(QPointF(0, 0), floating * scale);
+    sheet.moveCenter(middle);
+    painter.drawImage(sheet, dip.sheet);
+    ink.box(sheet, 0.3);
+    const double x = dip.immersion.offset[0].value(), z = dip.immersion.offset[1].value();
+    const BoundingBox& body = dip.body;
+    ink.box(QRectF(at(x + double(body.min().x()), z + double(body.min().z())),
+                   at(x + double(body.max().x()), z + double(body.max().z()))),
+            0.25, Qt::black, Qt::DashLine);
+    for (const Eigen::Vector2d& mark : traveller.pins.marks) {
+        const QPointF centre = at(mark.x(), mark.y());
+        ink.line(centre - QPointF(1.6, 0), centre + QPointF(1.6, 0), 0.2);
+        ink.line(centre - QPointF(0, 1.6), centre + QPointF(0, 1.6), 0.2);
+    }
+    painter.setPen(QPen(pinColour, 0.4));
+    painter.setBrush(Qt::NoBrush);
+    for (const Eigen::Vector2d& pin : traveller.pins.pins) {
+        painter.drawEllipse(at(pin.x(), pin.y()), 1.3, 1.3);
+    }
+    if (tank[0].value() > 0 && tank[1].value() > 0) {
+        ink.box(QRectF(at(-tank[0].value() / 2, -tank[1].value() / 2),
+                       at(tank[0].value() / 2, tank[1].value() / 2)),
+                0.3, water, Qt::DotLine);
+    }
+    ink.text({sheet.left(), sheet.top() + 0.8, sheet.width(), 0}, wordHeight,
+             Text::tr("upper edge"), Qt::AlignHCenter);
+    ink.text({sheet.left(), sheet.bottom() - 4.4, sheet.width(), 0}, wordHeight,
+             Text::tr("lower edge"), Qt::AlignHCenter);
+    painter.save();
+    painter.translate(sheet.left() + 0.6, sheet.bottom());
+    painter.rotate(-90);
+    ink.text({0, 0, sheet.height(), 0}, wordHeight, Text::tr("left edge"), Qt::AlignHCenter);
+    painter.restore();
+}
+
+QString filmText(const Traveller& traveller) {
+    const auto pinText = [](const Eigen::Vector2d& pin) {
+        return QStringLiteral("%1; %2").arg(plain(pin.x()), plain(pin.y()));
+    };
+    const auto& pins = traveller.pins.pins;
+    QString text =
+        Text::tr(
+            "From above, ink side up. Crosses: the sheet's marks as they float; red: the datum "
+            "pins, at %1 / %2 / %3 mm from the film's middle (to the right; down); dashed: the "
+            "body.")
+            .arg(pinText(pins[0]), pinText(pins[1]), pinText(pins[2]));
+    const auto& tank = traveller.profiles.tank;
+    const bool hasMarks = tank && tank->markDistance[0].value() > 0;
+    text +=
+        u' ' + (hasMarks ? Text::tr("Dotted: the tank's marks, %1 × %2 mm apart; the film lies in "
+                                    "their middle.")
+                               .arg(plain(tank->markDistance[0].value()),
+                                    plain(tank->markDistance[1].value()))
+                         : Text::tr("The tank's marks are not given."));
+    return text;
+}
+
+QString materialText(const Traveller& traveller) {
+    const FilmSettings& film = traveller.film;
+    const QString size = Text::tr("Film %1 × %2 mm, swell %3 × %4.")
+                             .arg(plain(film.width.value()), plain(film.height.value()),
+                                  plain(film.swellX, 3), plain(film.swellY, 3));
+    const auto& profile = traveller.profiles.film;
+    if (!profile) {
+        return size + u' ' + Text::tr("No film profile is given.");
+    }
+    return size + u' ' +
+           Text::tr("%1, lot %2, good until %3.")
+               .arg(profile->name, profile->lot.isEmpty() ? Text::tr("not given") : profile->lot,
+                    profile->expiry.isEmpty() ? Text::tr("not given") : profile->expiry);
+}
+
+QStringList stepsOf(const Traveller& traveller, std::size_t number) {
+    const TravellerDip& dip = traveller.dips[number];
+    const DipMotion& motion = dip.motion;
+    QStringList steps{
+        Text::tr("Sheet %1 lies on the water, ink side up, its upper edge where the arrow of the "
+                 "plate points.")
+            .arg(dip.job),
+        Text::tr("Soaked: %1").arg(secondsText(ofFilm(traveller, &FilmProfile::soakTime))),
+        Text::tr("Activator sprayed, waited: %1")
+            .arg(secondsText(ofFilm(traveller, &FilmProfile::activatorTime))),
+        Text::tr("Dipped from %1 mm above the water to %2 mm under it, at %3 mm/s: %4 s")
+            .arg(plain(motion.start.value()), plain(motion.depth.value()),
+                 plain(motion.speed.value(), 2), plain(motion.dipTime().value())),
+        Text::tr("Held under water %1 s, the film round it cleared, out at %2 mm/s")
+            .arg(plain(motion.hold.value()), plain(motion.speed.value(), 2)),
+        Text::tr("Left to flash before rinsing: %1")
+            .arg(secondsText(ofFilm(traveller, &FilmProfile::flashTime))),
+        Text::tr("Rinsed, dried: %1")
+            .arg(secondsText(ofFilm(traveller, &FilmProfile::dryingTime)))};
+    if (number + 1 < traveller.dips.size()) {
+        steps << Text::tr(
+                     "Compared with the picture before dip %1: colour in its place, no tear, no "
+                     "fold, dry where the next cradle holds it")
+                     .arg(number + 2);
+    } else {
+        steps << Text::tr("Compared with the picture");
+    }
+    return steps;
+}
+
+double paintFilmAndSteps(QPainter& painter, const Traveller& traveller, std::size_t number,
+                         double top) {
+    const PageInk ink(painter);
+    constexpr double high = 88;
+    paintFilm(painter, {margin, top, column, high - 4}, traveller, traveller.dips[number]);
+    const double left =
+        ink.text({margin, top + high - 3, column, 0}, wordHeight, filmText(traveller));
+    double y = ink.text({secondColumn, top, column, 0}, headHeight, Text::tr("At the tank"));
+    y = ink.text({secondColumn, y + 1, column, 0}, wordHeight, materialText(traveller)) + 1.5;
+    for (const QString& step : stepsOf(traveller, number)) {
+        y = ink.tick({secondColumn, y + 1.2}, column, wordHeight, step);
+    }
+    return std::max(left, y) + 3;
+}
+
+void paintAfter(QPainter& painter, const Traveller& traveller, std::size_t number, double top) {
+    const PageInk ink(painter);
+    constexpr double signature = 15;
+    const double width = page.width() - 2 * margin;
+    const double bottom = page.height() - margin - signature;
+    const double y = ink.text({margin, top, width, 0}, headHeight,
+                              Text::tr("So it has to look after dip %1: as it hung, from the "
+                                       "film's lower edge, from its right edge, and from below")
+                                  .arg(number + 1));
+    ink.picture({margin, y + 1, width, bottom - y - 3}, traveller.dips[number].after);
+    const QStringList words{Text::tr("Done by"), Text::tr("Date, time"), Text::tr("Checked by")};
+    for (int i = 0; i < words.size(); ++i) {
+        const QRectF place(margin + i * width / 3, bottom, width / 3, signature);
+        ink.box(place, 0.25);
+        ink.text({place.x() + 1.2, place.y() + 0.8, place.width(), 0}, wordHeight, words[i]);
+    }
+}
+
+void paintPage(QPainter& painter, const Traveller& traveller, std::size_t number) {
+    double y = paintHead(painter, traveller, number);
+    y = paintPoses(painter, traveller.dips[number], y);
+    y = paintFilmAndSteps(painter, traveller, number, y);
+    paintAfter(painter, traveller, number, y);
+}
+
+} // namespace
+
+QString travellerJob(const Traveller& traveller) {
+    if (traveller.dips.size() == 1) {
+        return traveller.dips.front().job;
+    }
+    QStringList jobs;
+    for (const TravellerDip& dip : traveller.dips) {
+        jobs << dip.job;
+    }
+    const QByteArray hash =
+        QCryptographicHash::hash(jobs.join(u' ').toLatin1(), QCryptographicHash::Sha256);
+    return QString::fromLatin1(hash.toHex().left(12));
+}
+
+QByteArray travellerPdf(const Traveller& traveller) {
+    std::vector<PdfPage> pages;
+    for (std::size_t number = 0; number < traveller.dips.size(); ++number) {
+        pages.push_back({page, [&traveller, number](QPainter& painter) {
+                             paintPage(painter, traveller, number);
+                         }});
+    }
+    PdfSettings settings;
+    settings.title = Text::tr("Traveller of %1, %2").arg(traveller.project, traveller.date);
+    return pdfDocument(pages, settings);
+}
+
+} // namespace dipwright

@@ -1,0 +1,78 @@
+// The way of a dip, as points and as a filled template.
+#include "traveller/Motion.h"
+
+#include "base/Error.h"
+
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+DipMotion motion() {
+    DipMotion result;
+    result.project = QStringLiteral("Cup (red);\nM112");
+    result.immersion = QStringLiteral("Below");
+    result.job = QStringLiteral("0a1b2c3d4e5f");
+    result.depth = Millimetres(42);
+    result.speed = MillimetresPerSecond(4);
+    return result;
+}
+
+} // namespace
+
+class MotionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // 49.5 mm at 20 mm/s, 42.5 mm at 4 mm/s, 5 s, and 92 mm at 4 mm/s.
+    void depthAndTimesAreRight() {
+        QCOMPARE(motionCsv(motion()), QByteArray("time_s,height_mm,speed_mm_s\n"
+                                                 "0.000,50.000,0.000\n"
+                                                 "2.475,0.500,20.000\n"
+                                                 "13.100,-42.000,4.000\n"
+                                                 "18.100,-42.000,0.000\n"
+                                                 "41.100,50.000,4.000\n"));
+    }
+
+    void theShippedTemplateIsFilledIn() {
+        const MotionTemplate shipped = motionTemplate();
+        const QString code =
+            QString::fromUtf8(filledTemplate(motion(), shipped.text, shipped.where));
+        QVERIFY(!code.contains(u'{'));
+        QVERIFY(code.contains(QStringLiteral("0a1b2c3d4e5f")));
+        // Commands alone, without their comments.
+        QStringList commands;
+        for (const QString& line : code.split(u'\n')) {
+            const QString command = line.section(u';', 0, 0).trimmed();
+            if (!command.isEmpty()) {
+                commands << command;
+            }
+        }
+        QCOMPARE(commands, QStringList({"G21", "G90", "G1 Z50.000 F1200.000", "M0",
+                                        "G1 Z0.500 F1200.000", "G1 Z-42.000 F240.000",
+                                        "G4 P5000.000", "M0", "G1 Z50.000 F240.000", "M2"}));
+    }
+
+    void noNameBecomesACommand() {
+        const QByteArray line = filledTemplate(motion(), QStringLiteral("({project})"), {});
+        QCOMPARE(line.count('\n'), 0);
+        QCOMPARE(line.count('('), 1);
+        QCOMPARE(line.count(')'), 1);
+        QVERIFY(!line.contains(';'));
+    }
+
+    void anUnknownNameIsRefused() {
+        try {
+            filledTemplate(motion(), QStringLiteral("G1 Z{height}"), QStringLiteral("own.gcode"));
+            QFAIL("nothing was thrown");
+        } catch (const Error& error) {
+            QVERIFY(error.sentence().contains(QStringLiteral("{height}")));
+            QVERIFY(error.sentence().contains(QStringLiteral("depth_mm")));
+            QVERIFY(error.sentence().contains(QStringLiteral("own.gcode")));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(MotionTest)
+#include "MotionTest.moc"

@@ -1,0 +1,136 @@
+// The pages for the tank, read back by the tools that read any PDF, and a phone's way to read a
+// code.
+#include "traveller/Traveller.h"
+#include "DippedByHand.h"
+#include "geometry/Shapes.h"
+
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+QByteArray outputOf(const QString& program, const QStringList& arguments) {
+    QProcess process;
+    process.start(program, arguments);
+    process.waitForFinished();
+    return process.readAllStandardOutput();
+}
+
+const std::shared_ptr<const LaidFilm>& film() {
+    static const auto laid = test::laid(test::plainModel(sphereMesh(35, 60, 120), Qt::white),
+                                        test::viscousOnSphere(test::a4Grid(), 35, pi / 2));
+    return laid;
+}
+
+Traveller traveller() {
+    Traveller result;
+    result.project = QStringLiteral("Ball");
+    result.date = QStringLiteral("2026-11-22");
+    FilmProfile profile;
+    profile.name = QStringLiteral("Thin film");
+    profile.lot = QStringLiteral("L-77");
+    profile.dryingTime = Seconds(5400);
+    result.profiles.film = profile;
+    TankProfile tank;
+    tank.markDistance = {Millimetres(250), Millimetres(330)};
+    result.profiles.tank = tank;
+    result.pins = datumPins(Sheet(), FilmSettings(), Millimetres(180));
+    for (const char* name : {"Below", "Above"}) {
+        TravellerDip dip;
+        dip.immersion.name = QLatin1String(name);
+        dip.immersion.rotation[0] = Degrees(12.5);
+        dip.job = QStringLiteral("%1").arg(result.dips.size() + 1, 12, 16, QLatin1Char('a'));
+        dip.sheet = QImage(210, 297, QImage::Format_RGB32);
+        dip.sheet.fill(Qt::yellow);
+        dip.body = boundingBox(film()->body().model.mesh);
+        dip.motion.depth = Millimetres(72);
+        dip.waterAtEnd = 72;
+        result.dips.push_back(dip);
+    }
+    return result;
+}
+
+} // namespace
+
+class TravellerTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyPageSaysWhatIsToBeDone() {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("traveller.pdf"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(travellerPdf(traveller()));
+        file.close();
+        const QStringList pages =
+            QString::fromUtf8(outputOf(QStringLiteral("pdftotext"), {path, QStringLiteral("-")}))
+                .simplified()
+                .split(QStringLiteral("Checked by"), Qt::SkipEmptyParts);
+        QCOMPARE(pages.size(), 2);
+        const QString& first = pages.front();
+        for (const char* words :
+             {"Dip 1 of 2: Below", "aaaaaaaaaaa1", "12.5°", "Soaked: 60 s", "waited: 10 s",
+              "before rinsing: not given", "dried: 5400 s", "lot L-77", "250 × 330 mm apart",
+              "72 mm under it, at 5 mm/s: 14.5 s", "picture before dip 2", "Done by"}) {
+            QVERIFY2(first.contains(QString::fromUtf8(words)), words);
+        }
+        QVERIFY(pages.back().contains(QStringLiteral("Dip 2 of 2: Above")));
+    }
+
+    void theCodeIsTheJob() {
+        Traveller one = traveller();
+        one.dips.pop_back();
+        QCOMPARE(travellerJob(one), one.dips.front().job);
+        const Traveller both = traveller();
+        QCOMPARE(travellerJob(both).size(), 12);
+        QVERIFY(travellerJob(both) != travellerJob(one));
+
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("traveller.pdf"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(travellerPdf(both));
+        file.close();
+        outputOf(QStringLiteral("pdftoppm"),
+                 {QStringLiteral("-r"), QStringLiteral("150"), QStringLiteral("-png"), path,
+                  folder.filePath(QStringLiteral("page"))});
+        for (const char* page : {"page-1.png", "page-2.png"}) {
+            const QByteArray code =
+                outputOf(QStringLiteral("zbarimg"), {QStringLiteral("-q"), QStringLiteral("--raw"),
+                                                     folder.filePath(QLatin1String(page))});
+            QCOMPARE(QString::fromLatin1(code.trimmed()), travellerJob(both));
+        }
+    }
+
+    void pagesAreTheSameEveryTime() {
+        QCOMPARE(travellerPdf(traveller()), travellerPdf(traveller()));
+    }
+
+    // A ball whose lower half is red: from the front the lower half, from below all of it.
+    void theBodyIsDrawnFromItsSides() {
+        QImage red(210, 297, QImage::Format_RGBA8888);
+        red.fill(Qt::red);
+        const PoseView view{film()->body(), nullptr, {{film(), red}}};
+        const auto isRed = [](const QColor& colour) {
+            return colour.red() > 2 * colour.green() + 40;
+        };
+        const QSize size(200, 200);
+        const PosePicture front = posePicture(view, PoseSide::Front, size, {});
+        QVERIFY(isRed(front.image.pixelColor(100, 130)));
+        QVERIFY(!isRed(front.image.pixelColor(100, 70)));
+        QCOMPARE(front.image.pixelColor(3, 3), QColor(Qt::white));
+        // 70 mm high, with a rim of six hundredths.
+        QVERIFY(std::abs(front.scale - 200 / (1.06 * 70)) < 0.01);
+        QVERIFY(std::abs(front.bottom + 0.03 * 70) < 0.1);
+        const PosePicture below = posePicture(view, PoseSide::Below, size, {});
+        QVERIFY(isRed(below.image.pixelColor(100, 40)) && isRed(below.image.pixelColor(100, 160)));
+    }
+};
+
+QTEST_MAIN(TravellerTest)
+#include "TravellerTest.moc"
