@@ -2,10 +2,14 @@
 //   share_bench [points=CxR] JOB.dipw…
 // A line a project: the triangles that are shared out, seconds (the least of five), what is painted
 // of what either dip reaches, how much of it by both, the band's width, and the join's length and
-// cost against those of the plane halfway between the poses.
+// cost against those of the plane halfway between the poses. And with the second film 0.7 mm off in
+// each of four directions: the share of the overlap whose reflectance changes by more than a tenth,
+// which means something of plain bodies only, and the largest change.
 #include "dip/Dip.h"
 #include "pipeline/Pipeline.h"
 #include "project/ProjectStore.h"
+#include "results/Results.h"
+#include "texture/LinearLight.h"
 
 #include <QGuiApplication>
 #include <QTextStream>
@@ -20,6 +24,43 @@ double secondsOf(const std::function<void()>& work) {
     const auto begin = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+struct Slipped {
+    double share = 0;   // of the overlap, that changes by more than a tenth
+    double largest = 0; // change of reflectance
+};
+
+Slipped slipped(const JobResult& result) {
+    const RefinedMesh& mesh = *result.share->distance.mesh;
+    std::vector<WornFilm> films;
+    for (const ImmersionResult& immersion : result.immersions) {
+        films.push_back({immersion.laid, immersion.texture->image});
+    }
+    const bool compensated = result.project.ink.compensate;
+    const std::vector<QRgb> right = printedColours(mesh, films, compensated);
+    std::vector<double> changes(right.size());
+    for (const auto& [x, z] : {std::pair(0.7, 0.0), {-0.7, 0.0}, {0.0, 0.7}, {0.0, -0.7}}) {
+        films.back().slip.shift = {Millimetres(x), Millimetres(z)};
+        const std::vector<QRgb> off = printedColours(mesh, films, compensated);
+        for (std::size_t triangle = 0; triangle < off.size(); ++triangle) {
+            changes[triangle] = std::max(changes[triangle],
+                                         std::abs(linearFromSrgb(qGreen(off[triangle]) / 255.0) -
+                                                  linearFromSrgb(qGreen(right[triangle]) / 255.0)));
+        }
+    }
+    Slipped worst;
+    double overlap = 0;
+    for (std::size_t triangle = 0; triangle < changes.size(); ++triangle) {
+        if (result.share->painters[triangle] == Painter::Both) {
+            const double area = triangleArea(mesh.mesh(), triangle);
+            overlap += area;
+            worst.share += changes[triangle] > 0.1 ? area : 0;
+            worst.largest = std::max(worst.largest, changes[triangle]);
+        }
+    }
+    worst.share /= std::max(overlap, 1e-9);
+    return worst;
 }
 
 void measure(const QString& path, const QString& points, QTextStream& out) {
@@ -59,6 +100,10 @@ void measure(const QString& path, const QString& points, QTextStream& out) {
                .arg(share.cost.cost, 0, 'f', 1)
                .arg(share.equator.length, 0, 'f', 0)
                .arg(share.equator.cost, 0, 'f', 1);
+    const Slipped off = slipped(result);
+    out << QStringLiteral("    0.7 mm off: %1 % of the overlap by more than a tenth, at most %2\n")
+               .arg(100 * off.share, 0, 'f', 1)
+               .arg(off.largest, 0, 'f', 2);
     out.flush();
 }
 
