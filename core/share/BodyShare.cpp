@@ -21,14 +21,15 @@ struct Text {
 };
 
 // Constants of ours (docs/film-model.md, "Two dips, one body").
-constexpr double fineTriangles = 40'000; // about so many, if the body has fewer
-constexpr double joinWeight = 20;        // mm² of body at cost 1 that a mm of join is worth
-constexpr float nearReachEdge = 5;       // the cost of a mm² where the dip's film ends
-constexpr double smoothing = 3;          // mm, and no less than two fine triangles
-constexpr double visibleStep = 0.1;      // of reflectance
-constexpr double darkest = 0.01;         // reflectance of printed black
-constexpr float farthest = 1e4f;         // mm
-constexpr double leastUnpainted = 1;     // mm² of a place that is listed
+constexpr double fineTriangles = 40'000;   // about so many, if the body has fewer
+constexpr double joinWeight = 20;          // mm² of body at cost 1 that a mm of join is worth
+constexpr float nearReachEdge = 5;         // the cost of a mm² where the dip's film ends
+constexpr double smoothing = 3;            // mm, and no less than two fine triangles
+constexpr double reckonedStretches = 0.75; // share of the film along the join
+constexpr double visibleStep = 0.1;        // of reflectance
+constexpr double darkest = 0.01;           // reflectance of printed black
+constexpr float farthest = 1e4f;           // mm
+constexpr double leastUnpainted = 1;       // mm² of a place that is listed
 
 using Films = std::array<std::shared_ptr<const LaidFilm>, 2>;
 using Suitabilities = std::array<Suitability, 2>;
@@ -80,13 +81,49 @@ std::vector<std::uint8_t> cutBody(const RefinedMesh& body, std::vector<std::arra
     return minimumCut(costs, edges);
 }
 
-std::vector<LinearColour> coloursAlong(const std::vector<LinePiece>& line,
-                                       const std::vector<LinearColour>& colours) {
-    std::vector<LinearColour> along;
+std::vector<std::uint32_t> trianglesOf(const std::vector<LinePiece>& line) {
+    std::vector<std::uint32_t> triangles;
     for (const LinePiece& piece : line) {
-        along.push_back(colours[piece.triangle]);
+        triangles.push_back(piece.triangle);
     }
-    return along;
+    return triangles;
+}
+
+std::vector<LinearColour> coloursOf(const std::vector<std::uint32_t>& triangles,
+                                    const std::vector<LinearColour>& colours) {
+    std::vector<LinearColour> found;
+    for (const std::uint32_t triangle : triangles) {
+        found.push_back(colours[triangle]);
+    }
+    return found;
+}
+
+// How far film is drawn out that lies in any of these triangles, but for the most drawn out of it:
+// so many times as far off as on the water it lies on the body.
+double stretchOf(const std::vector<std::uint32_t>& triangles, const Suitabilities& dips,
+                 double stretchLimit) {
+    std::vector<float> stretches;
+    for (const std::uint32_t triangle : triangles) {
+        stretches.push_back(std::max(dips[0].stretch[triangle], dips[1].stretch[triangle]));
+    }
+    if (stretches.empty()) {
+        return 1;
+    }
+    const auto least =
+        stretches.begin() + std::ptrdiff_t(double(stretches.size() - 1) * reckonedStretches);
+    std::nth_element(stretches.begin(), least, stretches.end());
+    return std::clamp(double(*least), 1.0, stretchLimit);
+}
+
+// The triangles that both dips reach.
+std::vector<std::uint32_t> reachedByBoth(const Suitabilities& dips) {
+    std::vector<std::uint32_t> triangles;
+    for (std::uint32_t triangle = 0; triangle < dips[0].reached.size(); ++triangle) {
+        if (dips[0].reached[triangle] != 0 && dips[1].reached[triangle] != 0) {
+            triangles.push_back(triangle);
+        }
+    }
+    return triangles;
 }
 
 // Moves the join so that the band lies where both dips reach: where one does not, the other gives
@@ -238,9 +275,6 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
     const TriangleMesh& mesh = body->mesh();
     const JoinPlaces places = joinPlaces(*body, model, SurfaceQuery(model.mesh));
     tell(0.3);
-    const double widest =
-        neededOverlap(places.colours, settings.registrationError.value(), settings.overlap.value());
-    const auto margin = float(std::max(widest / 2 + settings.registrationError.value(), 0.01));
     Suitabilities dips;
     std::array<std::vector<float>, 2> depths;
     for (std::size_t dip = 0; dip < 2; ++dip) {
@@ -248,15 +282,25 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
         depths[dip] = depthInReach(mesh, dips[dip].reached);
     }
     tell(0.6);
+    // How far off the second film may lie on the body.
+    const auto errorOf = [&](const std::vector<std::uint32_t>& triangles) {
+        return settings.registrationError.value() *
+               stretchOf(triangles, dips, settings.stretchLimit);
+    };
+    const std::vector<std::uint32_t> twice = reachedByBoth(dips);
+    const double widest =
+        neededOverlap(coloursOf(twice, places.colours), errorOf(twice), settings.overlap.value());
+    const auto margin = float(std::max(widest / 2 + errorOf(twice), 0.01));
     const std::vector<std::uint8_t> labels =
         cutBody(*body, costsOf(mesh, dips, depths, margin), places.weights, settings);
     tell(0.8);
     BodyShare share;
     const double width = std::max(smoothing, 2 * double(edge));
     share.distance = {body, signedDistance(mesh, smoothBorder(mesh, labels, width), farthest)};
+    const std::vector<std::uint32_t> along =
+        trianglesOf(joining(zeroLine(mesh, share.distance.values), dips));
     share.overlap =
-        neededOverlap(coloursAlong(zeroLine(mesh, share.distance.values), places.colours),
-                      settings.registrationError.value(), settings.overlap.value());
+        neededOverlap(coloursOf(along, places.colours), errorOf(along), settings.overlap.value());
     keepInReach(share.distance.values, depths, float(share.overlap));
     findPainters(share, dips);
     const std::vector<LinePiece> line = joining(zeroLine(mesh, share.distance.values), dips);

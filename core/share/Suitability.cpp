@@ -33,12 +33,14 @@ Suitability suitability(const RefinedMesh& body, const LaidFilm& laid,
                         const InkSettings& ink) {
     const std::size_t triangles = body.mesh().triangles.size();
     const InkCompensation compensation(ink);
-    Suitability result{std::vector<std::uint8_t>(triangles), std::vector<float>(triangles)};
+    Suitability result{std::vector<std::uint8_t>(triangles), std::vector<float>(triangles, 1.0f),
+                       std::vector<float>(triangles)};
     parallelFor(std::size_t(0), triangles, [&](std::size_t triangle) {
         const SurfacePoint middle = body.middle(triangle);
         const Eigen::Vector3f normal = triangleNormal(laid.body().model.mesh, middle.triangle);
         const std::optional<FilmPlace> place = laid.place(middle);
         result.reached[triangle] = place ? 1 : 0;
+        result.stretch[triangle] = place ? laid.stretches()[place->triangle].larger : 1;
         result.cost[triangle] =
             place ? upwards * (1 + normal.y()) / 2 +
                         costThere(laid, *place, colours[triangle], stretchLimit, compensation)

@@ -11,6 +11,7 @@ namespace dipwright {
 // A fine triangle each.
 struct Suitability {
     std::vector<std::uint8_t> reached; // 1 where the dip paints its middle
+    std::vector<float> stretch;        // the larger one of its film there; 1 where it is not
     std::vector<float> cost;           // of painting it with this dip, for each mm²; 0: perfectly
 };
 
