@@ -15,7 +15,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// An observer is shown the film this often, and so often at least however short the dip.
 constexpr auto observerInterval = std::chrono::milliseconds(33);
+constexpr int leastObservations = 24;
 
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(Dip)
@@ -61,10 +63,15 @@ public:
         }
         timed([&] { solver_->begin(dip_.setup); });
         Clock::time_point lastShown = Clock::now() - observerInterval;
+        double shownDescent = 0;
+        const double farthest = dip_.setup.motion.travel / leastObservations;
         while (!state_.finished) {
             progress(state_.descent / dip_.setup.motion.travel, Text::tr("Dipping"));
-            if (observer && Clock::now() - lastShown >= observerInterval && show(observer)) {
+            const bool isDue = Clock::now() - lastShown >= observerInterval ||
+                               state_.descent - shownDescent >= farthest;
+            if (observer && isDue && show(observer)) {
                 lastShown = Clock::now();
+                shownDescent = state_.descent;
             }
             advance();
         }
