@@ -119,25 +119,13 @@ bool hasOneRingRoundEach(const TriangleMesh& mesh, const std::vector<std::uint32
 }
 
 int partsOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& opposite) {
-    std::vector<char> seen(mesh.triangles.size(), 0);
+    std::vector<std::uint8_t> seen(mesh.triangles.size());
     int parts = 0;
-    std::vector<std::uint32_t> open;
     for (std::uint32_t start = 0; start < seen.size(); ++start) {
-        if (seen[start]) {
-            continue;
-        }
-        ++parts;
-        seen[start] = 1;
-        open.push_back(start);
-        while (!open.empty()) {
-            const std::uint32_t triangle = open.back();
-            open.pop_back();
-            for (std::uint32_t e = 3 * triangle; e < 3 * triangle + 3; ++e) {
-                if (opposite[e] != noEdge && !seen[opposite[e] / 3]) {
-                    seen[opposite[e] / 3] = 1;
-                    open.push_back(opposite[e] / 3);
-                }
-            }
+        if (seen[start] == 0) {
+            ++parts;
+            connectedTriangles(
+                opposite, start, [](std::uint32_t) { return true; }, seen);
         }
     }
     return parts;

@@ -12,6 +12,7 @@ namespace {
 constexpr std::uint32_t noMiddle = 0xffffffffu;
 
 using Triangle = std::array<std::uint32_t, 3>;
+using Line = std::array<std::uint32_t, 2>; // between two points
 
 // The middles of edges that were cut.
 class Middles {
@@ -42,8 +43,7 @@ private:
 };
 
 // What a triangle is cut into, whose edges have middles or not: points 0, 1, 2 are its corners,
-// 3 + e is the middle of edge e. `isShorter` tells lines between two points apart, where there is a
-// choice.
+// 3 + e is the middle of edge e. `isShorter` tells lines apart, where there is a choice.
 std::vector<Triangle> cut(const Triangle& middles, const auto& isShorter) {
     std::vector<std::uint32_t> edges;
     for (std::uint32_t edge = 0; edge < 3; ++edge) {
@@ -66,7 +66,7 @@ std::vector<Triangle> cut(const Triangle& middles, const auto& isShorter) {
     const std::uint32_t f = next(e);
     const std::uint32_t last = next(f);
     std::vector<Triangle> parts{{3 + e, f, 3 + f}};
-    if (isShorter(Triangle{3 + e, last, 0}, Triangle{e, 3 + f, 0})) {
+    if (isShorter(Line{3 + e, last}, Line{e, 3 + f})) {
         parts.push_back({e, 3 + e, last});
         parts.push_back({3 + e, 3 + f, last});
     } else {
@@ -74,6 +74,22 @@ std::vector<Triangle> cut(const Triangle& middles, const auto& isShorter) {
         parts.push_back({e, 3 + f, last});
     }
     return parts;
+}
+
+// A triangle that may have to be cut, and what it is a part of.
+struct Open {
+    Triangle corners;
+    std::uint32_t part, parent;
+};
+
+// cut()'s points of a triangle, as weights in the coarse one: a column each.
+Eigen::Matrix<float, 3, 6> pointsOf(const Eigen::Matrix3f& corners) {
+    Eigen::Matrix<float, 3, 6> points;
+    points.leftCols<3>() = corners;
+    for (int edge = 0; edge < 3; ++edge) {
+        points.col(3 + edge) = (corners.col(edge) + corners.col((edge + 1) % 3)) / 2;
+    }
+    return points;
 }
 
 } // namespace
@@ -86,10 +102,6 @@ float edgeForTriangles(const TriangleMesh& mesh, double triangles) {
 
 RefinedMesh::RefinedMesh(const TriangleMesh& coarse, float longestEdge) {
     mesh_.positions = coarse.positions;
-    struct Open {
-        Triangle corners;
-        std::uint32_t part, parent;
-    };
     std::vector<Open> open;
     for (std::uint32_t triangle = 0; triangle < coarse.triangles.size(); ++triangle) {
         parts_.push_back({Corners::Identity()});
@@ -106,12 +118,12 @@ RefinedMesh::RefinedMesh(const TriangleMesh& coarse, float longestEdge) {
                 made[edge] = middles.of(whole.corners[edge], whole.corners[(edge + 1) % 3]);
                 points[3 + edge] = made[edge];
             }
-            const auto length = [&](const Triangle& line) {
+            const auto length = [&](const Line& line) {
                 return (mesh_.positions[points[line[0]]] - mesh_.positions[points[line[1]]])
                     .squaredNorm();
             };
-            const std::vector<Triangle> parts = cut(
-                made, [&](const Triangle& a, const Triangle& b) { return length(a) < length(b); });
+            const std::vector<Triangle> parts =
+                cut(made, [&](const Line& a, const Line& b) { return length(a) < length(b); });
             if (parts.size() == 1) {
                 parts_[whole.part].first = std::uint32_t(mesh_.triangles.size());
                 mesh_.triangles.push_back(whole.corners);
@@ -119,22 +131,16 @@ RefinedMesh::RefinedMesh(const TriangleMesh& coarse, float longestEdge) {
                 fineParts_.push_back(whole.part);
                 continue;
             }
-            const Corners outer = parts_[whole.part].corners;
+            const auto weights = pointsOf(parts_[whole.part].corners);
             parts_[whole.part].first = std::uint32_t(parts_.size());
             parts_[whole.part].count = std::uint32_t(parts.size());
-            for (const Triangle& part : parts) {
+            for (const auto& [a, b, c] : parts) {
                 Part inner;
-                Open piece{{}, std::uint32_t(parts_.size()), whole.parent};
-                for (std::size_t corner = 0; corner < 3; ++corner) {
-                    const std::uint32_t point = part[corner];
-                    const int edge = int(point) - 3;
-                    inner.corners.col(int(corner)) =
-                        edge < 0 ? Eigen::Vector3f(outer.col(int(point)))
-                                 : Eigen::Vector3f(outer.col(edge) + outer.col((edge + 1) % 3)) / 2;
-                    piece.corners[corner] = points[point];
-                }
+                inner.corners << weights.col(a), weights.col(b), weights.col(c);
+                cutAgain.push_back({{points[a], points[b], points[c]},
+                                    std::uint32_t(parts_.size()),
+                                    whole.parent});
                 parts_.push_back(inner);
-                cutAgain.push_back(piece);
             }
         }
         open = std::move(cutAgain);
@@ -142,7 +148,7 @@ RefinedMesh::RefinedMesh(const TriangleMesh& coarse, float longestEdge) {
 }
 
 SurfacePoint RefinedMesh::middle(std::size_t triangle) const {
-    return onCoarse({std::uint32_t(triangle), Eigen::Vector3f::Constant(1.0f / 3)});
+    return onCoarse(middleOf(std::uint32_t(triangle)));
 }
 
 SurfacePoint RefinedMesh::onCoarse(const SurfacePoint& fine) const {

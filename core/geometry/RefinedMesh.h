@@ -19,8 +19,6 @@ public:
 
     // The first positions are those of the coarse mesh.
     const TriangleMesh& mesh() const { return mesh_; }
-    // The coarse triangle that each fine one is part of.
-    const std::vector<std::uint32_t>& parents() const { return parents_; }
     // The middle of a fine triangle, as a place of the coarse mesh.
     SurfacePoint middle(std::size_t triangle) const;
     // A place of a fine triangle, by its corners' weights, as one of the coarse mesh.
@@ -39,7 +37,7 @@ private:
     };
 
     TriangleMesh mesh_;
-    std::vector<std::uint32_t> parents_;
+    std::vector<std::uint32_t> parents_;   // the coarse triangle that each fine one is part of
     std::vector<Part> parts_;              // the coarse triangles first
     std::vector<std::uint32_t> fineParts_; // a fine triangle each
 };

@@ -122,6 +122,24 @@ std::vector<std::uint32_t> oppositeEdges(const TriangleMesh& mesh) {
     return opposite;
 }
 
+std::vector<std::uint32_t> connectedTriangles(const std::vector<std::uint32_t>& opposite,
+                                              std::uint32_t first,
+                                              const std::function<bool(std::uint32_t)>& belongs,
+                                              std::vector<std::uint8_t>& seen) {
+    std::vector<std::uint32_t> found{first};
+    seen[first] = 1;
+    for (std::size_t next = 0; next < found.size(); ++next) {
+        for (std::uint32_t edge = 3 * found[next]; edge < 3 * found[next] + 3; ++edge) {
+            const std::uint32_t other = opposite[edge] == noEdge ? first : opposite[edge] / 3;
+            if (seen[other] == 0 && belongs(other)) {
+                seen[other] = 1;
+                found.push_back(other);
+            }
+        }
+    }
+    return found;
+}
+
 bool isClosed(const TriangleMesh& mesh) {
     const auto opposite = oppositeEdges(mesh);
     const auto startOf = [&](std::uint32_t edge) { return mesh.triangles[edge / 3][edge % 3]; };

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace dipwright {
@@ -32,6 +33,13 @@ inline constexpr std::uint32_t noEdge = 0xffffffffu;
 // By edge number, the number of the same edge in the triangle on its other side; noEdge where there
 // is none or more than one.
 std::vector<std::uint32_t> oppositeEdges(const TriangleMesh& mesh);
+// `first`, and every triangle for which `belongs` holds that hangs together with it over edges of
+// such triangles; those found are marked in `seen`, a triangle each, and those marked before left
+// out.
+std::vector<std::uint32_t> connectedTriangles(const std::vector<std::uint32_t>& opposite,
+                                              std::uint32_t first,
+                                              const std::function<bool(std::uint32_t)>& belongs,
+                                              std::vector<std::uint8_t>& seen);
 // Every edge belongs to exactly two triangles that run along it in opposite directions.
 bool isClosed(const TriangleMesh& mesh);
 TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& transform);
@@ -45,5 +53,8 @@ struct SurfacePoint {
     bool isValid() const { return triangle != noTriangle; }
 };
 Eigen::Vector3f position(const TriangleMesh& mesh, const SurfacePoint& point);
+inline SurfacePoint middleOf(std::uint32_t triangle) {
+    return {triangle, Eigen::Vector3f::Constant(1.0f / 3)};
+}
 
 } // namespace dipwright

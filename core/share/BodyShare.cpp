@@ -145,6 +145,20 @@ Painter painterOf(float distance, float overlap, bool byFirst, bool bySecond) {
                  : (second ? Painter::Second : Painter::None);
 }
 
+double ShareAreas::*areaOf(Painter painter) {
+    switch (painter) {
+    case Painter::First:
+        return &ShareAreas::first;
+    case Painter::Second:
+        return &ShareAreas::second;
+    case Painter::Both:
+        return &ShareAreas::both;
+    case Painter::None:
+        break;
+    }
+    return &ShareAreas::none;
+}
+
 void findPainters(BodyShare& share, const Suitabilities& dips) {
     const TriangleMesh& mesh = share.distance.mesh->mesh();
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
@@ -153,21 +167,7 @@ void findPainters(BodyShare& share, const Suitabilities& dips) {
             painterOf(distance, float(share.overlap), dips[0].reached[triangle] != 0,
                       dips[1].reached[triangle] != 0);
         share.painters.push_back(painter);
-        const double area = triangleArea(mesh, triangle);
-        switch (painter) {
-        case Painter::First:
-            share.areas.first += area;
-            break;
-        case Painter::Second:
-            share.areas.second += area;
-            break;
-        case Painter::Both:
-            share.areas.both += area;
-            break;
-        case Painter::None:
-            share.areas.none += area;
-            break;
-        }
+        (share.areas.*areaOf(painter)) += triangleArea(mesh, triangle);
     }
 }
 
@@ -179,37 +179,21 @@ std::vector<LinePiece> joining(std::vector<LinePiece> line, const Suitabilities&
     return line;
 }
 
-// One triangle after the other that hangs together with `start` and is unpainted; marks them seen.
-std::vector<std::uint32_t> unpaintedFrom(std::uint32_t start, const BodyShare& share,
-                                         const std::vector<std::uint32_t>& opposite,
-                                         std::vector<std::uint8_t>& seen) {
-    std::vector<std::uint32_t> found{start};
-    seen[start] = 1;
-    for (std::size_t next = 0; next < found.size(); ++next) {
-        for (std::uint32_t edge = 3 * found[next]; edge < 3 * found[next] + 3; ++edge) {
-            const std::uint32_t other = opposite[edge] == noEdge ? start : opposite[edge] / 3;
-            if (seen[other] == 0 && share.painters[other] == Painter::None) {
-                seen[other] = 1;
-                found.push_back(other);
-            }
-        }
-    }
-    return found;
-}
-
 std::vector<UnpaintedPlace> unpaintedPlaces(const BodyShare& share) {
     const TriangleMesh& mesh = share.distance.mesh->mesh();
     const std::vector<std::uint32_t> opposite = oppositeEdges(mesh);
-    const auto middle = [&](std::uint32_t triangle) {
-        return position(mesh, {triangle, Eigen::Vector3f::Constant(1.0f / 3)});
+    const auto middle = [&](std::uint32_t triangle) { return position(mesh, middleOf(triangle)); };
+    const auto isUnpainted = [&](std::uint32_t triangle) {
+        return share.painters[triangle] == Painter::None;
     };
     std::vector<std::uint8_t> seen(mesh.triangles.size());
     std::vector<UnpaintedPlace> places;
     for (std::uint32_t start = 0; start < seen.size(); ++start) {
-        if (seen[start] != 0 || share.painters[start] != Painter::None) {
+        if (seen[start] != 0 || !isUnpainted(start)) {
             continue;
         }
-        const std::vector<std::uint32_t> triangles = unpaintedFrom(start, share, opposite, seen);
+        const std::vector<std::uint32_t> triangles =
+            connectedTriangles(opposite, start, isUnpainted, seen);
         double area = 0;
         Eigen::Vector3f mean = Eigen::Vector3f::Zero();
         for (const std::uint32_t triangle : triangles) {

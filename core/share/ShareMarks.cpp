@@ -37,22 +37,13 @@ std::vector<std::uint32_t> spot(const TriangleMesh& mesh, const SurfacePoint& mi
 
 // The triangles that hang together with the first and face as it does.
 std::vector<std::uint32_t> face(const TriangleMesh& mesh, std::uint32_t first) {
-    const std::vector<std::uint32_t> opposite = oppositeEdges(mesh);
     const Eigen::Vector3f normal = triangleNormal(mesh, first);
     const auto least = float(std::cos(faceAngle * std::numbers::pi / 180));
     std::vector<std::uint8_t> seen(mesh.triangles.size());
-    std::vector<std::uint32_t> found{first};
-    seen[first] = 1;
-    for (std::size_t next = 0; next < found.size(); ++next) {
-        for (std::uint32_t edge = 3 * found[next]; edge < 3 * found[next] + 3; ++edge) {
-            const std::uint32_t other = opposite[edge] == noEdge ? first : opposite[edge] / 3;
-            if (seen[other] == 0 && triangleNormal(mesh, other).dot(normal) >= least) {
-                seen[other] = 1;
-                found.push_back(other);
-            }
-        }
-    }
-    return found;
+    return connectedTriangles(
+        oppositeEdges(mesh), first,
+        [&](std::uint32_t other) { return triangleNormal(mesh, other).dot(normal) >= least; },
+        seen);
 }
 
 } // namespace

@@ -296,7 +296,7 @@ void FilmContactTest::placeGivesTheFlatFilmBack() {
     int found = 0;
     for (std::uint32_t triangle = 0; triangle < globe.body.model.mesh.triangles.size();
          ++triangle) {
-        const SurfacePoint middle{triangle, Eigen::Vector3f::Constant(1.0f / 3)};
+        const SurfacePoint middle = middleOf(triangle);
         const Eigen::Vector3f place = position(globe.body.model.mesh, middle);
         const double angle =
             std::atan2(std::hypot(place.x(), place.z()), ballRadius - double(place.y()));
