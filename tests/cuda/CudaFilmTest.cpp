@@ -93,9 +93,13 @@ double clearanceOf(const Ending& end, std::size_t point, const solver::DipSetup&
            setup.settings.contactDistance;
 }
 
-solver::DipSetup growing(solver::DipSetup setup, double rate) {
+// `isHeld`: at its left side.
+solver::DipSetup growing(solver::DipSetup setup, double rate, bool isHeld) {
     setup.settings.growthRate = rate;
     setup.settings.growthLimit = rate > 0 ? 0.2 : 0;
+    if (isHeld) {
+        setup.pinned = pinnedPoints({.leftPinned = true}, setup.film);
+    }
     return setup;
 }
 
@@ -184,20 +188,25 @@ void CudaFilmTest::followsTheCpu_data() {
     QTest::addColumn<QString>("body");
     QTest::addColumn<QString>("preset");
     QTest::addColumn<double>("growth"); // 1/s
+    QTest::addColumn<bool>("held");     // at its left side
     for (const QString& preset : {paper, production}) {
         for (const char* body : {"sphere", "cone", "turtle"}) {
-            QTest::addRow("%s, %s", body, qPrintable(preset)) << QString(body) << preset << 0.0;
+            QTest::addRow("%s, %s", body, qPrintable(preset))
+                << QString(body) << preset << 0.0 << false;
         }
     }
-    QTest::newRow("sphere, growing film") << "sphere" << production << 0.02;
+    QTest::newRow("sphere, growing film") << "sphere" << production << 0.02 << false;
+    QTest::newRow("sphere, growing film held at one side")
+        << "sphere" << production << 0.02 << true;
 }
 
 void CudaFilmTest::followsTheCpu() {
     QFETCH(QString, body);
     QFETCH(QString, preset);
     QFETCH(double, growth);
+    QFETCH(bool, held);
     const Body dipped = bodyNamed(body);
-    const solver::DipSetup setup = growing(wholeDip(dipped, preset), growth);
+    const solver::DipSetup setup = growing(wholeDip(dipped, preset), growth, held);
     const auto onCpu = registry_.module(QStringLiteral("pbd-cpu")).create();
     requireAgreement(dipOnGpu(setup), dip(*onCpu, setup), setup);
 }
@@ -206,9 +215,10 @@ void CudaFilmTest::followsTheReference() {
     QFETCH(QString, body);
     QFETCH(QString, preset);
     QFETCH(double, growth);
+    QFETCH(bool, held);
     const Body dipped = bodyNamed(body);
     const solver::DipSetup setup =
-        growing(coarseDip(dipped, preset, body == QLatin1String("turtle") ? 12 : 30), growth);
+        growing(coarseDip(dipped, preset, body == QLatin1String("turtle") ? 12 : 30), growth, held);
     const Ending exact =
         preset == paper ? plainPaperDip(setup) : dip(*reference::makeReferenceFilm(), setup);
     requireAgreement(dipOnGpu(setup), exact, setup);

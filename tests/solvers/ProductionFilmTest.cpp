@@ -29,6 +29,27 @@ TriangleMesh twoBalls() {
     return both;
 }
 
+// A film of 240 × 80 mm that grows before the body touches it, held at sides of 80 mm: the left, or
+// both. And how long it is then, left to itself.
+solver::DipSetup growingStrip(const Body& body, double relaxationTime, bool isHeldRightToo) {
+    solver::DipSetup setup = squareDip(body, 71, 20);
+    setup.film = {.columns = 121, .rows = 41, .width = 240, .depth = 80};
+    setup.motion.start[1] += 25;
+    setup.settings.relaxationTime = relaxationTime;
+    setup.settings.growthRate = 0.02;
+    setup.settings.growthLimit = 0.2;
+    setup.pinned.assign(setup.film.pointCount(), 0);
+    for (std::size_t row = 0; row < 41; ++row) {
+        setup.pinned[row * 121] = 1;
+        setup.pinned[row * 121 + 120] = isHeldRightToo;
+    }
+    return setup;
+}
+double grownAtTheEnd(const solver::DipSetup& setup) {
+    const double seconds = setup.motion.travel / setup.motion.speed;
+    return 1 + 0.2 * (1 - std::exp(-0.02 * seconds / 0.2));
+}
+
 } // namespace
 
 class ProductionFilmTest : public QObject {
@@ -42,6 +63,8 @@ private slots:
     void filmThatDoesNotGrowIsTheSameToTheBit();
     void nothingMovesBeforeContact();
     void growsAboutItsMiddleBeforeContact();
+    void filmHeldAtOneSideGrowsAwayFromIt();
+    void filmHeldAtTwoSidesGrowsAcross();
     void pinnedEdgesHold();
     void aSmallFirstContactDoesNotSpinTheFilm();
     void doesNotHoldPastTheOverhang();
@@ -137,6 +160,47 @@ void ProductionFilmTest::growsAboutItsMiddleBeforeContact() {
                                        setup.film.restZ(int(point / 71)));
             QVERIFY((ending.at(point) - grown * rest).norm() < 0.01);
         }
+    }
+}
+
+// Far from the side that holds it, film is as long and as wide as if it were free; it has gone away
+// from there.
+void ProductionFilmTest::filmHeldAtOneSideGrowsAwayFromIt() {
+    const Body body = bodyOf(sphereMesh(15, 64, 128));
+    for (const double relaxationTime : {0.0, 2.0, std::numeric_limits<double>::infinity()}) {
+        const solver::DipSetup setup = growingStrip(body, relaxationTime, false);
+        const Ending ending = dipOnCpu(setup);
+        const double grown = grownAtTheEnd(setup);
+        const std::size_t middle = 20 * 121;
+        QVERIFY(grown > 1.05);
+        QVERIFY(std::abs((ending.at(middle + 120).x() - ending.at(middle + 90).x()) / 60 - grown) <
+                1e-4);
+        QVERIFY(std::abs((ending.at(40 * 121 + 105).z() - ending.at(105).z()) / 80 - grown) < 1e-4);
+        for (std::size_t row = 0; row < 41; ++row) {
+            QVERIFY(std::abs(ending.at(row * 121).x() + 120) < 1e-4);
+        }
+    }
+}
+
+// Between both it is pushed together along and grows the more across: nothing pulls at it there, so
+// that, g times as long if it were free, elastic film is (4g − λx)/3 times as wide, and viscous
+// film (g⁴/λx)^(1/3) times (docs/film-model.md, "Closed forms": the lying cylinder, where λx is 1).
+void ProductionFilmTest::filmHeldAtTwoSidesGrowsAcross() {
+    const Body body = bodyOf(sphereMesh(15, 64, 128));
+    for (const double relaxationTime : {0.0, std::numeric_limits<double>::infinity()}) {
+        const solver::DipSetup setup = growingStrip(body, relaxationTime, true);
+        const Ending ending = dipOnCpu(setup);
+        const double grown = grownAtTheEnd(setup);
+        const std::size_t middle = 20 * 121 + 60;
+        const double along = (ending.at(middle + 5).x() - ending.at(middle - 5).x()) / 20;
+        const double width = (ending.at(40 * 121 + 60).z() - ending.at(60).z()) / 80;
+        const double expected =
+            relaxationTime == 0 ? std::cbrt(std::pow(grown, 4) / along) : (4 * grown - along) / 3;
+        qInfo("relaxation %g s: %.6f along, %.6f across for %.6f", relaxationTime, along, width,
+              expected);
+        QVERIFY(std::abs(along - 1) < 0.01);
+        QVERIFY(std::abs(width - expected) < 2e-4);
+        QVERIFY(std::abs(ending.at(middle).x()) < 1e-3);
     }
 }
 

@@ -30,21 +30,27 @@ private slots:
 void ProductionReferenceTest::followsTheReference_data() {
     QTest::addColumn<int>("which");
     QTest::addColumn<double>("growth"); // 1/s
-    QTest::newRow("sphere") << 0 << 0.0;
-    QTest::newRow("cone") << 1 << 0.0;
-    QTest::newRow("turtle") << 2 << 0.0;
-    QTest::newRow("sphere, growing film") << 0 << 0.02;
+    QTest::addColumn<bool>("held");
+    QTest::newRow("sphere") << 0 << 0.0 << false;
+    QTest::newRow("cone") << 1 << 0.0 << false;
+    QTest::newRow("turtle") << 2 << 0.0 << false;
+    QTest::newRow("sphere, growing film") << 0 << 0.02 << false;
+    QTest::newRow("sphere, growing film held at one side") << 0 << 0.02 << true;
 }
 
 void ProductionReferenceTest::followsTheReference() {
     QFETCH(int, which);
     QFETCH(double, growth);
+    QFETCH(bool, held);
     const Body body = which == 0   ? bodyOf(sphereMesh(35, 128, 256))
                       : which == 1 ? bodyOf(coneMesh(pi / 4, 40, 256))
                                    : turtle();
     solver::DipSetup setup = squareDip(body, 61, which == 2 ? 12 : 30);
     setup.settings.growthRate = growth;
     setup.settings.growthLimit = 0.2;
+    if (held) {
+        setup.pinned = pinnedPoints({.leftPinned = true}, setup.film);
+    }
     const Ending fast = dipOnCpu(setup);
     const Ending exact = dip(*reference::makeReferenceFilm(), setup);
     int differing = 0;

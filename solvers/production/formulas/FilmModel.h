@@ -65,6 +65,18 @@ FilmLineValues<Real> rowsOf(const solver::FilmGrid& film) {
         [&](int line) { return film.spacingZ(line); });
 }
 
+// How film that nothing has touched grows along one axis: about a place, mm, as if it were free
+// there, or not at all. From its middle where neither side is held, from the one that is.
+struct GrowthOrigin {
+    double place = 0;
+    bool isAny = true;
+};
+
+// Of a film `length` long: which of its two sides are held.
+inline GrowthOrigin growthOrigin(double length, bool isFirstHeld, bool isLastHeld) {
+    return {isFirstHeld ? -length / 2 : isLastHeld ? length / 2 : 0, !(isFirstHeld && isLastHeld)};
+}
+
 // What all steps of a dip have in common.
 template <typename Real>
 struct FilmModel {
@@ -75,7 +87,7 @@ struct FilmModel {
     FilmLines<Real> alongX, alongZ;
     double contactTravel = 0, residual = 0, tearStretch = 0, relaxationTime = 0; // as in Settings
     double growthRate = 0, growthLimit = 0;
-    bool isFree = true;        // no point of it is held where it rests
+    GrowthOrigin alongXFrom, alongZFrom;
     Real gatheredResistance{}; // PlaneStress.h
 };
 
@@ -103,7 +115,16 @@ FilmModel<Real> filmModel(const solver::DipSetup& setup, const FilmLines<Real>& 
     model.relaxationTime = setup.settings.relaxationTime;
     model.growthRate = setup.settings.growthRate;
     model.growthLimit = setup.settings.growthLimit;
-    model.isFree = std::ranges::none_of(setup.pinned, [](auto isPinned) { return isPinned != 0; });
+    // A side is held that is held in its middle.
+    const auto isHeld = [&](int column, int row) {
+        return !setup.pinned.empty() &&
+               setup.pinned[std::size_t(row) * std::size_t(film.columns) + std::size_t(column)] !=
+                   0;
+    };
+    model.alongXFrom =
+        growthOrigin(film.width, isHeld(0, film.rows / 2), isHeld(film.columns - 1, film.rows / 2));
+    model.alongZFrom = growthOrigin(film.depth, isHeld(film.columns / 2, 0),
+                                    isHeld(film.columns / 2, film.rows - 1));
     model.gatheredResistance = Real(gatheredResistance(setup.settings.gatheringStretch));
     return model;
 }

@@ -306,26 +306,29 @@ DIPWRIGHT_TEAM inline void growTo(Film& film, double grown) {
     film.state().grown = grown;
 }
 
-// Where `way` leads in a free film that has grown about its middle by `share` of its rest.
+// Where `way` leads in a film that has grown by `share` of its rest, as if nothing touched it.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline Vector2<Real> grownAboutMiddle(const FilmModel<Real>& model, int point,
-                                                            const Vector2<Real>& way, Real share) {
+DIPWRIGHT_HOST_DEVICE inline Vector2<Real> grownFreely(const FilmModel<Real>& model, int point,
+                                                       const Vector2<Real>& way, Real share) {
     const Vector3<Real> rest = planePosition(model, std::uint32_t(point), Vector2<Real>{});
-    return {way.x + share * rest.x, way.z + share * rest.z};
+    const auto grown = [share](const GrowthOrigin& from, Real now, Real place) {
+        return from.isAny ? now + share * (place - Real(from.place)) : now;
+    };
+    return {grown(model.alongXFrom, way.x, rest.x), grown(model.alongZFrom, way.z, rest.z)};
 }
 
-// As long as nothing has touched it, a free film that grows lies so; and the water drags at film
-// that moves otherwise.
+// As long as nothing has touched it, a film that grows lies so, but near a side that is held; and
+// the water drags at film that moves otherwise.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline void growAboutMiddle(Film& film, double share) {
+DIPWRIGHT_TEAM inline void growFreely(Film& film, double share) {
     using Real = typename Film::Real;
     const bool isUntouched = !film.state().anyAdhered;
     film.forPoints([&](int point) {
         const auto grown = [&](const Vector2<Real>& way) {
-            return grownAboutMiddle(film.model(), point, way, Real(share));
+            return grownFreely(film.model(), point, way, Real(share));
         };
         film.setBefore(point, grown(film.before(point)));
-        if (isUntouched) {
+        if (isUntouched && film.moves(point)) {
             film.setDisplacement(point, grown(film.displacement(point)));
         }
     });
@@ -336,8 +339,7 @@ template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void restoreBefore(Film& film, double share) {
     using Real = typename Film::Real;
     film.forPoints([&](int point) {
-        film.setBefore(point,
-                       grownAboutMiddle(film.model(), point, film.before(point), Real(-share)));
+        film.setBefore(point, grownFreely(film.model(), point, film.before(point), Real(-share)));
     });
 }
 
@@ -428,12 +430,12 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
     const double end = dip.descent + increment;
     detail::predict(film, increment);
     const double grown = detail::grownIn(film, increment);
-    const double drift = model.isFree ? grown - dip.grown : 0;
+    const double drift = grown - dip.grown;
     if (grown > dip.grown) {
         detail::growTo(film, grown);
     }
     if (drift > 0) {
-        detail::growAboutMiddle(film, drift);
+        detail::growFreely(film, drift);
     }
     film.barrier();
     bool hasLost = false;
