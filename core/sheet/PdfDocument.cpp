@@ -1,14 +1,9 @@
 #include "sheet/PdfDocument.h"
 
 #include "base/Error.h"
-#include "base/ProgramName.h"
-#include "base/Units.h"
+#include "sheet/DrawnPdf.h"
 
-#include <QBuffer>
 #include <QColorSpace>
-#include <QPageLayout>
-#include <QPdfWriter>
-#include <cmath>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
 #include <qpdf/QPDFWriter.hh>
@@ -16,47 +11,11 @@
 namespace dipwright {
 namespace {
 
-constexpr int dotsPerInch = 1200; // of the drawing's coordinates; images keep their own
-
-double points(double millimetres) {
-    return millimetres / millimetresPerInch * 72;
-}
-
-// Qt rounds pages to whole points; room for all of the page now, the exact box by qpdf.
-QPageLayout roomFor(QSizeF page) {
-    const QSizeF size(std::ceil(points(page.width())), std::ceil(points(page.height())));
-    return {QPageSize(size, QPageSize::Point, QString(), QPageSize::ExactMatch),
-            QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)};
-}
-
-QByteArray drawnPdf(const std::vector<PdfPage>& pages, const PdfSettings& settings) {
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    QPdfWriter writer(&buffer);
-    writer.setResolution(dotsPerInch);
-    writer.setTitle(settings.title);
-    writer.setCreator(QStringLiteral("Dipwright ") + programVersion());
-    writer.setPageLayout(roomFor(pages.front().size));
-    QPainter painter(&writer);
-    for (const PdfPage& page : pages) {
-        if (&page != &pages.front()) {
-            writer.setPageLayout(roomFor(page.size));
-            writer.newPage();
-        }
-        const double unit = dotsPerInch / millimetresPerInch;
-        painter.resetTransform();
-        painter.scale(unit, unit);
-        page.paint(painter);
-    }
-    painter.end();
-    return buffer.data();
-}
-
-// The box is measured from Qt's upper left corner, where the drawing starts.
+// The box is measured from Qt's upper left corner, where the drawing starts; in points.
 void setExactBox(QPDFObjectHandle page, QSizeF size) {
     const double top = page.getKey("/MediaBox").getArrayAsRectangle().ury;
     page.replaceKey("/MediaBox", QPDFObjectHandle::newFromRectangle(
-                                     {0, top - points(size.height()), points(size.width()), top}));
+                                     {0, top - size.height(), size.width(), top}));
 }
 
 void addOutputIntent(QPDF& pdf, const PdfSettings& settings) {
@@ -90,12 +49,12 @@ QByteArray written(QPDF& pdf) {
 } // namespace
 
 QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings) {
-    const QByteArray drawn = drawnPdf(pages, settings);
+    const QByteArray drawn = drawnPdf(pages, settings.title);
     QPDF pdf;
     pdf.processMemoryFile("drawn.pdf", drawn.constData(), std::size_t(drawn.size()));
     const std::vector<QPDFPageObjectHelper> drawnPages = QPDFPageDocumentHelper(pdf).getAllPages();
     for (std::size_t i = 0; i < pages.size(); ++i) {
-        setExactBox(drawnPages.at(i).getObjectHandle(), pages[i].size);
+        setExactBox(drawnPages.at(i).getObjectHandle(), inPoints(pages[i].size));
     }
     addOutputIntent(pdf, settings);
     pdf.getRoot().replaceKey("/ViewerPreferences",
