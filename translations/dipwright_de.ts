@@ -142,6 +142,10 @@
         <source>%1, %2 to %3 in place of %4: the sheet moves by up to %5 (95 % of it), %6 % of what is painted by more than %7, and %8 % is not painted any more.</source>
         <translation>%1, %2 bis %3 statt %4: Der Bogen verschiebt sich um bis zu %5 (95 % von ihm), %6 % der bemalten Fläche um mehr als %7, und %8 % werden nicht mehr bemalt.</translation>
     </message>
+    <message>
+        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); set a cell size below %2 for the film, turn the body, or dip it in two immersions.</source>
+        <translation>Der Bogen kann aus numerischen Gründen um bis zu %1 daneben liegen (95 % von ihm); stellen Sie für den Film eine Zellengröße unter %2 ein, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+    </message>
 </context>
 <context>
     <name>CertaintyPanel</name>
@@ -266,10 +270,6 @@
         <translation>Der Löser ist mit einer unbekannten Ausnahme gescheitert</translation>
     </message>
     <message>
-        <source>The body does not meet the film; move it over the film, choose a larger film, or give the film more points</source>
-        <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film, wählen Sie einen größeren Film oder geben Sie dem Film mehr Punkte</translation>
-    </message>
-    <message>
         <source>With these cells the film would have %1 million points, and it may have %2; give it larger cells</source>
         <translation>Mit diesen Zellen hätte die Folie %1 Millionen Punkte, und sie darf %2 haben; geben Sie ihr größere Zellen</translation>
     </message>
@@ -296,6 +296,10 @@
     <message>
         <source>%1, %2 % of what is painted, depend on marked film. %3.</source>
         <translation>%1, %2 % der bemalten Fläche, hängen von markiertem Film ab. %3.</translation>
+    </message>
+    <message>
+        <source>The body does not meet the film; move it over the film, choose a larger film, or give the film smaller cells or more points</source>
+        <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film, wählen Sie einen größeren Film oder geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
     </message>
 </context>
 <context>
@@ -554,10 +558,6 @@
         <translation>%1: Der Körper reicht über den Rand des Films hinaus</translation>
     </message>
     <message>
-        <source>%1: the film&apos;s cells are coarse for this body, give the film more points</source>
-        <translation>%1: Die Zellen des Films sind grob für diesen Körper; geben Sie dem Film mehr Punkte</translation>
-    </message>
-    <message>
         <source>The CPU takes over from %1: %2</source>
         <translation>Die CPU übernimmt für %1: %2</translation>
     </message>
@@ -594,10 +594,6 @@
         <translation>Bögen werden verglichen</translation>
     </message>
     <message>
-        <source>The body is smaller than the film&apos;s cells; give the film more points, or check the model&apos;s unit</source>
-        <translation>Der Körper ist kleiner als die Zellen des Films; geben Sie dem Film mehr Punkte oder prüfen Sie die Einheit des Modells</translation>
-    </message>
-    <message>
         <source>Writing the proof</source>
         <translation>Vorschau wird geschrieben</translation>
     </message>
@@ -608,10 +604,6 @@
     <message>
         <source>Reversing the texture</source>
         <translation>Textur wird umgekehrt</translation>
-    </message>
-    <message>
-        <source>With a law varied the film does not follow the body; give the film more points</source>
-        <translation>Mit einem veränderten Gesetz folgt der Film dem Körper nicht; geben Sie dem Film mehr Punkte</translation>
     </message>
     <message>
         <source>Varying the laws</source>
@@ -628,6 +620,18 @@
     <message>
         <source>Writing the motion</source>
         <translation>Bewegung wird geschrieben</translation>
+    </message>
+    <message>
+        <source>With a law varied the film does not follow the body; give the film smaller cells or more points</source>
+        <translation>Mit einem veränderten Gesetz folgt der Film dem Körper nicht; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
+    </message>
+    <message>
+        <source>The body is smaller than the film&apos;s cells; give the film smaller cells or more points, or check the model&apos;s unit</source>
+        <translation>Der Körper ist kleiner als die Zellen des Films; geben Sie dem Film kleinere Zellen oder mehr Punkte, oder prüfen Sie die Einheit des Modells</translation>
+    </message>
+    <message>
+        <source>%1: the film&apos;s cells are coarse for this body, give the film smaller cells or more points</source>
+        <translation>%1: Die Zellen des Films sind grob für diesen Körper; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
     </message>
 </context>
 <context>
@@ -2711,12 +2715,12 @@
         <translation>%1: dieser Bogen ist verlässlich. 95 % davon verschieben sich um %2 oder weniger, wenn feiner gerechnet wird.</translation>
     </message>
     <message>
-        <source>%1: this sheet is not certain. 95 % of it moves by up to %2 when it is computed more finely; give the film more points, turn the body, or dip it in two immersions.</source>
-        <translation>%1: dieser Bogen ist nicht verlässlich. 95 % davon verschieben sich um bis zu %2, wenn feiner gerechnet wird; geben Sie dem Film mehr Punkte, drehen Sie den Körper oder tauchen Sie ihn in zwei Tauchgängen.</translation>
-    </message>
-    <message>
         <source>These are the figures of the project as it was before the last changes.</source>
         <translation>Dies sind die Zahlen des Projekts, wie es vor den letzten Änderungen war.</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is not certain. 95 % of it moves by up to %2 when it is computed more finely; give the film smaller cells or more points, turn the body, or dip it in two immersions.</source>
+        <translation>%1: dieser Bogen ist nicht verlässlich. 95 % davon verschieben sich um bis zu %2, wenn feiner gerechnet wird; geben Sie dem Film kleinere Zellen oder mehr Punkte, drehen Sie den Körper oder tauchen Sie ihn in zwei Tauchgängen.</translation>
     </message>
 </context>
 <context>

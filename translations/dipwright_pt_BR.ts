@@ -142,6 +142,10 @@
         <source>%1, %2 to %3 in place of %4: the sheet moves by up to %5 (95 % of it), %6 % of what is painted by more than %7, and %8 % is not painted any more.</source>
         <translation>%1, %2 a %3 em vez de %4: a folha se desloca em até %5 (95 % dela), %6 % do que é pintado em mais de %7, e %8 % deixam de ser pintados.</translation>
     </message>
+    <message>
+        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); set a cell size below %2 for the film, turn the body, or dip it in two immersions.</source>
+        <translation>A folha pode desviar até %1 por razões numéricas (95 % dela); defina para o filme um tamanho de células abaixo de %2, gire o corpo ou mergulhe-o em duas imersões.</translation>
+    </message>
 </context>
 <context>
     <name>CertaintyPanel</name>
@@ -266,10 +270,6 @@
         <translation>O solucionador falhou com uma exceção desconhecida</translation>
     </message>
     <message>
-        <source>The body does not meet the film; move it over the film, choose a larger film, or give the film more points</source>
-        <translation>O corpo não encontra o filme; mova-o sobre o filme, escolha um filme maior ou dê mais pontos ao filme</translation>
-    </message>
-    <message>
         <source>With these cells the film would have %1 million points, and it may have %2; give it larger cells</source>
         <translation>Com estas células o filme teria %1 milhões de pontos, e pode ter %2; dê-lhe células maiores</translation>
     </message>
@@ -296,6 +296,10 @@
     <message>
         <source>%1, %2 % of what is painted, depend on marked film. %3.</source>
         <translation>%1, %2 % do que é pintado, dependem de filme marcado. %3.</translation>
+    </message>
+    <message>
+        <source>The body does not meet the film; move it over the film, choose a larger film, or give the film smaller cells or more points</source>
+        <translation>O corpo não encontra o filme; mova-o sobre o filme, escolha um filme maior ou dê ao filme células menores ou mais pontos</translation>
     </message>
 </context>
 <context>
@@ -554,10 +558,6 @@
         <translation>%1: o corpo ultrapassa a borda do filme</translation>
     </message>
     <message>
-        <source>%1: the film&apos;s cells are coarse for this body, give the film more points</source>
-        <translation>%1: as células do filme são grossas para este corpo; dê mais pontos ao filme</translation>
-    </message>
-    <message>
         <source>The CPU takes over from %1: %2</source>
         <translation>A CPU assume o lugar de %1: %2</translation>
     </message>
@@ -594,10 +594,6 @@
         <translation>Comparando as folhas</translation>
     </message>
     <message>
-        <source>The body is smaller than the film&apos;s cells; give the film more points, or check the model&apos;s unit</source>
-        <translation>O corpo é menor que as células do filme; dê mais pontos ao filme ou verifique a unidade do modelo</translation>
-    </message>
-    <message>
         <source>Writing the proof</source>
         <translation>Gravando a prova</translation>
     </message>
@@ -608,10 +604,6 @@
     <message>
         <source>Reversing the texture</source>
         <translation>Revertendo a textura</translation>
-    </message>
-    <message>
-        <source>With a law varied the film does not follow the body; give the film more points</source>
-        <translation>Com uma lei variada o filme não acompanha o corpo; dê mais pontos ao filme</translation>
     </message>
     <message>
         <source>Varying the laws</source>
@@ -628,6 +620,18 @@
     <message>
         <source>Writing the motion</source>
         <translation>Gravando o movimento</translation>
+    </message>
+    <message>
+        <source>With a law varied the film does not follow the body; give the film smaller cells or more points</source>
+        <translation>Com uma lei variada o filme não acompanha o corpo; dê ao filme células menores ou mais pontos</translation>
+    </message>
+    <message>
+        <source>The body is smaller than the film&apos;s cells; give the film smaller cells or more points, or check the model&apos;s unit</source>
+        <translation>O corpo é menor que as células do filme; dê ao filme células menores ou mais pontos, ou verifique a unidade do modelo</translation>
+    </message>
+    <message>
+        <source>%1: the film&apos;s cells are coarse for this body, give the film smaller cells or more points</source>
+        <translation>%1: as células do filme são grossas para este corpo; dê ao filme células menores ou mais pontos</translation>
     </message>
 </context>
 <context>
@@ -2711,12 +2715,12 @@
         <translation>%1: esta folha é confiável. 95 % dela deslocam-se %2 ou menos quando é calculada com mais finura.</translation>
     </message>
     <message>
-        <source>%1: this sheet is not certain. 95 % of it moves by up to %2 when it is computed more finely; give the film more points, turn the body, or dip it in two immersions.</source>
-        <translation>%1: esta folha não é confiável. 95 % dela deslocam-se até %2 quando é calculada com mais finura; dê mais pontos ao filme, gire o corpo ou mergulhe-o em duas imersões.</translation>
-    </message>
-    <message>
         <source>These are the figures of the project as it was before the last changes.</source>
         <translation>Estes são os números do projeto como era antes das últimas mudanças.</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is not certain. 95 % of it moves by up to %2 when it is computed more finely; give the film smaller cells or more points, turn the body, or dip it in two immersions.</source>
+        <translation>%1: esta folha não é confiável. 95 % dela deslocam-se até %2 quando é calculada com mais finura; dê ao filme células menores ou mais pontos, gire o corpo ou mergulhe-o em duas imersões.</translation>
     </message>
 </context>
 <context>

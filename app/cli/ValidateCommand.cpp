@@ -89,8 +89,9 @@ void printCertainty(const std::vector<ImmersionCertainty>& certainty, QTextStrea
         printWarnings(one.notes, out);
         if (!isCertain(one)) {
             out << "warning: " << one.immersion.name
-                << ": this sheet is not certain; give the film more points, turn the body, or dip "
-                   "it in two immersions\n";
+                << ": this sheet is not certain; give the film smaller cells or more points, turn "
+                   "the "
+                   "body, or dip it in two immersions\n";
         }
     }
 }

@@ -129,7 +129,13 @@ struct Objections {
     }
 };
 
-void objectToEstimate(Objections& found, const CertaintyEstimate& estimate, double farShare) {
+// What the user may make smaller of a film whose cells are not told by its points, mm; else 0.
+double gradedCell(const solver::FilmGrid& grid) {
+    return grid.columnPlaces.empty() ? 0 : grid.leastSpacing();
+}
+
+void objectToEstimate(Objections& found, const CertaintyEstimate& estimate, double farShare,
+                      double cell) {
     const SheetChange spacing = estimate.halfSpacing();
     const SheetChange step = estimate.halfStep();
     const double offBy = estimate.offBy.percentile95;
@@ -139,7 +145,8 @@ void objectToEstimate(Objections& found, const CertaintyEstimate& estimate, doub
         return;
     }
     if (offBy > farOff || spacing.distance.percentile95 > certainHalfSpacing) {
-        found.add(offBy > farOff ? Advice::DoNotPrint : Advice::LookFirst, {Kind::OffBy, offBy});
+        found.add(offBy > farOff ? Advice::DoNotPrint : Advice::LookFirst,
+                  {Kind::OffBy, offBy, {}, cell});
     }
     if (once > certainPaintedOnce) {
         found.add(once > spoiltPaintedOnce ? Advice::DoNotPrint : Advice::LookFirst,
@@ -154,17 +161,18 @@ void objectToEstimate(Objections& found, const CertaintyEstimate& estimate, doub
 }
 
 // `estimate` null: none was asked for.
-Objections objections(const solver::EquilibriumAccount& account, const CertaintyEstimate* estimate,
-                      double farShare) {
+Objections objections(const DippedFilm& film, const CertaintyEstimate* estimate, double farShare) {
     Objections found;
     if (estimate && estimate->failure.isEmpty()) {
-        objectToEstimate(found, *estimate, farShare);
+        objectToEstimate(found, *estimate, farShare, gradedCell(film.grid));
     } else if (estimate) {
         found.add(Advice::LookFirst, {Kind::NotCompared, 0, estimate->failure});
     }
-    if (account.stepsWithout > 0) {
-        found.add(Advice::LookFirst,
-                  {Kind::Unbalanced, double(account.stepsWithout), {}, account.worstForceLeft});
+    if (film.equilibrium.stepsWithout > 0) {
+        found.add(Advice::LookFirst, {Kind::Unbalanced,
+                                      double(film.equilibrium.stepsWithout),
+                                      {},
+                                      film.equilibrium.worstForceLeft});
     }
     return found;
 }
@@ -178,7 +186,7 @@ QString percent(double share) {
 Verdict verdict(const LaidFilm& own, const CertaintyEstimate* estimate) {
     const OffByAreas areas(own, estimate ? estimate->pointsOffBy : std::vector<float>());
     const double farShare = areas.painted > 0 ? areas.far / areas.painted : 0;
-    Objections found = objections(own.film().equilibrium, estimate, farShare);
+    Objections found = objections(own.film(), estimate, farShare);
     std::vector<VerdictReason>& reasons = found.reasons;
     if (!estimate) {
         found.advice = Advice::NotJudged;
@@ -219,6 +227,12 @@ QString reasonText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("95 % of the sheet is off by %1 or less for numerical reasons.")
             .arg(length(reason.value));
     case Kind::OffBy:
+        if (reason.most > 0) {
+            return Text::tr("The sheet may be off by up to %1 for numerical reasons (95 % of it); "
+                            "set a cell size below %2 for the film, turn the body, or dip it in "
+                            "two immersions.")
+                .arg(length(reason.value), length(reason.most));
+        }
         return Text::tr("The sheet may be off by up to %1 for numerical reasons (95 % of it); give "
                         "the film more points, turn the body, or dip it in two immersions.")
             .arg(length(reason.value));

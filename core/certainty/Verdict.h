@@ -16,7 +16,8 @@ struct VerdictReason {
         NotCompared, // nothing could be compared: `text` says why
         NothingPaints,
         Certain,      // 95 % of it may be off by `value` mm at most
-        OffBy,        // 95 % of it may be off by `value` mm
+        OffBy,        // 95 % of it may be off by `value` mm; `most` the cell over the body of a
+                      // graded film, mm, 0 of one of evenly spaced points
         FarOffPlaces, // `value` of the painted area may be off by more than farOff
         Step,         // 95 % of it is expected to move by `value` mm with half the step
         Border,       // `value` of the body is painted by one of the dips only

@@ -31,7 +31,7 @@ Error missedFilm(const Immersion& immersion) {
     return {
         Text::tr(
             "The body does not meet the film; move it over the film, choose a larger film, or give "
-            "the film more points"),
+            "the film smaller cells or more points"),
         immersion.name};
 }
 

@@ -67,7 +67,7 @@ std::vector<LawChange> lawChanges(const Project& project, const Immersion& immer
         DippedFilm film = dippedFilm(dips[dip], immersion);
         if (!isStable(film, dips[dip].setup.motion.travel)) {
             throw Error(Text::tr("With a law varied the film does not follow the body; give the "
-                                 "film more points"),
+                                 "film smaller cells or more points"),
                         changes[dip / 2].setting);
         }
         return layFilm(body, std::move(film), jobs[dip].process);

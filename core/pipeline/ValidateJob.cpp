@@ -47,13 +47,13 @@ void checkImmersion(const Project& project, const Immersion& immersion, const Su
     }
     if (body.sizes().maxCoeff() < grid.leastSpacingX()) {
         throw Error(
-            Text::tr("The body is smaller than the film's cells; give the film more points, "
-                     "or check the model's unit"),
+            Text::tr("The body is smaller than the film's cells; give the film smaller cells "
+                     "or more points, or check the model's unit"),
             immersion.name);
     }
     if (body.sizes().minCoeff() < cellsAcrossBody * grid.leastSpacingX()) {
         warnings.append(Text::tr("%1: the film's cells are coarse for this body, give the film "
-                                 "more points")
+                                 "smaller cells or more points")
                             .arg(immersion.name));
     }
 }

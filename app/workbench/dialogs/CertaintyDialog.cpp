@@ -101,8 +101,8 @@ QString certaintyVerdict(const ImmersionCertainty& certainty, LengthUnit unit) {
                                      "when it is computed more finely.")
                      .arg(name, distance)
                : CertaintyDialog::tr("%1: this sheet is not certain. 95 % of it moves by up to %2 "
-                                     "when it is computed more finely; give the film more points, "
-                                     "turn the body, or dip it in two immersions.")
+                                     "when it is computed more finely; give the film smaller cells "
+                                     "or more points, turn the body, or dip it in two immersions.")
                      .arg(name, distance);
 }
 

@@ -12,9 +12,15 @@ namespace {
 
 const Eigen::Vector3d boxSize(40, 30, 40);
 
-std::shared_ptr<const LaidFilm> filmWith(const solver::EquilibriumAccount& account) {
+// `isGraded`: its lines are told one by one, 1 mm apart, as those of automatic cells are.
+std::shared_ptr<const LaidFilm> filmWith(const solver::EquilibriumAccount& account,
+                                         bool isGraded = false) {
     DippedFilm film = test::flatUnderBox({61, 61, 60, 60}, boxSize);
     film.equilibrium = account;
+    for (int line = 0; isGraded && line < 61; ++line) {
+        film.grid.columnPlaces.push_back(line - 30);
+        film.grid.rowPlaces.push_back(line - 30);
+    }
     return test::laid(test::plainModel(boxMesh(boxSize), Qt::gray), film);
 }
 
@@ -40,6 +46,17 @@ private slots:
         const Verdict judged = verdict(*laid, &estimate);
         QCOMPARE(judged.advice, Advice::LookFirst);
         QCOMPARE(mentions(judged), qsizetype(1));
+    }
+
+    void aFilmThatIsTooCoarseIsToldWhatCanBeSet() {
+        for (const bool isGraded : {false, true}) {
+            const auto laid = filmWith({}, isGraded);
+            CertaintyEstimate estimate = agreement(*laid);
+            estimate.offBy.percentile95 = 2;
+            const QString line = verdictText(QStringLiteral("Top"), verdict(*laid, &estimate));
+            QCOMPARE(line.contains(QStringLiteral("more points")), !isGraded);
+            QCOMPARE(line.contains(QStringLiteral("set a cell size below 1.00 mm")), isGraded);
+        }
     }
 
     void theyAreToldOfSheetsThatNobodyAskedAboutToo() {
