@@ -53,6 +53,17 @@
     </message>
 </context>
 <context>
+    <name>BodyDress</name>
+    <message>
+        <source>Painted</source>
+        <translation>Gefärbt</translation>
+    </message>
+    <message>
+        <source>Not painted</source>
+        <translation>Nicht gefärbt</translation>
+    </message>
+</context>
+<context>
     <name>Certainty</name>
     <message>
         <source>the film has too few points to be compared with one of half as many</source>
@@ -353,6 +364,10 @@
         <source>Remove Immersion</source>
         <translation>Tauchgang entfernen</translation>
     </message>
+    <message>
+        <source>Swap Immersions</source>
+        <translation>Tauchgänge tauschen</translation>
+    </message>
 </context>
 <context>
     <name>ModelImport</name>
@@ -632,6 +647,14 @@
     <message>
         <source>%1: the film&apos;s cells are coarse for this body, give the film smaller cells or more points</source>
         <translation>%1: Die Zellen des Films sind grob für diesen Körper; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
+    </message>
+    <message>
+        <source>%1 is better dipped after %2: along the join its film is drawn out %3 times and that of %2 %4 times, and the last film lies off so many times as far on the body as on the water</source>
+        <translation>%1 wird besser nach %2 getaucht: längs der Fuge ist sein Film auf das %3-fache gedehnt und der von %2 auf das %4-fache, und der letzte Film liegt auf dem Körper um so viel mehr daneben als auf dem Wasser</translation>
+    </message>
+    <message>
+        <source>Writing who paints what</source>
+        <translation>Schreibe, wer was färbt</translation>
     </message>
 </context>
 <context>
@@ -2363,6 +2386,13 @@
     </message>
 </context>
 <context>
+    <name>dipwright::BodyPrinter</name>
+    <message>
+        <source>Printing the body</source>
+        <translation>Bedrucke den Körper</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::BodyShare</name>
     <message>
         <source>Sharing out the body</source>
@@ -2755,29 +2785,6 @@
     <message>
         <source>The results are out of date: they were made before the last changes.</source>
         <translation>Die Ergebnisse sind veraltet: Sie entstanden vor den letzten Änderungen.</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::DipScene</name>
-    <message>
-        <source>Painted</source>
-        <translation>Bemalt</translation>
-    </message>
-    <message>
-        <source>Not painted</source>
-        <translation>Nicht bemalt</translation>
-    </message>
-    <message>
-        <source>%1: %2 mm², %3 %</source>
-        <translation>%1: %2 mm², %3 %</translation>
-    </message>
-    <message>
-        <source>Both, along the join</source>
-        <translation>Beide, längs der Fuge</translation>
-    </message>
-    <message>
-        <source>Not reached</source>
-        <translation>Nicht erreicht</translation>
     </message>
 </context>
 <context>
@@ -3352,10 +3359,6 @@
         <translation>Lässt die Fuge dort laufen</translation>
     </message>
     <message>
-        <source>What a click on the body in the view marks there. Give a place to the other dip to move the join. With Run Live the join follows at once.</source>
-        <translation>Was ein Klick auf den Körper in der Ansicht dort markiert. Geben Sie eine Stelle dem anderen Tauchgang, um die Fuge zu verschieben. Wird laufend gerechnet, folgt die Fuge sofort.</translation>
-    </message>
-    <message>
         <source>Radius</source>
         <translation>Radius</translation>
     </message>
@@ -3378,6 +3381,10 @@
     <message>
         <source>Marks on the body: %1</source>
         <translation>Marken auf dem Körper: %1</translation>
+    </message>
+    <message>
+        <source>What a click or a drag on the body in the view marks there. Give places to the other dip to move the join. With Run Live the join follows at once.</source>
+        <translation>Was ein Klick oder ein Zug auf dem Körper in der Ansicht dort markiert. Geben Sie Stellen dem anderen Tauchgang, um die Fuge zu verschieben. Mit „Mitlaufen“ folgt die Fuge sofort.</translation>
     </message>
 </context>
 <context>
@@ -3996,6 +4003,69 @@
     </message>
 </context>
 <context>
+    <name>dipwright::PrintFields</name>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>Shift X</source>
+        <translation>Versatz X</translation>
+    </message>
+    <message>
+        <source>How far the second film lies off along X.</source>
+        <translation>Wie weit der zweite Film längs X daneben liegt.</translation>
+    </message>
+    <message>
+        <source>Shift Z</source>
+        <translation>Versatz Z</translation>
+    </message>
+    <message>
+        <source>How far it lies off along Z.</source>
+        <translation>Wie weit er längs Z daneben liegt.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>How far it is turned, from X to Z.</source>
+        <translation>Wie weit er gedreht ist, von X nach Z.</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Quellung</translation>
+    </message>
+    <message>
+        <source>How much more it has grown than the sheet reckons with.</source>
+        <translation>Wie viel mehr er gewachsen ist, als der Bogen annimmt.</translation>
+    </message>
+    <message>
+        <source>Less deep</source>
+        <translation>Weniger tief</translation>
+    </message>
+    <message>
+        <source>How much less deep the body is dipped: what stays over the water gets no ink.</source>
+        <translation>Wie viel weniger tief der Körper getaucht wird: Was über dem Wasser bleibt, bekommt keine Farbe.</translation>
+    </message>
+    <message>
+        <source>In its Place</source>
+        <translation>An seinen Platz</translation>
+    </message>
+    <message>
+        <source>The second film where it belongs.</source>
+        <translation>Der zweite Film dort, wo er hingehört.</translation>
+    </message>
+    <message>
+        <source>After %1 and %2</source>
+        <translation>Nach %1 und %2</translation>
+    </message>
+    <message>
+        <source>After %1</source>
+        <translation>Nach %1</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::PrinterColour</name>
     <message>
         <source>The ICC profile cannot be used for printing, choose the printer&apos;s output profile</source>
@@ -4516,12 +4586,12 @@
         <translation>Wo die Fuge läuft</translation>
     </message>
     <message>
-        <source>If the second film lies off</source>
-        <translation>Wenn der zweite Film daneben liegt</translation>
-    </message>
-    <message>
         <source>Shown with “Print on the Body”; changes no sheet.</source>
         <translation>Zu sehen mit „Druck auf dem Körper“; ändert keinen Bogen.</translation>
+    </message>
+    <message>
+        <source>The print, and if the second film lies off</source>
+        <translation>Der Druck, und wenn der zweite Film daneben liegt</translation>
     </message>
 </context>
 <context>
@@ -4665,6 +4735,38 @@ mm</translation>
         <source>A certain place is off by %1 mm at most · magenta: paints in one of the dips only</source>
         <translation>Eine sichere Stelle liegt höchstens %1 mm daneben · magenta: bemalt nur in einem der Tauchgänge</translation>
     </message>
+    <message>
+        <source>%1: %2 mm², %3 %</source>
+        <translation>%1: %2 mm², %3 %</translation>
+    </message>
+    <message>
+        <source>Both, along the join</source>
+        <translation>Beide, längs der Fuge</translation>
+    </message>
+    <message>
+        <source>Not reached</source>
+        <translation>Nicht erreicht</translation>
+    </message>
+    <message>
+        <source>The join: %1 mm</source>
+        <translation>Die Fuge: %1 mm</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>Von unten</translation>
+    </message>
+    <message>
+        <source>Tracing the shares</source>
+        <translation>Zeichne die Anteile</translation>
+    </message>
+    <message>
+        <source>Film of %1</source>
+        <translation>Film von %1</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ResultsPanel</name>
@@ -4732,6 +4834,14 @@ mm</translation>
         <source>Whether to print the sheet, and where to look first</source>
         <translation>Ob der Bogen gedruckt werden soll und wo zuerst hinzusehen ist</translation>
     </message>
+    <message>
+        <source>Who Paints What</source>
+        <translation>Wer was färbt</translation>
+    </message>
+    <message>
+        <source>The shares of the two dips, from six sides and on both films</source>
+        <translation>Die Anteile der beiden Tauchgänge, von sechs Seiten und auf beiden Filmen</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ReverseTexture</name>
@@ -4797,49 +4907,6 @@ mm</translation>
     <message>
         <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashes</source>
         <translation>%1 · Zeile %2 von %3, Spalte %4 von %5 · an den Strichen schneiden</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::SlipFields</name>
-    <message>
-        <source>Shift X</source>
-        <translation>Versatz X</translation>
-    </message>
-    <message>
-        <source>How far the second film lies off along X.</source>
-        <translation>Wie weit der zweite Film längs X daneben liegt.</translation>
-    </message>
-    <message>
-        <source>Shift Z</source>
-        <translation>Versatz Z</translation>
-    </message>
-    <message>
-        <source>How far it lies off along Z.</source>
-        <translation>Wie weit er längs Z daneben liegt.</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>How far it is turned, from X to Z.</source>
-        <translation>Wie weit er gedreht ist, von X nach Z.</translation>
-    </message>
-    <message>
-        <source>Swell</source>
-        <translation>Quellung</translation>
-    </message>
-    <message>
-        <source>How much more it has grown than the sheet reckons with.</source>
-        <translation>Wie viel mehr er gewachsen ist, als der Bogen annimmt.</translation>
-    </message>
-    <message>
-        <source>In its Place</source>
-        <translation>An seinen Platz</translation>
-    </message>
-    <message>
-        <source>The second film where it belongs.</source>
-        <translation>Der zweite Film dort, wo er hingehört.</translation>
     </message>
 </context>
 <context>
@@ -5576,6 +5643,18 @@ mm</translation>
     <message>
         <source>Show the body as it comes out of all dips, from every side</source>
         <translation>Zeigt den Körper, wie er aus allen Tauchgängen kommt, von allen Seiten</translation>
+    </message>
+    <message>
+        <source>S&amp;wap Immersions</source>
+        <translation>Tauchgänge &amp;tauschen</translation>
+    </message>
+    <message>
+        <source>Make the second dip the first one</source>
+        <translation>Macht den zweiten Tauchgang zum ersten</translation>
+    </message>
+    <message>
+        <source>&amp;Who Paints What</source>
+        <translation>&amp;Wer was färbt</translation>
     </message>
 </context>
 <context>

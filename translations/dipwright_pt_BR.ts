@@ -53,6 +53,17 @@
     </message>
 </context>
 <context>
+    <name>BodyDress</name>
+    <message>
+        <source>Painted</source>
+        <translation>Pintado</translation>
+    </message>
+    <message>
+        <source>Not painted</source>
+        <translation>Não pintado</translation>
+    </message>
+</context>
+<context>
     <name>Certainty</name>
     <message>
         <source>the film has too few points to be compared with one of half as many</source>
@@ -353,6 +364,10 @@
         <source>Remove Immersion</source>
         <translation>Remover imersão</translation>
     </message>
+    <message>
+        <source>Swap Immersions</source>
+        <translation>Trocar imersões</translation>
+    </message>
 </context>
 <context>
     <name>ModelImport</name>
@@ -632,6 +647,14 @@
     <message>
         <source>%1: the film&apos;s cells are coarse for this body, give the film smaller cells or more points</source>
         <translation>%1: as células do filme são grossas para este corpo; dê ao filme células menores ou mais pontos</translation>
+    </message>
+    <message>
+        <source>%1 is better dipped after %2: along the join its film is drawn out %3 times and that of %2 %4 times, and the last film lies off so many times as far on the body as on the water</source>
+        <translation>%1 fica melhor depois de %2: ao longo da junção seu filme é esticado %3 vezes e o de %2, %4 vezes, e o último filme desvia no corpo tantas vezes mais que na água</translation>
+    </message>
+    <message>
+        <source>Writing who paints what</source>
+        <translation>Gravando quem pinta o quê</translation>
     </message>
 </context>
 <context>
@@ -2363,6 +2386,13 @@
     </message>
 </context>
 <context>
+    <name>dipwright::BodyPrinter</name>
+    <message>
+        <source>Printing the body</source>
+        <translation>Imprimindo o corpo</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::BodyShare</name>
     <message>
         <source>Sharing out the body</source>
@@ -2755,29 +2785,6 @@
     <message>
         <source>The results are out of date: they were made before the last changes.</source>
         <translation>Os resultados estão desatualizados: foram feitos antes das últimas mudanças.</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::DipScene</name>
-    <message>
-        <source>Painted</source>
-        <translation>Pintado</translation>
-    </message>
-    <message>
-        <source>Not painted</source>
-        <translation>Não pintado</translation>
-    </message>
-    <message>
-        <source>%1: %2 mm², %3 %</source>
-        <translation>%1: %2 mm², %3 %</translation>
-    </message>
-    <message>
-        <source>Both, along the join</source>
-        <translation>Ambas, ao longo da junção</translation>
-    </message>
-    <message>
-        <source>Not reached</source>
-        <translation>Não alcançado</translation>
     </message>
 </context>
 <context>
@@ -3352,10 +3359,6 @@
         <translation>Deixa a junção passar ali</translation>
     </message>
     <message>
-        <source>What a click on the body in the view marks there. Give a place to the other dip to move the join. With Run Live the join follows at once.</source>
-        <translation>O que um clique no corpo na vista marca ali. Dê um lugar à outra imersão para mover a junção. Com o cálculo contínuo a junção acompanha na hora.</translation>
-    </message>
-    <message>
         <source>Radius</source>
         <translation>Raio</translation>
     </message>
@@ -3378,6 +3381,10 @@
     <message>
         <source>Marks on the body: %1</source>
         <translation>Marcas no corpo: %1</translation>
+    </message>
+    <message>
+        <source>What a click or a drag on the body in the view marks there. Give places to the other dip to move the join. With Run Live the join follows at once.</source>
+        <translation>O que um clique ou um arrasto no corpo na vista marca ali. Dê lugares à outra imersão para mover a junção. Com “Executar ao vivo” a junção acompanha na hora.</translation>
     </message>
 </context>
 <context>
@@ -3996,6 +4003,69 @@
     </message>
 </context>
 <context>
+    <name>dipwright::PrintFields</name>
+    <message>
+        <source>Shown</source>
+        <translation>Mostrado</translation>
+    </message>
+    <message>
+        <source>Shift X</source>
+        <translation>Desvio X</translation>
+    </message>
+    <message>
+        <source>How far the second film lies off along X.</source>
+        <translation>Quanto o segundo filme desvia ao longo de X.</translation>
+    </message>
+    <message>
+        <source>Shift Z</source>
+        <translation>Desvio Z</translation>
+    </message>
+    <message>
+        <source>How far it lies off along Z.</source>
+        <translation>Quanto ele desvia ao longo de Z.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>How far it is turned, from X to Z.</source>
+        <translation>Quanto ele está girado, de X para Z.</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Inchamento</translation>
+    </message>
+    <message>
+        <source>How much more it has grown than the sheet reckons with.</source>
+        <translation>Quanto ele cresceu além do que a folha supõe.</translation>
+    </message>
+    <message>
+        <source>Less deep</source>
+        <translation>Menos fundo</translation>
+    </message>
+    <message>
+        <source>How much less deep the body is dipped: what stays over the water gets no ink.</source>
+        <translation>Quanto menos fundo o corpo é imerso: o que fica fora da água não recebe tinta.</translation>
+    </message>
+    <message>
+        <source>In its Place</source>
+        <translation>No seu lugar</translation>
+    </message>
+    <message>
+        <source>The second film where it belongs.</source>
+        <translation>O segundo filme onde deve ficar.</translation>
+    </message>
+    <message>
+        <source>After %1 and %2</source>
+        <translation>Depois de %1 e %2</translation>
+    </message>
+    <message>
+        <source>After %1</source>
+        <translation>Depois de %1</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::PrinterColour</name>
     <message>
         <source>The ICC profile cannot be used for printing, choose the printer&apos;s output profile</source>
@@ -4516,12 +4586,12 @@
         <translation>Por onde passa a junção</translation>
     </message>
     <message>
-        <source>If the second film lies off</source>
-        <translation>Se o segundo filme desvia</translation>
-    </message>
-    <message>
         <source>Shown with “Print on the Body”; changes no sheet.</source>
         <translation>Visto com “Impressão no corpo”; não muda folha alguma.</translation>
+    </message>
+    <message>
+        <source>The print, and if the second film lies off</source>
+        <translation>A impressão, e se o segundo filme desvia</translation>
     </message>
 </context>
 <context>
@@ -4665,6 +4735,38 @@ mm</translation>
         <source>A certain place is off by %1 mm at most · magenta: paints in one of the dips only</source>
         <translation>Um ponto seguro se desvia no máximo %1 mm · magenta: pinta só em um dos mergulhos</translation>
     </message>
+    <message>
+        <source>%1: %2 mm², %3 %</source>
+        <translation>%1: %2 mm², %3 %</translation>
+    </message>
+    <message>
+        <source>Both, along the join</source>
+        <translation>Ambas, ao longo da junção</translation>
+    </message>
+    <message>
+        <source>Not reached</source>
+        <translation>Não alcançado</translation>
+    </message>
+    <message>
+        <source>The join: %1 mm</source>
+        <translation>A junção: %1 mm</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>De cima</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>De baixo</translation>
+    </message>
+    <message>
+        <source>Tracing the shares</source>
+        <translation>Traçando as partes</translation>
+    </message>
+    <message>
+        <source>Film of %1</source>
+        <translation>Filme de %1</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ResultsPanel</name>
@@ -4732,6 +4834,14 @@ mm</translation>
         <source>Whether to print the sheet, and where to look first</source>
         <translation>Se a folha deve ser impressa e onde olhar antes</translation>
     </message>
+    <message>
+        <source>Who Paints What</source>
+        <translation>Quem pinta o quê</translation>
+    </message>
+    <message>
+        <source>The shares of the two dips, from six sides and on both films</source>
+        <translation>As partes das duas imersões, de seis lados e nos dois filmes</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ReverseTexture</name>
@@ -4797,49 +4907,6 @@ mm</translation>
     <message>
         <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashes</source>
         <translation>%1 · linha %2 de %3, coluna %4 de %5 · corte nos tracejados</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::SlipFields</name>
-    <message>
-        <source>Shift X</source>
-        <translation>Desvio X</translation>
-    </message>
-    <message>
-        <source>How far the second film lies off along X.</source>
-        <translation>Quanto o segundo filme desvia ao longo de X.</translation>
-    </message>
-    <message>
-        <source>Shift Z</source>
-        <translation>Desvio Z</translation>
-    </message>
-    <message>
-        <source>How far it lies off along Z.</source>
-        <translation>Quanto ele desvia ao longo de Z.</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Giro</translation>
-    </message>
-    <message>
-        <source>How far it is turned, from X to Z.</source>
-        <translation>Quanto ele está girado, de X para Z.</translation>
-    </message>
-    <message>
-        <source>Swell</source>
-        <translation>Inchamento</translation>
-    </message>
-    <message>
-        <source>How much more it has grown than the sheet reckons with.</source>
-        <translation>Quanto ele cresceu além do que a folha supõe.</translation>
-    </message>
-    <message>
-        <source>In its Place</source>
-        <translation>No seu lugar</translation>
-    </message>
-    <message>
-        <source>The second film where it belongs.</source>
-        <translation>O segundo filme onde deve ficar.</translation>
     </message>
 </context>
 <context>
@@ -5576,6 +5643,18 @@ mm</translation>
     <message>
         <source>Show the body as it comes out of all dips, from every side</source>
         <translation>Mostra o corpo como sai de todas as imersões, de todos os lados</translation>
+    </message>
+    <message>
+        <source>S&amp;wap Immersions</source>
+        <translation>Tro&amp;car imersões</translation>
+    </message>
+    <message>
+        <source>Make the second dip the first one</source>
+        <translation>Torna a segunda imersão a primeira</translation>
+    </message>
+    <message>
+        <source>&amp;Who Paints What</source>
+        <translation>&amp;Quem pinta o quê</translation>
     </message>
 </context>
 <context>

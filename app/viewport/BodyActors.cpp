@@ -34,23 +34,31 @@ vtkSmartPointer<vtkPolyData> weldedSurface(const TriangleMesh& mesh) {
     return data;
 }
 
+// Drawn over the surface that they lie in.
+void showLines(vtkActor& actor, vtkPolyDataMapper& mapper) {
+    mapper.SetResolveCoincidentTopologyToPolygonOffset();
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);
+    actor.SetMapper(&mapper);
+    actor.GetProperty()->LightingOff();
+    actor.PickableOff();
+}
+
 } // namespace
 
 BodyActors::BodyActors(vtkRenderer* renderer)
     : renderer_(renderer), waterPlane_(vtkSmartPointer<vtkPlane>::New()),
-      waterCut_(vtkSmartPointer<vtkCutter>::New()), waterline_(vtkSmartPointer<vtkActor>::New()) {
+      waterCut_(vtkSmartPointer<vtkCutter>::New()), waterline_(vtkSmartPointer<vtkActor>::New()),
+      lineData_(vtkSmartPointer<vtkPolyData>::New()), lines_(vtkSmartPointer<vtkActor>::New()) {
     waterPlane_->SetNormal(0, 1, 0);
     waterCut_->SetCutFunction(waterPlane_);
     auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
     mapper->SetInputConnection(waterCut_->GetOutputPort());
     mapper->ScalarVisibilityOff();
-    // Drawn over the surface that it lies in.
-    mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);
-    waterline_->SetMapper(mapper);
+    showLines(*waterline_, *mapper);
+    auto lineMapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    lineMapper->SetInputData(lineData_);
+    showLines(*lines_, *lineMapper);
     setPixelRatio(1);
-    waterline_->GetProperty()->LightingOff();
-    waterline_->PickableOff();
 }
 
 void BodyActors::setModel(std::shared_ptr<const TexturedMesh> model) {
@@ -59,6 +67,7 @@ void BodyActors::setModel(std::shared_ptr<const TexturedMesh> model) {
     }
     parts_.clear();
     renderer_->RemoveActor(waterline_);
+    renderer_->RemoveActor(lines_);
     model_ = std::move(model);
     if (!model_) {
         return;
@@ -70,6 +79,7 @@ void BodyActors::setModel(std::shared_ptr<const TexturedMesh> model) {
     surface_ = weldedSurface(model_->mesh);
     waterCut_->SetInputData(surface_);
     renderer_->AddActor(waterline_);
+    renderer_->AddActor(lines_);
     setTransform(modelToWorld_);
     setVisible(visible_);
 }
@@ -151,15 +161,30 @@ void BodyActors::setTriangleColours(const std::vector<QRgb>& colours) {
         scalars->SetNumberOfComponents(3);
         scalars->SetNumberOfTuples(vtkIdType(part.triangles.size()));
         for (std::size_t entry = 0; entry < part.triangles.size(); ++entry) {
-            const QRgb colour = colours[part.triangles[entry]];
-            const std::array<unsigned char, 3> rgb{static_cast<unsigned char>(qRed(colour)),
-                                                   static_cast<unsigned char>(qGreen(colour)),
-                                                   static_cast<unsigned char>(qBlue(colour))};
+            const std::array<unsigned char, 3> rgb = vtkBytes(colours[part.triangles[entry]]);
             scalars->SetTypedTuple(vtkIdType(entry), rgb.data());
         }
         part.data->GetCellData()->SetScalars(scalars);
         part.actor->SetTexture(nullptr);
     }
+}
+
+void BodyActors::setLines(const std::vector<ViewLine>& lines) {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    colours->SetNumberOfComponents(3);
+    for (const ViewLine& line : lines) {
+        const auto first =
+            points->InsertNextPoint(line.ends[0].x(), line.ends[0].y(), line.ends[0].z());
+        points->InsertNextPoint(line.ends[1].x(), line.ends[1].y(), line.ends[1].z());
+        cells->InsertNextCell({first, first + 1});
+        const std::array<unsigned char, 3> rgb = vtkBytes(line.colour.rgb());
+        colours->InsertNextTypedTuple(rgb.data());
+    }
+    lineData_->SetPoints(points);
+    lineData_->SetLines(cells);
+    lineData_->GetCellData()->SetScalars(colours);
 }
 
 void BodyActors::setTransform(const Eigen::Isometry3d& modelToWorld) {
@@ -169,6 +194,7 @@ void BodyActors::setTransform(const Eigen::Isometry3d& modelToWorld) {
         part.actor->SetUserMatrix(matrix);
     }
     waterline_->SetUserMatrix(matrix);
+    lines_->SetUserMatrix(matrix);
     // The waterline y = 0 in the model's own coordinates.
     const Eigen::Isometry3d inverse = modelToWorld.inverse();
     const Eigen::Vector3d normal = inverse.linear() * Eigen::Vector3d::UnitY();
@@ -183,6 +209,7 @@ void BodyActors::setVisible(bool visible) {
         part.actor->SetVisibility(visible);
     }
     waterline_->SetVisibility(visible);
+    lines_->SetVisibility(visible);
 }
 
 void BodyActors::setWaterlineColour(const QColor& colour) {
@@ -203,7 +230,9 @@ BoundingBox BodyActors::worldBox() const {
 }
 
 void BodyActors::setPixelRatio(double ratio) {
-    waterline_->GetProperty()->SetLineWidth(float(2.5 * ratio));
+    for (vtkActor* line : {waterline_.Get(), lines_.Get()}) {
+        line->GetProperty()->SetLineWidth(float(2.5 * ratio));
+    }
 }
 
 } // namespace dipwright

@@ -1,6 +1,7 @@
 // The body in the view: an actor a material, and the line in which the water meets it.
 #pragma once
 
+#include "ViewLine.h"
 #include "geometry/CornerNormals.h"
 #include "model/TexturedMesh.h"
 
@@ -23,6 +24,7 @@ public:
     void setModel(std::shared_ptr<const TexturedMesh> model);
     void setTransform(const Eigen::Isometry3d& modelToWorld);
     void setTriangleColours(const std::vector<QRgb>& colours); // empty: the model's own look
+    void setLines(const std::vector<ViewLine>& lines);
     void setVisible(bool visible);
     void setWaterlineColour(const QColor& colour);
     BoundingBox worldBox() const;     // empty without a body
@@ -47,6 +49,8 @@ private:
     vtkSmartPointer<vtkPlane> waterPlane_;
     vtkSmartPointer<vtkCutter> waterCut_;
     vtkSmartPointer<vtkActor> waterline_;
+    vtkSmartPointer<vtkPolyData> lineData_;
+    vtkSmartPointer<vtkActor> lines_;
     bool visible_ = true;
 };
 

@@ -39,6 +39,8 @@ struct DipView::State {
     RotationRings rings;
     QPointF pressed;
     bool leftPressed = false;
+    std::function<bool(const ViewRay&)> strokeBegins;
+    bool inStroke = false;
     int draggedAxis = -1;
     int litAxis = -1;
     double pressedAngle = 0;
@@ -118,6 +120,10 @@ void DipView::setBodyColours(const std::vector<QRgb>& colours) {
     change([colours](ViewScene& scene) { scene.body().setTriangleColours(colours); });
 }
 
+void DipView::setBodyLines(const std::vector<ViewLine>& lines) {
+    change([lines](ViewScene& scene) { scene.body().setLines(lines); });
+}
+
 void DipView::setBodyVisible(bool visible) {
     change([visible](ViewScene& scene) { scene.body().setVisible(visible); });
 }
@@ -155,6 +161,10 @@ void DipView::setFilmColours(std::vector<QRgb> colours) {
 
 void DipView::setTank(QSizeF film, double depth) {
     change([film, depth](ViewScene& scene) { scene.setFilmSize(film, depth); });
+}
+
+void DipView::setFilmFitted(bool fitted) {
+    change([fitted](ViewScene& scene) { scene.setFilmFitted(fitted); });
 }
 
 void DipView::setWaterVisible(bool visible) {
@@ -237,6 +247,10 @@ void DipView::take(const ViewPicture& picture) {
     if (std::exchange(state_->again, false)) {
         requestPicture();
     }
+}
+
+void DipView::setStrokeBegin(std::function<bool(const ViewRay&)> begins) {
+    state_->strokeBegins = std::move(begins);
 }
 
 QImage DipView::picture() {
@@ -330,6 +344,12 @@ void DipView::mousePressEvent(QMouseEvent* event) {
         s.pressedAngle = s.rings.angleAt(*axis, s.pressed, s.shown.projection);
         return;
     }
+    const ViewRay ray = rayAt(s.pressed);
+    s.inStroke = s.leftPressed && s.strokeBegins && s.strokeBegins(ray);
+    if (s.inStroke) {
+        emit stroked(ray);
+        return;
+    }
     sendMouse({MouseAction::Press, event->button(), event->position(), event->modifiers()});
 }
 
@@ -337,6 +357,10 @@ void DipView::mouseMoveEvent(QMouseEvent* event) {
     const State& s = *state_;
     if (s.draggedAxis >= 0) {
         dragRing(*event);
+        return;
+    }
+    if (s.inStroke) {
+        emit stroked(rayAt(event->position()));
         return;
     }
     if (event->buttons() == Qt::NoButton) {
@@ -372,6 +396,10 @@ void DipView::mouseReleaseEvent(QMouseEvent* event) {
     if (s.draggedAxis >= 0) {
         s.draggedAxis = -1;
         emit rotationFinished();
+        return;
+    }
+    if (std::exchange(s.inStroke, false)) {
+        emit strokeFinished();
         return;
     }
     const QPointF moved = event->position() - s.pressed;

@@ -6,6 +6,7 @@
 // The pictures are drawn on a thread of its own: however long one takes, the window does not wait.
 #pragma once
 
+#include "ViewLine.h"
 #include "ViewProjection.h"
 #include "model/TexturedMesh.h"
 
@@ -76,6 +77,8 @@ public:
     void setBodyTransform(const Eigen::Isometry3d& modelToWorld);
     // A colour a triangle instead of the texture; empty: the texture.
     void setBodyColours(const std::vector<QRgb>& colours);
+    // Drawn over the surface that they lie in.
+    void setBodyLines(const std::vector<ViewLine>& lines);
     void setBodyVisible(bool visible);
     // In the lower left corner, in this order; empty: none.
     void setLegend(std::vector<ViewLegendEntry> entries);
@@ -99,12 +102,19 @@ public:
     void setMarker(const std::optional<Eigen::Vector3f>& position);
     void setMeasure(const std::vector<Eigen::Vector3f>& points, const QString& label);
 
+    // Asked of a press of the left button: whether the drag that follows is a stroke, which leaves
+    // the camera alone. Empty: none is.
+    void setStrokeBegin(std::function<bool(const ViewRay&)> begins);
+
     // Camera.
     void setNavigation(Navigation navigation);
     void setParallelProjection(bool parallel);
     void look(ViewDirection direction);                                        // and fit
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward); // at the body
     void fit();
+    // Whether fit() makes room for the film, too, or for the body alone. A camera that stands where
+    // fit() has put it is fitted anew.
+    void setFilmFitted(bool fitted);
     void setColours(const ViewColours& colours);
     // In widget coordinates, as the picture that was drawn last shows the world.
     ViewRay rayAt(QPointF position) const;
@@ -121,7 +131,9 @@ public:
 signals:
     void hovered(const dipwright::ViewRay& ray);
     void hoverLeft();
-    void clicked(const dipwright::ViewRay& ray);    // pressed and released in the same place
+    void clicked(const dipwright::ViewRay& ray); // pressed and released in the same place
+    void stroked(const dipwright::ViewRay& ray); // where a stroke is pressed and moves along
+    void strokeFinished();
     void rotationDragged(int axis, double degrees); // about the world's X, Y or Z since the press
     void rotationFinished();
 

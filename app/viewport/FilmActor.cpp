@@ -133,9 +133,7 @@ void FilmActor::setPointColours(const std::vector<QRgb>& colours) {
     scalars->SetNumberOfComponents(3);
     scalars->SetNumberOfTuples(vtkIdType(colours.size()));
     for (std::size_t point = 0; point < colours.size(); ++point) {
-        const std::array<unsigned char, 3> rgb{static_cast<unsigned char>(qRed(colours[point])),
-                                               static_cast<unsigned char>(qGreen(colours[point])),
-                                               static_cast<unsigned char>(qBlue(colours[point]))};
+        const std::array<unsigned char, 3> rgb = vtkBytes(colours[point]);
         scalars->SetTypedTuple(vtkIdType(point), rgb.data());
     }
     data_->GetPointData()->SetScalars(scalars);

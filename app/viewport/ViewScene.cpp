@@ -190,7 +190,9 @@ void ViewScene::fit() {
     const Eigen::Vector3f half(float(filmSize_.width() + margin) / 2, 1,
                                float(filmSize_.height() + margin) / 2);
     std::vector<Eigen::Vector3d> places;
-    for (const BoundingBox& box : {body_.worldBox(), BoundingBox(-half, half)}) {
+    const BoundingBox body = body_.worldBox();
+    const bool hasFilm = fitsFilm_ || body.isEmpty();
+    for (const BoundingBox& box : {body, hasFilm ? BoundingBox(-half, half) : BoundingBox()}) {
         for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {
             places.emplace_back(box.corner(BoundingBox::CornerType(corner)).cast<double>());
         }
@@ -200,6 +202,13 @@ void ViewScene::fit() {
     fitCamera(camera(), places, aspect);
     renderer_->ResetCameraClippingRange();
     fitted_ = true;
+}
+
+void ViewScene::setFilmFitted(bool fitted) {
+    fitsFilm_ = fitted;
+    if (fitted_) {
+        fit();
+    }
 }
 
 void ViewScene::turn(double rightPixels, double upPixels) {

@@ -55,6 +55,7 @@ public:
 
     void setSize(const ViewSize& size);
     void setFilmSize(QSizeF film, double tankDepth);
+    void setFilmFitted(bool fitted);
     void setColours(const ViewColours& colours);
     void look(ViewDirection direction); // and fit
     // From outside, as close as shows a good part of the body.
@@ -79,6 +80,7 @@ private:
     ViewSize size_;
     QSizeF filmSize_{210, 297};
     std::function<void()> pictureAsked_;
+    bool fitsFilm_ = true;
     bool fitted_ = false;  // the camera stands where fit() has put it
     bool resized_ = false; // since the last picture
 };

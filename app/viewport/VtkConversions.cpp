@@ -37,4 +37,9 @@ std::array<double, 3> vtkColour(const QColor& colour) {
     return {colour.redF(), colour.greenF(), colour.blueF()};
 }
 
+std::array<unsigned char, 3> vtkBytes(QRgb colour) {
+    return {static_cast<unsigned char>(qRed(colour)), static_cast<unsigned char>(qGreen(colour)),
+            static_cast<unsigned char>(qBlue(colour))};
+}
+
 } // namespace dipwright

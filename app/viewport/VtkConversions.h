@@ -14,5 +14,6 @@ vtkSmartPointer<vtkMatrix4x4> vtkMatrix(const Eigen::Isometry3d& transform);
 // Picture row 0 at texture coordinate v = 1, as OBJ has it.
 vtkSmartPointer<vtkTexture> vtkTextureOf(const QImage& picture);
 std::array<double, 3> vtkColour(const QColor& colour);
+std::array<unsigned char, 3> vtkBytes(QRgb colour);
 
 } // namespace dipwright

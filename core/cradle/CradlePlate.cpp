@@ -108,7 +108,7 @@ CradlePlate cradlePlate(const HeldDip& dip, const CradleSettings& settings,
                         const Outline& footprint, const Eigen::Vector2d& bore) {
     CradlePlate plate;
     const double height = dip.film.body().height;
-    const double underWater = dipTravel(dip.process, dip.film.body()) - startHeight;
+    const double underWater = dipDepth(dip.process, dip.film.body());
     plate.bottom = std::max(height + settings.wall.value(), underWater) + settings.standoff.value();
     plate.top = plate.bottom + settings.plateThickness.value();
     const double radius = settings.pinDiameter.value() / 2 + settings.pinClearance.value();

@@ -77,7 +77,7 @@ public:
     Sorting(const LaidFilm& film, const std::vector<const LaidFilm*>& earlier,
             const ProcessSettings& process)
         : film_(film), earlier_(earlier), upward_(std::sin(radians(process.overhang))),
-          waterline_(dipTravel(process, film.body()) - startHeight) {}
+          waterline_(dipDepth(process, film.body())) {}
 
     Side sideOf(const Piece& piece) const {
         const TriangleMesh& mesh = film_.body().model.mesh;

@@ -45,10 +45,12 @@ PosedBody posedBody(const TexturedMesh& model, const Immersion& immersion) {
     return {std::move(posed), modelToPose, height, std::move(query)};
 }
 
+double dipDepth(const ProcessSettings& process, const PosedBody& body) {
+    return process.depth ? process.depth->value() : body.height + process.margin.value();
+}
+
 double dipTravel(const ProcessSettings& process, const PosedBody& body) {
-    const double depth =
-        process.depth ? process.depth->value() : body.height + process.margin.value();
-    return startHeight + depth;
+    return startHeight + dipDepth(process, body);
 }
 
 Eigen::Vector3d poseToWorld(const Immersion& immersion, double descent) {

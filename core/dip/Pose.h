@@ -42,8 +42,10 @@ PosedBody posedBody(const TexturedMesh& model, const Immersion& immersion);
 
 // mm between the body's lowest point and the water before the dip.
 inline constexpr double startHeight = 0.5;
-// mm that the body comes down in all: from there until its lowest point is at the process's depth
-// or, where that is none, all of the body and a margin are under water.
+// How far up the body the water reaches at the end of the dip, mm from its lowest point: the
+// process's depth or, where that is none, past all of the body by a margin.
+double dipDepth(const ProcessSettings& process, const PosedBody& body);
+// mm that the body comes down in all.
 double dipTravel(const ProcessSettings& process, const PosedBody& body);
 // The shift from the pose frame to the world when the body has come down by `descent` mm.
 Eigen::Vector3d poseToWorld(const Immersion& immersion, double descent);

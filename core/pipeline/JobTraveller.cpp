@@ -30,7 +30,7 @@ DipMotion jobMotion(const JobResult& result, std::size_t immersion) {
     motion.immersion = dip.immersion.name;
     motion.job = dip.sheet.job.hash;
     motion.start = Millimetres(startHeight);
-    motion.depth = Millimetres(dipTravel(process, *dip.body) - startHeight);
+    motion.depth = Millimetres(dipDepth(process, *dip.body));
     motion.speed = process.dipSpeed;
     return motion;
 }

@@ -28,6 +28,8 @@ constexpr double lawsBegin = 0.3; // where they are varied
 constexpr double cradlesBegin = 0.6;
 constexpr double dipsDone = 0.7; // of what follows the field
 constexpr double sharesDone = 0.75;
+constexpr double proofDone = 0.97;
+constexpr int coverageTile = 560; // pixels of each side of the body
 constexpr double picturesDone = 0.8;
 
 // What all steps of one run are given.
@@ -257,6 +259,16 @@ bool hasProofOf(const JobResult* previous, const std::vector<SheetInputs>& input
                                   });
 }
 
+// Whether the picture of who paints what is lettered with other names than it is to be.
+bool hasOldNames(const JobResult* previous, const std::vector<SheetInputs>& inputs) {
+    return previous && previous->share &&
+           !std::equal(inputs.begin(), inputs.end(), previous->immersions.begin(),
+                       previous->immersions.end(),
+                       [](const SheetInputs& now, const ImmersionResult& earlier) {
+                           return now.immersion == earlier.inputs.immersion;
+                       });
+}
+
 QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& immersions,
                const Progress& progress) {
     std::vector<WornFilm> films;
@@ -269,6 +281,18 @@ QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& imme
     return proofPicture(stage, films, options, progress);
 }
 
+// Null where the dips do not share the body out.
+QImage coverageOf(const ProofStage& stage, const JobResult& result, const Progress& progress) {
+    if (!result.share) {
+        return {};
+    }
+    std::vector<SharedFilm> films;
+    for (const ImmersionResult& immersion : result.immersions) {
+        films.push_back({immersion.laid, immersion.immersion.name});
+    }
+    return coveragePicture(stage, *result.share, films, coverageTile, progress);
+}
+
 // Fills in the immersions and what is told of them together. One film is dipped after the other;
 // what follows a dip goes on beside the next one, for which the solver does not need, or cannot
 // use, all of the processor; but where the dips share the body out, the pictures wait for the last
@@ -277,7 +301,7 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
                    SolverChoice& solver, const Progress& progress) {
     std::vector<ImmersionResult>& immersions = result.immersions;
     immersions.resize(inputs.size());
-    const bool hasProof = hasProofOf(run.previous, inputs);
+    const bool hasProof = hasProofOf(run.previous, inputs) && !hasOldNames(run.previous, inputs);
     // Before the tasks that use them: with an exception these are waited for first.
     CancelSwitch left; // with an exception: the comparisons are not finished
     std::shared_ptr<const ProofStage> stage;
@@ -318,8 +342,13 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     progress(sharesDone, Text::tr("Reversing the texture"));
     pictures.wait();
     undisturbed([&] {
-        result.proof = hasProof ? run.previous->proof
-                                : proofOf(*stage, immersions, progress.part(picturesDone, 1));
+        if (hasProof) {
+            result.proof = run.previous->proof;
+            result.coverage = run.previous->coverage;
+        } else {
+            result.proof = proofOf(*stage, immersions, progress.part(picturesDone, proofDone));
+            result.coverage = coverageOf(*stage, result, progress.part(proofDone, 1));
+        }
     });
     sheets.wait();
     result.coverageTotal = coverageTotal(immersions, progress);
@@ -337,6 +366,16 @@ QStringList notesOf(const JobResult& result) {
                                   "film, or place the body further from the edge")
                              .arg(immersion.immersion.name));
         }
+    }
+    if (result.share && betterLast(*result.share) == std::size_t(0)) {
+        const QLocale locale;
+        const auto& [first, second] = result.share->joinStretch;
+        notes.append(Text::tr("%1 is better dipped after %2: along the join its film is drawn out "
+                              "%3 times and that of %2 %4 times, and the last film lies off so "
+                              "many times as far on the body as on the water")
+                         .arg(result.immersions[0].immersion.name,
+                              result.immersions[1].immersion.name, locale.toString(first, 'f', 2),
+                              locale.toString(second, 'f', 2)));
     }
     return notes;
 }

@@ -100,10 +100,15 @@ QJsonObject shareJson(const BodyShare& share) {
             {"area_mm2", place.area},
             {"model_mm", QJsonArray{place.place.x(), place.place.y(), place.place.z()}}});
     }
-    return {{"overlap_mm", share.overlap},      {"first_mm2", share.areas.first},
-            {"second_mm2", share.areas.second}, {"both_mm2", share.areas.both},
-            {"none_mm2", share.areas.none},     {"join", toJson(share.cost)},
-            {"equator", toJson(share.equator)}, {"unpainted", unpainted}};
+    return {{"join_stretch", QJsonArray{share.joinStretch[0], share.joinStretch[1]}},
+            {"overlap_mm", share.overlap},
+            {"first_mm2", share.areas.first},
+            {"second_mm2", share.areas.second},
+            {"both_mm2", share.areas.both},
+            {"none_mm2", share.areas.none},
+            {"join", toJson(share.cost)},
+            {"equator", toJson(share.equator)},
+            {"unpainted", unpainted}};
 }
 
 QJsonObject filmJson(const DippedFilm& film) {

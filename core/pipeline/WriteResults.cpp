@@ -49,8 +49,8 @@ QStringList cradleFiles() {
 // stays beside the results of a single one.
 QStringList resultFiles() {
     QStringList files = cradleFiles();
-    files += {QStringLiteral("proof.png"), QStringLiteral("report.json"),
-              QStringLiteral("traveller.pdf")};
+    files += {QStringLiteral("proof.png"), QStringLiteral("coverage.png"),
+              QStringLiteral("report.json"), QStringLiteral("traveller.pdf")};
     for (const int number : {1, 2}) {
         files += {motionFile(number, "csv"), motionFile(number, "gcode")};
     }
@@ -187,6 +187,12 @@ std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
                           const QString proof = QStringLiteral("proof.png");
                           folder.write(proof, pngBytes(result.proof, proof));
                       }});
+    if (!result.coverage.isNull()) {
+        pieces.push_back({Text::tr("Writing who paints what"), [&] {
+                              const QString name = QStringLiteral("coverage.png");
+                              folder.write(name, pngBytes(result.coverage, name));
+                          }});
+    }
     pieces.push_back({Text::tr("Writing the report"), [&] {
                           folder.write(QStringLiteral("report.json"),
                                        QJsonDocument(report(project, result)).toJson());

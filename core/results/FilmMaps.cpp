@@ -2,6 +2,7 @@
 
 #include "dip/FilmMarks.h"
 #include "parallel/ParallelFor.h"
+#include "results/FilmValues.h"
 #include "results/Hatch.h"
 
 #include <QCoreApplication>
@@ -24,76 +25,6 @@ const QColor paleInk(105, 112, 120);
 // In none of the colour maps:
 const QColor unknown(208, 60, 140);
 const QColor past(255, 128, 96); // the end of the scale
-
-// A value a film point, NaN where it is not known, which of the film is on the body, and how that
-// is marked.
-class FilmValues {
-public:
-    FilmValues(const LaidFilm& laid, std::vector<float> values)
-        : grid_(laid.film().grid), values_(std::move(values)), painted_(laid.contact().painted),
-          isOn_(laid.painted().points) {}
-
-    // At a place given in cells, columns to the right and rows down.
-    double at(double column, double row) const {
-        const int i = std::clamp(int(column), 0, grid_.columns - 2);
-        const int j = std::clamp(int(row), 0, grid_.rows - 2);
-        const double x = column - i;
-        const double y = row - j;
-        const float* upper = values_.data() + std::size_t(j) * std::size_t(grid_.columns) + i;
-        const float* lower = upper + grid_.columns;
-        return (1 - y) * ((1 - x) * upper[0] + x * upper[1]) +
-               y * ((1 - x) * lower[0] + x * lower[1]);
-    }
-
-    bool isPainted(double column, double row) const { return painted_[triangle(column, row)] != 0; }
-
-    // Of painted film; nothing before showMarks().
-    std::optional<solver::PointMark> mark(double column, double row) const {
-        return marks_.empty() ? std::nullopt : gravestMark(marks_[triangle(column, row)]);
-    }
-    // Returns the solver::PointMark bits that are shown.
-    std::uint8_t showMarks(const LaidFilm& laid) {
-        std::uint8_t shown = 0;
-        marks_.assign(painted_.size(), 0);
-        for (std::uint32_t triangle = 0; triangle < painted_.size(); ++triangle) {
-            marks_[triangle] = painted_[triangle] ? laid.marks(triangle) : std::uint8_t(0);
-            shown |= marks_[triangle];
-        }
-        return shown;
-    }
-
-    // Those known of the points that belong to painted film, or of all where nothing is painted.
-    std::vector<float> paintedValues() const {
-        std::vector<float> painted, all;
-        for (std::size_t i = 0; i < values_.size(); ++i) {
-            if (!std::isnan(values_[i])) {
-                all.push_back(values_[i]);
-                if (isOn_[i]) {
-                    painted.push_back(values_[i]);
-                }
-            }
-        }
-        return !painted.empty() ? painted : !all.empty() ? all : std::vector<float>{0};
-    }
-
-private:
-    std::size_t triangle(double column, double row) const {
-        const int i = std::clamp(int(column), 0, grid_.columns - 2);
-        const int j = std::clamp(int(row), 0, grid_.rows - 2);
-        const double x = column - i;
-        const double y = row - j;
-        // As filmTriangles() cuts the cells: the first triangle is the left one.
-        const bool first = (i + j) % 2 == 0 ? y >= x : x + y <= 1;
-        return 2 * (std::size_t(j) * std::size_t(grid_.columns - 1) + std::size_t(i)) +
-               (first ? 0 : 1);
-    }
-
-    solver::FilmGrid grid_;
-    std::vector<float> values_;
-    std::vector<std::uint8_t> painted_; // a film triangle each, as
-    std::vector<std::uint8_t> marks_;   // solver::PointMark bits; empty: not shown
-    std::vector<std::uint8_t> isOn_;    // a film point each
-};
 
 // The values that the colours span, and which colours.
 struct Scale {

@@ -62,11 +62,11 @@ public:
     PaintedFilm(const WornFilm& worn, bool compensatedInk)
         : laid_(worn.laid), picture_(worn.image, worn.laid->film().grid),
           ink_({compensatedInk, InkSettings().limit}), compensatedInk_(compensatedInk),
-          slip_(worn.slip) {}
+          slip_(worn.slip), highest_(float(worn.depth - worn.slip.lessDeep.value())) {}
 
     // The light that its ink lets through at a place of the body, and how much of it is there.
     FilmPicture::Paint at(const SurfacePoint& point) const {
-        const std::optional<FilmPlace> place = laid_->place(point);
+        const std::optional<FilmPlace> place = placeOf(point);
         if (!place) {
             return {};
         }
@@ -82,7 +82,7 @@ public:
 
     // solver::PointMark bits of its paint there; nothing where it has put none.
     std::optional<std::uint8_t> marks(const SurfacePoint& point) const {
-        const std::optional<FilmPlace> place = laid_->place(point);
+        const std::optional<FilmPlace> place = placeOf(point);
         if (!place || picture_.at(printedAt(place->rest)).cover <= 0) {
             return std::nullopt;
         }
@@ -90,6 +90,11 @@ public:
     }
 
 private:
+    // Of the film that covers a place of the body, if the dip gets as deep.
+    std::optional<FilmPlace> placeOf(const SurfacePoint& point) const {
+        return position(laid_->body().model.mesh, point).y() > highest_ ? std::nullopt
+                                                                        : laid_->place(point);
+    }
     // The place of the picture that lies where the flat film has `rest`, were it in its place.
     Eigen::Vector2f printedAt(const Eigen::Vector2f& rest) const {
         const Eigen::Rotation2Df back(-float(radians(slip_.turn)));
@@ -109,6 +114,7 @@ private:
     InkCompensation ink_;
     bool compensatedInk_;
     FilmSlip slip_;
+    float highest_; // in the pose frame, that gets wet
 };
 
 PaintedBody::PaintedBody(const std::vector<WornFilm>& films, bool compensatedInk) {

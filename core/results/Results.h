@@ -47,13 +47,28 @@ QColor markColour(solver::PointMark mark);
 // By which the shares of two dips are told apart, in maps and views.
 QColor painterColour(Painter painter);
 
-// How far a floating film lies off its place when the body comes down, and how much it has grown
-// beyond what was reckoned with. The film is much alike everywhere, so that the body meets other
-// ink and no other film.
+// A colour of a shared body and what it means.
+struct ShareLine {
+    QColor colour;
+    QString text;
+};
+// Who paints how much of the body, mm² and per cent, and how long the join is. `dips`: the names of
+// the two.
+std::vector<ShareLine> shareLines(const BodyShare& share, const QStringList& dips);
+
+// The flat film of dip `dip`, 0 or 1, in the colours of those who paint what it lies on, and the
+// join; ink side up, the whole film.
+QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t dip, QSize pixels);
+
+// How far a floating film lies off its place when the body comes down, how much it has grown beyond
+// what was reckoned with, and how much less deep the body is dipped. The film is much alike
+// everywhere, so that the body meets other ink and no other film; what is laid is laid as it would
+// be in a deeper dip.
 struct FilmSlip {
     std::array<Millimetres, 2> shift{}; // along the film's X and Z
     Degrees turn{0};                    // from X to Z, about the film's middle
     double swell = 1;                   // times as large
+    Millimetres lessDeep{0};            // 0 or more
     bool operator==(const FilmSlip&) const = default;
 };
 
@@ -62,6 +77,8 @@ struct WornFilm {
     std::shared_ptr<const LaidFilm> laid;
     QImage image; // of the flat film
     FilmSlip slip = {};
+    // mm from the body's lowest point up to the water at the end of the dip.
+    double depth = std::numeric_limits<double>::infinity();
 };
 
 // What the films give the body, by the middles of the fine triangles: a colour each, as the proof
@@ -78,6 +95,16 @@ struct ProofOptions {
 struct ProofStage;
 // Computed by rays on all cores. Keeps a reference to the model. Any thread may read.
 std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model);
+
+// One dip of a shared body.
+struct SharedFilm {
+    std::shared_ptr<const LaidFilm> laid;
+    QString name; // the dip's
+};
+// Who paints what: the body from six sides, both flat films, the areas. `tile`: a view's pixels.
+// Throws Cancelled.
+QImage coveragePicture(const ProofStage& stage, const BodyShare& share,
+                       const std::vector<SharedFilm>& films, int tile, const Progress& progress);
 
 // The body as it will come out, four views (front, right, back, left, from slightly above) two by
 // two, in model orientation: front looks along −Z. Where films lie over each other

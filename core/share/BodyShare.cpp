@@ -26,6 +26,7 @@ constexpr double joinWeight = 20;          // mm² of body at cost 1 that a mm o
 constexpr float nearReachEdge = 5;         // the cost of a mm² where the dip's film ends
 constexpr double smoothing = 3;            // mm, and no less than two fine triangles
 constexpr double reckonedStretches = 0.75; // share of the film along the join
+constexpr double worthASwap = 1.1;         // times as much drawn out
 constexpr double visibleStep = 0.1;        // of reflectance
 constexpr double darkest = 0.01;           // reflectance of printed black
 constexpr float farthest = 1e4f;           // mm
@@ -100,11 +101,11 @@ std::vector<LinearColour> coloursOf(const std::vector<std::uint32_t>& triangles,
 
 // How far film is drawn out that lies in any of these triangles, but for the most drawn out of it:
 // so many times as far off as on the water it lies on the body.
-double stretchOf(const std::vector<std::uint32_t>& triangles, const Suitabilities& dips,
+double stretchOf(const std::vector<std::uint32_t>& triangles, const std::vector<float>& stretch,
                  double stretchLimit) {
     std::vector<float> stretches;
     for (const std::uint32_t triangle : triangles) {
-        stretches.push_back(std::max(dips[0].stretch[triangle], dips[1].stretch[triangle]));
+        stretches.push_back(stretch[triangle]);
     }
     if (stretches.empty()) {
         return 1;
@@ -113,6 +114,14 @@ double stretchOf(const std::vector<std::uint32_t>& triangles, const Suitabilitie
         stretches.begin() + std::ptrdiff_t(double(stretches.size() - 1) * reckonedStretches);
     std::nth_element(stretches.begin(), least, stretches.end());
     return std::clamp(double(*least), 1.0, stretchLimit);
+}
+
+std::vector<float> largerOf(const Suitabilities& dips) {
+    std::vector<float> larger;
+    for (std::size_t triangle = 0; triangle < dips[0].stretch.size(); ++triangle) {
+        larger.push_back(std::max(dips[0].stretch[triangle], dips[1].stretch[triangle]));
+    }
+    return larger;
 }
 
 // The triangles that both dips reach.
@@ -233,6 +242,13 @@ std::vector<float> equatorField(const TriangleMesh& mesh, const Films& films) {
 
 } // namespace
 
+std::optional<std::size_t> betterLast(const BodyShare& share) {
+    const auto [first, second] = share.joinStretch;
+    return second > worthASwap * first   ? std::optional<std::size_t>(0)
+           : first > worthASwap * second ? std::optional<std::size_t>(1)
+                                         : std::nullopt;
+}
+
 double neededOverlap(const std::vector<LinearColour>& colours, double error, double least) {
     double share = 1; // of the band that the error may be
     for (const LinearColour& colour : colours) {
@@ -267,9 +283,10 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
     }
     tell(0.6);
     // How far off the second film may lie on the body.
+    const std::vector<float> larger = largerOf(dips);
     const auto errorOf = [&](const std::vector<std::uint32_t>& triangles) {
         return settings.registrationError.value() *
-               stretchOf(triangles, dips, settings.stretchLimit);
+               stretchOf(triangles, larger, settings.stretchLimit);
     };
     const std::vector<std::uint32_t> twice = reachedByBoth(dips);
     const double widest =
@@ -285,6 +302,9 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
         trianglesOf(joining(zeroLine(mesh, share.distance.values), dips));
     share.overlap =
         neededOverlap(coloursOf(along, places.colours), errorOf(along), settings.overlap.value());
+    for (std::size_t dip = 0; dip < 2; ++dip) {
+        share.joinStretch[dip] = stretchOf(along, dips[dip].stretch, settings.stretchLimit);
+    }
     keepInReach(share.distance.values, depths, float(share.overlap));
     findPainters(share, dips);
     const std::vector<LinePiece> line = joining(zeroLine(mesh, share.distance.values), dips);

@@ -42,6 +42,9 @@ struct BodyShare {
     std::vector<std::array<Eigen::Vector3f, 2>> join; // the line, in pieces; model coordinates, mm
     double overlap = 0; // mm: the band where both fade; as asked for, or as wide as needed
     ShareAreas areas;
+    // How far each dip's film is drawn out along the join, but for the quarter of it that is drawn
+    // out most: what lies off on the water is so many times as far off on the body.
+    std::array<double, 2> joinStretch{1, 1};
     JoinCost cost;    // of the join …
     JoinCost equator; // … and of the plane halfway between the two poses, moved as far as it takes
                       // that all is painted that a dip reaches
@@ -56,6 +59,10 @@ BodyShare shareBody(const TexturedMesh& model,
                     const std::array<std::shared_ptr<const LaidFilm>, 2>& films,
                     const ShareSettings& settings, const InkSettings& ink,
                     const Progress& progress);
+
+// The dip, 0 or 1, that is better made last, for it is the last film that lies off: the one whose
+// film is drawn out less along the join, if that makes a difference.
+std::optional<std::size_t> betterLast(const BodyShare& share);
 
 // The width of the band, mm, in which two fading films show no edge of more than a tenth of full
 // reflectance though one lies `error` mm off, where the body is to show these reflectances; no less

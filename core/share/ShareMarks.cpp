@@ -1,7 +1,7 @@
 #include "share/ShareMarks.h"
 
 #include "geometry/SurfaceDistance.h"
-#include "geometry/SurfaceQuery.h"
+#include "share/JoinPlaces.h"
 
 #include <cmath>
 #include <numbers>
@@ -15,15 +15,20 @@ constexpr float avoided = 20;    // times as visible
 constexpr float allowed = 0.05f; // times as visible
 constexpr double faceAngle = 15; // degrees by which a face's normals differ at most
 
-// The triangles with a corner within `radius` mm along the surface, and the first itself.
-std::vector<std::uint32_t> spot(const TriangleMesh& mesh, const SurfacePoint& middle,
-                                float radius) {
+// How far each position is from a place, along the surface, up to `limit` mm.
+std::vector<float> distanceFrom(const TriangleMesh& mesh, const SurfacePoint& middle, float limit) {
     const Eigen::Vector3f place = position(mesh, middle);
     std::vector<float> begin(mesh.positions.size(), std::numeric_limits<float>::infinity());
     for (const std::uint32_t corner : mesh.triangles[middle.triangle]) {
         begin[corner] = (mesh.positions[corner] - place).norm();
     }
-    const std::vector<float> distance = surfaceDistance(mesh, std::move(begin), radius);
+    return surfaceDistance(mesh, std::move(begin), limit);
+}
+
+// The triangles with their corners within `radius` mm in the mean, and the first itself.
+std::vector<std::uint32_t> spot(const TriangleMesh& mesh, const SurfacePoint& middle,
+                                float radius) {
+    const std::vector<float> distance = distanceFrom(mesh, middle, radius);
     std::vector<std::uint32_t> found;
     for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         const auto& [a, b, c] = mesh.triangles[triangle];
@@ -46,7 +51,53 @@ std::vector<std::uint32_t> face(const TriangleMesh& mesh, std::uint32_t first) {
         seen);
 }
 
+SurfacePoint placeOf(const ShareMark& mark, const SurfaceQuery& query) {
+    return query
+        .closest({float(mark.place[0].value()), float(mark.place[1].value()),
+                  float(mark.place[2].value())})
+        .point;
+}
+
+// The edges between triangles of a set and others.
+std::vector<std::array<Eigen::Vector3f, 2>> borderOf(const TriangleMesh& mesh,
+                                                     const std::vector<std::uint32_t>& set) {
+    std::vector<std::uint8_t> isIn(mesh.triangles.size());
+    for (const std::uint32_t triangle : set) {
+        isIn[triangle] = 1;
+    }
+    const std::vector<std::uint32_t> opposite = oppositeEdges(mesh);
+    std::vector<std::array<Eigen::Vector3f, 2>> border;
+    for (const std::uint32_t triangle : set) {
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint32_t other = opposite[3 * triangle + k];
+            if (other == noEdge || isIn[other / 3] == 0) {
+                border.push_back({mesh.positions[mesh.triangles[triangle][k]],
+                                  mesh.positions[mesh.triangles[triangle][(k + 1) % 3]]});
+            }
+        }
+    }
+    return border;
+}
+
 } // namespace
+
+std::vector<std::array<Eigen::Vector3f, 2>>
+markOutline(const TriangleMesh& mesh, const SurfaceQuery& query, const ShareMark& mark) {
+    const SurfacePoint middle = placeOf(mark, query);
+    const auto radius = float(mark.radius.value());
+    if (radius <= 0) {
+        return borderOf(mesh, face(mesh, middle.triangle));
+    }
+    std::vector<float> inside = distanceFrom(mesh, middle, 2 * radius);
+    for (float& value : inside) {
+        value = radius - std::min(value, 2 * radius);
+    }
+    std::vector<std::array<Eigen::Vector3f, 2>> circle;
+    for (const LinePiece& piece : zeroLine(mesh, inside)) {
+        circle.push_back(piece.ends);
+    }
+    return circle;
+}
 
 void obeyMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& marks,
                std::vector<std::array<double, 2>>& costs, std::vector<float>& weights) {
@@ -57,9 +108,7 @@ void obeyMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& marks,
     const std::vector<std::array<double, 2>> free = costs;
     const std::vector<float> plain = weights;
     for (const ShareMark& mark : marks) {
-        const Eigen::Vector3f place(float(mark.place[0].value()), float(mark.place[1].value()),
-                                    float(mark.place[2].value()));
-        const SurfacePoint middle = query.closest(place).point;
+        const SurfacePoint middle = placeOf(mark, query);
         const auto radius = float(mark.radius.value());
         for (const std::uint32_t triangle :
              radius > 0 ? spot(mesh, middle, radius) : face(mesh, middle.triangle)) {

@@ -22,4 +22,16 @@ void removeImmersion(Document& document, std::size_t number) {
                   });
 }
 
+void swapImmersions(Document& document) {
+    document.edit(QCoreApplication::translate("ImmersionEdits", "Swap Immersions"), {},
+                  [](Project& project) {
+                      std::swap(project.immersions.front(), project.immersions.back());
+                      for (ShareMark& mark : project.share.marks) {
+                          mark.kind = mark.kind == ShareMarkKind::First    ? ShareMarkKind::Second
+                                      : mark.kind == ShareMarkKind::Second ? ShareMarkKind::First
+                                                                           : mark.kind;
+                      }
+                  });
+}
+
 } // namespace dipwright

@@ -8,5 +8,7 @@ namespace dipwright {
 // A second one: the first one's pose, from the other side.
 void addImmersion(Document& document);
 void removeImmersion(Document& document, std::size_t number);
+// Of two: the second dip first. What was given to a dip for the join stays that dip's.
+void swapImmersions(Document& document);
 
 } // namespace dipwright

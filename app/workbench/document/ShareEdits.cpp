@@ -12,13 +12,14 @@ struct Text {
 } // namespace
 
 void addShareMark(Document& document, const ShareMark& mark) {
-    document.edit(Text::tr("Mark for the Join"), {}, [&](Project& project) {
-        std::vector<ShareMark>& marks = project.share.marks;
-        marks.push_back(mark);
-        if (marks.size() > mostShareMarks) {
-            marks.erase(marks.begin());
-        }
-    });
+    document.edit(Text::tr("Mark for the Join"), QStringLiteral("share.marks"),
+                  [&](Project& project) {
+                      std::vector<ShareMark>& marks = project.share.marks;
+                      marks.push_back(mark);
+                      if (marks.size() > mostShareMarks) {
+                          marks.erase(marks.begin());
+                      }
+                  });
 }
 
 void removeLastShareMark(Document& document) {

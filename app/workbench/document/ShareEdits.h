@@ -6,7 +6,7 @@
 
 namespace dipwright {
 
-// Past mostShareMarks the oldest goes.
+// Past mostShareMarks the oldest goes. Marks in a row are one step until Document::endMerge().
 void addShareMark(Document& document, const ShareMark& mark);
 void removeLastShareMark(Document& document);
 void removeShareMarks(Document& document);

@@ -25,6 +25,7 @@ EditController::EditController(const WindowActions& actions, ProjectTree& tree,
     on(actions.undo, [this] { session_.document()->undoStack().undo(); });
     on(actions.redo, [this] { session_.document()->undoStack().redo(); });
     on(actions.addImmersion, &EditController::addSecondImmersion);
+    on(actions.swapImmersions, [this] { swapImmersions(*session_.document()); });
     on(actions.removeImmersion, [this, remove] { remove(session_.immersion()); });
     on(actions.reloadModel, &EditController::reloadModel);
     on(actions.replaceModel, &EditController::askModel);

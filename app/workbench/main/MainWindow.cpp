@@ -109,8 +109,15 @@ void MainWindow::connectPanels() {
             session_.lookAt(node.immersion);
         }
     });
-    connect(parts_.properties, &PropertyPanel::slipChanged, &scene_, &DipScene::setSlip);
-    connect(parts_.properties, &PropertyPanel::joinBrushChanged, &join_, &JoinTool::setBrush);
+    connect(parts_.properties, &PropertyPanel::shownPrintChanged, &scene_,
+            &DipScene::setShownPrint);
+    connect(parts_.properties, &PropertyPanel::joinBrushChanged, this,
+            [this](const std::optional<ShareMark>& brush) {
+                join_.setBrush(brush);
+                scene_.setMarking(brush.has_value());
+            });
+    connect(&join_, &JoinTool::begun, this, [this] { dip_.setHeld(true); });
+    connect(&join_, &JoinTool::ended, this, [this] { dip_.setHeld(false); });
     connect(parts_.properties, &PropertyPanel::failed, &messages_,
             [this](const QString& sentence) { messages_.say(sentence); });
 }

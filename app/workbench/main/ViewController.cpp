@@ -48,6 +48,7 @@ void ViewController::connectDisplay(const WindowActions& actions) {
                                                                : BodyLook::Own;
         scene_.setBodyLook(look);
         view_.setWaterVisible(actions.water->isChecked() && look == BodyLook::Own);
+        view_.setFilmFitted(look == BodyLook::Own);
     };
     connect(actions.water, &QAction::toggled, this, wear);
     const auto onlyOne = [this, wear](QAction* shown, QAction* other) {

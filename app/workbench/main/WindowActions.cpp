@@ -101,6 +101,8 @@ std::vector<WindowActions::Entry> WindowActions::editEntries() {
          tr("Dip the body a second time, from another side")},
         {&A::removeImmersion, "removeImmersion", "remove", tr("Remove &Immersion"),
          tr("Remove the immersion shown")},
+        {&A::swapImmersions, "swapImmersions", "", tr("S&wap Immersions"),
+         tr("Make the second dip the first one")},
         {&A::reloadModel, "reloadModel", "reload", tr("Re&load Model"),
          tr("Read the model's file again and keep all settings"), QKeySequence::Refresh},
         {&A::replaceModel, "replaceModel", "replace", tr("Replace &Model…"),
@@ -214,6 +216,7 @@ void WindowActions::addFilmLooks() {
     addLook("filmLines", tr("&Lines every 10 mm"), FilmLook::Lines, Kind::ToggledOn);
     addLook("filmSheet", tr("The &Sheet's Image"), FilmLook::Sheet, Kind::ToggledOff);
     addLook("filmStretch", tr("S&tretch"), FilmLook::Stretch, Kind::ToggledOff);
+    addLook("filmShares", tr("&Who Paints What"), FilmLook::Shares, Kind::ToggledOff);
     addLook("filmChessboard", tr("&Chessboard of 17 mm"), FilmLook::Chessboard, Kind::ToggledOff);
     addLook("filmPicture", tr("A &Picture…"), FilmLook::Picture, Kind::ToggledOff);
 }
@@ -242,6 +245,7 @@ void WindowActions::enable(const WindowState& state) {
     reloadModel->setEnabled(any && !state.document->project().modelOrigin.source.isEmpty());
     addImmersion->setEnabled(any && immersions < 2);
     removeImmersion->setEnabled(immersions > 1);
+    swapImmersions->setEnabled(immersions > 1);
     run->setEnabled(any && !state.isDipping);
     certainty->setEnabled(any && !state.isBusy);
     cancel->setEnabled(state.isBusy);

@@ -30,8 +30,8 @@ public:
 
     QAction *newWindow, *newProject, *open, *save, *saveAs, *exportResults, *exportPdf, *exportPng,
         *exportCradles, *print, *calibrate, *profiles, *close, *quit;
-    QAction *undo, *redo, *addImmersion, *removeImmersion, *reloadModel, *replaceModel,
-        *replaceTexture, *preferences;
+    QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
+        *replaceModel, *replaceTexture, *preferences;
     QAction *run, *cancel, *live, *certainty, *play;
     QAction *fit, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout, *saveLayout,
         *parallel;

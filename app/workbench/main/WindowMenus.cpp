@@ -32,7 +32,7 @@ WindowMenus::WindowMenus(QMainWindow& window, const WindowActions& actions,
     QMenuBar& bar = *window.menuBar();
     makeFileMenu(*bar.addMenu(tr("&File")), actions);
     addGroups(*bar.addMenu(tr("&Edit")), {{a.undo, a.redo},
-                                          {a.addImmersion, a.removeImmersion},
+                                          {a.addImmersion, a.removeImmersion, a.swapImmersions},
                                           {a.reloadModel, a.replaceModel, a.replaceTexture},
                                           {a.profiles, a.preferences}});
     makeViewMenu(*bar.addMenu(tr("&View")), actions);

@@ -30,8 +30,9 @@ JoinBrush::JoinBrush(LengthUnit unit, QWidget* parent)
     kind_->addItem({}, int(ShareMarkKind::Second));
     kind_->addItem(tr("Keeps the join away"), int(ShareMarkKind::Avoid));
     kind_->addItem(tr("Lets the join run there"), int(ShareMarkKind::Allow));
-    kind_->setToolTip(tr("What a click on the body in the view marks there. Give a place to the "
-                         "other dip to move the join. With Run Live the join follows at once."));
+    kind_->setToolTip(
+        tr("What a click or a drag on the body in the view marks there. Give places "
+           "to the other dip to move the join. With Run Live the join follows at once."));
     const double shown = shownPerStored(Unit::Length, unit);
     radius_->setObjectName(QStringLiteral("joinBrushRadius"));
     radius_->setAccessibleName(tr("Radius"));

@@ -7,7 +7,6 @@
 #include "panels/JoinBrush.h"
 #include "panels/PropertySpecs.h"
 #include "panels/ShippedNames.h"
-#include "panels/SlipFields.h"
 
 #include <QComboBox>
 #include <QFileInfo>
@@ -57,7 +56,7 @@ void PropertyPanel::showNode(const ProjectNode& node) {
 void PropertyPanel::rebuild() {
     refreshers_.clear();
     emit joinBrushChanged(std::nullopt);
-    emit slipChanged({});
+    emit shownPrintChanged({});
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
     form->setContentsMargins(10, 8, 10, 10);
@@ -94,7 +93,7 @@ void PropertyPanel::rebuild() {
     }
     if (document_ && node_.part == ProjectPart::Share) {
         addJoinBrush(*form);
-        addSlip(*form);
+        addPrintFields(*form);
     }
     setWidget(page);
     refresh();
@@ -245,14 +244,21 @@ void PropertyPanel::addJoinBrush(QFormLayout& form) {
     });
 }
 
-void PropertyPanel::addSlip(QFormLayout& form) {
-    addHeading(form, tr("If the second film lies off"));
+void PropertyPanel::addPrintFields(QFormLayout& form) {
+    addHeading(form, tr("The print, and if the second film lies off"));
     auto* note = new QLabel(tr("Shown with “Print on the Body”; changes no sheet."));
     note->setWordWrap(true);
     form.addRow(note);
-    auto* slip = new SlipFields(lengthUnit_);
-    form.addRow(slip);
-    connect(slip, &SlipFields::changed, this, [this, slip] { emit slipChanged(slip->slip()); });
+    auto* fields = new PrintFields(lengthUnit_);
+    form.addRow(fields);
+    connect(fields, &PrintFields::changed, this,
+            [this, fields] { emit shownPrintChanged(fields->print()); });
+    refreshers_.push_back([this, fields] {
+        const std::vector<Immersion>& dips = document_->project().immersions;
+        if (dips.size() > 1) {
+            fields->setDips(dips[0].name, dips[1].name);
+        }
+    });
 }
 
 void PropertyPanel::addPreset(QFormLayout& form) {

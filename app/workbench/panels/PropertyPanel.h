@@ -3,10 +3,10 @@
 
 #include "document/Document.h"
 #include "panels/FilmFacts.h"
+#include "panels/PrintFields.h"
 #include "panels/ProjectTree.h"
 #include "panels/PropertyField.h"
 #include "project/ProfileLibrary.h"
-#include "results/Results.h"
 
 #include <QScrollArea>
 
@@ -32,7 +32,7 @@ signals:
     void replaceModelAsked();
     void replaceTextureAsked();
     // How far the second film lies off, in the view only.
-    void slipChanged(const dipwright::FilmSlip& slip);
+    void shownPrintChanged(const dipwright::ShownPrint& print);
     // What a click on the body marks for the join, without its place; none: nothing.
     void joinBrushChanged(const std::optional<dipwright::ShareMark>& brush);
 
@@ -43,7 +43,7 @@ private:
     void addModelFacts(QFormLayout& form);
     void addFilmFacts(QFormLayout& form);
     void addJoinBrush(QFormLayout& form);
-    void addSlip(QFormLayout& form);
+    void addPrintFields(QFormLayout& form);
     void addPreset(QFormLayout& form);
     void addSolver(QFormLayout& form);
     void addProfile(QFormLayout& form, ProfileKind kind, const QString& name, const QString& help);

@@ -5,6 +5,8 @@
 #include "panels/ReportPanel.h"
 #include "panels/StretchPanel.h"
 
+#include <QAction>
+
 namespace dipwright {
 
 namespace {
@@ -26,6 +28,13 @@ ResultsPanel::ResultsPanel(QWidget* parent)
     setUsesScrollButtons(true);
     setMinimumWidth(leastWidth);
     sheet_->offerTrueSize();
+    shares_ = new QAction(tr("Who Paints What"), this);
+    shares_->setObjectName(QStringLiteral("proofShares"));
+    shares_->setCheckable(true);
+    shares_->setVisible(false);
+    shares_->setToolTip(tr("The shares of the two dips, from six sides and on both films"));
+    proof_->addButton(shares_);
+    connect(shares_, &QAction::toggled, this, &ResultsPanel::showProof);
     addTab(certainty_, tr("Verdict"));
     addTab(stretch_, tr("Stretch"));
     addTab(texture_, tr("Texture"));
@@ -76,10 +85,19 @@ void ResultsPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion) 
     const FilmSettings& film = outcome.result->project.film;
     texture_->setPicture(outcome.result->immersions[immersion].texture->image,
                          {film.width.value(), film.height.value()});
-    const QImage& proof = outcome.result->proof;
-    proof_->setPicture(proof, QSizeF(proof.size()) / proofPixelsPerMillimetre);
+    shares_->setVisible(!outcome.result->coverage.isNull());
+    showProof();
     const SheetPreview& sheet = outcome.sheets[immersion];
     sheet_->setPicture(sheet.page, sheet.size);
+}
+
+void ResultsPanel::showProof() {
+    const bool hasShares = outcome_.result && !outcome_.result->coverage.isNull();
+    if (outcome_.result) {
+        const QImage& picture =
+            hasShares && shares_->isChecked() ? outcome_.result->coverage : outcome_.result->proof;
+        proof_->setPicture(picture, QSizeF(picture.size()) / proofPixelsPerMillimetre);
+    }
 }
 
 void ResultsPanel::setLengthUnit(LengthUnit unit) {

@@ -39,6 +39,7 @@ signals:
 
 private:
     void hoverShare(double across, double down);
+    void showProof();
 
     DipOutcome outcome_;
     std::size_t immersion_ = 0;
@@ -47,6 +48,7 @@ private:
     StretchPanel* stretch_;
     PicturePanel* texture_;
     PicturePanel* proof_;
+    QAction* shares_; // who paints what, in place of the proof
     PicturePanel* sheet_;
     ReportPanel* report_;
 };

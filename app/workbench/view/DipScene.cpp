@@ -102,32 +102,29 @@ std::vector<float> flatPositions(const solver::FilmGrid& grid, const ThinnedFilm
 
 constexpr std::size_t setupPoints = 2500;
 
-constexpr double printTriangles = 150'000; // about so many, to show a print by
-
-// As a body of one plain colour.
-std::shared_ptr<const TexturedMesh> fineBody(const RefinedMesh& mesh) {
-    auto body = std::make_shared<TexturedMesh>();
-    body->mesh = mesh.mesh();
-    body->textureCoordinates.resize(body->mesh.triangles.size());
-    body->material.resize(body->mesh.triangles.size());
-    body->chart.resize(body->mesh.triangles.size());
-    body->materials.resize(1);
-    return body;
-}
-
 } // namespace
 
-DipScene::DipScene(DipView& view, QObject* parent) : QObject(parent), view_(view) {}
+DipScene::DipScene(DipView& view, QObject* parent) : QObject(parent), view_(view) {
+    connect(&printer_, &BodyPrinter::printed, this,
+            [this](const std::shared_ptr<const TexturedMesh>& model, const BodyDress& dress) {
+                if (bodyLook_ == BodyLook::Print && model == project_.model) {
+                    wear(dress);
+                }
+            });
+}
 
 void DipScene::setProject(const Project& project, std::size_t immersion) {
     const bool otherModel = project.model != project_.model;
+    const bool otherMarks = project.share.marks != project_.share.marks;
     const bool otherFilm = !(project.film == project_.film) || !project_.model;
     project_ = project;
     immersion_ = std::min(immersion, project.immersions.size() - 1);
     if (otherModel) {
         query_ = std::make_unique<SurfaceQuery>(project.model->mesh);
-        printed_ = nullptr;
-        wearBody(project.model, {}, {});
+        marks_.reset();
+        wear({project.model, {}});
+    } else if (otherMarks) {
+        showLines();
     }
     if (otherModel || otherFilm) {
         const solver::FilmGrid grid = filmGrid(project.film);
@@ -284,13 +281,20 @@ void DipScene::setBodyLook(BodyLook look) {
     showEndAnew();
 }
 
-void DipScene::setSlip(const FilmSlip& slip) {
-    if (slip == slip_) {
+void DipScene::setShownPrint(const ShownPrint& print) {
+    if (print == shownPrint_) {
         return;
     }
-    slip_ = slip;
+    shownPrint_ = print;
     if (bodyLook_ == BodyLook::Print) {
         dressBody();
+    }
+}
+
+void DipScene::setMarking(bool marking) {
+    if (marking != marking_) {
+        marking_ = marking;
+        showLines();
     }
 }
 
@@ -323,6 +327,14 @@ void DipScene::dressFilm() {
         if (hasSheet) {
             view_.setFilmPicture(
                 onBareFilm(result_->immersions[immersion_].texture->image, shapeGrid_));
+            return;
+        }
+        break;
+    case FilmLook::Shares:
+        if (hasSheet && result_->share) {
+            const LaidFilm& laid = *result_->immersions[immersion_].laid;
+            view_.setFilmPicture(
+                sharePicture(laid, *result_->share, immersion_, pictureSize(shapeGrid_)));
             return;
         }
         break;
@@ -377,81 +389,55 @@ std::vector<QRgb> DipScene::frameColours() const {
 void DipScene::dressBody() {
     if (bodyLook_ == BodyLook::Own || !result_ || result_->project.model != project_.model ||
         immersion_ >= result_->immersions.size()) {
-        wearBody(project_.model, {}, {});
+        wear({project_.model, {}});
     } else if (bodyLook_ == BodyLook::Print) {
-        wearPrint(*result_);
+        print(*result_);
     } else if (result_->share) {
-        wearShare(*result_);
-    } else {
-        wearCoverage(*result_->immersions[immersion_].coverage);
-    }
-}
-
-void DipScene::wearBody(std::shared_ptr<const TexturedMesh> model, const std::vector<QRgb>& colours,
-                        const std::vector<ViewLegendEntry>& legend) {
-    if (model != worn_) {
-        view_.setBody(model);
-        worn_ = std::move(model);
-    }
-    view_.setBodyColours(colours);
-    view_.setLegend(legend);
-}
-
-void DipScene::wearCoverage(const Coverage& coverage) {
-    const QRgb painted = mapColour(QStringLiteral("balance"), 0.1).rgb();
-    std::vector<QRgb> colours;
-    for (std::size_t triangle = 0; triangle < coverage.covered.size(); ++triangle) {
-        const auto mark = gravestMark(coverage.marks[triangle]);
-        colours.push_back(mark                         ? markColour(*mark).rgb()
-                          : coverage.covered[triangle] ? painted
-                                                       : bareFilm);
-    }
-    std::vector<ViewLegendEntry> legend{{painted, tr("Painted")}, {bareFilm, tr("Not painted")}};
-    for (const solver::PointMark mark : filmMarks) {
-        if (coverage.marked.of(mark) > 0) {
-            legend.push_back({markColour(mark), markText(mark)});
+        if (shared_ != result_->share) {
+            shared_ = result_->share;
+            sharedBody_ = plainBody(*shared_->distance.mesh);
         }
+        wear(shareDress(sharedBody_, *result_));
+    } else {
+        wear(coverageDress(project_.model, *result_->immersions[immersion_].coverage));
     }
-    wearBody(project_.model, colours, legend);
 }
 
-void DipScene::wearShare(const JobResult& result) {
-    const BodyShare& share = *result.share;
-    std::vector<QRgb> colours;
-    for (const Painter painter : share.painters) {
-        colours.push_back(painterColour(painter).rgb());
-    }
-    const auto line = [&](Painter painter, const QString& name, double area) {
-        return ViewLegendEntry{
-            painterColour(painter),
-            tr("%1: %2 mm², %3 %")
-                .arg(name, QLocale().toString(area, 'f', 0),
-                     QLocale().toString(100 * area / share.areas.total(), 'f', 1))};
-    };
-    wearBody(fineBody(*share.distance.mesh), colours,
-             {line(Painter::First, result.immersions[0].immersion.name, share.areas.first),
-              line(Painter::Second, result.immersions[1].immersion.name, share.areas.second),
-              line(Painter::Both, tr("Both, along the join"), share.areas.both),
-              line(Painter::None, tr("Not reached"), share.areas.none)});
-}
-
-void DipScene::wearPrint(const JobResult& result) {
-    if (!printed_) {
-        const TriangleMesh& mesh = project_.model->mesh;
-        printed_ =
-            std::make_shared<const RefinedMesh>(mesh, edgeForTriangles(mesh, printTriangles));
-        printedBody_ = fineBody(*printed_);
-    }
+void DipScene::print(const JobResult& result) {
     std::vector<WornFilm> films;
-    for (const ImmersionResult& immersion : result.immersions) {
-        films.push_back({immersion.laid, immersion.texture->image});
+    for (const ImmersionResult& dip : result.immersions) {
+        films.push_back({dip.laid, dip.texture->image});
+        films.back().depth = dipDepth(result.project.process, *dip.body);
     }
     if (films.size() > 1) {
-        films.back().slip = slip_;
+        films.back().slip = shownPrint_.slip;
+        films.resize(std::min(films.size(), shownPrint_.dips));
     }
     const TextureInputs& inputs = result.immersions.front().inputs.texture;
-    wearBody(printedBody_,
-             printedColours(*printed_, films, inputs.isReversed() && inputs.ink.compensate), {});
+    printer_.print(project_.model, std::move(films), inputs.isReversed() && inputs.ink.compensate);
+}
+
+void DipScene::wear(BodyDress dress) {
+    if (dress.model != worn_.model) {
+        view_.setBody(dress.model);
+    }
+    worn_ = std::move(dress);
+    view_.setBodyColours(worn_.colours);
+    view_.setLegend(worn_.legend);
+    showLines();
+}
+
+void DipScene::showLines() {
+    std::vector<ViewLine> lines = worn_.lines;
+    const bool shows = marking_ || bodyLook_ == BodyLook::Coverage;
+    if (shows && !project_.share.marks.empty()) {
+        if (!marks_) {
+            marks_.emplace(project_.model->mesh);
+        }
+        const std::vector<ViewLine> marks = marks_->lines(project_.share.marks);
+        lines.insert(lines.end(), marks.begin(), marks.end());
+    }
+    view_.setBodyLines(lines);
 }
 
 std::optional<Eigen::Isometry3d> DipScene::worldToEnd() const {

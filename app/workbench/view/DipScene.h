@@ -1,18 +1,18 @@
 // Brings project, recording and result into the 3D view: which body, which film, at which moment.
 #pragma once
 
-#include "geometry/RefinedMesh.h"
 #include "jobs/DipJob.h"
 #include "look/HeatScale.h"
-#include "results/Results.h"
-#include "viewport/DipView.h"
+#include "panels/PrintFields.h"
+#include "view/BodyPrinter.h"
+#include "view/MarkLines.h"
 
 #include <QObject>
 #include <variant>
 
 namespace dipwright {
 
-enum class FilmLook { Lines, Sheet, Chessboard, Picture, Stretch };
+enum class FilmLook { Lines, Sheet, Chessboard, Picture, Stretch, Shares };
 enum class FilmExtent { Whole, OnBody };
 // The model's texture; painted, bare and marked parts, or the dips' shares; what comes out of the
 // dips. All but the first hide the film at the end of the dip.
@@ -41,8 +41,10 @@ public:
     void setFilmExtent(FilmExtent extent);
     void setHeat(FilmQuantity quantity, const HeatScale& scale);
     void setBodyLook(BodyLook look);
-    // How far the second film lies off in BodyLook::Print.
-    void setSlip(const FilmSlip& slip);
+    void setShownPrint(const ShownPrint& print); // of BodyLook::Print
+    // Whether the user's marks for the join are drawn whatever the body wears; over the coverage
+    // they always are.
+    void setMarking(bool marking);
     void setShowRings(bool show);
 
     // From the world to the pose frame at the end of the dip; only while the end is shown.
@@ -65,11 +67,9 @@ private:
                   const std::vector<float>& positions);
     void dressFilm();
     void dressBody();
-    void wearCoverage(const Coverage& coverage);
-    void wearShare(const JobResult& result);
-    void wearPrint(const JobResult& result);
-    void wearBody(std::shared_ptr<const TexturedMesh> model, const std::vector<QRgb>& colours,
-                  const std::vector<ViewLegendEntry>& legend);
+    void print(const JobResult& result);
+    void wear(BodyDress dress);
+    void showLines();
     void showEndAnew(); // where the end is shown
     // At the end: by the extent, and none over the body whose coverage is shown.
     std::vector<FilmTriangle> shownTriangles(const LaidFilm& laid) const;
@@ -78,10 +78,11 @@ private:
     DipView& view_;
     Project project_;
     std::size_t immersion_ = 0;
-    std::shared_ptr<const TexturedMesh> worn_; // what the view shows as the body
-    // For BodyLook::Print, of the project's model; null until it is shown.
-    std::shared_ptr<const RefinedMesh> printed_;
-    std::shared_ptr<const TexturedMesh> printedBody_;
+    BodyDress worn_; // what the view shows as the body
+    BodyPrinter printer_;
+    std::shared_ptr<const BodyShare> shared_; // what `sharedBody_` was made for
+    std::shared_ptr<const TexturedMesh> sharedBody_;
+    std::optional<MarkLines> marks_; // of the project's model; empty until there is a mark
     std::shared_ptr<const JobResult> result_;
     std::shared_ptr<const FilmReading> reading_;
     std::unique_ptr<SurfaceQuery> query_; // of the model
@@ -98,7 +99,8 @@ private:
     FilmQuantity quantity_ = FilmQuantity::Length;
     HeatScale scale_;
     BodyLook bodyLook_ = BodyLook::Own;
-    FilmSlip slip_;
+    ShownPrint shownPrint_;
+    bool marking_ = false;
     bool rings_ = true;
 };
 

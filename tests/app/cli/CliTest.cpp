@@ -76,8 +76,8 @@ private slots:
     }
 
     void aRunWritesWhatIsPromisedAndNothingElse() {
-        QStringList expected{"proof.png",      "report.json",  "traveller.pdf", "motion-1.csv",
-                             "motion-1.gcode", "motion-2.csv", "motion-2.gcode"};
+        QStringList expected{"coverage.png", "proof.png",      "report.json",  "traveller.pdf",
+                             "motion-1.csv", "motion-1.gcode", "motion-2.csv", "motion-2.gcode"};
         for (const char* immersion : {"immersion-1", "immersion-2"}) {
             for (const char* file : {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp",
                                      "stretch.png", "wrinkling.png", "certainty.png"}) {

@@ -323,6 +323,66 @@ private slots:
         QCOMPARE(document.result()->share->areas.second, before);
     }
 
+    void aDragMarksAlongItAndIsOneStep() {
+        MainWindow window(*workbench_);
+        window.show();
+        WindowDriver driver(window);
+        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        QVERIFY(driver.run());
+        const Document& document = *window.document();
+        driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
+        driver.find<QDoubleSpinBox>("joinBrushRadius")->setValue(2);
+        driver.trigger("coverage");
+        driver.trigger("top");
+        auto* brush = driver.find<QComboBox>("joinBrush");
+        brush->setCurrentIndex(brush->findData(int(ShareMarkKind::Avoid)));
+        const QImage unmarked = window.view().picture();
+        WindowDriver::drag(window.view(), {0.5, 0.5}, {0.56, 0.52});
+        QVERIFY2(document.project().share.marks.size() > 2,
+                 qPrintable(QString::number(document.project().share.marks.size())));
+        QVERIFY(window.view().picture() != unmarked); // the marks are drawn
+        driver.trigger("undo");
+        QVERIFY(document.project().share.marks.empty());
+        QTRY_VERIFY(window.view().picture() == unmarked); // once the banner has gone
+    }
+
+    void thePrintIsShownAfterEachDipAndWithTheSecondFilmOff() {
+        MainWindow window(*workbench_);
+        window.show();
+        WindowDriver driver(window);
+        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        QVERIFY(driver.run());
+        driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
+        const QImage own = window.view().picture();
+        driver.trigger("bodyPrint");
+        QTRY_VERIFY(window.view().picture() != own);
+        QTest::qWait(500); // the last of the prints
+        const QImage both = window.view().picture();
+        auto* dips = driver.find<QComboBox>("printDips");
+        dips->setCurrentIndex(1);
+        QTRY_VERIFY(window.view().picture() != both);
+        dips->setCurrentIndex(0);
+        QTRY_VERIFY(window.view().picture() == both);
+        driver.find<QDoubleSpinBox>("slipX")->setValue(4);
+        QTRY_VERIFY(window.view().picture() != both);
+        driver.find<QDoubleSpinBox>("slipX")->setValue(0);
+        QTRY_VERIFY(window.view().picture() == both);
+    }
+
+    void swappedDipsAreSwappedBack() {
+        MainWindow window(*workbench_);
+        window.show();
+        WindowDriver driver(window);
+        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        const Document& document = *window.document();
+        const Project before = document.project();
+        driver.trigger("swapImmersions");
+        QCOMPARE(document.project().immersions[0].name, before.immersions[1].name);
+        QCOMPARE(document.project().immersions[1].name, before.immersions[0].name);
+        driver.trigger("undo");
+        QVERIFY(document.project() == before);
+    }
+
 private:
     void scrub(MainWindow& window) {
         auto* timeline = window.findChild<Timeline*>();

@@ -18,6 +18,7 @@
 #include <QComboBox>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollArea>
@@ -71,6 +72,30 @@ void photographTabs(WindowDriver& driver, MainWindow& window, const Photographer
     results->setCurrentIndex(0);
 }
 
+// What there is of two dips that share the body out only.
+void photographShares(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
+    driver.trigger("filmShares");
+    camera.take(window, QStringLiteral("film-shares"));
+    driver.trigger("proofShares");
+    driver.find<QTabWidget>("results")->setCurrentIndex(3); // the proof
+    driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
+    driver.trigger("coverage");
+    driver.find<QComboBox>("joinBrush")->setCurrentIndex(3);
+    window.view().picture(); // as the user sees it
+    driver.drag(window.view(), {0.5, 0.5}, {0.56, 0.5});
+    camera.take(window, QStringLiteral("marks"));
+    driver.trigger("undo");
+    driver.trigger("proofShares");
+    driver.trigger("bodyPrint");
+    driver.find<QComboBox>("printDips")->setCurrentIndex(1);
+    camera.take(window, QStringLiteral("after-first-dip"));
+    driver.find<QComboBox>("printDips")->setCurrentIndex(0);
+    driver.find<QDoubleSpinBox>("slipX")->setValue(3);
+    camera.take(window, QStringLiteral("slipped"));
+    driver.trigger("bodyPrint");
+    driver.find<QTabWidget>("results")->setCurrentIndex(0);
+}
+
 void photographResults(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
     photographTabs(driver, window, camera, QStringLiteral("result"));
     window.view().look(ViewDirection::Oblique);
@@ -89,6 +114,9 @@ void photographResults(WindowDriver& driver, MainWindow& window, const Photograp
     driver.trigger("bodyPrint");
     camera.take(window, QStringLiteral("print-on-body"));
     driver.trigger("bodyPrint");
+    if (window.document()->result()->share) {
+        photographShares(driver, window, camera);
+    }
     driver.trigger("filmLines");
 }
 

@@ -204,6 +204,29 @@ private slots:
         QCOMPARE(countReddish(view_->grab().toImage().copy(corner)), 0);
     }
 
+    void aStrokeLeavesTheCameraAlone() {
+        std::vector<ViewRay> stroke;
+        int finished = 0;
+        const auto along = connect(view_.get(), &DipView::stroked,
+                                   [&](const ViewRay& ray) { stroke.push_back(ray); });
+        const auto end = connect(view_.get(), &DipView::strokeFinished, [&] { ++finished; });
+        const QPointF before = view_->positionOf({50, 0, 0});
+        view_->setStrokeBegin([](const ViewRay&) { return true; });
+        WindowDriver::drag(*view_, {0.4, 0.4}, {0.6, 0.5});
+        view_->picture();
+        QCOMPARE(view_->positionOf({50, 0, 0}), before);
+        QVERIFY(stroke.size() > 5);
+        QCOMPARE(finished, 1);
+        stroke.clear();
+        view_->setStrokeBegin({});
+        WindowDriver::drag(*view_, {0.4, 0.4}, {0.6, 0.5});
+        view_->picture();
+        QVERIFY(QLineF(before, view_->positionOf({50, 0, 0})).length() > 2);
+        QVERIFY(stroke.empty());
+        disconnect(along);
+        disconnect(end);
+    }
+
     void arrowKeysTurnTheCameraToo() {
         const QPointF before = view_->positionOf({50, 0, 0});
         QTest::keyClick(view_.get(), Qt::Key_Left);

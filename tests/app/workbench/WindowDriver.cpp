@@ -4,6 +4,7 @@
 
 #include <QDragEnterEvent>
 #include <QMimeData>
+#include <QMouseEvent>
 
 namespace dipwright {
 
@@ -55,6 +56,23 @@ void WindowDriver::drop(const QString& path) const {
 
 QAction* WindowDriver::action(const char* name) const {
     return window_.findChild<QAction*>(QLatin1String(name));
+}
+
+void WindowDriver::drag(QWidget& widget, QPointF from, QPointF to) {
+    constexpr int steps = 12;
+    const auto at = [&](double share) {
+        const QPointF place = from + share * (to - from);
+        return QPoint(int(place.x() * widget.width()), int(place.y() * widget.height()));
+    };
+    QTest::mousePress(&widget, Qt::LeftButton, {}, at(0));
+    for (int step = 1; step <= steps; ++step) {
+        // QTest::mouseMove knows no pressed buttons.
+        const QPointF place = at(double(step) / steps);
+        QMouseEvent move(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton,
+                         Qt::LeftButton, {});
+        QApplication::sendEvent(&widget, &move);
+    }
+    QTest::mouseRelease(&widget, Qt::LeftButton, {}, at(1));
 }
 
 } // namespace dipwright

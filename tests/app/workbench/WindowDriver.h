@@ -36,6 +36,9 @@ public:
     bool run();
 
     void drop(const QString& path) const; // a file on the window
+    // The left button pressed at a place of the widget, in shares of its size, and let go of at
+    // another.
+    static void drag(QWidget& widget, QPointF from, QPointF to);
 
     QAction* action(const char* name) const;
     void trigger(const char* name) const { action(name)->trigger(); }

@@ -172,4 +172,12 @@ DippedFilm viscousOnSphere(const solver::FilmGrid& grid, double radius, double e
     });
 }
 
+std::shared_ptr<const LaidFilm> laidOnTurnedSphere(const TexturedMesh& model, double radius,
+                                                   double end, double turn) {
+    Immersion immersion;
+    immersion.rotation[0] = Degrees(turn);
+    return layFilm(std::make_shared<const PosedBody>(posedBody(model, immersion)),
+                   viscousOnSphere(a4Grid(), radius, end), {});
+}
+
 } // namespace dipwright::test

@@ -38,5 +38,8 @@ DippedFilm onSphere(const solver::FilmGrid& grid, double radius, double end,
                     const std::function<double(double)>& polarAngle);
 // Viscous film: R = 2ρ sin(θ/2) (docs/film-model.md, "Closed forms").
 DippedFilm viscousOnSphere(const solver::FilmGrid& grid, double radius, double end);
+// The same on a model of a sphere that is turned about X by so many degrees before the dip.
+std::shared_ptr<const LaidFilm> laidOnTurnedSphere(const TexturedMesh& model, double radius,
+                                                   double end, double turn);
 
 } // namespace dipwright::test

@@ -1,6 +1,7 @@
 // The files and pictures of a run, on a film laid round a ball by its closed form: no solver
 // needed.
 #include "results/Results.h"
+#include "DippedByHand.h"
 #include "texture/LinearLight.h"
 
 #include "base/Error.h"
@@ -162,6 +163,9 @@ private slots:
     void proofTakesInkBackToWhatShows();
     void filmsOverEachOtherAddTheirInk();
     void slippedFilmPrintsBesideItsPlace();
+    void lessDeepDipLeavesTheUpperPartBare();
+    void sharesAreShownOnTheFilm();
+    void sharesAreShownFromSixSides();
     void shiftedJoinIsAsWrongAsReckoned();
     void proofIsTheSameEveryTime();
     void proofCanBeCancelled();
@@ -537,6 +541,95 @@ void ResultsTest::slippedFilmPrintsBesideItsPlace() {
         }
     }
     QVERIFY(tried > 5000);
+}
+
+void ResultsTest::lessDeepDipLeavesTheUpperPartBare() {
+    QImage red(140, 196, QImage::Format_RGBA8888);
+    red.fill(Qt::red);
+    const RefinedMesh fine(dip_.model.mesh, 1);
+    FilmSlip slip;
+    slip.lessDeep = Millimetres(12);
+    const double depth = 32;
+    const std::vector<QRgb> colours = printedColours(fine, {{dip_.laid, red, slip, depth}}, false);
+    const double lowest = double(boundingBox(dip_.model.mesh).min().y());
+    std::size_t wet = 0, dry = 0;
+    for (std::size_t triangle = 0; triangle < colours.size(); ++triangle) {
+        const Eigen::Vector3f place = position(dip_.model.mesh, fine.middle(triangle));
+        const double height = double(place.y()) - lowest;
+        if (std::abs(height - 20) > 0.01) {
+            QCOMPARE(qRed(colours[triangle]) > qGreen(colours[triangle]) + 100, height < 20);
+            ++(height < 20 ? wet : dry);
+        }
+    }
+    QVERIFY(wet > 1000 && dry > 1000);
+}
+
+namespace {
+
+// A ball under two films from opposite sides.
+struct OppositeDips {
+    TexturedMesh model = test::plainModel(sphereMesh(radius, 60, 120), QColor(120, 120, 120));
+    std::array<std::shared_ptr<const LaidFilm>, 2> films{
+        test::laidOnTurnedSphere(model, radius, 2, 0),
+        test::laidOnTurnedSphere(model, radius, 2, 180)};
+    BodyShare share = shareBody(model, films, {}, {}, {});
+};
+
+std::size_t countOf(const QImage& picture, const QColor& colour, const QRect& part) {
+    std::size_t count = 0;
+    for (int y = part.top(); y <= part.bottom(); ++y) {
+        for (int x = part.left(); x <= part.right(); ++x) {
+            count += picture.pixel(x, y) == colour.rgb() ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+} // namespace
+
+void ResultsTest::sharesAreShownOnTheFilm() {
+    const OppositeDips dips;
+    const QSize pixels(840, 1188); // 4 a mm
+    const QImage picture = sharePicture(*dips.films[0], dips.share, 0, pixels);
+    // Film that rested within 2ρ·sin(θ/2) lies within θ of the lowest point: alone up to half a
+    // band before the equator.
+    const double alone = pi / 2 - dips.share.overlap / 2 / radius;
+    const double disc = pi * std::pow(2 * radius * std::sin(alone / 2), 2) * 16;
+    const auto painted = double(countOf(picture, painterColour(Painter::First), picture.rect()));
+    QVERIFY2(std::abs(painted - disc) < 0.03 * disc,
+             qPrintable(QStringLiteral("%1 instead of %2").arg(painted).arg(disc)));
+    QCOMPARE(picture.pixelColor(420, 594), painterColour(Painter::First));
+    QVERIFY(countOf(picture, painterColour(Painter::Both), picture.rect()) > 500);
+    QVERIFY(countOf(picture, painterColour(Painter::Second), picture.rect()) > 500);
+    QVERIFY(picture.pixelColor(5, 5) != painterColour(Painter::First));
+}
+
+void ResultsTest::sharesAreShownFromSixSides() {
+    const OppositeDips dips;
+    const int tile = 320;
+    const QImage picture = coveragePicture(
+        *proofStage(dips.model), dips.share,
+        {{dips.films[0], QStringLiteral("Below")}, {dips.films[1], QStringLiteral("Above")}}, tile,
+        {});
+    const auto hue = [&](int column, int row) {
+        return picture.pixelColor(column * tile + tile / 2, row * tile + tile / 2).hslHue();
+    };
+    // The third views are from above and from below.
+    QVERIFY(std::abs(hue(2, 0) - painterColour(Painter::Second).hslHue()) < 8);
+    QVERIFY(std::abs(hue(2, 1) - painterColour(Painter::First).hslHue()) < 8);
+    // From the front the join runs across the middle.
+    const QColor join = shareLines(dips.share, {QString(), QString()}).back().colour;
+    int found = 0;
+    for (int y = tile / 2 - 4; y <= tile / 2 + 4; ++y) {
+        found += std::abs(picture.pixelColor(tile / 2, y).hslHue() - join.hslHue()) < 8 ? 1 : 0;
+    }
+    QVERIFY2(found > 0, qPrintable(QString::number(found)));
+    Progress cancelled;
+    cancelled.cancelSwitch.cancel();
+    QVERIFY_EXCEPTION_THROWN(coveragePicture(*proofStage(dips.model), dips.share,
+                                             {{dips.films[0], {}}, {dips.films[1], {}}}, tile,
+                                             cancelled),
+                             Cancelled);
 }
 
 void ResultsTest::shiftedJoinIsAsWrongAsReckoned() {

@@ -5,6 +5,7 @@
 #include "base/Units.h"
 #include "dip/Coverage.h"
 #include "geometry/Shapes.h"
+#include "share/ShareMarks.h"
 #include "texture/LinearLight.h"
 #include "texture/ReverseTexture.h"
 
@@ -25,10 +26,7 @@ const QSize a4Pixels(1240, 1754);        // 150 dpi
 using Films = std::array<std::shared_ptr<const LaidFilm>, 2>;
 
 std::shared_ptr<const LaidFilm> laidFrom(const TexturedMesh& model, double turn) {
-    Immersion immersion;
-    immersion.rotation[0] = Degrees(turn);
-    return layFilm(std::make_shared<const PosedBody>(posedBody(model, immersion)),
-                   test::viscousOnSphere(test::a4Grid(), radius, reach), {});
+    return test::laidOnTurnedSphere(model, radius, reach, turn);
 }
 
 // From below and from above, as the model stands.
@@ -101,6 +99,9 @@ private Q_SLOTS:
     void whatOneDipAloneReachesIsItsOwn();
     void placesOutOfReachAreListed();
     void marksAreObeyed();
+    void lessStretchedFilmIsBetterLast();
+    void outlineOfARoundMarkIsACircle();
+    void outlineOfAFaceIsItsEdges();
     void sameTwice();
 };
 
@@ -282,6 +283,52 @@ void BodyShareTest::marksAreObeyed() {
     for (const auto& piece : round.join) {
         QVERIFY((piece[0] - Eigen::Vector3f(0, 0, float(radius))).norm() > 3);
     }
+}
+
+void BodyShareTest::lessStretchedFilmIsBetterLast() {
+    const TexturedMesh model = ball(QColor(120, 120, 120));
+    BodyShare share = shared(model, oppositeFilms(model));
+    // At the equator viscous film is drawn out by 1/cos(45°) along the meridian.
+    for (const double stretch : share.joinStretch) {
+        QVERIFY2(std::abs(stretch - std::sqrt(2)) < 0.05, qPrintable(QString::number(stretch)));
+    }
+    QVERIFY(!betterLast(share));
+    share.joinStretch = {1.2, 1.5};
+    QCOMPARE(betterLast(share), std::optional<std::size_t>(0));
+    share.joinStretch = {1.5, 1.2};
+    QCOMPARE(betterLast(share), std::optional<std::size_t>(1));
+}
+
+void BodyShareTest::outlineOfARoundMarkIsACircle() {
+    const TriangleMesh mesh = sphereMesh(radius, 120, 240);
+    const SurfaceQuery query(mesh);
+    ShareMark mark;
+    mark.place = {Millimetres(radius), Millimetres(0), Millimetres(0)};
+    mark.radius = Millimetres(8);
+    double length = 0;
+    for (const auto& [from, to] : markOutline(mesh, query, mark)) {
+        length += double((to - from).norm());
+        const double away = radius * std::acos(double(from.normalized().x()));
+        // A round front is measured a few hundredths too long (SurfaceDistance.h).
+        QVERIFY2(std::abs(away - 8) < 0.08 * 8, qPrintable(QString::number(away)));
+    }
+    const double circle = 2 * pi * radius * std::sin(8 / radius);
+    QVERIFY2(std::abs(length - circle) < 0.06 * circle, qPrintable(QString::number(length)));
+}
+
+void BodyShareTest::outlineOfAFaceIsItsEdges() {
+    const TriangleMesh box = boxMesh({10, 20, 30});
+    const SurfaceQuery query(box);
+    ShareMark mark;
+    const Eigen::Vector3f top = boundingBox(box).center() + Eigen::Vector3f(1, 10, 2);
+    mark.place = {Millimetres(double(top.x())), Millimetres(double(top.y())),
+                  Millimetres(double(top.z()))};
+    mark.radius = Millimetres(0);
+    double length = 0;
+    for (const auto& [from, to] : markOutline(box, query, mark)) {
+        length += double((to - from).norm());
+    }
+    QCOMPARE(length, 80.0);
 }
 
 void BodyShareTest::sameTwice() {

@@ -1,0 +1,62 @@
+#include "view/BodyDress.h"
+
+#include "dip/FilmMarks.h"
+#include "results/Results.h"
+
+#include <QCoreApplication>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(BodyDress)
+};
+
+} // namespace
+
+std::shared_ptr<const TexturedMesh> plainBody(const RefinedMesh& mesh) {
+    auto body = std::make_shared<TexturedMesh>();
+    body->mesh = mesh.mesh();
+    body->textureCoordinates.resize(body->mesh.triangles.size());
+    body->material.resize(body->mesh.triangles.size());
+    body->chart.resize(body->mesh.triangles.size());
+    body->materials.resize(1);
+    return body;
+}
+
+BodyDress coverageDress(std::shared_ptr<const TexturedMesh> model, const Coverage& coverage) {
+    const QRgb painted = mapColour(QStringLiteral("balance"), 0.1).rgb();
+    const QRgb bare = painterColour(Painter::None).rgb();
+    BodyDress dress{std::move(model), {}};
+    for (std::size_t triangle = 0; triangle < coverage.covered.size(); ++triangle) {
+        const auto mark = gravestMark(coverage.marks[triangle]);
+        dress.colours.push_back(mark                         ? markColour(*mark).rgb()
+                                : coverage.covered[triangle] ? painted
+                                                             : bare);
+    }
+    dress.legend = {{painted, Text::tr("Painted")}, {bare, Text::tr("Not painted")}};
+    for (const solver::PointMark mark : filmMarks) {
+        if (coverage.marked.of(mark) > 0) {
+            dress.legend.push_back({markColour(mark), markText(mark)});
+        }
+    }
+    return dress;
+}
+
+BodyDress shareDress(std::shared_ptr<const TexturedMesh> body, const JobResult& result) {
+    const BodyShare& share = *result.share;
+    BodyDress dress{std::move(body), {}};
+    for (const Painter painter : share.painters) {
+        dress.colours.push_back(painterColour(painter).rgb());
+    }
+    for (const ShareLine& line : shareLines(
+             share, {result.immersions[0].immersion.name, result.immersions[1].immersion.name})) {
+        dress.legend.push_back({line.colour, line.text});
+    }
+    for (const auto& ends : share.join) {
+        dress.lines.push_back({ends, dress.legend.back().colour});
+    }
+    return dress;
+}
+
+} // namespace dipwright

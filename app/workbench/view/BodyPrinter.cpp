@@ -1,0 +1,35 @@
+#include "view/BodyPrinter.h"
+
+namespace dipwright {
+namespace {
+
+constexpr double paperTriangles = 150'000; // about so many
+
+} // namespace
+
+BodyPrinter::BodyPrinter(QObject* parent) : QObject(parent) {}
+
+BodyPrinter::Paper BodyPrinter::paperOf(const std::shared_ptr<const TexturedMesh>& model) {
+    const auto mesh = std::make_shared<const RefinedMesh>(
+        model->mesh, edgeForTriangles(model->mesh, paperTriangles));
+    return {model, mesh, plainBody(*mesh)};
+}
+
+void BodyPrinter::print(const std::shared_ptr<const TexturedMesh>& model,
+                        std::vector<WornFilm> films, bool compensatedInk) {
+    jobs_.cancelAll();
+    jobs_.start(std::make_unique<ValueJob<Print>>(
+        tr("Printing the body"),
+        [paper = paper_, model, films = std::move(films), compensatedInk](const Progress&) {
+            Print print{paper.model == model ? paper : paperOf(model), {}};
+            print.colours = printedColours(*print.paper.mesh, films, compensatedInk);
+            return print;
+        },
+        [this](const Print& print) {
+            paper_ = print.paper;
+            emit printed(print.paper.model, {print.paper.body, print.colours});
+        },
+        [](const std::exception_ptr&) {})); // the view goes on showing what it shows
+}
+
+} // namespace dipwright

@@ -1,0 +1,42 @@
+// Colours the body in the view as it comes out of the dips, beside the user interface: of what is
+// asked for while it works, the last is done.
+#pragma once
+
+#include "jobs/JobRunner.h"
+#include "results/Results.h"
+#include "view/BodyDress.h"
+
+namespace dipwright {
+
+class BodyPrinter : public QObject {
+    Q_OBJECT
+
+public:
+    explicit BodyPrinter(QObject* parent = nullptr);
+
+    // What `films` give `model`; printed() tells.
+    void print(const std::shared_ptr<const TexturedMesh>& model, std::vector<WornFilm> films,
+               bool compensatedInk);
+
+signals:
+    void printed(const std::shared_ptr<const dipwright::TexturedMesh>& model,
+                 const dipwright::BodyDress& dress);
+
+private:
+    // A model cut finely enough to show a print by.
+    struct Paper {
+        std::shared_ptr<const TexturedMesh> model;
+        std::shared_ptr<const RefinedMesh> mesh;
+        std::shared_ptr<const TexturedMesh> body;
+    };
+    struct Print {
+        Paper paper;
+        std::vector<QRgb> colours;
+    };
+    static Paper paperOf(const std::shared_ptr<const TexturedMesh>& model);
+
+    Paper paper_; // of the last print
+    JobRunner jobs_;
+};
+
+} // namespace dipwright

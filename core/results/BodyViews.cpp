@@ -1,0 +1,164 @@
+#include "results/BodyViews.h"
+
+#include "parallel/ParallelFor.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+constexpr int samplesAcross = 3;  // of a pixel, both ways
+constexpr float airRound = 1.22f; // times the body's own span
+
+// One view as light a pixel.
+class View {
+public:
+    View(const RayLight& light, const BodyCamera& camera, float span, QSize size)
+        : light_(light), camera_(camera), span_(span), size_(size),
+          centres_(std::size_t(size.width()) * std::size_t(size.height())),
+          shown_(centres_.size()) {
+        parallelFor(0, size.height(), [&](int y) {
+            for (int x = 0; x < size.width(); ++x) {
+                const std::size_t at = index(x, y);
+                centres_[at] = sample(float(x) + 0.5f, float(y) + 0.5f);
+                shown_[at] = encoded(centres_[at]);
+            }
+        });
+    }
+
+    using Pixel = std::array<std::uint8_t, 3>;
+    Pixel pixel(int x, int y) const {
+        return isEven(x, y) ? shown_[index(x, y)] : encoded(meanLight(x, y));
+    }
+
+private:
+    std::size_t index(int x, int y) const {
+        return std::size_t(y) * std::size_t(size_.width()) + std::size_t(x);
+    }
+
+    static Pixel encoded(const LinearColour& light) {
+        return {encodedByte(light[0]), encodedByte(light[1]), encodedByte(light[2])};
+    }
+
+    LinearColour sample(float x, float y) const {
+        return light_(camera_.ray(QPointF(double(x), double(y)), span_, size_))
+            .min(1.0f); // before any mean, so that edges of highlights stay smooth
+    }
+
+    LinearColour meanLight(int x, int y) const {
+        LinearColour sum = LinearColour::Zero();
+        for (int j = 0; j < samplesAcross; ++j) {
+            for (int i = 0; i < samplesAcross; ++i) {
+                const bool isCentre = 2 * i + 1 == samplesAcross && 2 * j + 1 == samplesAcross;
+                sum += isCentre ? centres_[index(x, y)]
+                                : sample(float(x) + (float(i) + 0.5f) / samplesAcross,
+                                         float(y) + (float(j) + 0.5f) / samplesAcross);
+            }
+        }
+        return sum / float(samplesAcross * samplesAcross);
+    }
+
+    bool isEven(int x, int y) const {
+        const Pixel& centre = shown_[index(x, y)];
+        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size_.height() - 1); ++j) {
+            for (int i = std::max(x - 1, 0); i <= std::min(x + 1, size_.width() - 1); ++i) {
+                const Pixel& other = shown_[index(i, j)];
+                for (std::size_t channel = 0; channel < 3; ++channel) {
+                    if (std::abs(int(centre[channel]) - int(other[channel])) > unseenStep) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return true;
+    }
+
+    static constexpr int unseenStep = 2; // of 255 between neighbours
+
+    const RayLight& light_;
+    const BodyCamera& camera_;
+    float span_;
+    QSize size_;
+    std::vector<LinearColour> centres_; // the light in the pixels' middles
+    std::vector<Pixel> shown_;          // the same as a picture has it
+};
+
+} // namespace
+
+BodyCamera::BodyCamera(const BoundingBox& box, float turn, float elevation)
+    : middle_(box.center()), back_(std::sin(turn) * std::cos(elevation), std::sin(elevation),
+                                   std::cos(turn) * std::cos(elevation)),
+      right_(std::cos(turn), 0, -std::sin(turn)), up_(back_.cross(right_)),
+      distance_(3.2f * box.diagonal().norm()) {}
+
+float BodyCamera::span(const TriangleMesh& mesh, QSize tile) const {
+    const float aspect = float(tile.width()) / float(tile.height());
+    float span = 0;
+    for (const Eigen::Vector3f& position : mesh.positions) {
+        const Eigen::Vector3f offset = position - middle_;
+        const float depth = distance_ - offset.dot(back_);
+        span = std::max({span, std::abs(offset.dot(right_)) / depth / aspect,
+                         std::abs(offset.dot(up_)) / depth});
+    }
+    return span;
+}
+
+BodyRay BodyCamera::ray(QPointF pixel, float span, QSize tile) const {
+    const float aspect = float(tile.width()) / float(tile.height());
+    const float x = 2 * (float(pixel.x()) / float(tile.width())) - 1;
+    const float y = 1 - 2 * (float(pixel.y()) / float(tile.height()));
+    return {middle_ + distance_ * back_,
+            (-back_ + span * (x * aspect * right_ + y * up_)).normalized()};
+}
+
+float commonSpan(const std::vector<BodyCamera>& cameras, const TriangleMesh& mesh, QSize tile) {
+    float span = 0;
+    for (const BodyCamera& camera : cameras) {
+        span = std::max(span, airRound * camera.span(mesh, tile));
+    }
+    return span;
+}
+
+void traceView(QImage& picture, const QRect& tile, const RayLight& light, const BodyCamera& camera,
+               float span, const CancelSwitch& cancelSwitch) {
+    const View view(light, camera, span, tile.size());
+    uchar* bits = picture.bits();
+    const qsizetype stride = picture.bytesPerLine();
+    parallelFor(0, tile.height(), [&](int y) {
+        if (cancelSwitch.isCancelled()) {
+            return;
+        }
+        uchar* out = bits + (tile.y() + y) * stride + qsizetype(tile.x()) * 3;
+        for (int x = 0; x < tile.width(); ++x, out += 3) {
+            const View::Pixel pixel = view.pixel(x, y);
+            std::copy(pixel.begin(), pixel.end(), out);
+        }
+    });
+    cancelSwitch.throwIfCancelled();
+}
+
+void nameViews(QPainter& painter, QSize tile, int columns, const QStringList& names) {
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setStyleHint(QFont::SansSerif);
+    font.setPixelSize(std::max(8, tile.height() / 20));
+    painter.setFont(font);
+    painter.setPen(QColor(95, 100, 106));
+    for (int view = 0; view < names.size(); ++view) {
+        const QPoint corner(view % columns * tile.width(), view / columns * tile.height());
+        const int inset = tile.height() / 32;
+        painter.drawText(QRect(corner, tile).adjusted(inset, inset, -inset, -inset),
+                         Qt::AlignLeft | Qt::AlignTop, names[view]);
+    }
+    painter.setPen(QColor(208, 211, 214));
+    const int rows = int(names.size()) / columns;
+    for (int column = 1; column < columns; ++column) {
+        painter.drawLine(column * tile.width(), 0, column * tile.width(), rows * tile.height());
+    }
+    for (int row = 1; row < rows; ++row) {
+        painter.drawLine(0, row * tile.height(), columns * tile.width(), row * tile.height());
+    }
+}
+
+} // namespace dipwright

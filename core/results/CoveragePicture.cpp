@@ -1,0 +1,193 @@
+#include "results/Results.h"
+
+#include "parallel/ParallelFor.h"
+#include "results/BodyViews.h"
+#include "results/FilmValues.h"
+#include "results/ProofScene.h"
+
+#include <QCoreApplication>
+#include <QFontMetrics>
+#include <QLocale>
+#include <QPainter>
+#include <cmath>
+#include <numbers>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Results)
+};
+
+const QColor background(252, 252, 252);
+const QColor ink(38, 42, 48);
+const QColor joinColour(255, 221, 87); // on painterColour(Painter::Both)
+const QColor pale(232, 235, 238);      // film that paints nothing
+constexpr double joinWidth = 0.004;    // of the body's diagonal
+constexpr float straight = std::numbers::pi_v<float> / 2;
+
+LinearColour linear(const QColor& colour) {
+    const std::array<float, 256>& light = linearTable();
+    return {light[std::size_t(colour.red())], light[std::size_t(colour.green())],
+            light[std::size_t(colour.blue())]};
+}
+
+// Who paints a place `inside` mm from the join on a dip's side, where that dip or both reach it.
+Painter painterAt(float inside, double overlap, std::size_t dip) {
+    const Painter own = dip == 0 ? Painter::First : Painter::Second;
+    const Painter other = dip == 0 ? Painter::Second : Painter::First;
+    return std::abs(double(inside)) < overlap / 2 ? Painter::Both : inside > 0 ? own : other;
+}
+
+// The body as paper would be: bright where it faces the reader, on white.
+class SharedBody {
+public:
+    SharedBody(const ProofStage& stage, const BodyShare& share)
+        : stage_(stage), share_(share),
+          joinWidth_(float(joinWidth * double(stage.box.diagonal().norm()))) {}
+
+    LinearColour light(const BodyRay& ray) const {
+        const RayHit hit = stage_.query.hit(ray.origin, ray.direction);
+        if (!hit.point.isValid()) {
+            return linear(background);
+        }
+        const float facing = std::abs(normalAt(stage_.normals, hit.point).dot(ray.direction));
+        return linear(colour(hit.point)) * (0.35f + 0.65f * facing);
+    }
+
+private:
+    QColor colour(const SurfacePoint& point) const {
+        const SurfacePoint fine = share_.distance.mesh->onFine(point);
+        if (share_.painters[fine.triangle] == Painter::None) {
+            return painterColour(Painter::None);
+        }
+        const float inside = share_.distance.at(point);
+        return std::abs(inside) < joinWidth_ / 2
+                   ? joinColour
+                   : painterColour(painterAt(inside, share_.overlap, 0));
+    }
+
+    const ProofStage& stage_;
+    const BodyShare& share_;
+    float joinWidth_;
+};
+
+// Smaller where the text is longer than the box.
+void letter(QPainter& painter, const QRect& box, int flags, const QString& text, int size) {
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setStyleHint(QFont::SansSerif);
+    font.setPixelSize(size);
+    const int width = QFontMetrics(font).horizontalAdvance(text);
+    if (width > box.width()) {
+        font.setPixelSize(std::max(1, size * box.width() / width));
+    }
+    painter.setFont(font);
+    painter.setPen(ink);
+    painter.drawText(box, flags, text);
+}
+
+} // namespace
+
+std::vector<ShareLine> shareLines(const BodyShare& share, const QStringList& dips) {
+    const QLocale locale;
+    const auto line = [&](Painter painter, const QString& name, double area) {
+        return ShareLine{painterColour(painter),
+                         Text::tr("%1: %2 mm², %3 %")
+                             .arg(name, locale.toString(area, 'f', 0),
+                                  locale.toString(100 * area / share.areas.total(), 'f', 1))};
+    };
+    return {
+        line(Painter::First, dips[0], share.areas.first),
+        line(Painter::Second, dips[1], share.areas.second),
+        line(Painter::Both, Text::tr("Both, along the join"), share.areas.both),
+        line(Painter::None, Text::tr("Not reached"), share.areas.none),
+        {joinColour, Text::tr("The join: %1 mm").arg(locale.toString(share.cost.length, 'f', 0))}};
+}
+
+QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t dip, QSize pixels) {
+    const PaintShare own = share.of(dip);
+    std::vector<float> inside;
+    for (const SurfacePoint& point : laid.contact().surface) {
+        const float distance = point.isValid() ? own.distance.at(point) : std::nanf("");
+        inside.push_back(own.isFirst ? distance : -distance);
+    }
+    const FilmValues values(laid, std::move(inside));
+    const solver::FilmGrid& grid = laid.film().grid;
+    const auto width =
+        float(joinWidth * double(boundingBox(laid.body().model.mesh).diagonal().norm()));
+    const auto colour = [&](double column, double row) {
+        const auto distance = float(values.at(column, row));
+        if (!values.isPainted(column, row) || std::isnan(distance)) {
+            return pale;
+        }
+        return std::abs(distance) < width / 2
+                   ? joinColour
+                   : painterColour(painterAt(distance, share.overlap, dip));
+    };
+    QImage picture(pixels, QImage::Format_RGB32);
+    uchar* bits = picture.bits();
+    parallelFor(0, pixels.height(), [&, stride = picture.bytesPerLine()](int y) {
+        auto* line = reinterpret_cast<QRgb*>(bits + y * stride);
+        for (int x = 0; x < pixels.width(); ++x) {
+            line[x] = colour(columnAt(grid, (x + 0.5) / pixels.width()),
+                             rowAt(grid, (y + 0.5) / pixels.height()))
+                          .rgb();
+        }
+    });
+    return picture;
+}
+
+QImage coveragePicture(const ProofStage& stage, const BodyShare& share,
+                       const std::vector<SharedFilm>& films, int tile, const Progress& progress) {
+    constexpr int columns = 3;
+    const QStringList names{Text::tr("Front"), Text::tr("Right"), Text::tr("From above"),
+                            Text::tr("Back"),  Text::tr("Left"),  Text::tr("From below")};
+    const std::array<BodyCamera, 6> cameras{BodyCamera(stage.box, 0, 0),
+                                            BodyCamera(stage.box, straight, 0),
+                                            BodyCamera(stage.box, 0, straight),
+                                            BodyCamera(stage.box, 2 * straight, 0),
+                                            BodyCamera(stage.box, 3 * straight, 0),
+                                            BodyCamera(stage.box, 0, -straight)};
+    const QSize view(tile, tile);
+    const float span = commonSpan({cameras.begin(), cameras.end()}, stage.mesh, view);
+    const int gap = tile / 16;
+    QImage picture(columns * tile, 3 * tile + 3 * gap, QImage::Format_RGB888);
+    picture.fill(background);
+    const SharedBody body(stage, share);
+    for (int number = 0; number < int(cameras.size()); ++number) {
+        progress(0.9 * number / double(cameras.size()), Text::tr("Tracing the shares"));
+        const QRect box(QPoint(number % columns * tile, number / columns * tile), view);
+        traceView(
+            picture, box, [&](const BodyRay& ray) { return body.light(ray); },
+            cameras[std::size_t(number)], span, progress.cancelSwitch);
+    }
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    nameViews(painter, view, columns, names);
+    QStringList dips;
+    for (std::size_t dip = 0; dip < films.size(); ++dip) {
+        const solver::FilmGrid& grid = films[dip].laid->film().grid;
+        const QRect room(int(dip) * tile + gap, 2 * tile + 2 * gap, tile - 2 * gap, tile);
+        const QSize size =
+            QSizeF(grid.width, grid.depth).scaled(room.size(), Qt::KeepAspectRatio).toSize();
+        const QRect box(room.topLeft(), size);
+        painter.drawImage(box, sharePicture(*films[dip].laid, share, dip, size));
+        painter.setPen(ink);
+        painter.drawRect(box);
+        letter(painter, QRect(room.x(), 2 * tile + gap / 2, room.width(), gap), Qt::AlignLeft,
+               Text::tr("Film of %1").arg(films[dip].name), tile / 24);
+        dips.append(films[dip].name);
+    }
+    QRect line(2 * tile + gap, 2 * tile + 2 * gap, tile - 2 * gap, tile / 12);
+    for (const ShareLine& entry : shareLines(share, dips)) {
+        const int side = line.height() / 2;
+        painter.setPen(ink);
+        painter.setBrush(entry.colour);
+        painter.drawRect(line.x(), line.y() + side / 2, 2 * side, side);
+        letter(painter, line.adjusted(3 * side, 0, 0, 0), Qt::AlignVCenter, entry.text, tile / 24);
+        line.translate(0, line.height());
+    }
+    return picture;
+}
+
+} // namespace dipwright
