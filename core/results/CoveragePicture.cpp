@@ -62,7 +62,8 @@ private:
             return painterColour(Painter::None);
         }
         const float inside = share_.distance.at(point);
-        return std::abs(inside) < joinWidth_ / 2
+        const bool joins = share_.painters[fine.triangle] == Painter::Both;
+        return joins && std::abs(inside) < joinWidth_ / 2
                    ? joinColour
                    : painterColour(painterAt(inside, share_.overlap, 0));
     }
@@ -72,18 +73,37 @@ private:
     float joinWidth_;
 };
 
-// Smaller where the text is longer than the box.
 void letter(QPainter& painter, const QRect& box, int flags, const QString& text, int size) {
     QFont font(QStringLiteral("DejaVu Sans"));
     font.setStyleHint(QFont::SansSerif);
     font.setPixelSize(size);
-    const int width = QFontMetrics(font).horizontalAdvance(text);
-    if (width > box.width()) {
-        font.setPixelSize(std::max(1, size * box.width() / width));
-    }
     painter.setFont(font);
     painter.setPen(ink);
     painter.drawText(box, flags, text);
+}
+
+// The size of letters, at most `size`, with which the longest of some texts is `width` long.
+int letterSize(const std::vector<ShareLine>& lines, int width, int size) {
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPixelSize(size);
+    int longest = 1;
+    for (const ShareLine& line : lines) {
+        longest = std::max(longest, QFontMetrics(font).horizontalAdvance(line.text));
+    }
+    return std::clamp(size * width / longest, 1, size);
+}
+
+void drawLegend(QPainter& painter, const QRect& room, const std::vector<ShareLine>& lines) {
+    QRect box(room.x(), room.y(), room.width(), room.width() / 10);
+    const int side = box.height() / 2;
+    const int size = letterSize(lines, room.width() - 3 * side, room.width() / 20);
+    for (const ShareLine& line : lines) {
+        painter.setPen(ink);
+        painter.setBrush(line.colour);
+        painter.drawRect(box.x(), box.y() + side / 2, 2 * side, side);
+        letter(painter, box.adjusted(3 * side, 0, 0, 0), Qt::AlignVCenter, line.text, size);
+        box.translate(0, box.height());
+    }
 }
 
 } // namespace
@@ -106,12 +126,17 @@ std::vector<ShareLine> shareLines(const BodyShare& share, const QStringList& dip
 
 QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t dip, QSize pixels) {
     const PaintShare own = share.of(dip);
-    std::vector<float> inside;
+    std::vector<float> inside, joining; // mm; not a number where it does not count
     for (const SurfacePoint& point : laid.contact().surface) {
         const float distance = point.isValid() ? own.distance.at(point) : std::nanf("");
+        const bool joins =
+            point.isValid() &&
+            share.painters[own.distance.mesh->onFine(point).triangle] == Painter::Both;
         inside.push_back(own.isFirst ? distance : -distance);
+        joining.push_back(joins ? std::abs(distance) : std::nanf(""));
     }
     const FilmValues values(laid, std::move(inside));
+    const FilmValues joins(laid, std::move(joining));
     const solver::FilmGrid& grid = laid.film().grid;
     const auto width =
         float(joinWidth * double(boundingBox(laid.body().model.mesh).diagonal().norm()));
@@ -120,7 +145,7 @@ QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t di
         if (!values.isPainted(column, row) || std::isnan(distance)) {
             return pale;
         }
-        return std::abs(distance) < width / 2
+        return joins.at(column, row) < double(width) / 2
                    ? joinColour
                    : painterColour(painterAt(distance, share.overlap, dip));
     };
@@ -178,15 +203,8 @@ QImage coveragePicture(const ProofStage& stage, const BodyShare& share,
                Text::tr("Film of %1").arg(films[dip].name), tile / 24);
         dips.append(films[dip].name);
     }
-    QRect line(2 * tile + gap, 2 * tile + 2 * gap, tile - 2 * gap, tile / 12);
-    for (const ShareLine& entry : shareLines(share, dips)) {
-        const int side = line.height() / 2;
-        painter.setPen(ink);
-        painter.setBrush(entry.colour);
-        painter.drawRect(line.x(), line.y() + side / 2, 2 * side, side);
-        letter(painter, line.adjusted(3 * side, 0, 0, 0), Qt::AlignVCenter, entry.text, tile / 24);
-        line.translate(0, line.height());
-    }
+    drawLegend(painter, QRect(2 * tile + gap, 2 * tile + 2 * gap, tile - 2 * gap, tile),
+               shareLines(share, dips));
     return picture;
 }
 

@@ -1,0 +1,160 @@
+// The job of two dips through the real window: a second pose, run, the join moved and moved back,
+// the cradles written, and both sheets printed on a real CUPS.
+#include "PaperMeasure.h"
+#include "PrivateCups.h"
+#include "WindowDriver.h"
+#include "panels/ProjectTree.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTimer>
+
+using namespace dipwright;
+
+namespace {
+
+const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
+const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png");
+
+// A coarse film, to be quick; the second immersion is the window's to add.
+void makeCoarse(Project& project) {
+    project.film.resolution = FilmResolution::Points;
+    project.film.columns = 28;
+    project.film.rows = 40;
+    project.fieldResolution = 64;
+    project.sheet.resolution = DotsPerInch(72);
+    project.share.registrationError = Millimetres(0.1); // leaves the join some room
+}
+
+// Types a folder into the question for one, when it is asked.
+void answerWithFolder(const QString& folder) {
+    auto* timer = new QTimer(qApp);
+    QObject::connect(timer, &QTimer::timeout, qApp, [timer, folder] {
+        if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+            timer->deleteLater();
+            dialog->findChild<QLineEdit*>()->setText(folder);
+            dialog->findChild<QPushButton*>()->click();
+        }
+    });
+    timer->start(50);
+}
+
+template <typename Widget>
+Widget* labelled(const QWidget& parent, const QString& text) {
+    for (auto* candidate : parent.findChildren<Widget*>()) {
+        if (candidate->text().contains(text)) {
+            return candidate;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
+class TwoDipsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY2(cups_.problem().isEmpty(), qPrintable(cups_.problem()));
+        QVERIFY(cups_.add({"pigment"}));
+        workbench_ = std::make_unique<Workbench>(folder_.filePath(QStringLiteral("recovery")));
+        Preferences preferences = workbench_->preferences();
+        preferences.liveUpdate = false;
+        workbench_->setPreferences(preferences);
+        window_ = std::make_unique<MainWindow>(*workbench_);
+        window_->show();
+    }
+    void cleanupTestCase() {
+        window_.reset();
+        workbench_.reset();
+    }
+
+    void twoPosesShareTheBody() {
+        QVERIFY(driver().create(model, texture, 90, makeCoarse));
+        driver().trigger("addImmersion");
+        QCOMPARE(project().immersions.size(), std::size_t(2));
+        QVERIFY(driver().run());
+        QVERIFY(result().share != nullptr);
+        QVERIFY(!result().coverage.isNull());
+        second_ = result().share->areas.second;
+        sheets_ = {result().immersions[0].sheet.image, result().immersions[1].sheet.image};
+    }
+
+    void theJoinIsMovedAndMovedBack() {
+        driver().find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
+        driver().find<QDoubleSpinBox>("joinBrushRadius")->setValue(15);
+        auto* brush = driver().find<QComboBox>("joinBrush");
+        brush->setCurrentIndex(brush->findData(int(ShareMarkKind::Second)));
+        driver().trigger("coverage");
+        driver().trigger("right"); // where both dips reach
+        window_->view().picture();
+        WindowDriver::drag(window_->view(), {0.35, 0.5}, {0.65, 0.5});
+        QVERIFY(!project().share.marks.empty());
+        QVERIFY(driver().run());
+        QVERIFY2(
+            result().share->areas.second > second_ + 5,
+            qPrintable(QStringLiteral("%1 %2").arg(result().share->areas.second).arg(second_)));
+        QVERIFY(result().immersions[0].sheet.image != sheets_[0]);
+        driver().trigger("undo");
+        QVERIFY(project().share.marks.empty());
+        QVERIFY(driver().run());
+        QCOMPARE(result().immersions[0].sheet.image, sheets_[0]);
+        QCOMPARE(result().immersions[1].sheet.image, sheets_[1]);
+        driver().trigger("coverage");
+    }
+
+    void cradlesAreWrittenWhereTheUserSays() {
+        answerWithFolder(folder_.path());
+        driver().trigger("exportCradles");
+        QTRY_VERIFY_WITH_TIMEOUT(
+            QFileInfo::exists(folder_.filePath(QStringLiteral("cradle-1.stl"))), 120000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !window_->isEmpty() && driver().action("exportCradles")->isEnabled(), 120000);
+    }
+
+    void bothSheetsGoToThePrinter() {
+        driver().trigger("print");
+        QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+        QWidget& dialog = *QApplication::activeModalWidget();
+        for (const Immersion& immersion : project().immersions) {
+            auto* tick = labelled<QCheckBox>(dialog, immersion.name);
+            QVERIFY2(tick && tick->isChecked(), qPrintable(immersion.name));
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(labelled<QLabel>(dialog, QStringLiteral("Pages: 2")) != nullptr,
+                                 60000);
+        QPushButton* print = labelled<QPushButton>(dialog, QStringLiteral("Print"));
+        QVERIFY(print->isEnabled());
+        print->click();
+        QTRY_COMPARE_WITH_TIMEOUT(cups_.received(QStringLiteral("pigment")).size(), 2, 60000);
+        for (const QString& file : cups_.received(QStringLiteral("pigment"))) {
+            QVERIFY(std::abs(pdfPage(file).width() - 210) < 0.1);
+            QVERIFY(std::abs(pdfPage(file).height() - 297) < 0.1);
+        }
+    }
+
+private:
+    WindowDriver driver() { return WindowDriver(*window_); }
+    const Project& project() const { return window_->document()->project(); }
+    const JobResult& result() const { return *window_->document()->result(); }
+
+    PrivateCups cups_;
+    QTemporaryDir folder_;
+    std::unique_ptr<Workbench> workbench_;
+    std::unique_ptr<MainWindow> window_;
+    double second_ = 0; // mm² that the second dip paints
+    std::array<QImage, 2> sheets_;
+};
+
+int main(int argc, char* argv[]) {
+    const WindowApplication application(argc, argv);
+    TwoDipsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "TwoDipsTest.moc"
