@@ -35,16 +35,23 @@ constexpr double leastUnpainted = 1;       // mm² of a place that is listed
 using Films = std::array<std::shared_ptr<const LaidFilm>, 2>;
 using Suitabilities = std::array<Suitability, 2>;
 
-// How deep each position lies in what a dip reaches, mm: 0 past it, infinite where it reaches all.
-std::vector<float> depthInReach(const TriangleMesh& mesh,
-                                const std::vector<std::uint8_t>& reached) {
+// What a dip reaches, position by position.
+struct Reach {
+    std::vector<float> depth;          // mm from its end; 0 past it, infinite where it reaches all
+    std::vector<std::uint8_t> touches; // 1 where it reaches a triangle round the position
+};
+using Reaches = std::array<Reach, 2>;
+
+Reach reachOf(const TriangleMesh& mesh, const std::vector<std::uint8_t>& reached) {
     std::vector<float> begin(mesh.positions.size(), std::numeric_limits<float>::infinity());
+    std::vector<std::uint8_t> touches(mesh.positions.size());
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         for (const std::uint32_t corner : mesh.triangles[triangle]) {
             begin[corner] = reached[triangle] != 0 ? begin[corner] : 0;
+            touches[corner] |= reached[triangle];
         }
     }
-    return surfaceDistance(mesh, std::move(begin));
+    return {surfaceDistance(mesh, std::move(begin)), std::move(touches)};
 }
 
 float meanOf(const std::vector<float>& values, const std::array<std::uint32_t, 3>& corners) {
@@ -53,13 +60,12 @@ float meanOf(const std::vector<float>& values, const std::array<std::uint32_t, 3
 
 // What each fine triangle costs the first and the second dip.
 std::vector<std::array<double, 2>> costsOf(const TriangleMesh& mesh, const Suitabilities& dips,
-                                           const std::array<std::vector<float>, 2>& depths,
-                                           float margin) {
+                                           const Reaches& reaches, float margin) {
     std::vector<std::array<double, 2>> costs(mesh.triangles.size());
     for (std::size_t triangle = 0; triangle < costs.size(); ++triangle) {
         const double area = triangleArea(mesh, triangle);
         for (std::size_t dip = 0; dip < 2; ++dip) {
-            const float depth = meanOf(depths[dip], mesh.triangles[triangle]);
+            const float depth = meanOf(reaches[dip].depth, mesh.triangles[triangle]);
             const float edge = nearReachEdge * std::max(0.0f, 1 - depth / margin);
             costs[triangle][dip] = area * double(dips[dip].cost[triangle] + edge);
         }
@@ -135,15 +141,24 @@ std::vector<std::uint32_t> reachedByBoth(const Suitabilities& dips) {
     return triangles;
 }
 
+// Where the join is to be in the band, in halves of the band: 1 where the first dip is to give all
+// the colour, −1 where the second is, for there is less room than a band between the ends of both.
+float between(const Reaches& reaches, std::size_t position) {
+    const float first = reaches[0].depth[position];
+    const float second = reaches[1].depth[position];
+    return first + second > 0
+               ? (first - second) / (first + second)
+               : float(reaches[0].touches[position]) - float(reaches[1].touches[position]);
+}
+
 // Moves the join so that the band lies where both dips reach: where one does not, the other gives
 // all the colour.
-void keepInReach(std::vector<float>& distance, const std::array<std::vector<float>, 2>& depths,
-                 float overlap) {
+void keepInReach(std::vector<float>& distance, const Reaches& reaches, float overlap) {
     for (std::size_t position = 0; position < distance.size(); ++position) {
-        const float least = overlap / 2 - depths[1][position];
-        const float most = depths[0][position] - overlap / 2;
-        distance[position] =
-            least > most ? (least + most) / 2 : std::clamp(distance[position], least, most);
+        const float least = overlap / 2 - reaches[1].depth[position];
+        const float most = reaches[0].depth[position] - overlap / 2;
+        distance[position] = least > most ? overlap / 2 * between(reaches, position)
+                                          : std::clamp(distance[position], least, most);
     }
 }
 
@@ -276,10 +291,10 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
     const JoinPlaces places = joinPlaces(*body, model, SurfaceQuery(model.mesh));
     tell(0.3);
     Suitabilities dips;
-    std::array<std::vector<float>, 2> depths;
+    Reaches reaches;
     for (std::size_t dip = 0; dip < 2; ++dip) {
         dips[dip] = suitability(*body, *films[dip], places.colours, settings.stretchLimit, ink);
-        depths[dip] = depthInReach(mesh, dips[dip].reached);
+        reaches[dip] = reachOf(mesh, dips[dip].reached);
     }
     tell(0.6);
     // How far off the second film may lie on the body.
@@ -293,7 +308,7 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
         neededOverlap(coloursOf(twice, places.colours), errorOf(twice), settings.overlap.value());
     const auto margin = float(std::max(widest / 2 + errorOf(twice), 0.01));
     const std::vector<std::uint8_t> labels =
-        cutBody(*body, costsOf(mesh, dips, depths, margin), places.weights, settings);
+        cutBody(*body, costsOf(mesh, dips, reaches, margin), places.weights, settings);
     tell(0.8);
     BodyShare share;
     const double width = std::max(smoothing, 2 * double(edge));
@@ -305,12 +320,12 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
     for (std::size_t dip = 0; dip < 2; ++dip) {
         share.joinStretch[dip] = stretchOf(along, dips[dip].stretch, settings.stretchLimit);
     }
-    keepInReach(share.distance.values, depths, float(share.overlap));
+    keepInReach(share.distance.values, reaches, float(share.overlap));
     findPainters(share, dips);
     const std::vector<LinePiece> line = joining(zeroLine(mesh, share.distance.values), dips);
     share.cost = joinCost(line, places.weights);
     std::vector<float> equator = signedDistance(mesh, equatorField(mesh, films), farthest);
-    keepInReach(equator, depths, float(share.overlap));
+    keepInReach(equator, reaches, float(share.overlap));
     share.equator = joinCost(joining(zeroLine(mesh, equator), dips), places.weights);
     for (const LinePiece& piece : line) {
         share.join.push_back(piece.ends);

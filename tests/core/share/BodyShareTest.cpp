@@ -97,6 +97,7 @@ private Q_SLOTS:
     void bandIsAsWideAsTheErrorNeeds_data();
     void bandIsAsWideAsTheErrorNeeds();
     void whatOneDipAloneReachesIsItsOwn();
+    void whatOneDipAloneReachesGetsAllItsColour();
     void placesOutOfReachAreListed();
     void marksAreObeyed();
     void lessStretchedFilmIsBetterLast();
@@ -240,6 +241,28 @@ void BodyShareTest::whatOneDipAloneReachesIsItsOwn() {
             QCOMPARE(share.painters[triangle], Painter::Second);
         }
     }
+}
+
+void BodyShareTest::whatOneDipAloneReachesGetsAllItsColour() {
+    const TexturedMesh model = ball(QColor(120, 120, 120));
+    // Films that leave a ring bare between them fade nowhere, up to their ends.
+    const Films films{test::laidOnTurnedSphere(model, radius, 1.3, 0),
+                      test::laidOnTurnedSphere(model, radius, 1.3, 180)};
+    const BodyShare share = shared(model, films);
+    QVERIFY(share.areas.none > 0.2 * share.areas.total());
+    std::array<int, 2> tried{};
+    for (std::uint32_t triangle = 0; triangle < share.painters.size(); ++triangle) {
+        for (const std::size_t dip : {std::size_t(0), std::size_t(1)}) {
+            const Painter own = dip == 0 ? Painter::First : Painter::Second;
+            if (share.painters[triangle] == own) {
+                const SurfacePoint point = share.distance.mesh->middle(triangle);
+                QVERIFY2(share.of(dip).at(point) > 0.999f,
+                         qPrintable(QString::number(share.of(dip).at(point))));
+                ++tried[dip];
+            }
+        }
+    }
+    QVERIFY(tried[0] > 5000 && tried[1] > 5000);
 }
 
 void BodyShareTest::placesOutOfReachAreListed() {
