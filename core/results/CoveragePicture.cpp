@@ -23,6 +23,7 @@ const QColor background(252, 252, 252);
 const QColor ink(38, 42, 48);
 const QColor joinColour(255, 221, 87); // on painterColour(Painter::Both)
 const QColor pale(232, 235, 238);      // film that paints nothing
+constexpr double shownBand = 0.98;     // past it the other dip gives less than a hundredth
 constexpr double joinWidth = 0.004;    // of the body's diagonal
 constexpr float straight = std::numbers::pi_v<float> / 2;
 
@@ -36,7 +37,9 @@ LinearColour linear(const QColor& colour) {
 Painter painterAt(float inside, double overlap, std::size_t dip) {
     const Painter own = dip == 0 ? Painter::First : Painter::Second;
     const Painter other = dip == 0 ? Painter::Second : Painter::First;
-    return std::abs(double(inside)) < overlap / 2 ? Painter::Both : inside > 0 ? own : other;
+    return std::abs(double(inside)) < shownBand * overlap / 2 ? Painter::Both
+           : inside > 0                                       ? own
+                                                              : other;
 }
 
 // The body as paper would be: bright where it faces the reader, on white.
