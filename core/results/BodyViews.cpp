@@ -2,12 +2,18 @@
 
 #include "parallel/ParallelFor.h"
 
+#include <QCoreApplication>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace dipwright {
 namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Results)
+};
 
 constexpr int samplesAcross = 3;  // of a pixel, both ways
 constexpr float airRound = 1.22f; // times the body's own span
@@ -113,6 +119,20 @@ BodyRay BodyCamera::ray(QPointF pixel, float span, QSize tile) const {
             (-back_ + span * (x * aspect * right_ + y * up_)).normalized()};
 }
 
+std::vector<BodyCamera> sixSides(const BoundingBox& box, float elevation) {
+    constexpr float straight = std::numbers::pi_v<float> / 2;
+    return {BodyCamera(box, 0, elevation),
+            BodyCamera(box, straight, elevation),
+            BodyCamera(box, 0, straight),
+            BodyCamera(box, 2 * straight, elevation),
+            BodyCamera(box, 3 * straight, elevation),
+            BodyCamera(box, 0, -straight)};
+}
+
+QRect sideBox(int side, QSize tile) {
+    return {QPoint(side % sideColumns * tile.width(), side / sideColumns * tile.height()), tile};
+}
+
 float commonSpan(const std::vector<BodyCamera>& cameras, const TriangleMesh& mesh, QSize tile) {
     float span = 0;
     for (const BodyCamera& camera : cameras) {
@@ -139,26 +159,24 @@ void traceView(QImage& picture, const QRect& tile, const RayLight& light, const 
     cancelSwitch.throwIfCancelled();
 }
 
-void nameViews(QPainter& painter, QSize tile, int columns, const QStringList& names) {
+void nameSides(QPainter& painter, QSize tile) {
+    const QStringList names{Text::tr("Front"), Text::tr("Right"), Text::tr("From above"),
+                            Text::tr("Back"),  Text::tr("Left"),  Text::tr("From below")};
     QFont font(QStringLiteral("DejaVu Sans"));
     font.setStyleHint(QFont::SansSerif);
     font.setPixelSize(std::max(8, tile.height() / 20));
     painter.setFont(font);
     painter.setPen(QColor(95, 100, 106));
-    for (int view = 0; view < names.size(); ++view) {
-        const QPoint corner(view % columns * tile.width(), view / columns * tile.height());
-        const int inset = tile.height() / 32;
-        painter.drawText(QRect(corner, tile).adjusted(inset, inset, -inset, -inset),
-                         Qt::AlignLeft | Qt::AlignTop, names[view]);
+    const int inset = tile.height() / 32;
+    for (int side = 0; side < names.size(); ++side) {
+        painter.drawText(sideBox(side, tile).adjusted(inset, inset, -inset, -inset),
+                         Qt::AlignLeft | Qt::AlignTop, names[side]);
     }
     painter.setPen(QColor(208, 211, 214));
-    const int rows = int(names.size()) / columns;
-    for (int column = 1; column < columns; ++column) {
-        painter.drawLine(column * tile.width(), 0, column * tile.width(), rows * tile.height());
+    for (int column = 1; column < sideColumns; ++column) {
+        painter.drawLine(column * tile.width(), 0, column * tile.width(), 2 * tile.height());
     }
-    for (int row = 1; row < rows; ++row) {
-        painter.drawLine(0, row * tile.height(), columns * tile.width(), row * tile.height());
-    }
+    painter.drawLine(0, tile.height(), sideColumns * tile.width(), tile.height());
 }
 
 } // namespace dipwright

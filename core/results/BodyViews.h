@@ -29,6 +29,7 @@ public:
     // Through a place of a view of that span and size, in pixels from its upper left corner.
     BodyRay ray(QPointF pixel, float span, QSize tile) const;
 
+    bool isBelow() const { return back_.y() < -0.5f; }
     const Eigen::Vector3f& right() const { return right_; }
     const Eigen::Vector3f& up() const { return up_; }
 
@@ -36,6 +37,12 @@ private:
     Eigen::Vector3f middle_, back_, right_, up_;
     float distance_;
 };
+
+// From the front, the right, above, the back, the left and below, as they stand three by two in
+// pictures; the four sides from `elevation` radians over the horizon.
+inline constexpr int sideColumns = 3;
+std::vector<BodyCamera> sixSides(const BoundingBox& box, float elevation);
+QRect sideBox(int side, QSize tile);
 
 // The span with which all of the body is seen from each of these, with air round it.
 float commonSpan(const std::vector<BodyCamera>& cameras, const TriangleMesh& mesh, QSize tile);
@@ -48,7 +55,7 @@ using RayLight = std::function<LinearColour(const BodyRay&)>;
 void traceView(QImage& picture, const QRect& tile, const RayLight& light, const BodyCamera& camera,
                float span, const CancelSwitch& cancelSwitch);
 
-// The names of views that fill the picture's upper left, `columns` side by side, and lines between.
-void nameViews(QPainter& painter, QSize tile, int columns, const QStringList& names);
+// The sides' names, and lines between them.
+void nameSides(QPainter& painter, QSize tile);
 
 } // namespace dipwright

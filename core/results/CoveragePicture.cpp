@@ -10,7 +10,6 @@
 #include <QLocale>
 #include <QPainter>
 #include <cmath>
-#include <numbers>
 
 namespace dipwright {
 namespace {
@@ -25,7 +24,6 @@ const QColor joinColour(255, 221, 87); // on painterColour(Painter::Both)
 const QColor pale(232, 235, 238);      // film that paints nothing
 constexpr double shownBand = 0.98;     // past it the other dip gives less than a hundredth
 constexpr double joinWidth = 0.004;    // of the body's diagonal
-constexpr float straight = std::numbers::pi_v<float> / 2;
 
 LinearColour linear(const QColor& colour) {
     const std::array<float, 256>& light = linearTable();
@@ -167,31 +165,22 @@ QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t di
 
 QImage coveragePicture(const ProofStage& stage, const BodyShare& share,
                        const std::vector<SharedFilm>& films, int tile, const Progress& progress) {
-    constexpr int columns = 3;
-    const QStringList names{Text::tr("Front"), Text::tr("Right"), Text::tr("From above"),
-                            Text::tr("Back"),  Text::tr("Left"),  Text::tr("From below")};
-    const std::array<BodyCamera, 6> cameras{BodyCamera(stage.box, 0, 0),
-                                            BodyCamera(stage.box, straight, 0),
-                                            BodyCamera(stage.box, 0, straight),
-                                            BodyCamera(stage.box, 2 * straight, 0),
-                                            BodyCamera(stage.box, 3 * straight, 0),
-                                            BodyCamera(stage.box, 0, -straight)};
+    const std::vector<BodyCamera> cameras = sixSides(stage.box, 0);
     const QSize view(tile, tile);
-    const float span = commonSpan({cameras.begin(), cameras.end()}, stage.mesh, view);
+    const float span = commonSpan(cameras, stage.mesh, view);
     const int gap = tile / 16;
-    QImage picture(columns * tile, 3 * tile + 3 * gap, QImage::Format_RGB888);
+    QImage picture(sideColumns * tile, 3 * tile + 3 * gap, QImage::Format_RGB888);
     picture.fill(background);
     const SharedBody body(stage, share);
     for (int number = 0; number < int(cameras.size()); ++number) {
         progress(0.9 * number / double(cameras.size()), Text::tr("Tracing the shares"));
-        const QRect box(QPoint(number % columns * tile, number / columns * tile), view);
         traceView(
-            picture, box, [&](const BodyRay& ray) { return body.light(ray); },
+            picture, sideBox(number, view), [&](const BodyRay& ray) { return body.light(ray); },
             cameras[std::size_t(number)], span, progress.cancelSwitch);
     }
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
-    nameViews(painter, view, columns, names);
+    nameSides(painter, view);
     QStringList dips;
     for (std::size_t dip = 0; dip < films.size(); ++dip) {
         const solver::FilmGrid& grid = films[dip].laid->film().grid;

@@ -61,13 +61,18 @@ private:
         const Eigen::Vector3f lamp =
             (0.5f * camera.up() - 0.45f * camera.right() - ray.direction).normalized();
         const float facing = std::max(0.0f, 0.25f + 0.75f * normal.dot(lamp));
-        const float room = sky_.onBody(point) * (0.75f + 0.25f * normal.y());
+        // From below the table is of glass.
+        const float open = camera.isBelow() ? 1 : sky_.onBody(point);
+        const float room = open * (0.75f + 0.25f * (camera.isBelow() ? -normal.y() : normal.y()));
         const Eigen::Vector3f halfway = (lamp - ray.direction).normalized();
         const float gloss = 0.05f * std::pow(std::max(0.0f, normal.dot(halfway)), 60.0f);
         return colour * (0.5f * facing + 0.56f * room) + gloss;
     }
 
     LinearColour tableLight(const BodyRay& ray) const {
+        if (ray.direction.y() > 0) {
+            return table;
+        }
         const float height = sky_.tableHeight() - ray.origin.y();
         const Eigen::Vector3f place = ray.origin + ray.direction * (height / ray.direction.y());
         const float far = (place - middle_).norm() / size_;
@@ -138,17 +143,14 @@ QImage proofPicture(const ProofStage& stage, const std::vector<WornFilm>& films,
                     const ProofOptions& options, const Progress& progress) {
     progress(0, Text::tr("Preparing the proof"));
     const Scene scene(stage, films, options.compensatedInk);
-    std::vector<BodyCamera> cameras;
-    for (int view = 0; view < 4; ++view) {
-        cameras.emplace_back(stage.box, float(view) * std::numbers::pi_v<float> / 2, elevation);
-    }
+    const std::vector<BodyCamera> cameras = sixSides(stage.box, elevation);
     const float span = commonSpan(cameras, stage.mesh, options.tile);
-    QImage picture(options.tile * 2, QImage::Format_RGB888);
-    for (int view = 0; view < 4; ++view) {
-        progress(0.1 + 0.22 * view, Text::tr("Tracing the proof"));
-        const BodyCamera& camera = cameras[std::size_t(view)];
-        const QRect tile(QPoint(view % 2 * options.tile.width(), view / 2 * options.tile.height()),
-                         options.tile);
+    QImage picture(sideColumns * options.tile.width(), 2 * options.tile.height(),
+                   QImage::Format_RGB888);
+    for (int side = 0; side < int(cameras.size()); ++side) {
+        progress(0.1 + 0.15 * side, Text::tr("Tracing the proof"));
+        const BodyCamera& camera = cameras[std::size_t(side)];
+        const QRect tile = sideBox(side, options.tile);
         const RayLight light = [&](const BodyRay& ray) { return scene.light(ray, camera); };
         traceView(picture, tile, light, camera, span, progress.cancelSwitch);
         if (scene.marks() != 0) {
@@ -156,8 +158,7 @@ QImage proofPicture(const ProofStage& stage, const std::vector<WornFilm>& films,
         }
     }
     QPainter painter(&picture);
-    nameViews(painter, options.tile, 2,
-              {Text::tr("Front"), Text::tr("Right"), Text::tr("Back"), Text::tr("Left")});
+    nameSides(painter, options.tile);
     painter.end();
     drawMarks(picture, scene.marks());
     return picture;

@@ -87,7 +87,7 @@ std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<Worn
                                  bool compensatedInk);
 
 struct ProofOptions {
-    QSize tile{800, 800};       // one view's pixels
+    QSize tile{640, 640};       // one view's pixels
     bool compensatedInk = true; // the images hold D·J: show D
 };
 
@@ -106,8 +106,8 @@ struct SharedFilm {
 QImage coveragePicture(const ProofStage& stage, const BodyShare& share,
                        const std::vector<SharedFilm>& films, int tile, const Progress& progress);
 
-// The body as it will come out, four views (front, right, back, left, from slightly above) two by
-// two, in model orientation: front looks along −Z. Where films lie over each other
+// The body as it will come out, in model orientation: front (along −Z), right and above over back,
+// left and below, the four sides from slightly above. Where films lie over each other
 // their densities add up, unpainted body is light grey, what marked film paints is hatched. Traced
 // by Embree on all cores, without OpenGL; throws Cancelled.
 QImage proofPicture(const ProofStage& stage, const std::vector<WornFilm>& films,

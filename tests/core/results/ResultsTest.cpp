@@ -440,12 +440,12 @@ void ResultsTest::proofShowsTheImageOnTheBody() {
     const QSize tile = large ? QSize(800, 800) : QSize(200, 200);
     const QImage image = proof(stripes(dip_.film.grid), tile);
     keep(image, "proof.png");
-    QCOMPARE(image.size(), tile * 2);
+    QCOMPARE(image.size(), QSize(3 * tile.width(), 2 * tile.height()));
     // Below the ball's middle there is paint, above it the bare body. From the front the film's
     // left is left, from the back it is right.
     const auto pixel = [&](int view, double right, double down) {
-        return image.pixelColor(int(tile.width() * (view % 2 + right)),
-                                int(tile.height() * (view / 2 + down)));
+        return image.pixelColor(int(tile.width() * (view % 3 + right)),
+                                int(tile.height() * (view / 3 + down)));
     };
     const auto isRed = [](const QColor& c) {
         return c.red() > c.green() + 40 && c.red() > c.blue() + 40;
@@ -460,11 +460,16 @@ void ResultsTest::proofShowsTheImageOnTheBody() {
     QVERIFY(isGreen(pixel(0, 0.7, 0.72)));
     QVERIFY(isBlue(pixel(0, 0.5, 0.8)));
     QVERIFY(isGreen(pixel(1, 0.5, 0.8)));
-    QVERIFY(isGreen(pixel(2, 0.3, 0.72)));
-    QVERIFY(isRed(pixel(2, 0.7, 0.72)));
-    QVERIFY(isRed(pixel(3, 0.5, 0.8)));
-    const QColor bare = pixel(0, 0.5, 0.3);
-    QVERIFY(std::abs(bare.red() - bare.blue()) < 12 && bare.red() > 120);
+    QVERIFY(isGreen(pixel(3, 0.3, 0.72)));
+    QVERIFY(isRed(pixel(3, 0.7, 0.72)));
+    QVERIFY(isRed(pixel(4, 0.5, 0.8)));
+    // From below the left is left, too.
+    QVERIFY(isRed(pixel(5, 0.3, 0.5)));
+    QVERIFY(isGreen(pixel(5, 0.7, 0.5)));
+    QVERIFY(isBlue(pixel(5, 0.5, 0.5)));
+    for (const QColor& bare : {pixel(0, 0.5, 0.3), pixel(2, 0.5, 0.5)}) {
+        QVERIFY(std::abs(bare.red() - bare.blue()) < 12 && bare.red() > 120);
+    }
 }
 
 void ResultsTest::proofTakesInkBackToWhatShows() {
