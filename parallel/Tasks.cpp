@@ -15,9 +15,9 @@ namespace dipwright {
 struct Tasks::Group {
     tbb::task_group group;
     std::mutex mutex;
-    std::list<parallel::ForkAndJoin> forks; // a task each
     std::exception_ptr failure;
-    bool isGivenUp = false; // what has not begun is left out
+    bool isGivenUp = false;                 // what has not begun is left out
+    std::list<parallel::ForkAndJoin> forks; // a task each; go before `failure`, which a task made
 
     const parallel::ForkAndJoin& fork() {
         const std::scoped_lock lock(mutex);

@@ -28,6 +28,7 @@ private Q_SLOTS:
     void tasksMayBeginTasksAndLoops();
     void aTaskThatThrowsDoesNotBreakOffTheOthers();
     void tasksThatNobodyWaitsForEndAll();
+    void whatTheyThrewGoesWithThem();
     void undisturbedWorkTakesUpNoTask();
     void aLimitHoldsWhileItLives();
     void aTeamDoesItsWorkBeforeItReturns();
@@ -156,6 +157,29 @@ void ParallelTest::tasksThatNobodyWaitsForEndAll() {
         }
     }
     QCOMPARE(int(ended), int(begun));
+}
+
+// Each thrown on whatever thread, and deleted on this one.
+void ParallelTest::whatTheyThrewGoesWithThem() {
+    static std::atomic<int> made = 0, gone = 0;
+    struct Failure {
+        Failure() { ++made; }
+        Failure(const Failure&) { ++made; }
+        ~Failure() { ++gone; }
+    };
+    for (int group = 0; group < 200; ++group) {
+        std::atomic<bool> isThrown = false;
+        Tasks tasks;
+        tasks.run([&] {
+            isThrown = true;
+            throw Failure();
+        });
+        while (!isThrown) {
+            std::this_thread::yield();
+        }
+    }
+    QVERIFY(made >= 200);
+    QCOMPARE(int(gone), int(made));
 }
 
 void ParallelTest::undisturbedWorkTakesUpNoTask() {
