@@ -3,9 +3,9 @@
 //   keep JOB FOLDER     opens and changes a project and keeps a copy of the unsaved work
 //   recover FOLDER      what the next start does with such copies
 //   export JOB DIR      runs the job and writes its results
-//   cycles JOB DIR N    opens, changes, runs, keeps, exports, saves and closes N times; tells what
-//   has
-//                       grown since the Nth part of ten
+//   cycles JOB DIR N    opens, changes, saves, runs, keeps, exports and closes N times; tells what
+//   it
+//                       holds after a tenth of them and after all, a line each
 //   allocations JOB N…  opens and saves with the Nth allocation failing, for each in a life of its
 //                       own; tells what came of it
 
@@ -22,6 +22,7 @@
 #include "solver/SolverRegistry.h"
 
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QGuiApplication>
 #include <cstdio>
@@ -64,16 +65,23 @@ void exportResults(const QString& job, const QString& folder) {
     writeResults(project, runJob(project, SolverRegistry(), options, nullptr, {}), folder, {});
 }
 
-// What the process holds: memory that was asked for and not given back, with MALLOC_ARENA_MAX=1 all
-// of it, whatever the allocator keeps for later; and open files.
-struct Holdings {
-    long kilobytes = 0;
-    int handles = 0;
-};
-Holdings holdings() {
+int entriesBelow(const QString& folder) {
+    QDirIterator all(folder, QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot,
+                     QDirIterator::Subdirectories);
+    int count = 0;
+    for (; all.hasNext(); all.next()) {
+        ++count;
+    }
+    return count;
+}
+
+// Tells what the process holds: memory in kB that was asked for and not given back, with
+// MALLOC_ARENA_MAX=1 all of it, whatever the allocator keeps for later; open files; and what lies
+// in the folder for temporary files.
+void tellHoldings() {
     const struct mallinfo2 memory = mallinfo2();
-    return {long((memory.uordblks + memory.hblkhd) / 1024),
-            int(QDir(QStringLiteral("/proc/self/fd")).count())};
+    std::printf("%ld %d %d\n", long((memory.uordblks + memory.hblkhd) / 1024),
+                int(QDir(QStringLiteral("/proc/self/fd")).count()), entriesBelow(QDir::tempPath()));
 }
 
 void cycle(const QString& job, const QString& folder, int number) {
@@ -84,20 +92,17 @@ void cycle(const QString& job, const QString& folder, int number) {
     document.edit(QStringLiteral("Swell"), {},
                   [&](Project& project) { project.film.swellX = 1 + 0.01 * (number % 9 + 1); });
     saver.keepNow();
-    exportResults(job, folder + QStringLiteral("/out"));
     document.save();
+    exportResults(job, folder + QStringLiteral("/out"));
 }
 
 void cycles(const QString& job, const QString& folder, int count) {
-    Holdings early;
-    for (int number = 0; number < count; ++number) {
+    for (int number = 1; number <= count; ++number) {
         cycle(job, folder, number);
-        if (number == count / 10) {
-            early = holdings();
+        if (number == count / 10 || number == count) {
+            tellHoldings();
         }
     }
-    const Holdings late = holdings();
-    std::printf("%ld %d\n", late.kilobytes - early.kilobytes, late.handles - early.handles);
 }
 
 // The preloaded part's.
