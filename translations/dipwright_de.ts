@@ -1044,6 +1044,74 @@
         <source>From the rinse until the body may be touched, or dipped again.</source>
         <translation>Vom Abspülen, bis der Körper angefasst oder wieder getaucht werden darf.</translation>
     </message>
+    <message>
+        <source>Measured by photos</source>
+        <translation>Auf Fotos gemessen</translation>
+    </message>
+    <message>
+        <source>Measured on</source>
+        <translation>Gemessen am</translation>
+    </message>
+    <message>
+        <source>The day of the photos. While swell and growth are what they gave, the profile counts as measured, else as guessed.</source>
+        <translation>Der Tag der Fotos. Solange Quellung und Wachstum sind, was sie ergaben, gilt das Profil als gemessen, sonst als geschätzt.</translation>
+    </message>
+    <message>
+        <source>Water, °C</source>
+        <translation>Wasser, °C</translation>
+    </message>
+    <message>
+        <source>How warm the water was.</source>
+        <translation>Wie warm das Wasser war.</translation>
+    </message>
+    <message>
+        <source>Swell found</source>
+        <translation>Gefundene Quellung</translation>
+    </message>
+    <message>
+        <source>The swell that the photos gave. 0: none.</source>
+        <translation>Die Quellung, die die Fotos ergaben. 0: keine.</translation>
+    </message>
+    <message>
+        <source>… and off by</source>
+        <translation>… und ungenau um</translation>
+    </message>
+    <message>
+        <source>How far that swell may be off, at 95 %.</source>
+        <translation>Um wie viel diese Quellung falsch sein kann, mit 95 %.</translation>
+    </message>
+    <message>
+        <source>Growth found</source>
+        <translation>Gefundenes Wachstum</translation>
+    </message>
+    <message>
+        <source>The growth that the photos gave.</source>
+        <translation>Das Wachstum, das die Fotos ergaben.</translation>
+    </message>
+    <message>
+        <source>… at most</source>
+        <translation>… höchstens</translation>
+    </message>
+    <message>
+        <source>The growth&apos;s limit that the photos gave.</source>
+        <translation>Die Grenze des Wachstums, die die Fotos ergaben.</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>How far the corners in the photos lie from where these figures have them, on the average.</source>
+        <translation>Wie weit die Ecken auf den Fotos im Mittel davon entfernt liegen, wo diese Zahlen sie erwarten.</translation>
+    </message>
+    <message>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>The SHA-256 of the photos&apos; files, by which they can be known again.</source>
+        <translation>Der SHA-256 der Fotodateien, an dem sie wiederzuerkennen sind.</translation>
+    </message>
 </context>
 <context>
     <name>Profiles</name>
@@ -2314,6 +2382,14 @@
         <source>So it has to look after dip %1: as it hung, from the film&apos;s lower edge, from its right edge, and from below</source>
         <translation>So muss es nach Tauchgang %1 aussehen: wie es hing, von der unteren und von der rechten Kante des Films und von unten</translation>
     </message>
+    <message>
+        <source>Swell measured on %1.</source>
+        <translation>Quellung gemessen am %1.</translation>
+    </message>
+    <message>
+        <source>Swell guessed, not measured.</source>
+        <translation>Quellung geschätzt, nicht gemessen.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -2453,8 +2529,8 @@
         <translation>Die Textur hat mehr als %1 Pixel je Seite; verkleinern Sie sie</translation>
     </message>
     <message>
-        <source>The textures have more than %1 million pixels together, too many for files of their size or for any sheet; make them smaller</source>
-        <translation>Die Texturen haben zusammen mehr als %1 Millionen Pixel, zu viele für Dateien ihrer Größe oder für jeden Bogen; verkleinern Sie sie</translation>
+        <source>The pictures have more than %1 million pixels together, too many for files of their size or for any sheet; make them smaller</source>
+        <translation>Die Bilder haben zusammen mehr als %1 Millionen Pixel, zu viele für Dateien ihrer Größe oder für jeden Bogen; verkleinern Sie sie</translation>
     </message>
     <message>
         <source>Reading the file takes more than %1 MB of memory, more than any of its size needs; reduce it or save it anew</source>
@@ -3009,6 +3085,85 @@
     <message>
         <source>on the water</source>
         <translation>auf dem Wasser</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::FilmWatch</name>
+    <message>
+        <source>The film&apos;s chessboard is mirrored: lay the film with its ink side up, or turn the picture back that was flipped</source>
+        <translation>Das Schachbrett des Films ist gespiegelt: legen Sie den Film mit der Farbe nach oben, oder drehen Sie das gespiegelte Bild zurück</translation>
+    </message>
+    <message>
+        <source>The card is mirrored: turn the picture back that was flipped</source>
+        <translation>Die Karte ist gespiegelt: drehen Sie das gespiegelte Bild zurück</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>Growth is not measured: that takes photos at three moments or more, from before the dip begins to after it ends</source>
+        <translation>Das Wachstum ist nicht gemessen: dazu braucht es Fotos zu drei Zeitpunkten oder mehr, von vor dem Beginn des Tauchens bis nach seinem Ende</translation>
+    </message>
+    <message>
+        <source>The film did not grow between the photos by more than they can tell</source>
+        <translation>Der Film wuchs zwischen den Fotos nicht um mehr, als sie erkennen lassen</translation>
+    </message>
+    <message>
+        <source>Growth: %1 ± %2 % a second</source>
+        <translation>Wachstum: %1 ± %2 % in der Sekunde</translation>
+    </message>
+    <message>
+        <source>It still grew as fast at the last photo, so that its limit is not known and the profile keeps its own growth; go on until it grows no more</source>
+        <translation>Er wuchs beim letzten Foto noch so schnell, dass die Grenze nicht bekannt ist und das Profil sein eigenes Wachstum behält; fotografieren Sie weiter, bis er nicht mehr wächst</translation>
+    </message>
+    <message>
+        <source>Growth: %1 ± %2 % a second when the dip begins, by %3 ± %4 % in the end</source>
+        <translation>Wachstum: %1 ± %2 % in der Sekunde zu Beginn des Tauchens, am Ende um %3 ± %4 %</translation>
+    </message>
+    <message>
+        <source>Of the film&apos;s chessboard too little is seen; photograph all of it, sharp and without glare</source>
+        <translation>Vom Schachbrett des Films ist zu wenig zu sehen; fotografieren Sie es ganz, scharf und ohne Spiegelung</translation>
+    </message>
+    <message>
+        <source>No chessboard of the film watch is seen; print it with “calibrate film” and photograph it whole, sharp and without glare</source>
+        <translation>Kein Schachbrett der Filmmessung ist zu sehen; drucken Sie es mit „calibrate film“ und fotografieren Sie es ganz, scharf und ohne Spiegelung</translation>
+    </message>
+    <message>
+        <source>The card of the film watch is not seen, without which no lengths are known; print it with “calibrate card” and lay it beside the film</source>
+        <translation>Die Karte der Filmmessung ist nicht zu sehen, ohne die keine Längen bekannt sind; drucken Sie sie mit „calibrate card“ und legen Sie sie neben den Film</translation>
+    </message>
+    <message>
+        <source>Swell when the dip begins: along X %1, along Y %2</source>
+        <translation>Quellung zu Beginn des Tauchens: entlang X %1, entlang Y %2</translation>
+    </message>
+    <message>
+        <source>Unevenness: 95 % of the film lies within %1 mm of where an evenly swollen film would lie</source>
+        <translation>Ungleichmäßigkeit: 95 % des Films liegen höchstens %1 mm davon entfernt, wo ein gleichmäßig gequollener Film läge</translation>
+    </message>
+    <message>
+        <source>Unevenness of the film</source>
+        <translation>Ungleichmäßigkeit des Films</translation>
+    </message>
+    <message>
+        <source>Colour: grown more or less than the mean, %1 · arrows: moved, %2 times</source>
+        <translation>Farbe: mehr oder weniger gewachsen als das Mittel, %1 · Pfeile: verschoben, %2-fach</translation>
+    </message>
+    <message>
+        <source>95 % of the corners lie within %1 mm of an evenly swollen film</source>
+        <translation>95 % der Ecken liegen höchstens %1 mm neben einem gleichmäßig gequollenen Film</translation>
+    </message>
+    <message>
+        <source>The corners seen do not tell how the film lies; photograph film and card from above, both whole</source>
+        <translation>Die sichtbaren Ecken sagen nicht, wie der Film liegt; fotografieren Sie Film und Karte von oben, beide ganz</translation>
+    </message>
+    <message>
+        <source>Only %1 corners of the film&apos;s chessboard are seen and it takes %2; photograph all of it, without glare</source>
+        <translation>Nur %1 Ecken vom Schachbrett des Films sind zu sehen, und es braucht %2; fotografieren Sie es ganz und ohne Spiegelung</translation>
+    </message>
+    <message>
+        <source>Only %1 corners of the card are seen and it takes %2; photograph all of it, without glare</source>
+        <translation>Nur %1 Ecken der Karte sind zu sehen, und es braucht %2; fotografieren Sie sie ganz und ohne Spiegelung</translation>
     </message>
 </context>
 <context>
@@ -4595,6 +4750,13 @@
     </message>
 </context>
 <context>
+    <name>dipwright::ReadPhotos</name>
+    <message>
+        <source>The photo cannot be read; check its name and permissions</source>
+        <translation>Das Foto kann nicht gelesen werden; prüfen Sie Namen und Rechte</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::ReaderProcess</name>
     <message>
         <source>The program that reads models and pictures is missing; install Dipwright anew</source>
@@ -5141,16 +5303,16 @@ mm</translation>
 <context>
     <name>dipwright::Texture</name>
     <message>
-        <source>The texture has no pixels; choose another picture</source>
-        <translation>Die Textur hat keine Bildpunkte; wählen Sie ein anderes Bild</translation>
+        <source>The picture has no pixels; choose another one</source>
+        <translation>Das Bild hat keine Bildpunkte; wählen Sie ein anderes</translation>
     </message>
     <message>
-        <source>The texture is not a picture that can be read; save it as PNG or JPEG</source>
-        <translation>Die Textur ist kein lesbares Bild; speichern Sie sie als PNG oder JPEG</translation>
+        <source>The file is not a picture that can be read; save it as PNG or JPEG</source>
+        <translation>Die Datei ist kein lesbares Bild; speichern Sie sie als PNG oder JPEG</translation>
     </message>
     <message>
-        <source>The texture is damaged: %1; save it anew</source>
-        <translation>Die Textur ist beschädigt: %1; speichern Sie sie neu</translation>
+        <source>The picture is damaged: %1; save it anew</source>
+        <translation>Das Bild ist beschädigt: %1; speichern Sie es neu</translation>
     </message>
     <message>
         <source>%1, with %2 × %3 pixels</source>
@@ -5216,6 +5378,41 @@ mm</translation>
     <message>
         <source>Reading the picture</source>
         <translation>Bild wird gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::WatchPage</name>
+    <message>
+        <source>Film watch: print this on the film</source>
+        <translation>Filmmessung: dies auf den Film drucken</translation>
+    </message>
+    <message>
+        <source>Card of the film watch: print this on stiff, waterproof card</source>
+        <translation>Karte der Filmmessung: dies auf steifen, wasserfesten Karton drucken</translation>
+    </message>
+    <message>
+        <source>Ink side: this side up on the water, the words to be read from above.</source>
+        <translation>Farbseite: diese Seite nach oben aufs Wasser, die Wörter von oben zu lesen.</translation>
+    </message>
+    <message>
+        <source>Lay it flat on the water beside the film, this side up, in every photo.</source>
+        <translation>Auf jedem Foto flach neben dem Film auf dem Wasser, diese Seite nach oben.</translation>
+    </message>
+    <message>
+        <source>Both rulers must measure %1 mm; if not, say what they do measure when the photos are looked at.</source>
+        <translation>Beide Lineale müssen %1 mm messen; wenn nicht, geben Sie an, was sie messen, wenn die Fotos ausgewertet werden.</translation>
+    </message>
+    <message>
+        <source>Date %1   Lot %2   Water %3 °C</source>
+        <translation>Datum %1   Charge %2   Wasser %3 °C</translation>
+    </message>
+    <message>
+        <source>Paper of %1 × %2 mm has no room for a chessboard with %3 corners; take a larger one</source>
+        <translation>Papier von %1 × %2 mm hat keinen Platz für ein Schachbrett mit %3 Ecken; nehmen Sie ein größeres</translation>
+    </message>
+    <message>
+        <source>The page cannot be written: %1</source>
+        <translation>Die Seite kann nicht geschrieben werden: %1</translation>
     </message>
 </context>
 <context>

@@ -1044,6 +1044,74 @@
         <source>From the rinse until the body may be touched, or dipped again.</source>
         <translation>Do enxágue até o corpo poder ser tocado ou mergulhado de novo.</translation>
     </message>
+    <message>
+        <source>Measured by photos</source>
+        <translation>Medido por fotos</translation>
+    </message>
+    <message>
+        <source>Measured on</source>
+        <translation>Medido em</translation>
+    </message>
+    <message>
+        <source>The day of the photos. While swell and growth are what they gave, the profile counts as measured, else as guessed.</source>
+        <translation>O dia das fotos. Enquanto inchamento e crescimento forem os que elas deram, o perfil conta como medido; senão, como suposto.</translation>
+    </message>
+    <message>
+        <source>Water, °C</source>
+        <translation>Água, °C</translation>
+    </message>
+    <message>
+        <source>How warm the water was.</source>
+        <translation>Quão quente estava a água.</translation>
+    </message>
+    <message>
+        <source>Swell found</source>
+        <translation>Inchamento encontrado</translation>
+    </message>
+    <message>
+        <source>The swell that the photos gave. 0: none.</source>
+        <translation>O inchamento que as fotos deram. 0: nenhum.</translation>
+    </message>
+    <message>
+        <source>… and off by</source>
+        <translation>… com erro de</translation>
+    </message>
+    <message>
+        <source>How far that swell may be off, at 95 %.</source>
+        <translation>Quanto esse inchamento pode errar, a 95 %.</translation>
+    </message>
+    <message>
+        <source>Growth found</source>
+        <translation>Crescimento encontrado</translation>
+    </message>
+    <message>
+        <source>The growth that the photos gave.</source>
+        <translation>O crescimento que as fotos deram.</translation>
+    </message>
+    <message>
+        <source>… at most</source>
+        <translation>… no máximo</translation>
+    </message>
+    <message>
+        <source>The growth&apos;s limit that the photos gave.</source>
+        <translation>O limite do crescimento que as fotos deram.</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Resíduo</translation>
+    </message>
+    <message>
+        <source>How far the corners in the photos lie from where these figures have them, on the average.</source>
+        <translation>A que distância, em média, os cantos nas fotos ficam de onde estes números os põem.</translation>
+    </message>
+    <message>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>The SHA-256 of the photos&apos; files, by which they can be known again.</source>
+        <translation>O SHA-256 dos arquivos das fotos, pelo qual podem ser reconhecidas.</translation>
+    </message>
 </context>
 <context>
     <name>Profiles</name>
@@ -2314,6 +2382,14 @@
         <source>So it has to look after dip %1: as it hung, from the film&apos;s lower edge, from its right edge, and from below</source>
         <translation>Assim deve ficar após o mergulho %1: como estava pendurado, da borda inferior do filme, da borda direita e de baixo</translation>
     </message>
+    <message>
+        <source>Swell measured on %1.</source>
+        <translation>Inchamento medido em %1.</translation>
+    </message>
+    <message>
+        <source>Swell guessed, not measured.</source>
+        <translation>Inchamento suposto, não medido.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -2453,8 +2529,8 @@
         <translation>A textura tem mais de %1 pixels por lado; diminua-a</translation>
     </message>
     <message>
-        <source>The textures have more than %1 million pixels together, too many for files of their size or for any sheet; make them smaller</source>
-        <translation>As texturas têm juntas mais de %1 milhões de pixels, demais para arquivos do seu tamanho ou para qualquer folha; diminua-as</translation>
+        <source>The pictures have more than %1 million pixels together, too many for files of their size or for any sheet; make them smaller</source>
+        <translation>As imagens têm juntas mais de %1 milhões de pixels, demais para arquivos do seu tamanho ou para qualquer folha; diminua-as</translation>
     </message>
     <message>
         <source>Reading the file takes more than %1 MB of memory, more than any of its size needs; reduce it or save it anew</source>
@@ -3009,6 +3085,85 @@
     <message>
         <source>on the water</source>
         <translation>na água</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::FilmWatch</name>
+    <message>
+        <source>The film&apos;s chessboard is mirrored: lay the film with its ink side up, or turn the picture back that was flipped</source>
+        <translation>O tabuleiro do filme está espelhado: deite o filme com a tinta para cima, ou desvire a imagem que foi espelhada</translation>
+    </message>
+    <message>
+        <source>The card is mirrored: turn the picture back that was flipped</source>
+        <translation>O cartão está espelhado: desvire a imagem que foi espelhada</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>Growth is not measured: that takes photos at three moments or more, from before the dip begins to after it ends</source>
+        <translation>O crescimento não está medido: para isso são precisas fotos em três momentos ou mais, de antes do início da imersão até depois do fim</translation>
+    </message>
+    <message>
+        <source>The film did not grow between the photos by more than they can tell</source>
+        <translation>O filme não cresceu entre as fotos mais do que elas podem mostrar</translation>
+    </message>
+    <message>
+        <source>Growth: %1 ± %2 % a second</source>
+        <translation>Crescimento: %1 ± %2 % por segundo</translation>
+    </message>
+    <message>
+        <source>It still grew as fast at the last photo, so that its limit is not known and the profile keeps its own growth; go on until it grows no more</source>
+        <translation>Na última foto ele ainda crescia tão depressa que o limite não é conhecido e o perfil mantém o seu próprio crescimento; continue até que não cresça mais</translation>
+    </message>
+    <message>
+        <source>Growth: %1 ± %2 % a second when the dip begins, by %3 ± %4 % in the end</source>
+        <translation>Crescimento: %1 ± %2 % por segundo no início da imersão, no fim %3 ± %4 %</translation>
+    </message>
+    <message>
+        <source>Of the film&apos;s chessboard too little is seen; photograph all of it, sharp and without glare</source>
+        <translation>Do tabuleiro do filme vê-se muito pouco; fotografe-o inteiro, nítido e sem reflexos</translation>
+    </message>
+    <message>
+        <source>No chessboard of the film watch is seen; print it with “calibrate film” and photograph it whole, sharp and without glare</source>
+        <translation>Não se vê nenhum tabuleiro da medição do filme; imprima-o com “calibrate film” e fotografe-o inteiro, nítido e sem reflexos</translation>
+    </message>
+    <message>
+        <source>The card of the film watch is not seen, without which no lengths are known; print it with “calibrate card” and lay it beside the film</source>
+        <translation>Não se vê o cartão da medição do filme, sem o qual nenhum comprimento é conhecido; imprima-o com “calibrate card” e deite-o ao lado do filme</translation>
+    </message>
+    <message>
+        <source>Swell when the dip begins: along X %1, along Y %2</source>
+        <translation>Inchamento no início da imersão: ao longo de X %1, ao longo de Y %2</translation>
+    </message>
+    <message>
+        <source>Unevenness: 95 % of the film lies within %1 mm of where an evenly swollen film would lie</source>
+        <translation>Irregularidade: 95 % do filme fica a no máximo %1 mm de onde estaria um filme inchado por igual</translation>
+    </message>
+    <message>
+        <source>Unevenness of the film</source>
+        <translation>Irregularidade do filme</translation>
+    </message>
+    <message>
+        <source>Colour: grown more or less than the mean, %1 · arrows: moved, %2 times</source>
+        <translation>Cor: cresceu mais ou menos que a média, %1 · setas: deslocado, %2 vezes</translation>
+    </message>
+    <message>
+        <source>95 % of the corners lie within %1 mm of an evenly swollen film</source>
+        <translation>95 % dos cantos ficam a no máximo %1 mm de um filme inchado por igual</translation>
+    </message>
+    <message>
+        <source>The corners seen do not tell how the film lies; photograph film and card from above, both whole</source>
+        <translation>Os cantos vistos não dizem como o filme está deitado; fotografe filme e cartão de cima, ambos inteiros</translation>
+    </message>
+    <message>
+        <source>Only %1 corners of the film&apos;s chessboard are seen and it takes %2; photograph all of it, without glare</source>
+        <translation>Só se veem %1 cantos do tabuleiro do filme e são precisos %2; fotografe-o inteiro, sem reflexos</translation>
+    </message>
+    <message>
+        <source>Only %1 corners of the card are seen and it takes %2; photograph all of it, without glare</source>
+        <translation>Só se veem %1 cantos do cartão e são precisos %2; fotografe-o inteiro, sem reflexos</translation>
     </message>
 </context>
 <context>
@@ -4595,6 +4750,13 @@
     </message>
 </context>
 <context>
+    <name>dipwright::ReadPhotos</name>
+    <message>
+        <source>The photo cannot be read; check its name and permissions</source>
+        <translation>A foto não pode ser lida; verifique o nome e as permissões</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::ReaderProcess</name>
     <message>
         <source>The program that reads models and pictures is missing; install Dipwright anew</source>
@@ -5141,16 +5303,16 @@ mm</translation>
 <context>
     <name>dipwright::Texture</name>
     <message>
-        <source>The texture has no pixels; choose another picture</source>
-        <translation>A textura não tem pixels; escolha outra imagem</translation>
+        <source>The picture has no pixels; choose another one</source>
+        <translation>A imagem não tem pixels; escolha outra</translation>
     </message>
     <message>
-        <source>The texture is not a picture that can be read; save it as PNG or JPEG</source>
-        <translation>A textura não é uma imagem legível; salve-a como PNG ou JPEG</translation>
+        <source>The file is not a picture that can be read; save it as PNG or JPEG</source>
+        <translation>O arquivo não é uma imagem legível; salve-a como PNG ou JPEG</translation>
     </message>
     <message>
-        <source>The texture is damaged: %1; save it anew</source>
-        <translation>A textura está danificada: %1; salve-a de novo</translation>
+        <source>The picture is damaged: %1; save it anew</source>
+        <translation>A imagem está danificada: %1; salve-a de novo</translation>
     </message>
     <message>
         <source>%1, with %2 × %3 pixels</source>
@@ -5216,6 +5378,41 @@ mm</translation>
     <message>
         <source>Reading the picture</source>
         <translation>Lendo a imagem</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::WatchPage</name>
+    <message>
+        <source>Film watch: print this on the film</source>
+        <translation>Medição do filme: imprima isto no filme</translation>
+    </message>
+    <message>
+        <source>Card of the film watch: print this on stiff, waterproof card</source>
+        <translation>Cartão da medição do filme: imprima isto em cartão rígido e impermeável</translation>
+    </message>
+    <message>
+        <source>Ink side: this side up on the water, the words to be read from above.</source>
+        <translation>Lado da tinta: este lado para cima na água, as palavras legíveis de cima.</translation>
+    </message>
+    <message>
+        <source>Lay it flat on the water beside the film, this side up, in every photo.</source>
+        <translation>Em cada foto, deitado na água ao lado do filme, com este lado para cima.</translation>
+    </message>
+    <message>
+        <source>Both rulers must measure %1 mm; if not, say what they do measure when the photos are looked at.</source>
+        <translation>Ambas as réguas devem medir %1 mm; se não, indique o que medem quando as fotos forem avaliadas.</translation>
+    </message>
+    <message>
+        <source>Date %1   Lot %2   Water %3 °C</source>
+        <translation>Data %1   Lote %2   Água %3 °C</translation>
+    </message>
+    <message>
+        <source>Paper of %1 × %2 mm has no room for a chessboard with %3 corners; take a larger one</source>
+        <translation>Papel de %1 × %2 mm não tem espaço para um tabuleiro com %3 cantos; use um maior</translation>
+    </message>
+    <message>
+        <source>The page cannot be written: %1</source>
+        <translation>A página não pode ser gravada: %1</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include "disk/WholeFile.h"
 #include "printing/Calibration.h"
+#include "sheet/WatchPage.h"
 
 #include <QRegularExpression>
 
@@ -13,6 +14,9 @@ const QString paperOption = QStringLiteral("paper");
 const QString verifyOption = QStringLiteral("verify");
 const QString measuredOption = QStringLiteral("measured");
 const QString profileOption = QStringLiteral("profile");
+const QString toOption = QStringLiteral("to");
+const QString lotOption = QStringLiteral("lot");
+const QString dateOption = QStringLiteral("date");
 
 QSizeF paperSize(const QString& name) {
     for (const QPageSize& paper : calibrationPapers()) {
@@ -81,18 +85,72 @@ void tellLengths(const CalibrationPage& page, QTextStream& out) {
                .arg(page.verifies() ? QStringLiteral("--verify ") : QString());
 }
 
+BoardKind boardKind(const QString& word) {
+    if (word != QLatin1String("film") && word != QLatin1String("card")) {
+        throw UsageError(QStringLiteral("There is no such page, choose film or card"), word);
+    }
+    return word == QLatin1String("film") ? BoardKind::Film : BoardKind::Card;
+}
+
+// A page of the film watch, into a file.
+void writeWatchPage(const QCommandLineParser& parser, QTextStream& out) {
+    WatchPage page;
+    page.kind = boardKind(parser.positionalArguments().value(0));
+    const QString paper = parser.isSet(paperOption)      ? parser.value(paperOption)
+                          : page.kind == BoardKind::Film ? QStringLiteral("A4")
+                                                         : QStringLiteral("A5");
+    page.paper = paperSize(paper);
+    page.lot = parser.value(lotOption);
+    page.date = parser.value(dateOption);
+    if (parser.isSet(profileOption)) {
+        const auto printer = std::get<PrinterProfile>(
+            ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
+        page.scaleX = printer.scaleX;
+        page.scaleY = printer.scaleY;
+    }
+    const QString path =
+        pictureOption(parser, toOption, {QStringLiteral(".pdf"), QStringLiteral(".png")});
+    if (path.isEmpty()) {
+        throw UsageError(QStringLiteral("Say where the page goes with --to FILE.pdf or FILE.png"),
+                         QStringLiteral("--to"));
+    }
+    const WatchBoard board = watchBoard(page);
+    writeWhole(path, [&](QIODevice& device) {
+        path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)
+            ? writeWatchPng(page, DotsPerInch(600), device)
+            : writeWatchPdf(page, device);
+    });
+    out << QStringLiteral("Wrote %1: %2 × %3 squares of %4 mm; print it at true size, and see that "
+                          "both rulers measure %5 mm\n")
+               .arg(path)
+               .arg(board.columns)
+               .arg(board.rows)
+               .arg(boardSquare(page.kind))
+               .arg(watchRuler);
+}
+
 class CalibrateCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("calibrate"); }
     QString summary() const override {
         return QStringLiteral(
-            "Prints a page of rulers and makes a printer's scale of their lengths.");
+            "Prints a page of rulers and makes a printer's scale of their lengths, or the pages "
+            "by which a film is measured.");
     }
 
     void declare(CommandSyntax& syntax) const override {
+        syntax.addPositionalArgument(
+            QStringLiteral("[film | card]"),
+            QStringLiteral("In place of the rulers: the chessboard to print on a film, or the card "
+                           "that lies beside it on the water. With --to FILE.pdf or FILE.png; "
+                           "--profile corrects its scale."));
         declarePrinter(syntax);
         syntax.addOption({paperOption, QStringLiteral("A5, A4, A3, A2 or Letter."),
                           QStringLiteral("PAPER"), QStringLiteral("A4")});
+        syntax.addOption({lotOption, QStringLiteral("The film's lot, to stand on its page."),
+                          QStringLiteral("TEXT")});
+        syntax.addOption({dateOption, QStringLiteral("The day, to stand on the film's page."),
+                          QStringLiteral("TEXT")});
         syntax.addOption(
             {verifyOption,
              QStringLiteral("The second page, corrected by the profile; with --measured: the "
@@ -105,6 +163,10 @@ public:
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {
+        if (parser.positionalArguments().size() == 1) {
+            writeWatchPage(parser, console.out());
+            return;
+        }
         requireNoPositionalArgument(parser);
         if (listsPrinters(parser)) {
             listPrinters(console.out());

@@ -43,6 +43,9 @@ std::unique_ptr<Command> benchCommand();
 std::unique_ptr<Command> printCommand();
 std::unique_ptr<Command> profileCommand();
 std::unique_ptr<Command> calibrateCommand();
+#ifdef DIPWRIGHT_INSPECTION
+std::unique_ptr<Command> inspectCommand();
+#endif
 std::unique_ptr<Command> manualCommand();
 
 } // namespace dipwright::cli

@@ -105,6 +105,11 @@ void printCradle(const QString& name, const Cradle& cradle, QTextStream& out) {
 void printSummary(const JobResult& result, QTextStream& out) {
     out << QStringLiteral("Solver: %1 %2 on %3\n")
                .arg(result.solver.name, result.solver.version, result.solver.device);
+    const bool isMeasured = hasMeasuredSwell(result.project.film, result.project.profiles);
+    out << QStringLiteral("Film: swell %1\n")
+               .arg(isMeasured ? QStringLiteral("measured on %1")
+                                     .arg(result.project.profiles.film->measured.date)
+                               : QStringLiteral("guessed"));
     for (const QString& note : result.notes) {
         out << note << '\n';
     }

@@ -146,6 +146,9 @@ std::vector<std::unique_ptr<Command>> allCommands() {
     commands.push_back(validateCommand());
     commands.push_back(solversCommand());
     commands.push_back(benchCommand());
+#ifdef DIPWRIGHT_INSPECTION
+    commands.push_back(inspectCommand());
+#endif
     commands.push_back(manualCommand());
     return commands;
 }

@@ -38,6 +38,10 @@ void Pipe::hand(const QImage& picture) {
                                   picture.sizeInBytes()));
 }
 
+void Pipe::hand(const PhotoFacts& facts) {
+    send(ReaderMessage::Photo, factsBytes(facts));
+}
+
 void Pipe::hand(const ForeignModel& model) {
     QStringList lines;
     for (const QString& warning : model.warnings) {

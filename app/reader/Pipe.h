@@ -20,6 +20,7 @@ public:
 
     void report(double share, const QString& text);
     void hand(const QImage& picture);
+    void hand(const PhotoFacts& facts);   // before its picture
     void hand(const ForeignModel& model); // after its pictures
     void fail(const Error& error);
 

@@ -2,6 +2,7 @@
 // compute, and hands back what it read. Started by core/import/ReaderProcess; of no use by hand.
 #include "base/Budgets.h"
 #include "foreign/ForeignModel.h"
+#include "foreign/PhotoFacts.h"
 #include "foreign/PictureReader.h"
 #include "reader/Confinement.h"
 #include "reader/Pipe.h"
@@ -33,9 +34,25 @@ void readPictures(const ReaderJob& job, Pipe& pipe) {
     }
 }
 
+void readPhotos(const ReaderJob& job, Pipe& pipe) {
+    PictureReader reader;
+    for (const QString& name : job.names) {
+        const QByteArray bytes = pipe.read(name).value_or(QByteArray());
+        pipe.hand(photoFacts(bytes));
+        pipe.hand(reader.read(bytes, name, PictureReader::Turned::Upright));
+    }
+}
+
 void read(const ReaderJob& job, Pipe& pipe) {
     try {
-        job.kind == ReaderJob::Kind::Model ? readModel(job, pipe) : readPictures(job, pipe);
+        switch (job.kind) {
+        case ReaderJob::Kind::Model:
+            return readModel(job, pipe);
+        case ReaderJob::Kind::Pictures:
+            return readPictures(job, pipe);
+        case ReaderJob::Kind::Photos:
+            return readPhotos(job, pipe);
+        }
     } catch (const Error& error) {
         pipe.fail(error);
     } catch (const std::bad_alloc&) {

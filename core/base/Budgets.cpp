@@ -74,7 +74,7 @@ constexpr Row table[] = {
     // Always one of 8192 × 8192 pixels; more only where there is detail in it.
     {Budget::Pixels, 8192.0 * 8192, 10, 16384.0 * 16384, 1e6,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
-                       "The textures have more than %1 million pixels together, too many for files "
+                       "The pictures have more than %1 million pixels together, too many for files "
                        "of their size or for any sheet; make them smaller")},
     {Budget::Memory, 512 * mebi, 40, 64 * gibi, mebi,
      QT_TRANSLATE_NOOP(

@@ -66,7 +66,7 @@ void PictureReader::prepare() {
 
 void PictureReader::count(const QSize& size, qint64 fileBytes, const QString& where) {
     if (size.isEmpty()) {
-        throw Error(Text::tr("The texture has no pixels; choose another picture"), where);
+        throw Error(Text::tr("The picture has no pixels; choose another one"), where);
     }
     const QString place =
         Text::tr("%1, with %2 × %3 pixels").arg(where).arg(size.width()).arg(size.height());
@@ -76,7 +76,7 @@ void PictureReader::count(const QSize& size, qint64 fileBytes, const QString& wh
     requireWithin(Budget::Pixels, pixels_, place, fileBytes_);
 }
 
-QImage PictureReader::read(const QByteArray& bytes, const QString& where) {
+QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned turned) {
     // Qt's own limit refuses 8192 × 8192; ours is the size checked before anything is decoded.
     constexpr int mostBytesPerPixel = 8;
     QImageReader::setAllocationLimit(
@@ -87,12 +87,12 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where) {
     const QByteArray format = formatOf(bytes);
     QImageReader reader;
     reader.setAutoDetectImageFormat(false);
+    reader.setAutoTransform(turned == Turned::Upright);
     reader.setFormat(format);
     reader.setDevice(&buffer);
     if (format.isEmpty() || !reader.canRead()) {
-        throw Error(
-            Text::tr("The texture is not a picture that can be read; save it as PNG or JPEG"),
-            where);
+        throw Error(Text::tr("The file is not a picture that can be read; save it as PNG or JPEG"),
+                    where);
     }
     const QSize announced = reader.size();
     if (announced.isValid()) {
@@ -100,7 +100,7 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where) {
     }
     QImage image = reader.read();
     if (image.isNull()) {
-        throw Error(Text::tr("The texture is damaged: %1; save it anew").arg(reader.errorString()),
+        throw Error(Text::tr("The picture is damaged: %1; save it anew").arg(reader.errorString()),
                     where);
     }
     if (!announced.isValid()) {

@@ -17,7 +17,9 @@ public:
     // To RGBA8888 in sRGB. PNG, JPEG, BMP, TIFF and WebP by their content; nothing else is tried.
     // Throws Error, naming `where`, for what is no such picture, has no pixels or more than
     // Budgets.h allows; nothing is decoded before its size is known to do.
-    QImage read(const QByteArray& bytes, const QString& where);
+    // Upright: turned as the camera was held, where the file says how.
+    enum class Turned { AsStored, Upright };
+    QImage read(const QByteArray& bytes, const QString& where, Turned turned = Turned::AsStored);
 
     // Pixels that came in no file of their own: checks them as the others and brings them to
     // RGBA8888.

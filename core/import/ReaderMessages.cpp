@@ -46,6 +46,22 @@ ReaderJob readJob(const QByteArray& bytes) {
     return job;
 }
 
+QByteArray factsBytes(const PhotoFacts& facts) {
+    return streamed(
+        [&](QDataStream& stream) { stream << facts.taken.toUtf8() << facts.focalLength; });
+}
+
+PhotoFacts readFacts(const QByteArray& bytes) {
+    QDataStream stream(bytes);
+    stream.setVersion(QDataStream::Qt_6_4);
+    stream.setByteOrder(QDataStream::LittleEndian);
+    PhotoFacts facts;
+    QByteArray taken;
+    stream >> taken >> facts.focalLength;
+    facts.taken = QString::fromUtf8(taken);
+    return facts;
+}
+
 QByteArray pictureHeaderBytes(const QImage& picture) {
     return streamed([&](QDataStream& stream) {
         stream << qint32(picture.width()) << qint32(picture.height())

@@ -16,6 +16,7 @@ enum class ReaderMessage : quint8 {
     NoFile,   // it is not there or may not be read
     Ask,      // name of a file, UTF-8
     Progress, // share (double), text
+    Photo,    // what a photo says of itself (PhotoFacts); then, as a message of its own kind, it
     Picture,  // width, height (i32), dots per metre of both (i32), RGBA8888 rows without gaps
     Model,    // warnings; then, as a message of its own kind, the mesh
     Mesh,     // as StoredModel has it
@@ -25,11 +26,17 @@ enum class ReaderMessage : quint8 {
 constexpr qint64 readerHeaderBytes = 9;
 
 struct ReaderJob {
-    enum class Kind : quint8 { Model, Pictures };
+    enum class Kind : quint8 { Model, Pictures, Photos };
     Kind kind = Kind::Model;
     QStringList names;        // of the model file, or what the user knows each picture by
     bool withTextures = true; // of a model
     QString language;         // "de", in which failures are told; empty: English
+};
+
+// What a camera writes into a photo (EXIF 2.3).
+struct PhotoFacts {
+    QString taken; // "2026:11:22 14:03:07" as the camera's clock had it; empty: it says nothing
+    double focalLength = 0; // mm, as of a lens for pictures of 36 × 24 mm; 0: it says nothing
 };
 
 // Exit codes of the reader that has no time to say more.
@@ -41,6 +48,9 @@ std::pair<ReaderMessage, qint64> readHeader(const QByteArray& header);
 
 QByteArray jobBytes(const ReaderJob& job);
 ReaderJob readJob(const QByteArray& bytes);
+
+QByteArray factsBytes(const PhotoFacts& facts);
+PhotoFacts readFacts(const QByteArray& bytes);
 
 // The part of a picture's message before its pixels.
 QByteArray pictureHeaderBytes(const QImage& picture);

@@ -92,6 +92,7 @@ public:
                 break;
             case ReaderMessage::Failed:
                 fail(readShort(length));
+            case ReaderMessage::Photo:
             case ReaderMessage::Picture:
             case ReaderMessage::Model:
             case ReaderMessage::Mesh:
@@ -109,6 +110,12 @@ public:
         QByteArray bytes(length, Qt::Uninitialized);
         read(bytes.data(), length);
         return bytes;
+    }
+
+    PhotoFacts readFacts(qint64 length) {
+        PhotoFacts facts = dipwright::readFacts(readShort(length));
+        facts.taken = plain(facts.taken.toUtf8());
+        return facts;
     }
 
     QImage readPicture(qint64 length) {
@@ -245,6 +252,8 @@ ForeignModel readModelInProcess(const QString& path, bool withTextures, ForeignF
                     model.warnings << plain(warning);
                 }
             }
+        } else if (kind != ReaderMessage::Mesh) {
+            reader.throwNonsense();
         } else {
             StoredModel stored = readUncheckedModel(reader.read(length), path);
             if (stored.pictures.size() != pictures.size()) {
@@ -273,6 +282,22 @@ std::vector<QImage> readPicturesInProcess(const QStringList& names, ForeignFiles
         pictures.push_back(reader.readPicture(length));
     }
     return pictures;
+}
+
+ReadPhoto readPhotoInProcess(const QString& name, ForeignFiles& files, const Progress& progress) {
+    ReaderProcess reader(name, files, progress);
+    reader.start({ReaderJob::Kind::Photos, {name}, true, language()});
+    ReadPhoto photo;
+    const auto expect = [&](ReaderMessage expected) {
+        const auto [kind, length] = reader.nextResult();
+        if (kind != expected) {
+            reader.throwNonsense();
+        }
+        return length;
+    };
+    photo.facts = reader.readFacts(expect(ReaderMessage::Photo));
+    photo.picture = reader.readPicture(expect(ReaderMessage::Picture));
+    return photo;
 }
 
 } // namespace dipwright

@@ -19,4 +19,10 @@ ForeignModel readModelInProcess(const QString& path, bool withTextures, ForeignF
 // Pictures, RGBA8888 in sRGB; `files` knows them by the same names as the user.
 std::vector<QImage> readPicturesInProcess(const QStringList& names, ForeignFiles& files);
 
+struct ReadPhoto {
+    QImage picture;   // upright
+    PhotoFacts facts; // within their limits, but of whatever sense
+};
+ReadPhoto readPhotoInProcess(const QString& name, ForeignFiles& files, const Progress& progress);
+
 } // namespace dipwright

@@ -38,7 +38,7 @@ QString scaleText(const FilmSettings& film) {
 QJsonObject withoutLater(QJsonObject film, const QJsonObject& usual) {
     for (const char* key :
          {"growth_per_s", "growth_limit", "grip_fade_deg", "gathering_stretch", "overhang_deg",
-          "tear_stretch", "flash_time_s", "drying_time_s", "resolution", "cell_mm"}) {
+          "tear_stretch", "flash_time_s", "drying_time_s", "resolution", "cell_mm", "measured"}) {
         const QLatin1String name(key);
         if (film.value(name) == usual.value(name)) {
             film.remove(name);

@@ -183,6 +183,12 @@ QJsonObject cradleJson(const Cradle& cradle) {
     return json;
 }
 
+QJsonObject filmJson(const Project& project) {
+    const auto word = [](bool measured) { return measured ? "measured" : "guessed"; };
+    return {{"swell", word(hasMeasuredSwell(project.film, project.profiles))},
+            {"growth", word(hasMeasuredGrowth(project.film, project.profiles))}};
+}
+
 } // namespace
 
 QJsonObject report(const Project& project, const JobResult& result) {
@@ -201,6 +207,7 @@ QJsonObject report(const Project& project, const JobResult& result) {
                      {"solver", QJsonObject{{"id", result.solver.id},
                                             {"device", result.solver.device},
                                             {"version", result.solver.version}}},
+                     {"film", filmJson(project)},
                      {"immersions", immersions},
                      {"coverage_total", result.coverageTotal},
                      {"notes", QJsonArray::fromStringList(result.notes)}};

@@ -85,17 +85,48 @@ const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
     return fields;
 }
 
-Field<FilmProfile> expiryField() {
-    return {QStringLiteral("expiry"),
+// An ISO date, or nothing.
+template <typename Access>
+Field<FilmProfile> dateField(const char* path, Access access) {
+    return {QString::fromLatin1(path),
             {FieldKind::Text, 1, false, 0, 10},
-            [](const FilmProfile& p) { return QJsonValue(p.expiry); },
-            [](FilmProfile& p, const QJsonValue& value) {
-                p.expiry = value.toString();
-                if (!p.expiry.isEmpty() && !QDate::fromString(p.expiry, Qt::ISODate).isValid()) {
-                    throw Error(Text::tr("%1 is not a date, write it as 2027-03-31").arg(p.expiry),
-                                QStringLiteral("expiry"));
+            [access](const FilmProfile& p) { return QJsonValue(access(p)); },
+            [access, path](FilmProfile& p, const QJsonValue& value) {
+                const QString date = value.toString();
+                if (!date.isEmpty() && !QDate::fromString(date, Qt::ISODate).isValid()) {
+                    throw Error(Text::tr("%1 is not a date, write it as 2027-03-31").arg(date),
+                                QString::fromLatin1(path));
                 }
+                access(p) = date;
             }};
+}
+
+void addMeasurement(std::vector<Field<FilmProfile>>& fields) {
+    using P = FilmProfile;
+    constexpr int longestHashes = 4096;
+    fields.push_back(dateField(
+        "measured.date", [](auto& p) -> auto& { return p.measured.date; }));
+    fields.push_back(numberOrNone<P>(
+        "measured.water_temperature_c", 0, 100,
+        [](auto& p) -> auto& { return p.measured.waterTemperature; }));
+    fields.push_back(text<P>(
+        "measured.photos", longestHashes, [](auto& p) -> auto& { return p.measured.photos; }));
+    fields.push_back(number<P>(
+        "measured.residual_mm", 0, 100, [](auto& p) -> auto& { return p.measured.residual; }));
+    fields.push_back(numbers<P>(
+        "measured.swell", 2, 0, 2, [](auto& p, int part) -> auto& {
+            return part == 0 ? p.measured.swellX : p.measured.swellY;
+        }));
+    fields.push_back(numbers<P>(
+        "measured.swell_off", 2, 0, 2, [](auto& p, int part) -> auto& {
+            return part == 0 ? p.measured.swellOffX : p.measured.swellOffY;
+        }));
+    fields.push_back(numberOrNone<P>(
+        "measured.growth_per_s", 0, mostGrowthRate,
+        [](auto& p) -> auto& { return p.measured.growthRate; }));
+    fields.push_back(numberOrNone<P>(
+        "measured.growth_limit", 0, mostGrowth,
+        [](auto& p) -> auto& { return p.measured.growthLimit; }));
 }
 
 const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
@@ -140,9 +171,11 @@ const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
                 "drying_time_s", 0, 604'800, [](auto& p) -> auto& { return p.dryingTime; }),
             text<P>(
                 "lot", 100, [](auto& p) -> auto& { return p.lot; }),
-            expiryField()};
+            dateField(
+                "expiry", [](auto& p) -> auto& { return p.expiry; })};
         addEdges(
             all, "edges", [](auto& p) -> auto& { return p.edges; });
+        addMeasurement(all);
         return all;
     }();
     return fields;

@@ -71,6 +71,19 @@ void applyProfile(Project& project, const Profile& profile) {
     std::visit([&](const auto& value) { apply(project, value); }, profile);
 }
 
+bool hasMeasuredSwell(const FilmSettings& film, const ProjectProfiles& profiles) {
+    const auto& known = profiles.film;
+    return known && !known->measured.date.isEmpty() && film.swellX == known->measured.swellX &&
+           film.swellY == known->measured.swellY;
+}
+
+bool hasMeasuredGrowth(const FilmSettings& film, const ProjectProfiles& profiles) {
+    const auto& known = profiles.film;
+    return known && !known->measured.date.isEmpty() &&
+           film.growthRate == known->measured.growthRate &&
+           film.growthLimit == known->measured.growthLimit;
+}
+
 QString expiryWarning(const std::optional<FilmProfile>& film) {
     const QDate expiry = film ? QDate::fromString(film->expiry, Qt::ISODate) : QDate();
     if (!expiry.isValid() || QDate::currentDate() <= expiry) {

@@ -35,6 +35,19 @@ struct PrinterProfile {
 // Which edge of the sheet goes into the printer first: the film swells more along the web.
 enum class FeedDirection { ShortEdgeFirst, LongEdgeFirst };
 
+// Where a film's figures come from that photos of it on the water gave (core/inspection).
+struct FilmMeasurement {
+    QString date;                           // ISO, of the photos; empty: nothing was measured
+    std::optional<double> waterTemperature; // °C
+    QString photos;                         // their files' SHA-256, hexadecimal, a space between
+    double residual = 0;                    // mm on the film, rms
+    // What they gave, and how far the swell may be off at 95 %.
+    double swellX = 0, swellY = 0;
+    double swellOffX = 0, swellOffY = 0;
+    std::optional<double> growthRate, growthLimit; // none: the photos did not tell
+    bool operator==(const FilmMeasurement&) const = default;
+};
+
 struct FilmProfile {
     QString name;
     Millimetres width{210}, height{297};
@@ -56,6 +69,7 @@ struct FilmProfile {
     std::optional<Seconds> dryingTime; // before the body is touched, or dipped again
     QString lot;
     QString expiry; // ISO date, or empty
+    FilmMeasurement measured;
     bool operator==(const FilmProfile&) const = default;
 };
 
@@ -92,6 +106,11 @@ struct Project;
 // Takes a profile over into a project, content and effect: all that a film's profile
 // says of the film; a printer's resolution and ink limit; a tank's barriers.
 void applyProfile(Project& project, const Profile& profile);
+
+// Whether the film that is dipped has the swell, and the growth, that were measured. Else they are
+// guessed: none were, or somebody has changed them since.
+bool hasMeasuredSwell(const FilmSettings& film, const ProjectProfiles& profiles);
+bool hasMeasuredGrowth(const FilmSettings& film, const ProjectProfiles& profiles);
 
 // A sentence where the film has expired by today, else empty.
 QString expiryWarning(const std::optional<FilmProfile>& film);

@@ -216,13 +216,17 @@ QString materialText(const Traveller& traveller) {
                              .arg(plain(film.width.value()), plain(film.height.value()),
                                   plain(film.swellX, 3), plain(film.swellY, 3));
     const auto& profile = traveller.profiles.film;
+    const QString origin = hasMeasuredSwell(film, traveller.profiles)
+                               ? Text::tr("Swell measured on %1.").arg(profile->measured.date)
+                               : Text::tr("Swell guessed, not measured.");
     if (!profile) {
-        return size + u' ' + Text::tr("No film profile is given.");
+        return size + u' ' + Text::tr("No film profile is given.") + u' ' + origin;
     }
     return size + u' ' +
            Text::tr("%1, lot %2, good until %3.")
                .arg(profile->name, profile->lot.isEmpty() ? Text::tr("not given") : profile->lot,
-                    profile->expiry.isEmpty() ? Text::tr("not given") : profile->expiry);
+                    profile->expiry.isEmpty() ? Text::tr("not given") : profile->expiry) +
+           u' ' + origin;
 }
 
 QStringList stepsOf(const Traveller& traveller, std::size_t number) {

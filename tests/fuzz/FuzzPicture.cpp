@@ -1,11 +1,13 @@
 // A picture of any format that is read.
 #include "base/Error.h"
+#include "foreign/PhotoFacts.h"
 #include "foreign/PictureReader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+    const QByteArray bytes(reinterpret_cast<const char*>(data), qsizetype(size));
+    dipwright::photoFacts(bytes);
     try {
-        dipwright::PictureReader().read(
-            QByteArray(reinterpret_cast<const char*>(data), qsizetype(size)), QStringLiteral("x"));
+        dipwright::PictureReader().read(bytes, QStringLiteral("x"));
     } catch (const dipwright::Error&) {
     }
     return 0;

@@ -104,6 +104,52 @@ PropertySection filmLaws() {
     return laws;
 }
 
+// What photos gave (dipwright-cli inspect film): where the figures above come from.
+PropertySection filmMeasurement() {
+    PropertySection measured{Text::tr("Measured by photos"), {}};
+    measured.specs = {
+        {.path = QStringLiteral("measured.date"),
+         .label = Text::tr("Measured on"),
+         .help = Text::tr("The day of the photos. While swell and growth are what they gave, the "
+                          "profile counts as measured, else as guessed.")},
+        {.path = QStringLiteral("measured.water_temperature_c"),
+         .label = Text::tr("Water, °C"),
+         .help = Text::tr("How warm the water was."),
+         .absent = Text::tr("Not given"),
+         .whenPresent = 25},
+        {.path = QStringLiteral("measured.swell"),
+         .label = Text::tr("Swell found"),
+         .help = Text::tr("The swell that the photos gave. 0: none."),
+         .unit = Unit::Ratio,
+         .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
+        {.path = QStringLiteral("measured.swell_off"),
+         .label = Text::tr("… and off by"),
+         .help = Text::tr("How far that swell may be off, at 95 %."),
+         .unit = Unit::Ratio,
+         .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
+        {.path = QStringLiteral("measured.growth_per_s"),
+         .label = Text::tr("Growth found"),
+         .help = Text::tr("The growth that the photos gave."),
+         .unit = Unit::ShareRate,
+         .absent = Text::tr("Not given"),
+         .whenPresent = 0},
+        {.path = QStringLiteral("measured.growth_limit"),
+         .label = Text::tr("… at most"),
+         .help = Text::tr("The growth's limit that the photos gave."),
+         .unit = Unit::Share,
+         .absent = Text::tr("Not given"),
+         .whenPresent = 0},
+        {.path = QStringLiteral("measured.residual_mm"),
+         .label = Text::tr("Residual"),
+         .help = Text::tr("How far the corners in the photos lie from where these figures have "
+                          "them, on the average."),
+         .unit = Unit::Length},
+        {.path = QStringLiteral("measured.photos"),
+         .label = Text::tr("Photos"),
+         .help = Text::tr("The SHA-256 of the photos' files, by which they can be known again.")}};
+    return measured;
+}
+
 std::vector<PropertySection> filmSections() {
     PropertySection film{{}, {nameSpec()}};
     film.specs.push_back({.path = QStringLiteral("size_mm"),
@@ -175,6 +221,7 @@ std::vector<PropertySection> filmSections() {
          .whenPresent = 3600}};
     return {film,
             water,
+            filmMeasurement(),
             {Text::tr("Sides"),
              sides("edges", Text::tr("Whether this side of the film floats freely or is held by a "
                                      "barrier."))},

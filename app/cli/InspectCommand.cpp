@@ -1,0 +1,315 @@
+#include "cli/Arguments.h"
+
+#include "import/ReadPhotos.h"
+#include "inspection/FilmWatchFiles.h"
+#include "project/ProfileLibrary.h"
+
+#include <QDate>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright::cli {
+namespace {
+
+const QString outOption = QStringLiteral("out");
+const QString timeOption = QStringLiteral("time");
+const QString laidOption = QStringLiteral("laid");
+const QString dipOption = QStringLiteral("dip-at");
+const QString profileOption = QStringLiteral("profile");
+const QString lotOption = QStringLiteral("lot");
+const QString dateOption = QStringLiteral("date");
+const QString waterOption = QStringLiteral("water-temperature");
+const QString cardRulersOption = QStringLiteral("card-rulers");
+const QString filmRulersOption = QStringLiteral("film-rulers");
+const QString cardAboveOption = QStringLiteral("card-above");
+const QString focalOption = QStringLiteral("focal-35mm");
+const QString lensOption = QStringLiteral("lens");
+
+constexpr double nominalRuler = 100; // mm, on both pages
+constexpr double longestWatch = 1e6; // s
+
+// Two numbers within limits, joined by x.
+std::array<double, 2> pairOption(const QCommandLineParser& parser, const QString& option,
+                                 double minimum, double maximum) {
+    const QStringList parts =
+        parser.value(option).split(QRegularExpression(QStringLiteral("[x;]")));
+    std::array<double, 2> numbers{};
+    bool isGood = parts.size() == 2;
+    for (std::size_t i = 0; isGood && i < 2; ++i) {
+        numbers[i] = QLocale::c().toDouble(parts[qsizetype(i)].trimmed(), &isGood);
+        isGood = isGood && numbers[i] >= minimum && numbers[i] <= maximum;
+    }
+    if (!isGood) {
+        throw UsageError(QStringLiteral("“%1” does not fit here, give two numbers from %2 to %3 "
+                                        "joined by x")
+                             .arg(parser.value(option))
+                             .arg(minimum)
+                             .arg(maximum),
+                         QStringLiteral("--") + option);
+    }
+    return numbers;
+}
+
+std::array<double, 2> rulerScale(const QCommandLineParser& parser, const QString& option) {
+    if (!parser.isSet(option)) {
+        return {1, 1};
+    }
+    const auto measured = pairOption(parser, option, 0.9 * nominalRuler, 1.1 * nominalRuler);
+    return {measured[0] / nominalRuler, measured[1] / nominalRuler};
+}
+
+FlatSettings flatSettings(const QCommandLineParser& parser) {
+    FlatSettings settings;
+    settings.cardScale = rulerScale(parser, cardRulersOption);
+    settings.filmScale = rulerScale(parser, filmRulersOption);
+    if (parser.isSet(lensOption)) {
+        const auto [k1, k2] = pairOption(parser, lensOption, -1, 1);
+        settings.lens = Lens{k1, k2};
+    }
+    if (parser.isSet(cardAboveOption)) {
+        settings.cardAbove = numberOption(parser, cardAboveOption, -200, 200);
+    }
+    if (parser.isSet(focalOption)) {
+        settings.focalLength =
+            numberOption(parser, focalOption, 5, 2000) / (std::hypot(36.0, 24.0) / 2);
+    }
+    return settings;
+}
+
+// The settings for one photo, which may say itself how long its lens was.
+FlatSettings settingsFor(const Photo& photo, FlatSettings settings) {
+    if (!settings.focalLength) {
+        settings.focalLength = photo.focalLength;
+    }
+    if (settings.cardAbove != 0 && !settings.focalLength) {
+        throw Error(QStringLiteral("The photo does not say how long the camera's lens was, which "
+                                   "is needed where the card lies above the water; give it with "
+                                   "--focal-35mm"),
+                    photo.where);
+    }
+    return settings;
+}
+
+// Seconds since the film was laid, of each photo.
+class Clock {
+public:
+    Clock(const QCommandLineParser& parser, qsizetype photos) {
+        for (const QString& text : parser.values(timeOption)) {
+            bool isNumber = false;
+            times_.push_back(QLocale::c().toDouble(text, &isNumber));
+            if (!isNumber || !(times_.back() >= 0 && times_.back() <= longestWatch)) {
+                throw UsageError(
+                    QStringLiteral("“%1” are no seconds since the film was laid on the water")
+                        .arg(text),
+                    QStringLiteral("--time"));
+            }
+        }
+        if (!times_.empty() && qsizetype(times_.size()) != photos) {
+            throw UsageError(QStringLiteral("Give as many times as photos, in the same order"),
+                             QStringLiteral("--time"));
+        }
+        if (parser.isSet(laidOption)) {
+            laid_ = QDateTime::fromString(parser.value(laidOption), Qt::ISODate);
+            if (!laid_.isValid()) {
+                throw UsageError(QStringLiteral("“%1” is no date and time, write it as "
+                                                "2026-11-22T14:03:07")
+                                     .arg(parser.value(laidOption)),
+                                 QStringLiteral("--laid"));
+            }
+        }
+        if (photos > 1 && times_.empty() && !laid_.isValid()) {
+            throw UsageError(QStringLiteral("Several photos need their times: --time SECONDS for "
+                                            "each, or --laid with the camera's time when the film "
+                                            "was laid on the water"),
+                             QStringLiteral("--time"));
+        }
+    }
+
+    std::optional<double> secondsOf(const Photo& photo, std::size_t index) const {
+        if (!times_.empty()) {
+            return times_[index];
+        }
+        if (!laid_.isValid()) {
+            return std::nullopt;
+        }
+        const double seconds = photo.taken ? double(laid_.msecsTo(*photo.taken)) / 1000 : -1;
+        if (!(seconds >= 0 && seconds <= longestWatch)) {
+            throw Error(photo.taken
+                            ? QStringLiteral("The photo was made before the film was laid, or days "
+                                             "after; compare --laid with the camera's clock")
+                            : QStringLiteral("The photo does not say when it was made; give the "
+                                             "times with --time"),
+                        photo.where);
+        }
+        return seconds;
+    }
+
+private:
+    std::vector<double> times_;
+    QDateTime laid_;
+};
+
+WatchNotes notesOf(const QCommandLineParser& parser, const std::optional<QDateTime>& taken) {
+    WatchNotes notes;
+    notes.date = parser.value(dateOption);
+    if (notes.date.isEmpty()) {
+        const QDate day = taken ? taken->date() : QDate::currentDate();
+        notes.date = day.toString(Qt::ISODate);
+    } else if (!QDate::fromString(notes.date, Qt::ISODate).isValid()) {
+        throw UsageError(QStringLiteral("“%1” is no date, write it as 2026-11-22").arg(notes.date),
+                         QStringLiteral("--date"));
+    }
+    notes.lot = parser.value(lotOption);
+    if (parser.isSet(waterOption)) {
+        notes.waterTemperature = numberOption(parser, waterOption, 0, 100);
+    }
+    return notes;
+}
+
+// The profile to be written, if one was named: the one of that name, or a new one.
+struct Target {
+    std::optional<Profile> known;
+    FilmProfile profile;
+};
+
+Target targetOf(const QCommandLineParser& parser) {
+    const QString name = parser.value(profileOption);
+    Target target;
+    target.profile.name = name;
+    if (!name.isEmpty()) {
+        target.known = ProfileLibrary().found(ProfileKind::Film, name);
+        if (target.known) {
+            target.profile = std::get<FilmProfile>(*target.known);
+        }
+    }
+    return target;
+}
+
+class InspectCommand : public Command {
+public:
+    QString name() const override { return QStringLiteral("inspect"); }
+    QString summary() const override {
+        return QStringLiteral("Measures a film on the water by photos of it.");
+    }
+
+    void declare(CommandSyntax& syntax) const override {
+        syntax.addPositionalArgument(
+            QStringLiteral("film FILE…"),
+            QStringLiteral("Photos of the page of “calibrate film” floating on the water, with the "
+                           "card of “calibrate card” beside it in each."));
+        syntax.addOption({outOption, QStringLiteral("Where the results go; made if missing."),
+                          QStringLiteral("DIR")});
+        syntax.addOption({timeOption,
+                          QStringLiteral("When a photo was made, in seconds since the film was "
+                                         "laid on the water; once for each photo."),
+                          QStringLiteral("SECONDS")});
+        syntax.addOption({laidOption,
+                          QStringLiteral("In place of --time: when the film was laid, by the "
+                                         "camera's clock, such as 2026-11-22T14:03:07."),
+                          QStringLiteral("TIME")});
+        syntax.addOption({dipOption,
+                          QStringLiteral("Seconds after which the dip begins; else as the profile "
+                                         "has it, soak and activator time together."),
+                          QStringLiteral("SECONDS")});
+        syntax.addOption({profileOption,
+                          QStringLiteral("The film profile that takes what was measured; made if "
+                                         "there is none of that name."),
+                          QStringLiteral("NAME")});
+        syntax.addOption({lotOption, QStringLiteral("The film's lot."), QStringLiteral("TEXT")});
+        syntax.addOption({dateOption,
+                          QStringLiteral("The day of the photos; else as the first of them says, "
+                                         "or today."),
+                          QStringLiteral("DATE")});
+        syntax.addOption(
+            {waterOption, QStringLiteral("Of the water, °C."), QStringLiteral("DEGREES")});
+        syntax.addOption({cardRulersOption,
+                          QStringLiteral("What the card's two rulers measure, across and down, "
+                                         "mm; without it 100x100."),
+                          QStringLiteral("XxY")});
+        syntax.addOption({filmRulersOption, QStringLiteral("What the dry film's rulers measure."),
+                          QStringLiteral("XxY")});
+        syntax.addOption({cardAboveOption,
+                          QStringLiteral("How far the card's print lies above the film, mm."),
+                          QStringLiteral("MM")});
+        syntax.addOption({focalOption,
+                          QStringLiteral("The camera's focal length as of a 35 mm camera, where "
+                                         "the photos do not say; only for --card-above."),
+                          QStringLiteral("MM")});
+        syntax.addOption({lensOption,
+                          QStringLiteral("The camera's distortion k1xk2 as film-watch.json has it, "
+                                         "in place of what each photo says."),
+                          QStringLiteral("K1xK2")});
+    }
+
+    void run(const QCommandLineParser& parser, Console& console) const override {
+        QStringList files = parser.positionalArguments();
+        if (files.isEmpty() || files.takeFirst() != QLatin1String("film") || files.isEmpty()) {
+            throw UsageError(QStringLiteral("Say what to inspect: film, and the photos"),
+                             QStringLiteral("film FILE…"));
+        }
+        if (parser.value(outOption).isEmpty()) {
+            throw UsageError(QStringLiteral("Say where the results go with --out DIR"),
+                             QStringLiteral("--out"));
+        }
+        const FlatSettings settings = flatSettings(parser);
+        const Clock clock(parser, files.size());
+        Target target = targetOf(parser);
+        const double begin =
+            parser.isSet(dipOption)
+                ? numberOption(parser, dipOption, 0, longestWatch)
+                : target.profile.soakTime.value() + target.profile.activatorTime.value();
+        notesOf(parser, {});
+        const Progress progress = console.progress();
+        std::vector<WatchedPhoto> photos;
+        std::optional<QDateTime> taken;
+        for (qsizetype i = 0; i < files.size(); ++i) {
+            progress(double(i) / double(files.size()), files[i]);
+            const Photo photo = readPhotoFile(files[i], progress);
+            const auto seconds = clock.secondsOf(photo, std::size_t(i));
+            taken = i == 0 ? photo.taken : taken;
+            photos.push_back(
+                {files[i], photo.sha256, seconds, photo.picture.size(),
+                 measureFlatFilm(photo.picture, settingsFor(photo, settings), files[i])});
+        }
+        progress(1, QStringLiteral("Done"));
+        finish(watchedFilm(std::move(photos), begin), notesOf(parser, taken), std::move(target),
+               parser.value(outOption), console);
+    }
+
+private:
+    static void finish(const FilmWatch& watch, const WatchNotes& notes, Target target,
+                       const QString& folder, Console& console) {
+        const bool hasProfile = !target.profile.name.isEmpty();
+        if (hasProfile) { // refused before anything is written
+            target.profile = withMeasurement(target.profile, watch, notes);
+        }
+        writeFilmWatch(watch, notes, folder);
+        for (const WatchedPhoto& photo : watch.photos) {
+            const FlatFilm& film = photo.film;
+            console.out() << QStringLiteral("%1: %2 corners of the film and %3 of the card, "
+                                            "%4 px off\n")
+                                 .arg(photo.where)
+                                 .arg(film.corners.size())
+                                 .arg(film.cardCorners)
+                                 .arg(film.residualPixels, 0, 'f', 3);
+        }
+        for (const QString& sentence : watchSentences(watch)) {
+            console.out() << sentence << '\n';
+        }
+        if (hasProfile) {
+            ProfileLibrary().save(target.profile, target.known);
+            console.out()
+                << QStringLiteral("The film profile %1 has them now\n").arg(target.profile.name);
+        }
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Command> inspectCommand() {
+    return std::make_unique<InspectCommand>();
+}
+
+} // namespace dipwright::cli

@@ -1,0 +1,167 @@
+#include "inspection/FilmWatch.h"
+
+#include "base/Error.h"
+#include "sheet/WatchPage.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::FilmWatch)
+};
+
+const SeenBoard* boardOf(const std::vector<SeenBoard>& boards, BoardKind kind) {
+    const auto found = std::find_if(boards.begin(), boards.end(),
+                                    [kind](const SeenBoard& board) { return board.kind == kind; });
+    return found == boards.end() ? nullptr : &*found;
+}
+
+void requireUpright(const SeenBoard& board, const QString& where) {
+    if (!board.mirrored) {
+        return;
+    }
+    throw Error(board.kind == BoardKind::Film
+                    ? Text::tr("The film's chessboard is mirrored: lay the film with its ink side "
+                               "up, or turn the picture back that was flipped")
+                    : Text::tr("The card is mirrored: turn the picture back that was flipped"),
+                where);
+}
+
+QString number(double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QString swellText(const Measured& swell) {
+    return Text::tr("%1 ± %2").arg(number(swell.value, 4), number(swell.off, 4));
+}
+
+QStringList growthSentences(const FilmWatch& watch) {
+    const GrowthFit& growth = watch.growth;
+    switch (growth.known) {
+    case GrowthKnown::No:
+        return {Text::tr("Growth is not measured: that takes photos at three moments or more, "
+                         "from before the dip begins to after it ends")};
+    case GrowthKnown::None:
+        return {Text::tr("The film did not grow between the photos by more than they can tell")};
+    case GrowthKnown::RateOnly:
+        return {Text::tr("Growth: %1 ± %2 % a second")
+                    .arg(number(100 * growth.rate.value, 4), number(100 * growth.rate.off, 4)),
+                Text::tr("It still grew as fast at the last photo, so that its limit is not known "
+                         "and the profile keeps its own growth; go on until it grows no more")};
+    case GrowthKnown::Both:
+        break;
+    }
+    return {Text::tr("Growth: %1 ± %2 % a second when the dip begins, by %3 ± %4 % in the end")
+                .arg(number(100 * growth.rate.value, 4), number(100 * growth.rate.off, 4),
+                     number(100 * growth.limit.value, 2), number(100 * growth.limit.off, 2))};
+}
+
+double meanResidual(const FilmWatch& watch) {
+    double sum = 0, count = 0;
+    for (const WatchedPhoto& photo : watch.photos) {
+        for (const FilmCorner& corner : photo.film.corners) {
+            sum += corner.off.squaredNorm();
+            count += 1;
+        }
+    }
+    return std::sqrt(sum / std::max(count, 1.0));
+}
+
+} // namespace
+
+FlatFilm measureFlatFilm(const QImage& photo, const FlatSettings& settings, const QString& where) {
+    const std::vector<SeenBoard> boards = findBoards(photo);
+    const SeenBoard* film = boardOf(boards, BoardKind::Film);
+    const SeenBoard* card = boardOf(boards, BoardKind::Card);
+    if (!film) {
+        throw Error(card ? Text::tr("Of the film's chessboard too little is seen; photograph all "
+                                    "of it, sharp and without glare")
+                         : Text::tr("No chessboard of the film watch is seen; print it with "
+                                    "“calibrate film” and photograph it whole, sharp and without "
+                                    "glare"),
+                    where);
+    }
+    if (!card) {
+        throw Error(Text::tr("The card of the film watch is not seen, without which no lengths are "
+                             "known; print it with “calibrate card” and lay it beside the film"),
+                    where);
+    }
+    requireUpright(*film, where);
+    requireUpright(*card, where);
+    return fitFlatFilm(*film, *card, photo.size(), settings, where);
+}
+
+FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin) {
+    FilmWatch watch{std::move(photos), {}, begin};
+    const auto secondsOf = [begin](const WatchedPhoto& photo) {
+        return photo.seconds.value_or(begin);
+    };
+    std::stable_sort(
+        watch.photos.begin(), watch.photos.end(),
+        [&](const WatchedPhoto& a, const WatchedPhoto& b) { return secondsOf(a) < secondsOf(b); });
+    std::vector<SwellAt> moments;
+    for (const WatchedPhoto& photo : watch.photos) {
+        moments.push_back({secondsOf(photo), photo.film.swellX, photo.film.swellY});
+    }
+    watch.growth = fitGrowth(moments, begin);
+    return watch;
+}
+
+FilmProfile withMeasurement(FilmProfile profile, const FilmWatch& watch, const WatchNotes& notes) {
+    const GrowthFit& growth = watch.growth;
+    Profile result = profile;
+    // To what photos tell: more digits would say that they were known.
+    const auto digits = [](const Measured& measured, int decimals) {
+        return QString::number(measured.value, 'f', decimals);
+    };
+    setByPath(result, QStringLiteral("swell"),
+              digits(growth.swellX, 5) + u'x' + digits(growth.swellY, 5));
+    const bool growthKnown = growth.known == GrowthKnown::Both || growth.known == GrowthKnown::None;
+    if (growthKnown) {
+        setByPath(result, QStringLiteral("growth_per_s"), digits(growth.rate, 7));
+        setByPath(result, QStringLiteral("growth_limit"), digits(growth.limit, 6));
+    }
+    auto& film = std::get<FilmProfile>(result);
+    if (!notes.lot.isEmpty()) {
+        film.lot = notes.lot;
+    }
+    QStringList photos;
+    for (const WatchedPhoto& photo : watch.photos) {
+        photos << photo.sha256;
+    }
+    constexpr qsizetype mostPhotos = 60;
+    film.measured = {notes.date,
+                     notes.waterTemperature,
+                     photos.mid(0, mostPhotos).join(u' '),
+                     meanResidual(watch),
+                     film.swellX,
+                     film.swellY,
+                     growth.swellX.off,
+                     growth.swellY.off,
+                     growthKnown ? std::optional(film.growthRate) : std::nullopt,
+                     growthKnown ? std::optional(film.growthLimit) : std::nullopt};
+    return film;
+}
+
+QStringList watchSentences(const FilmWatch& watch) {
+    QStringList sentences{Text::tr("Swell when the dip begins: along X %1, along Y %2")
+                              .arg(swellText(watch.growth.swellX), swellText(watch.growth.swellY))};
+    sentences << growthSentences(watch);
+    double uneven = 0;
+    for (const WatchedPhoto& photo : watch.photos) {
+        uneven = std::max(uneven, photo.film.unevenMillimetres);
+    }
+    sentences << Text::tr("Unevenness: 95 % of the film lies within %1 mm of where an evenly "
+                          "swollen film would lie")
+                     .arg(number(uneven, 3));
+    return sentences;
+}
+
+} // namespace dipwright

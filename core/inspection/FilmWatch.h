@@ -1,0 +1,51 @@
+// A film measured by photos while it floats flat: swell, growth and unevenness
+// (docs/inspection.md, "Film watch").
+#pragma once
+
+#include "inspection/GrowthFit.h"
+#include "project/Profiles.h"
+
+#include <QImage>
+#include <QString>
+#include <optional>
+#include <vector>
+
+namespace dipwright {
+
+// Finds the film's chessboard and the card in a photo and measures. Throws Error, naming `where`,
+// where one of them is missing, mirrored or seen in too small a part.
+FlatFilm measureFlatFilm(const QImage& photo, const FlatSettings& settings, const QString& where);
+
+struct WatchedPhoto {
+    QString where, sha256;
+    std::optional<double> seconds; // since the film was laid on the water
+    QSize size;                    // pixels
+    FlatFilm film;
+};
+
+struct FilmWatch {
+    std::vector<WatchedPhoto> photos; // by their seconds
+    GrowthFit growth;
+    double begin = 0; // seconds at which the dip begins
+};
+
+// What follows from the photos together; at least one. Those without a time are taken to have been
+// made when the dip begins.
+FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin);
+
+// What was known besides when the photos were made.
+struct WatchNotes {
+    QString date; // ISO
+    QString lot;  // empty: the profile keeps its own
+    std::optional<double> waterTemperature;
+};
+
+// The profile with what was measured. Growth is taken over where rate and limit are known or there
+// is none; else the profile keeps its own. Throws Error where the swell is past what a profile may
+// say.
+FilmProfile withMeasurement(FilmProfile profile, const FilmWatch& watch, const WatchNotes& notes);
+
+// What was found, a sentence a line, the last ones what to photograph to know more.
+QStringList watchSentences(const FilmWatch& watch);
+
+} // namespace dipwright

@@ -1,0 +1,257 @@
+#include "inspection/FlatFilm.h"
+
+#include "base/Error.h"
+#include "base/Units.h"
+#include "inspection/Homography.h"
+#include "inspection/LeastSquares.h"
+#include "sheet/WatchPage.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::FilmWatch)
+};
+
+constexpr double sure95 = 1.959964; // standard deviations to either side
+constexpr double mm = 100; // millimetres to a unit of the fit, so that its numbers are near 1
+
+using Places = std::vector<Eigen::Vector2d>;
+
+// On the printed page, from the board's upper left corner, in units of the fit.
+Places printedPlaces(const SeenBoard& board, const std::array<double, 2>& scale) {
+    Places places;
+    for (const SeenCorner& corner : board.corners) {
+        places.emplace_back(corner.column * boardSquare(board.kind) * scale[0] / mm,
+                            corner.row * boardSquare(board.kind) * scale[1] / mm);
+    }
+    return places;
+}
+
+Places seenPlaces(const SeenBoard& board, const LensPlane& plane) {
+    Places places;
+    for (const SeenCorner& corner : board.corners) {
+        places.push_back(plane.inUnits(corner.place));
+    }
+    return places;
+}
+
+// Parameters: the water's homography (8), the film on the water (2 × 2 by columns, then its shift),
+// and k1, k2 where no camera is known.
+class FlatFit {
+public:
+    FlatFit(const SeenBoard& film, const SeenBoard& card, QSize picture,
+            const FlatSettings& settings)
+        : settings_(settings), plane_(picture), film_(printedPlaces(film, settings.filmScale)),
+          card_(printedPlaces(card, settings.cardScale)), filmSeen_(seenPlaces(film, plane_)),
+          cardSeen_(seenPlaces(card, plane_)) {}
+
+    int count() const { return int(2 * (film_.size() + card_.size())); }
+
+    Eigen::VectorXd start() const {
+        const Lens lens = settings_.lens.value_or(Lens());
+        Places seen;
+        for (const Eigen::Vector2d& place : cardSeen_) {
+            seen.push_back(undistorted(place, lens));
+        }
+        const Eigen::Matrix3d water = linearHomography(card_, seen);
+        const Eigen::Matrix3d back = water.inverse();
+        Eigen::MatrixXd rows(Eigen::Index(film_.size()), 3), lies(Eigen::Index(film_.size()), 2);
+        for (std::size_t i = 0; i < film_.size(); ++i) {
+            rows.row(Eigen::Index(i)) << film_[i].x(), film_[i].y(), 1;
+            lies.row(Eigen::Index(i)) =
+                projected(back, undistorted(filmSeen_[i], lens)).transpose();
+        }
+        const Eigen::MatrixXd affine = rows.colPivHouseholderQr().solve(lies);
+        Eigen::VectorXd start(settings_.lens ? 14 : 16);
+        start << water(0, 0), water(0, 1), water(0, 2), water(1, 0), water(1, 1), water(1, 2),
+            water(2, 0), water(2, 1), affine(0, 0), affine(0, 1), affine(1, 0), affine(1, 1),
+            affine(2, 0), affine(2, 1), Eigen::VectorXd::Zero(settings_.lens ? 0 : 2);
+        return start;
+    }
+
+    void residuals(const Eigen::VectorXd& p, Eigen::VectorXd& values) const {
+        const Eigen::Matrix3d water = waterOf(p);
+        const Eigen::Matrix3d card = raised(water);
+        const Lens lens = lensOf(p);
+        Eigen::Index at = 0;
+        for (std::size_t i = 0; i < film_.size(); ++i, at += 2) {
+            values.segment<2>(at) =
+                distorted(projected(water, onWater(p, film_[i])), lens) - filmSeen_[i];
+        }
+        for (std::size_t i = 0; i < card_.size(); ++i, at += 2) {
+            values.segment<2>(at) = distorted(projected(card, card_[i]), lens) - cardSeen_[i];
+        }
+    }
+
+    Lens lensOf(const Eigen::VectorXd& p) const {
+        return settings_.lens.value_or(p.size() > 14 ? Lens{p[14], p[15]} : Lens{});
+    }
+
+    // Of the film's corners, in units of the fit: where they were printed, where an evenly swollen
+    // film has them, and where they lie.
+    const Places& printed() const { return film_; }
+    static Eigen::Vector2d onWater(const Eigen::VectorXd& p, const Eigen::Vector2d& printed) {
+        return {p[8] * printed.x() + p[10] * printed.y() + p[12],
+                p[9] * printed.x() + p[11] * printed.y() + p[13]};
+    }
+    Eigen::Vector2d seenOnWater(const Eigen::VectorXd& p, std::size_t corner) const {
+        return projected(waterOf(p).inverse(), undistorted(filmSeen_[corner], lensOf(p)));
+    }
+    double pixels() const { return plane_.unit(); } // to a unit of the residuals
+
+private:
+    static Eigen::Matrix3d waterOf(const Eigen::VectorXd& p) {
+        Eigen::Matrix3d water;
+        water << p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], 1;
+        return water;
+    }
+
+    // The homography of the plane that lies `cardAbove` over the water. Its third column moves by
+    // what a step along the plane's normal does: the camera's matrix times the normal, which is at
+    // right angles to the two others once the focal length is taken out of them.
+    Eigen::Matrix3d raised(const Eigen::Matrix3d& water) const {
+        if (settings_.cardAbove == 0 || !settings_.focalLength) {
+            return water;
+        }
+        const double f = *settings_.focalLength;
+        const Eigen::Vector3d camera(1 / f, 1 / f, 1);
+        const Eigen::Vector3d x = camera.cwiseProduct(water.col(0));
+        const Eigen::Vector3d y = camera.cwiseProduct(water.col(1));
+        // x × y points away from the camera where the plane is seen from above.
+        const Eigen::Vector3d up = -x.cross(y) / std::sqrt(x.norm() * y.norm());
+        Eigen::Matrix3d card = water;
+        card.col(2) += settings_.cardAbove / mm * Eigen::Vector3d(f, f, 1).cwiseProduct(up);
+        return card;
+    }
+
+    const FlatSettings& settings_;
+    LensPlane plane_;
+    Places film_, card_, filmSeen_, cardSeen_;
+};
+
+// The length of one of the film's two steps, p[first] and p[first + 1], with its uncertainty.
+Measured swellOf(const LeastSquaresFit& fit, Eigen::Index first, double sigma) {
+    const Eigen::Vector2d step = fit.parameters.segment<2>(first);
+    const Eigen::Vector2d slope = step.normalized();
+    const double variance = slope.dot(fit.covariance.block<2, 2>(first, first) * slope);
+    return {step.norm(), sure95 * sigma * std::sqrt(std::max(0.0, variance))};
+}
+
+// Mean of both directions, over a square to each side where there are corners there.
+void fillSwell(std::vector<FilmCorner>& corners) {
+    std::map<std::pair<int, int>, const FilmCorner*> at;
+    for (const FilmCorner& corner : corners) {
+        at[{corner.column, corner.row}] = &corner;
+    }
+    const auto between = [&](int c1, int r1, int c2, int r2) -> std::optional<double> {
+        const auto first = at.find({c1, r1}), second = at.find({c2, r2});
+        if (first == at.end() || second == at.end()) {
+            return std::nullopt;
+        }
+        return (second->second->lies - first->second->lies).norm() /
+               (second->second->printed - first->second->printed).norm();
+    };
+    for (FilmCorner& corner : corners) {
+        const int c = corner.column, r = corner.row;
+        const auto across = between(c - 1, r, c + 1, r), down = between(c, r - 1, c, r + 1);
+        if (across && down) {
+            corner.swell = std::sqrt(*across * *down);
+        }
+    }
+}
+
+double percentile95(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values.empty() ? 0 : values[std::size_t(0.95 * double(values.size() - 1))];
+}
+
+void requireCorners(const SeenBoard& board, const QString& sentence, const QString& where) {
+    if (int(board.corners.size()) < leastWatchCorners) {
+        throw Error(sentence.arg(board.corners.size()).arg(leastWatchCorners), where);
+    }
+}
+
+Residuals residualsOf(const FlatFit& problem) {
+    return [&problem](const Eigen::VectorXd& p, Eigen::VectorXd& values) {
+        problem.residuals(p, values);
+    };
+}
+
+void requireDetermined(const LeastSquaresFit& fit, const QString& where) {
+    if (!fit.converged || !fit.determined) {
+        throw Error(Text::tr("The corners seen do not tell how the film lies; photograph film and "
+                             "card from above, both whole"),
+                    where);
+    }
+}
+
+void requireBoth(const SeenBoard& film, const SeenBoard& card, const QString& where) {
+    requireCorners(film,
+                   Text::tr("Only %1 corners of the film's chessboard are seen and it takes %2; "
+                            "photograph all of it, without glare"),
+                   where);
+    requireCorners(card,
+                   Text::tr("Only %1 corners of the card are seen and it takes %2; photograph all "
+                            "of it, without glare"),
+                   where);
+}
+
+double medianLength(const Eigen::VectorXd& residuals) {
+    std::vector<double> lengths;
+    for (Eigen::Index i = 0; i + 1 < residuals.size(); i += 2) {
+        lengths.push_back(residuals.segment<2>(i).norm());
+    }
+    const auto middle = lengths.begin() + std::ptrdiff_t(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return *middle;
+}
+
+} // namespace
+
+FlatFilm fitFlatFilm(const SeenBoard& film, const SeenBoard& card, QSize picture,
+                     const FlatSettings& settings, const QString& where) {
+    // Of a point off by a standard deviation of 1 in both directions.
+    constexpr double medianOfDistances = 1.17741;
+    requireBoth(film, card, where);
+    const FlatFit problem(film, card, picture, settings);
+    const LeastSquaresFit fit =
+        robustLeastSquares(residualsOf(problem), problem.count(), problem.start());
+    requireDetermined(fit, where);
+    // By the median, which a few places where something else was taken for a corner do not move.
+    const double freedom = double(problem.count() - fit.parameters.size()) / problem.count();
+    const double sigma = medianLength(fit.residuals) / medianOfDistances / std::sqrt(freedom);
+    FlatFilm result;
+    result.swellX = swellOf(fit, 8, sigma);
+    result.swellY = swellOf(fit, 10, sigma);
+    result.lens = problem.lensOf(fit.parameters);
+    result.cardCorners = int(card.corners.size());
+    result.residualPixels =
+        problem.pixels() * std::sqrt(2 * fit.residuals.squaredNorm() / problem.count());
+    const Eigen::Vector2d x = fit.parameters.segment<2>(8), y = fit.parameters.segment<2>(10);
+    result.shearDegrees = std::asin(x.normalized().dot(y.normalized())) * 180 / pi;
+    std::vector<double> uneven;
+    for (std::size_t i = 0; i < film.corners.size(); ++i) {
+        const Eigen::Vector2d& printed = problem.printed()[i];
+        const Eigen::Vector2d lies = problem.seenOnWater(fit.parameters, i);
+        const Eigen::Vector2d off = lies - FlatFit::onWater(fit.parameters, printed);
+        result.corners.push_back({film.corners[i].column, film.corners[i].row, printed * mm,
+                                  lies * mm, off * mm, std::nullopt});
+        uneven.push_back(off.norm() * mm);
+    }
+    fillSwell(result.corners);
+    result.unevenMillimetres = percentile95(std::move(uneven));
+    return result;
+}
+
+} // namespace dipwright

@@ -1,0 +1,137 @@
+#include "inspection/LeastSquares.h"
+
+#include <Eigen/QR>
+#include <unsupported/Eigen/NonLinearOptimization>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dipwright {
+
+namespace {
+
+constexpr double step = 1e-6; // of derivatives, times the parameter or 1
+constexpr int mostEvaluations = 200;
+constexpr double leastCondition = 1e-11; // of the derivatives' triangle, smallest over largest
+
+struct Functor {
+    using Scalar = double;
+    using InputType = Eigen::VectorXd;
+    using ValueType = Eigen::VectorXd;
+    using JacobianType = Eigen::MatrixXd;
+
+    const Residuals& residuals;
+    int count, parameters;
+
+    int inputs() const { return parameters; }
+    int values() const { return count; }
+    int operator()(const InputType& at, ValueType& values) const {
+        residuals(at, values);
+        return values.allFinite() ? 0 : -1;
+    }
+    int df(const InputType& at, JacobianType& jacobian) const {
+        jacobian = derivatives(residuals, count, at);
+        return jacobian.allFinite() ? 0 : -1;
+    }
+};
+
+void judge(LeastSquaresFit& fit, const Eigen::MatrixXd& jacobian) {
+    const auto parameters = jacobian.cols();
+    // Columns of one length, so that units do not decide what is told apart.
+    const Eigen::VectorXd scale = jacobian.colwise().norm().cwiseMax(1e-300);
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian *
+                                                         scale.cwiseInverse().asDiagonal());
+    const Eigen::VectorXd diagonal = qr.matrixQR().diagonal().cwiseAbs();
+    fit.determined = jacobian.allFinite() && jacobian.rows() > parameters &&
+                     diagonal.minCoeff() > leastCondition * diagonal.maxCoeff();
+    if (!fit.determined) {
+        return;
+    }
+    const Eigen::MatrixXd upper = qr.matrixQR().topRows(parameters).triangularView<Eigen::Upper>();
+    const Eigen::MatrixXd inverse =
+        qr.colsPermutation() * upper.triangularView<Eigen::Upper>().solve(
+                                   Eigen::MatrixXd::Identity(parameters, parameters));
+    const Eigen::MatrixXd rows = scale.cwiseInverse().asDiagonal() * inverse;
+    fit.covariance = rows * rows.transpose();
+}
+
+double medianOf(std::vector<double> values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// Square roots of Huber's weights of the points.
+Eigen::VectorXd huberRoots(const Eigen::VectorXd& residuals) {
+    const auto points = residuals.size() / 2;
+    std::vector<double> lengths;
+    for (Eigen::Index point = 0; point < points; ++point) {
+        lengths.push_back(residuals.segment<2>(2 * point).norm());
+    }
+    const double far = 2.5 * std::max(medianOf(lengths), 1e-12);
+    Eigen::VectorXd roots = Eigen::VectorXd::Ones(residuals.size());
+    for (Eigen::Index point = 0; point < points; ++point) {
+        const double length = lengths[std::size_t(point)];
+        roots.segment<2>(2 * point).setConstant(length > far ? std::sqrt(far / length) : 1);
+    }
+    return roots;
+}
+
+} // namespace
+
+Eigen::MatrixXd derivatives(const Residuals& residuals, int count, const Eigen::VectorXd& at) {
+    Eigen::MatrixXd jacobian(count, at.size());
+    Eigen::VectorXd place = at, before(count), after(count);
+    for (Eigen::Index i = 0; i < at.size(); ++i) {
+        const double h = step * std::max(1.0, std::abs(at[i]));
+        place[i] = at[i] - h;
+        residuals(place, before);
+        place[i] = at[i] + h;
+        residuals(place, after);
+        place[i] = at[i];
+        jacobian.col(i) = (after - before) / (2 * h);
+    }
+    return jacobian;
+}
+
+LeastSquaresFit leastSquares(const Residuals& residuals, int count, Eigen::VectorXd start) {
+    LeastSquaresFit fit;
+    fit.parameters = std::move(start);
+    fit.residuals.setZero(count);
+    const int parameters = int(fit.parameters.size());
+    if (count >= parameters) {
+        Functor functor{residuals, count, parameters};
+        Eigen::LevenbergMarquardt<Functor> search(functor);
+        search.parameters.maxfev = mostEvaluations;
+        search.parameters.xtol = 1e-12;
+        search.parameters.ftol = 1e-14;
+        const auto status = search.minimize(fit.parameters);
+        fit.converged =
+            status > 0 && status != Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation;
+    }
+    residuals(fit.parameters, fit.residuals);
+    fit.converged = fit.converged && fit.residuals.allFinite();
+    judge(fit, derivatives(residuals, count, fit.parameters));
+    return fit;
+}
+
+LeastSquaresFit robustLeastSquares(const Residuals& residuals, int count, Eigen::VectorXd start) {
+    constexpr int rounds = 4;
+    LeastSquaresFit fit = leastSquares(residuals, count, std::move(start));
+    for (int round = 0; round < rounds && fit.converged; ++round) {
+        const Eigen::VectorXd roots = huberRoots(fit.residuals);
+        if (roots.minCoeff() == 1) {
+            break;
+        }
+        const Residuals weighted = [&](const Eigen::VectorXd& at, Eigen::VectorXd& values) {
+            residuals(at, values);
+            values = values.cwiseProduct(roots);
+        };
+        fit = leastSquares(weighted, count, fit.parameters);
+        residuals(fit.parameters, fit.residuals);
+    }
+    return fit;
+}
+
+} // namespace dipwright

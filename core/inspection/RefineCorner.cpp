@@ -1,0 +1,104 @@
+#include "inspection/RefineCorner.h"
+
+#include "inspection/LeastSquares.h"
+#include "inspection/Saddles.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dipwright {
+
+namespace {
+
+constexpr double reach = 0.36;  // of the steps, all round: short of the dots
+constexpr double farthest = 15; // pixels to each side
+constexpr std::size_t leastPixels = 30;
+constexpr double mostMisfit = 0.2; // of the contrast, rms
+
+struct Window {
+    std::vector<Eigen::Vector2d> places; // from the corner's first place
+    std::vector<double> values;
+};
+
+// Pixels whose middle lies in the ellipse that a circle on the board becomes.
+Window windowRound(const cv::Mat& grey, const Eigen::Vector2d& place, const Eigen::Vector2d& right,
+                   const Eigen::Vector2d& down) {
+    Eigen::Matrix2d steps;
+    const auto cut = [](const Eigen::Vector2d& step) {
+        return Eigen::Vector2d(step * std::min(reach, farthest / step.norm()));
+    };
+    steps << cut(right), cut(down);
+    const Eigen::Matrix2d inverse = steps.inverse();
+    const Eigen::Vector2d box = steps.cwiseAbs().rowwise().sum();
+    Window window;
+    for (int row = int(place.y() - box.y()); row <= int(place.y() + box.y()); ++row) {
+        for (int column = int(place.x() - box.x()); column <= int(place.x() + box.x()); ++column) {
+            const Eigen::Vector2d from = Eigen::Vector2d(column + 0.5, row + 0.5) - place;
+            const bool isIn = (inverse * from).squaredNorm() <= 1;
+            if (isIn && row >= 0 && column >= 0 && row < grey.rows && column < grey.cols) {
+                window.places.push_back(from);
+                window.values.push_back(double(grey.at<float>(row, column)));
+            }
+        }
+    }
+    return window;
+}
+
+// Parameters: place (2), directions (2), mean, contrast, blur.
+double modelled(const Eigen::VectorXd& p, const Eigen::Vector2d& at) {
+    const Eigen::Vector2d from = at - p.head<2>();
+    const auto edge = [&](double direction) {
+        const double distance = std::cos(direction) * from.y() - std::sin(direction) * from.x();
+        return std::erf(distance / p[6]);
+    };
+    return p[4] + p[5] * edge(p[2]) * edge(p[3]);
+}
+
+// Half of what the two dark and the two light quarters differ by, with the model's sign.
+double firstContrast(const Window& window, const Eigen::VectorXd& start) {
+    double sum = 0, weight = 1e-9;
+    for (std::size_t i = 0; i < window.values.size(); ++i) {
+        Eigen::VectorXd one = start;
+        one[4] = 0;
+        one[5] = 1;
+        const double shape = modelled(one, window.places[i]);
+        sum += shape * (window.values[i] - start[4]);
+        weight += shape * shape;
+    }
+    return sum / weight;
+}
+
+} // namespace
+
+std::optional<Eigen::Vector2d> refinedCorner(const cv::Mat& grey, const Eigen::Vector2d& place,
+                                             const Eigen::Vector2d& right,
+                                             const Eigen::Vector2d& down) {
+    const Window window = windowRound(grey, place, right, down);
+    if (window.values.size() < leastPixels) {
+        return std::nullopt;
+    }
+    Eigen::VectorXd start(7);
+    double mean = 0;
+    for (const double value : window.values) {
+        mean += value / double(window.values.size());
+    }
+    start << 0, 0, std::atan2(right.y(), right.x()), std::atan2(down.y(), down.x()), mean, 0, 1.5;
+    start[5] = firstContrast(window, start);
+    const Residuals residuals = [&](const Eigen::VectorXd& p, Eigen::VectorXd& values) {
+        for (std::size_t i = 0; i < window.values.size(); ++i) {
+            values[Eigen::Index(i)] = modelled(p, window.places[i]) - window.values[i];
+        }
+    };
+    const LeastSquaresFit fit = leastSquares(residuals, int(window.values.size()), start);
+    const Eigen::Vector2d moved = fit.parameters.head<2>();
+    const double misfit = std::sqrt(fit.residuals.squaredNorm() / double(window.values.size()));
+    const double most = std::min(right.norm(), down.norm()) / 4;
+    const bool isCorner = fit.residuals.allFinite() && fit.determined && moved.norm() < most &&
+                          misfit < mostMisfit * std::abs(fit.parameters[5]);
+    return isCorner ? std::optional<Eigen::Vector2d>(place + moved) : std::nullopt;
+}
+
+} // namespace dipwright

@@ -1,0 +1,22 @@
+// Where exactly four squares meet. Private to this folder.
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+#include <optional>
+
+namespace dipwright {
+
+// Fits two crossing blurred edges to the grey values round a corner,
+//   grey = m + c · erf(d₁/s) · erf(d₂/s),   d the distances from the two edges,
+// with place, both directions, m, c and s free. No slope of the light is among them: near a blurred
+// corner it is the same as a shift, and what light does across a few pixels is far less. `right`
+// and `down` are the steps to the next corners, which give first directions; what is more than a
+// good third of them away is not looked at. Nothing where the picture is not like that, or the
+// place would move by more than a quarter of them.
+std::optional<Eigen::Vector2d> refinedCorner(const cv::Mat& grey, const Eigen::Vector2d& place,
+                                             const Eigen::Vector2d& right,
+                                             const Eigen::Vector2d& down);
+
+} // namespace dipwright

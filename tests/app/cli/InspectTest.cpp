@@ -1,0 +1,218 @@
+// A film measured by the command line from photos, as a user has them: JPEG files from a camera.
+#include "CliProcess.h"
+#include "TankPhoto.h"
+#include "TestFiles.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QImageReader>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cmath>
+#include <tiffio.h>
+
+using namespace dipwright::test;
+
+namespace {
+
+constexpr double swellX = 1.12, swellY = 1.05, rate = 0.004, limit = 0.1;
+
+double grown(double seconds) {
+    return 1 + limit * (1 - std::exp(-rate * (seconds - 70) / limit));
+}
+
+// As it is so many seconds after the film was laid on the water.
+QImage photoAt(double seconds) {
+    FloatingPage film = filmPage(), card = cardPage();
+    film.turn = turned(-3, swellX * grown(seconds), swellY * grown(seconds));
+    film.middle = {-90, 0};
+    card.turn = turned(12);
+    card.middle = {125, -10};
+    TankCamera camera;
+    camera.size = {1600, 1200};
+    camera.k1 = -0.05;
+    camera.tiltDegrees = 5;
+    return tankPhoto({card, film}, camera, {.jpegQuality = 0, .seed = unsigned(seconds)});
+}
+
+QByteArray number(quint32 value, int bytes) {
+    QByteArray text;
+    for (int i = 0; i < bytes; ++i) {
+        text.append(char(value >> (8 * i)));
+    }
+    return text;
+}
+
+QByteArray entry(quint16 tag, quint16 type, quint32 count, quint32 value) {
+    return number(tag, 2) + number(type, 2) + number(count, 4) + number(value, 4);
+}
+
+// JPEG with a camera's tags: how it was held, when, and its focal length.
+QByteArray cameraFile(const QImage& picture, int orientation, const QByteArray& taken) {
+    QByteArray tags = "II" + number(42, 2) + number(8, 4);
+    tags += number(2, 2) + entry(0x0112, 3, 1, quint32(orientation)) + entry(0x8769, 4, 1, 38) +
+            number(0, 4);
+    tags += number(2, 2) + entry(0x9003, 2, 20, 68) + entry(0xa405, 3, 1, 32) + number(0, 4);
+    tags += taken.leftJustified(20, '\0');
+    const QByteArray segment = QByteArray("Exif\0\0", 6) + tags;
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    picture.save(&buffer, "JPEG", 85);
+    const auto length = quint16(segment.size() + 2);
+    return buffer.data().left(2) + "\xff\xe1" + char(length >> 8) + char(length & 255) + segment +
+           buffer.data().mid(2);
+}
+
+// As a raster image processor writes it: cyan, magenta, yellow and black.
+void writeCmykTiff(const QImage& picture, const QString& path) {
+    TIFF* file = TIFFOpen(qPrintable(path), "w");
+    TIFFSetField(file, TIFFTAG_IMAGEWIDTH, picture.width());
+    TIFFSetField(file, TIFFTAG_IMAGELENGTH, picture.height());
+    TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, 4);
+    TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, 8);
+    TIFFSetField(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_SEPARATED);
+    TIFFSetField(file, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    TIFFSetField(file, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
+    for (int y = 0; y < picture.height(); ++y) {
+        QByteArray line(4 * picture.width(), '\0');
+        for (int x = 0; x < picture.width(); ++x) {
+            line[4 * x + 3] = char(255 - qGray(picture.pixel(x, y)));
+        }
+        TIFFWriteScanline(file, line.data(), quint32(y));
+    }
+    TIFFClose(file);
+}
+
+} // namespace
+
+class InspectTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY(folder_.isValid());
+        qputenv("DIPWRIGHT_PROFILE_PATH", path("profiles").toLocal8Bit());
+        for (const int seconds : times_) {
+            const QImage picture = photoAt(seconds);
+            // The second was made with a camera that stores pictures flipped, and says so.
+            const bool isFlipped = seconds == times_[1];
+            const QByteArray taken = QTime(14, 0).addSecs(seconds).toString("hh:mm:ss").toLatin1();
+            writeFile(path(photoName(seconds)),
+                      cameraFile(isFlipped ? picture.mirrored(true, false) : picture,
+                                 isFlipped ? 2 : 1, "2026:11:22 " + taken));
+            photos_ << path(photoName(seconds));
+        }
+    }
+
+    void pagesAreWrittenToPrint() {
+        for (const char* page : {"film", "card"}) {
+            const QString name = path(QString::fromLatin1(page));
+            QCOMPARE(cli({"calibrate", page, "--to", name + ".pdf"}).exitCode, 0);
+            QCOMPARE(cli({"calibrate", page, "--to", name + ".png", "--paper", "A4"}).exitCode, 0);
+            QVERIFY(bytesOf(name + ".pdf").startsWith("%PDF"));
+            QCOMPARE(QImageReader(name + ".png").size(), QSize(4961, 7016));
+        }
+        const Outcome small = cli({"calibrate", "film", "--to", path("s.pdf"), "--paper", "A5"});
+        QCOMPARE(small.exitCode, 1);
+        QCOMPARE(small.errorLines().size(), 1);
+    }
+
+    void filmIsMeasuredByTheCamerasClock() {
+        QStringList arguments{"inspect", "film"};
+        arguments << photos_ << "--out" << path("out") << "--laid"
+                  << "2026-11-22T14:00:00"
+                  << "--profile"
+                  << "Measured film"
+                  << "--lot"
+                  << "L7"
+                  << "--water-temperature"
+                  << "28";
+        const Outcome outcome = cli(arguments);
+        QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+        qInfo("%s", outcome.out.constData());
+        const QJsonObject found =
+            QJsonDocument::fromJson(bytesOf(path("out/film-watch.json"))).object();
+        const auto value = [&](const char* key, int part) {
+            return found.value(QLatin1String(key)).toArray().at(part).toDouble();
+        };
+        QCOMPARE(found.value("date").toString(), QStringLiteral("2026-11-22"));
+        QVERIFY(std::abs(value("swell", 0) / swellX - 1) < 0.001);
+        QVERIFY(std::abs(value("swell", 1) / swellY - 1) < 0.001);
+        QVERIFY(std::abs(value("growth_per_s", 0) / rate - 1) < 0.05);
+        QVERIFY(std::abs(value("growth_limit", 0) / limit - 1) < 0.05);
+        QVERIFY(!QImage(path("out/unevenness.png")).isNull());
+        QVERIFY(bytesOf(path("out/unevenness.csv")).count('\n') > 300);
+        if (qEnvironmentVariableIsSet("DIPWRIGHT_PICTURES")) {
+            const QString pictures = qEnvironmentVariable("DIPWRIGHT_PICTURES") + "/";
+            QFile::copy(path("out/unevenness.png"), pictures + "unevenness.png");
+            QFile::copy(photos_.first(), pictures + "tank.jpg");
+        }
+        const QByteArray profile = cli({"profile", "show", "film", "Measured film"}).out;
+        QVERIFY2(profile.contains("\"swell_off\""), profile.constData());
+        QVERIFY(profile.contains("L7"));
+    }
+
+    void timesAreAskedFor() {
+        const Outcome outcome =
+            cli(QStringList{"inspect", "film"} + photos_ + QStringList{"--out", path("none")});
+        QCOMPARE(outcome.exitCode, 2);
+        QVERIFY(!QFileInfo::exists(path("none")));
+    }
+
+    void badFilesGetASentence_data() {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("cut off") << bytesOf(photos_.first()).left(4000);
+        QTest::newRow("no picture") << QByteArray("once upon a time");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("no board") << encoded(QImage(800, 600, QImage::Format_Grayscale8), "PNG");
+        QImage vast(12'000, 9'000, QImage::Format_Grayscale8);
+        vast.fill(128);
+        QTest::newRow("100 megapixels") << encoded(vast, "JPEG");
+        QTest::newRow("mirrored") << encoded(QImage(photos_.first()).mirrored(true, false), "PNG");
+    }
+
+    void badFilesGetASentence() {
+        QFETCH(QByteArray, bytes);
+        writeFile(path("bad.jpg"), bytes);
+        const Outcome outcome = cli({"inspect", "film", path("bad.jpg"), "--out", path("bad-out"),
+                                     "--profile", "Never written"});
+        qInfo("%s", outcome.err.constData());
+        QCOMPARE(outcome.exitCode, 1);
+        QCOMPARE(outcome.errorLines().size(), 1);
+        QVERIFY(!QFileInfo::exists(path("bad-out")));
+        QVERIFY(!cli({"profile", "list"}).out.contains("Never written"));
+    }
+
+    void sixteenBitsAreRead() {
+        writeFile(path("deep.png"),
+                  encoded(QImage(photos_.first()).convertToFormat(QImage::Format_RGBX64), "PNG"));
+        const Outcome outcome = cli({"inspect", "film", path("deep.png"), "--out", path("deep")});
+        QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+    }
+
+    void cyanMagentaYellowAndBlackAreRead() {
+        writeCmykTiff(QImage(photos_.first()), path("cmyk.tiff"));
+        const Outcome outcome = cli({"inspect", "film", path("cmyk.tiff"), "--out", path("cmyk")});
+        QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+    }
+
+private:
+    static QByteArray encoded(const QImage& picture, const char* format) {
+        QBuffer buffer;
+        buffer.open(QIODevice::WriteOnly);
+        picture.save(&buffer, format);
+        return buffer.data();
+    }
+    static QString photoName(int seconds) { return QStringLiteral("photo-%1.jpg").arg(seconds); }
+    QString path(const QString& name) const { return folder_.filePath(name); }
+
+    const QList<int> times_{40, 70, 110, 190};
+    QStringList photos_;
+    QTemporaryDir folder_;
+};
+
+QTEST_MAIN(InspectTest)
+#include "InspectTest.moc"

@@ -1,0 +1,454 @@
+// A film on the water, measured by photos of which every number is known.
+#include "TankPhoto.h"
+
+#include "base/Error.h"
+#include "inspection/FilmWatch.h"
+#include "sheet/WatchPage.h"
+
+#include <QtTest>
+#include <random>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+// The upper left corner of a square, mm from the page's middle.
+Eigen::Vector2d printedCorner(BoardKind kind, QSizeF paper, int column, int row) {
+    WatchPage page;
+    page.kind = kind;
+    page.paper = paper;
+    const QPointF corner = watchBoard(page).box.topLeft() +
+                           QPointF(column, row) * boardSquare(kind) -
+                           QPointF(paper.width(), paper.height()) / 2;
+    return {corner.x(), corner.y()};
+}
+
+struct Tank {
+    FloatingPage film = filmPage(), card = cardPage();
+    TankCamera camera;
+    TankLight light;
+
+    QImage photo() const { return tankPhoto({card, film}, camera, light); }
+};
+
+// Film and card beside each other on the water, seen from above.
+Tank tank(double swellX, double swellY) {
+    Tank tank;
+    tank.film.turn = turned(4, swellX, swellY);
+    tank.film.middle = {-95, 5};
+    tank.card.turn = turned(-8);
+    tank.card.middle = {125, 20};
+    tank.camera.tiltDegrees = 7;
+    tank.camera.rollDegrees = 3;
+    tank.camera.k1 = -0.06;
+    tank.camera.k2 = 0.015;
+    return tank;
+}
+
+const SeenBoard* boardOf(const std::vector<SeenBoard>& boards, BoardKind kind) {
+    for (const SeenBoard& board : boards) {
+        if (board.kind == kind) {
+            return &board;
+        }
+    }
+    return nullptr;
+}
+
+// Where the corners of a board are seen less where they are.
+std::vector<Eigen::Vector2d> errors(const SeenBoard& board, const FloatingPage& page,
+                                    const TankCamera& camera) {
+    std::vector<Eigen::Vector2d> result;
+    for (const SeenCorner& corner : board.corners) {
+        const Eigen::Vector2d printed =
+            printedCorner(board.kind, page.size, corner.column, corner.row);
+        result.push_back(corner.place - camera.seen(page.onWater(printed), page.above));
+    }
+    return result;
+}
+
+Eigen::Vector2d mean(const std::vector<Eigen::Vector2d>& places) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& place : places) {
+        sum += place / double(places.size());
+    }
+    return sum;
+}
+
+double rms(const std::vector<Eigen::Vector2d>& places) {
+    double sum = 0;
+    for (const Eigen::Vector2d& place : places) {
+        sum += place.squaredNorm() / double(places.size());
+    }
+    return std::sqrt(sum);
+}
+
+// Corners as a camera sees them, each off by `noise` pixels in both directions; so many columns and
+// rows of each board.
+SeenBoard cornersOf(const FloatingPage& page, BoardKind kind, QSize corners,
+                    const TankCamera& camera, double noise, std::mt19937& random) {
+    std::normal_distribution<double> off(0, noise);
+    SeenBoard board{kind, false, {}};
+    for (int row = 1; row <= corners.height(); ++row) {
+        for (int column = 1; column <= corners.width(); ++column) {
+            const Eigen::Vector2d water = page.onWater(printedCorner(kind, page.size, column, row));
+            const Eigen::Vector2d place = camera.seen(water, page.above);
+            board.corners.push_back(
+                {column, row, place + Eigen::Vector2d(off(random), off(random))});
+        }
+    }
+    return board;
+}
+
+FlatFilm fitted(const Tank& tank, double noise, std::mt19937& random,
+                const FlatSettings& settings = {}) {
+    const SeenBoard film =
+        cornersOf(tank.film, BoardKind::Film, {10, 6}, tank.camera, noise, random);
+    const SeenBoard card =
+        cornersOf(tank.card, BoardKind::Card, {10, 13}, tank.camera, noise, random);
+    return fitFlatFilm(film, card, tank.camera.size, settings, QStringLiteral("photo"));
+}
+
+bool contains(const Measured& measured, double truth) {
+    return std::abs(measured.value - truth) <= measured.off;
+}
+
+QString errorOf(const QImage& photo) {
+    try {
+        measureFlatFilm(photo, {}, QStringLiteral("photo.jpg"));
+    } catch (const Error& error) {
+        return error.message();
+    }
+    return {};
+}
+
+} // namespace
+
+class FilmWatchTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyPartOfABoardIsOneOfAKind();
+    void cornersAreFoundToAFewHundredthsOfAPixel_data();
+    void cornersAreFoundToAFewHundredthsOfAPixel();
+    void boardsAreFoundHoweverTheyLie_data();
+    void boardsAreFoundHoweverTheyLie();
+    void swellIsRightToATenthOfAPercent_data();
+    void swellIsRightToATenthOfAPercent();
+    void sixtyCornersAreEnough();
+    void intervalsHoldTheTruthAsOftenAsTheySay();
+    void aCardAboveTheWaterIsReckonedWith();
+    void unevennessIsShownWhereItIs();
+    void growthIsRightToAFewPercent();
+    void growthsIntervalsHoldTheTruthAsOftenAsTheySay();
+    void growthThatPhotosDoNotTellIsNotTold();
+    void profileSaysWhatWasMeasured();
+    void badPicturesGetASentence();
+};
+
+void FilmWatchTest::everyPartOfABoardIsOneOfAKind() {
+    // Seven squares by six of either board, turned and mirrored in every way, beside each other
+    // part.
+    constexpr int width = 7, height = 6, cells = width * height;
+    std::vector<std::uint64_t> parts;
+    for (const BoardKind kind : {BoardKind::Film, BoardKind::Card}) {
+        for (int row = 0; row + 7 <= mostBoardSquares; ++row) {
+            for (int column = 0; column + 7 <= mostBoardSquares; ++column) {
+                for (int way = 0; way < 8; ++way) {
+                    std::uint64_t bits = isBlackSquare(column, row);
+                    for (int i = 0; i < cells; ++i) {
+                        int x = i % width, y = i / width;
+                        x = way & 1 ? width - 1 - x : x;
+                        y = way & 2 ? height - 1 - y : y;
+                        if (way & 4) {
+                            std::swap(x, y);
+                        }
+                        bits = bits << 1 | unsigned(hasDot(kind, column + x, row + y));
+                    }
+                    parts.push_back(bits);
+                }
+            }
+        }
+    }
+    std::sort(parts.begin(), parts.end());
+    QVERIFY(std::adjacent_find(parts.begin(), parts.end()) == parts.end());
+}
+
+void FilmWatchTest::cornersAreFoundToAFewHundredthsOfAPixel_data() {
+    QTest::addColumn<double>("blur");
+    QTest::addColumn<double>("noise");
+    QTest::addColumn<int>("jpeg");
+    QTest::addColumn<double>("most"); // rms
+    QTest::newRow("sharp") << 0.6 << 0.0 << 0 << 0.05;
+    QTest::newRow("noise of one level") << 0.8 << 1.0 << 85 << 0.08;
+    QTest::newRow("noise of two levels") << 0.8 << 2.0 << 85 << 0.1;
+    QTest::newRow("out of focus") << 2.5 << 1.0 << 85 << 0.12;
+}
+
+void FilmWatchTest::cornersAreFoundToAFewHundredthsOfAPixel() {
+    QFETCH(double, blur);
+    QFETCH(double, noise);
+    QFETCH(int, jpeg);
+    QFETCH(double, most);
+    Tank scene = tank(1.08, 1.03);
+    scene.light = {.blur = blur, .noise = noise, .jpegQuality = jpeg};
+    const std::vector<SeenBoard> boards = findBoards(scene.photo());
+    const SeenBoard* film = boardOf(boards, BoardKind::Film);
+    const SeenBoard* card = boardOf(boards, BoardKind::Card);
+    QVERIFY(film && card);
+    QCOMPARE(int(film->corners.size()), 120);
+    QCOMPARE(int(card->corners.size()), 154);
+    for (const auto& [board, page] : {std::pair(film, &scene.film), std::pair(card, &scene.card)}) {
+        const auto off = errors(*board, *page, scene.camera);
+        qInfo("corners off by %.4f, %.4f on the mean, %.4f rms", mean(off).x(), mean(off).y(),
+              rms(off));
+        QVERIFY(mean(off).norm() < 0.05);
+        QVERIFY(rms(off) < most);
+    }
+}
+
+void FilmWatchTest::boardsAreFoundHoweverTheyLie_data() {
+    QTest::addColumn<double>("roll");
+    QTest::addColumn<double>("tilt");
+    QTest::addColumn<bool>("glare");
+    for (const int roll : {0, 45, 90, 137, 180, 270, 311}) {
+        QTest::addRow("turned by %d°", roll) << double(roll) << 4.0 << false;
+    }
+    QTest::newRow("seen at a slant") << 10.0 << 35.0 << false;
+    QTest::newRow("with glare") << 0.0 << 5.0 << true;
+}
+
+void FilmWatchTest::boardsAreFoundHoweverTheyLie() {
+    QFETCH(double, roll);
+    QFETCH(double, tilt);
+    QFETCH(bool, glare);
+    Tank scene = tank(1.05, 1.02);
+    scene.camera.size = {1400, 1400};
+    scene.camera.height = 900;
+    scene.camera.rollDegrees = roll;
+    scene.camera.tiltDegrees = tilt;
+    scene.light.glare = glare;
+    const std::vector<SeenBoard> boards = findBoards(scene.photo());
+    const SeenBoard* film = boardOf(boards, BoardKind::Film);
+    const SeenBoard* card = boardOf(boards, BoardKind::Card);
+    QVERIFY(film && card);
+    QVERIFY(!film->mirrored && !card->mirrored);
+    QVERIFY(film->corners.size() >= (glare ? 60 : 118));
+    QVERIFY(card->corners.size() >= (glare ? 60 : 150));
+    QVERIFY(rms(errors(*film, scene.film, scene.camera)) < 0.2);
+    QVERIFY(rms(errors(*card, scene.card, scene.camera)) < 0.2);
+}
+
+void FilmWatchTest::swellIsRightToATenthOfAPercent_data() {
+    QTest::addColumn<double>("swellX");
+    QTest::addColumn<double>("swellY");
+    QTest::addColumn<double>("k1");
+    QTest::addColumn<double>("k2");
+    QTest::addColumn<double>("blur");
+    QTest::addColumn<double>("noise");
+    QTest::addColumn<bool>("glare");
+    QTest::newRow("straight lens") << 1.0 << 1.0 << 0.0 << 0.0 << 0.7 << 1.0 << false;
+    QTest::newRow("barrel") << 1.13 << 1.06 << -0.1 << 0.02 << 0.8 << 1.0 << false;
+    QTest::newRow("cushion") << 1.21 << 1.17 << 0.05 << 0.01 << 0.8 << 2.0 << false;
+    QTest::newRow("out of focus") << 1.07 << 1.02 << -0.06 << 0.0 << 2.5 << 2.0 << false;
+    QTest::newRow("glare") << 1.05 << 1.11 << -0.06 << 0.015 << 0.8 << 1.0 << true;
+}
+
+void FilmWatchTest::swellIsRightToATenthOfAPercent() {
+    QFETCH(double, swellX);
+    QFETCH(double, swellY);
+    QFETCH(double, k1);
+    QFETCH(double, k2);
+    QFETCH(double, blur);
+    QFETCH(double, noise);
+    QFETCH(bool, glare);
+    Tank scene = tank(swellX, swellY);
+    scene.camera.k1 = k1;
+    scene.camera.k2 = k2;
+    scene.light = {.blur = blur, .noise = noise, .glare = glare};
+    const FlatFilm film = measureFlatFilm(scene.photo(), {}, QStringLiteral("photo"));
+    qInfo("swell off by %.5f ± %.5f, %.5f ± %.5f; %zu corners, %.3f px", film.swellX.value - swellX,
+          film.swellX.off, film.swellY.value - swellY, film.swellY.off, film.corners.size(),
+          film.residualPixels);
+    QVERIFY(std::abs(film.swellX.value / swellX - 1) < 0.001);
+    QVERIFY(std::abs(film.swellY.value / swellY - 1) < 0.001);
+    QVERIFY(film.swellX.off < 0.001 && film.swellY.off < 0.001);
+}
+
+void FilmWatchTest::sixtyCornersAreEnough() {
+    std::mt19937 random(7);
+    const Tank scene = tank(1.1, 1.05);
+    double worst = 0;
+    for (int i = 0; i < 40; ++i) {
+        const FlatFilm film = fitted(scene, 0.05, random);
+        QCOMPARE(int(film.corners.size()), 60);
+        worst = std::max({worst, film.swellX.off / 1.1, film.swellY.off / 1.05});
+    }
+    qInfo("60 corners, each off by 0.05 px: swell ± %.4f %% at 95 %%", 100 * worst);
+    QVERIFY(worst < 0.001);
+}
+
+void FilmWatchTest::intervalsHoldTheTruthAsOftenAsTheySay() {
+    std::mt19937 random(20261122);
+    int held = 0;
+    constexpr int photos = 200;
+    for (int i = 0; i < photos; ++i) {
+        Tank scene = tank(1 + 0.001 * i, 1.2 - 0.001 * i);
+        scene.camera.tiltDegrees = i % 20;
+        const FlatFilm film = fitted(scene, 0.4, random);
+        held += contains(film.swellX, 1 + 0.001 * i) + contains(film.swellY, 1.2 - 0.001 * i);
+    }
+    qInfo("95 %% intervals hold the truth in %.1f %%", 100.0 * held / (2 * photos));
+    QVERIFY(held >= 0.93 * 2 * photos && held <= 0.97 * 2 * photos);
+}
+
+void FilmWatchTest::aCardAboveTheWaterIsReckonedWith() {
+    std::mt19937 random(3);
+    Tank scene = tank(1.1, 1.05);
+    scene.card.above = 12;
+    FlatSettings settings;
+    const FlatFilm wrong = fitted(scene, 0.02, random, settings);
+    QVERIFY(std::abs(wrong.swellX.value - 1.1) > 0.01);
+    settings.cardAbove = 12;
+    settings.focalLength = scene.camera.focalLength;
+    const FlatFilm right = fitted(scene, 0.02, random, settings);
+    QVERIFY(std::abs(right.swellX.value - 1.1) < 0.001);
+    QVERIFY(std::abs(right.swellY.value - 1.05) < 0.001);
+}
+
+void FilmWatchTest::unevennessIsShownWhereItIs() {
+    std::mt19937 random(5);
+    Tank scene = tank(1.1, 1.05);
+    // Drawn aside by a millimetre round one place.
+    const Eigen::Vector2d bump = printedCorner(BoardKind::Film, scene.film.size, 3, 3);
+    scene.film.aside = [bump](const Eigen::Vector2d& place) {
+        const double away = (place - bump).squaredNorm() / (2 * 25 * 25);
+        return Eigen::Vector2d(std::exp(-away), 0);
+    };
+    FlatSettings settings;
+    settings.lens = Lens{scene.camera.k1, scene.camera.k2};
+    const FlatFilm film = fitted(scene, 0.05, random, settings);
+    const FilmCorner* farthest = &film.corners.front();
+    for (const FilmCorner& corner : film.corners) {
+        farthest = corner.off.norm() > farthest->off.norm() ? &corner : farthest;
+    }
+    QVERIFY(std::abs(farthest->column - 3) <= 1 && std::abs(farthest->row - 3) <= 1);
+    QVERIFY(farthest->off.norm() > 0.4);
+    QVERIFY(film.unevenMillimetres > 0.2);
+}
+
+namespace {
+
+double grown(double seconds, double rate, double limit) {
+    return 1 + limit * (1 - std::exp(-rate * seconds / limit));
+}
+
+// Seen at these seconds, the dip beginning at `begin`.
+FilmWatch watched(const std::vector<double>& times, double begin, double rate, double limit,
+                  double noise, std::mt19937& random) {
+    std::vector<WatchedPhoto> photos;
+    for (const double seconds : times) {
+        const double growth = limit > 0 ? grown(seconds - begin, rate, limit) : 1;
+        const Tank scene = tank(1.08 * growth, 1.04 * growth);
+        photos.push_back({QStringLiteral("photo.jpg"), QStringLiteral("ab12"), seconds,
+                          scene.camera.size, fitted(scene, noise, random)});
+    }
+    return watchedFilm(std::move(photos), begin);
+}
+
+const std::vector<double> twoMinutes{20, 35, 50, 70, 90, 110, 140, 180};
+
+} // namespace
+
+void FilmWatchTest::growthIsRightToAFewPercent() {
+    std::mt19937 random(11);
+    for (const auto& [rate, limit] :
+         {std::pair(0.002, 0.1), std::pair(0.004, 0.2), std::pair(0.003, 0.05)}) {
+        const FilmWatch watch = watched(twoMinutes, 70, rate, limit, 0.05, random);
+        const GrowthFit& growth = watch.growth;
+        QCOMPARE(growth.known, GrowthKnown::Both);
+        qInfo("rate %.5f of %.5f ± %.5f, limit %.4f of %.4f ± %.4f", growth.rate.value, rate,
+              growth.rate.off, growth.limit.value, limit, growth.limit.off);
+        QVERIFY(std::abs(growth.rate.value / rate - 1) < 0.05);
+        QVERIFY(std::abs(growth.limit.value / limit - 1) < 0.05);
+        QVERIFY(std::abs(growth.swellX.value / 1.08 - 1) < 0.001);
+        QVERIFY(std::abs(growth.swellY.value / 1.04 - 1) < 0.001);
+    }
+}
+
+void FilmWatchTest::growthsIntervalsHoldTheTruthAsOftenAsTheySay() {
+    std::mt19937 random(20261123);
+    int rates = 0, limits = 0, swells = 0;
+    constexpr int films = 200;
+    std::normal_distribution<double> off(0, 0.0004);
+    for (int i = 0; i < films; ++i) {
+        std::vector<SwellAt> moments;
+        for (const double seconds : twoMinutes) {
+            const double growth = grown(seconds - 70, 0.003, 0.1);
+            const double uncertain = 1.959964 * 0.0004;
+            moments.push_back({seconds,
+                               {1.08 * growth + off(random), uncertain},
+                               {1.04 * growth + off(random), uncertain}});
+        }
+        const GrowthFit growth = fitGrowth(moments, 70);
+        QCOMPARE(growth.known, GrowthKnown::Both);
+        rates += contains(growth.rate, 0.003);
+        limits += contains(growth.limit, 0.1);
+        swells += contains(growth.swellX, 1.08);
+    }
+    qInfo("95 %% intervals: rate %.1f %%, limit %.1f %%, swell %.1f %%", 100.0 * rates / films,
+          100.0 * limits / films, 100.0 * swells / films);
+    for (const int held : {rates, limits, swells}) {
+        QVERIFY(held >= 0.92 * films && held <= 0.99 * films);
+    }
+}
+
+void FilmWatchTest::growthThatPhotosDoNotTellIsNotTold() {
+    std::mt19937 random(13);
+    QCOMPARE(watched({70}, 70, 0.003, 0.1, 0.1, random).growth.known, GrowthKnown::No);
+    QCOMPARE(watched({70, 100}, 70, 0.003, 0.1, 0.1, random).growth.known, GrowthKnown::No);
+    QCOMPARE(watched(twoMinutes, 70, 0, 0, 0.1, random).growth.known, GrowthKnown::None);
+    // Still at its begin when the last photo is made.
+    const FilmWatch straight = watched({60, 65, 70, 75, 80}, 70, 0.003, 0.5, 0.1, random);
+    QCOMPARE(straight.growth.known, GrowthKnown::RateOnly);
+    QVERIFY(std::abs(straight.growth.rate.value / 0.003 - 1) < 0.1);
+    QVERIFY(watchSentences(straight).join(u' ').contains(QStringLiteral("grows no more")));
+}
+
+void FilmWatchTest::profileSaysWhatWasMeasured() {
+    std::mt19937 random(17);
+    const FilmWatch watch = watched(twoMinutes, 70, 0.003, 0.1, 0.05, random);
+    FilmProfile profile;
+    profile.name = QStringLiteral("A film");
+    profile =
+        withMeasurement(profile, watch, {QStringLiteral("2026-11-22"), QStringLiteral("L7"), 28});
+    QVERIFY(std::abs(profile.swellX - 1.08) < 0.001);
+    QCOMPARE(profile.lot, QStringLiteral("L7"));
+    QCOMPARE(profile.measured.swellX, profile.swellX);
+    QVERIFY(profile.measured.growthRate == profile.growthRate);
+    QCOMPARE(profileFromJson(toJson(profile), QStringLiteral("profile")), Profile(profile));
+}
+
+void FilmWatchTest::badPicturesGetASentence() {
+    QImage empty(800, 600, QImage::Format_RGB32);
+    empty.fill(Qt::gray);
+    QVERIFY(errorOf(empty).startsWith(QStringLiteral("No chessboard")));
+    Tank scene = tank(1.05, 1.05);
+    scene.camera.size = {1600, 1200};
+    const QImage photo = scene.photo();
+    QCOMPARE(errorOf(photo), QString());
+    QVERIFY(errorOf(photo.mirrored(true, false)).contains(QStringLiteral("mirrored")));
+    const QImage filmOnly = tankPhoto({scene.film}, scene.camera, scene.light);
+    QVERIFY(errorOf(filmOnly).startsWith(QStringLiteral("The card")));
+    const QImage cardOnly = tankPhoto({scene.card}, scene.camera, scene.light);
+    QVERIFY(errorOf(cardOnly).startsWith(QStringLiteral("Of the film's chessboard")));
+    // Turned about so that only a third of the film is in the picture.
+    Tank half = scene;
+    half.camera.over = {330, 5};
+    const QString sentence = errorOf(half.photo());
+    qInfo("%s", qPrintable(sentence));
+    QVERIFY(!sentence.isEmpty());
+}
+
+QTEST_MAIN(FilmWatchTest)
+#include "FilmWatchTest.moc"
