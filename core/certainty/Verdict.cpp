@@ -129,13 +129,20 @@ struct Objections {
     }
 };
 
-// What the user may make smaller of a film whose cells are not told by its points, mm; else 0.
-double gradedCell(const solver::FilmGrid& grid) {
-    return grid.columnPlaces.empty() ? 0 : grid.leastSpacing();
+VerdictReason tooFarOff(const solver::FilmGrid& grid, const CertaintyEstimate& estimate) {
+    const double offBy = estimate.offBy.percentile95;
+    // Of the cells, if the error goes on falling as they do.
+    const double finer = std::min(certainHalfSpacing / estimate.halfSpacing().distance.percentile95,
+                                  certainOffBy / offBy);
+    if (finer < finestCellNamed) {
+        return {Kind::OffByMuch, offBy};
+    }
+    const bool isGraded = !grid.columnPlaces.empty();
+    return {Kind::OffBy, offBy, {}, isGraded ? grid.leastSpacing() * std::min(finer, 1.0) : 0};
 }
 
 void objectToEstimate(Objections& found, const CertaintyEstimate& estimate, double farShare,
-                      double cell) {
+                      const solver::FilmGrid& grid) {
     const SheetChange spacing = estimate.halfSpacing();
     const SheetChange step = estimate.halfStep();
     const double offBy = estimate.offBy.percentile95;
@@ -146,7 +153,7 @@ void objectToEstimate(Objections& found, const CertaintyEstimate& estimate, doub
     }
     if (offBy > farOff || spacing.distance.percentile95 > certainHalfSpacing) {
         found.add(offBy > farOff ? Advice::DoNotPrint : Advice::LookFirst,
-                  {Kind::OffBy, offBy, {}, cell});
+                  tooFarOff(grid, estimate));
     }
     if (once > certainPaintedOnce) {
         found.add(once > spoiltPaintedOnce ? Advice::DoNotPrint : Advice::LookFirst,
@@ -164,7 +171,7 @@ void objectToEstimate(Objections& found, const CertaintyEstimate& estimate, doub
 Objections objections(const DippedFilm& film, const CertaintyEstimate* estimate, double farShare) {
     Objections found;
     if (estimate && estimate->failure.isEmpty()) {
-        objectToEstimate(found, *estimate, farShare, gradedCell(film.grid));
+        objectToEstimate(found, *estimate, farShare, film.grid);
     } else if (estimate) {
         found.add(Advice::LookFirst, {Kind::NotCompared, 0, estimate->failure});
     }
@@ -229,12 +236,17 @@ QString reasonText(const VerdictReason& reason, const LengthText& length) {
     case Kind::OffBy:
         if (reason.most > 0) {
             return Text::tr("The sheet may be off by up to %1 for numerical reasons (95 % of it); "
-                            "set a cell size below %2 for the film, turn the body, or dip it in "
-                            "two immersions.")
+                            "try a cell size of %2 for the film, turn the body, or dip it in two "
+                            "immersions.")
                 .arg(length(reason.value), length(reason.most));
         }
         return Text::tr("The sheet may be off by up to %1 for numerical reasons (95 % of it); give "
                         "the film more points, turn the body, or dip it in two immersions.")
+            .arg(length(reason.value));
+    case Kind::OffByMuch:
+        return Text::tr("The sheet may be off by up to %1 for numerical reasons (95 % of it), too "
+                        "far to tell which cells would do; give the film smaller cells or more "
+                        "points, turn the body, or dip it in two immersions.")
             .arg(length(reason.value));
     case Kind::FarOffPlaces:
         return Text::tr("%1 % of the painted area may be off by more than %2.")

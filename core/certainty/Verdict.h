@@ -16,8 +16,9 @@ struct VerdictReason {
         NotCompared, // nothing could be compared: `text` says why
         NothingPaints,
         Certain,      // 95 % of it may be off by `value` mm at most
-        OffBy,        // 95 % of it may be off by `value` mm; `most` the cell over the body of a
-                      // graded film, mm, 0 of one of evenly spaced points
+        OffBy,        // 95 % of it may be off by `value` mm; `most` the cell over the body to be
+                      // tried, mm, of a graded film, 0 of one of evenly spaced points
+        OffByMuch,    // the same, too far to tell which cell would do
         FarOffPlaces, // `value` of the painted area may be off by more than farOff
         Step,         // 95 % of it is expected to move by `value` mm with half the step
         Border,       // `value` of the body is painted by one of the dips only
@@ -51,6 +52,9 @@ inline constexpr double certainOffBy = certainHalfSpacing / halfSpacingShare; //
 inline constexpr double farOff = 1;                                           // mm
 inline constexpr double mostFarOffArea = 0.01;    // of the painted area, of a certain sheet
 inline constexpr double spoiltPaintedOnce = 0.15; // of the body's surface
+// No cell is named that is smaller than this, over the film's own: an error that large need not
+// fall as the cells do.
+inline constexpr double finestCellNamed = 0.15;
 inline constexpr std::size_t mostPlaces = 12;
 
 // The one place that tells of steps without equilibrium. `estimate` null: none was asked for.
