@@ -1,6 +1,7 @@
 #include "results/BodyViews.h"
 
 #include "parallel/ParallelFor.h"
+#include "results/EvenPixels.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -34,9 +35,8 @@ public:
         });
     }
 
-    using Pixel = std::array<std::uint8_t, 3>;
-    Pixel pixel(int x, int y) const {
-        return isEven(x, y) ? shown_[index(x, y)] : encoded(meanLight(x, y));
+    PixelBytes pixel(int x, int y) const {
+        return isEven(shown_, size_, x, y) ? shown_[index(x, y)] : encoded(meanLight(x, y));
     }
 
 private:
@@ -44,7 +44,7 @@ private:
         return std::size_t(y) * std::size_t(size_.width()) + std::size_t(x);
     }
 
-    static Pixel encoded(const LinearColour& light) {
+    static PixelBytes encoded(const LinearColour& light) {
         return {encodedByte(light[0]), encodedByte(light[1]), encodedByte(light[2])};
     }
 
@@ -66,29 +66,12 @@ private:
         return sum / float(samplesAcross * samplesAcross);
     }
 
-    bool isEven(int x, int y) const {
-        const Pixel& centre = shown_[index(x, y)];
-        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size_.height() - 1); ++j) {
-            for (int i = std::max(x - 1, 0); i <= std::min(x + 1, size_.width() - 1); ++i) {
-                const Pixel& other = shown_[index(i, j)];
-                for (std::size_t channel = 0; channel < 3; ++channel) {
-                    if (std::abs(int(centre[channel]) - int(other[channel])) > unseenStep) {
-                        return false;
-                    }
-                }
-            }
-        }
-        return true;
-    }
-
-    static constexpr int unseenStep = 2; // of 255 between neighbours
-
     const RayLight& light_;
     const BodyCamera& camera_;
     float span_;
     QSize size_;
     std::vector<LinearColour> centres_; // the light in the pixels' middles
-    std::vector<Pixel> shown_;          // the same as a picture has it
+    std::vector<PixelBytes> shown_;     // the same as a picture has it
 };
 
 } // namespace
@@ -152,7 +135,7 @@ void traceView(QImage& picture, const QRect& tile, const RayLight& light, const 
         }
         uchar* out = bits + (tile.y() + y) * stride + qsizetype(tile.x()) * 3;
         for (int x = 0; x < tile.width(); ++x, out += 3) {
-            const View::Pixel pixel = view.pixel(x, y);
+            const PixelBytes pixel = view.pixel(x, y);
             std::copy(pixel.begin(), pixel.end(), out);
         }
     });

@@ -1,6 +1,7 @@
 #include "traveller/PosePicture.h"
 
 #include "parallel/ParallelFor.h"
+#include "results/EvenPixels.h"
 
 #include <algorithm>
 #include <optional>
@@ -35,7 +36,10 @@ public:
                                 size.height() / (room * double(height))));
     }
 
-    QRgb pixel(int x, int y) const {
+    PixelBytes middleOf(int x, int y) const {
+        return bytes(colour(float(x) + 0.5F, float(y) + 0.5F));
+    }
+    PixelBytes meanOf(int x, int y) const {
         Eigen::Array3f sum = Eigen::Array3f::Zero();
         for (int j = 0; j < samplesAcross; ++j) {
             for (int i = 0; i < samplesAcross; ++i) {
@@ -43,14 +47,18 @@ public:
                               float(y) + (float(j) + 0.5F) / samplesAcross);
             }
         }
-        sum *= 255.0F / (samplesAcross * samplesAcross);
-        return qRgb(int(sum[0] + 0.5F), int(sum[1] + 0.5F), int(sum[2] + 0.5F));
+        return bytes(sum / (samplesAcross * samplesAcross));
     }
 
     double scale() const { return double(scale_); }
     double bottom() const { return double(middle_.y()) - size_.height() / 2.0 / double(scale_); }
 
 private:
+    static PixelBytes bytes(const Eigen::Array3f& colour) {
+        const auto byte = [](float share) { return std::uint8_t(255.0F * share + 0.5F); };
+        return {byte(colour[0]), byte(colour[1]), byte(colour[2])};
+    }
+
     Eigen::Array3f colour(float x, float y) const {
         const Eigen::Vector3f origin = middle_ + away_ * back_ +
                                        (x - float(size_.width()) / 2) / scale_ * right_ +
@@ -101,13 +109,24 @@ private:
 PosePicture posePicture(const PoseView& view, PoseSide side, QSize size, const Progress& progress) {
     const Drawing drawing(view, side, size);
     PosePicture result{QImage(size, QImage::Format_RGB32), drawing.scale(), drawing.bottom()};
+    const auto width = std::size_t(size.width());
+    std::vector<PixelBytes> middles(width * std::size_t(size.height()));
+    parallelFor(0, size.height(), [&](int y) {
+        progress.cancelSwitch.throwIfCancelled();
+        for (int x = 0; x < size.width(); ++x) {
+            middles[std::size_t(y) * width + std::size_t(x)] = drawing.middleOf(x, y);
+        }
+    });
     uchar* const bits = result.image.bits();
     const qsizetype line = result.image.bytesPerLine();
     parallelFor(0, size.height(), [&](int y) {
         progress.cancelSwitch.throwIfCancelled();
         auto* const row = reinterpret_cast<QRgb*>(bits + y * line);
         for (int x = 0; x < size.width(); ++x) {
-            row[x] = drawing.pixel(x, y);
+            const auto [red, green, blue] = isEven(middles, size, x, y)
+                                                ? middles[std::size_t(y) * width + std::size_t(x)]
+                                                : drawing.meanOf(x, y);
+            row[x] = qRgb(red, green, blue);
         }
     });
     return result;
