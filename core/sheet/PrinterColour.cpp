@@ -95,14 +95,16 @@ PrinterColour::PrinterColour(const QByteArray& iccProfile, RenderingIntent inten
     if (!d.printer) {
         throw Error(Text::tr("This is not an ICC profile, or it is damaged"), where);
     }
-    const cmsColorSpaceSignature space = cmsGetColorSpace(d.printer.get());
-    if (space != cmsSigRgbData && space != cmsSigCmykData) {
+    // The header's word, and not cmsGetColorSpace: that returns an enumeration, of which any other
+    // word is no value.
+    const QByteArray space = iccProfile.mid(16, 4);
+    if (space != "RGB " && space != "CMYK") {
         throw Error(
             Text::tr("The ICC profile is not of an RGB or CMYK printer, choose the printer's "
                      "output profile"),
             where);
     }
-    d.cmyk = space == cmsSigCmykData;
+    d.cmyk = space == "CMYK";
     const ProfileHandle screen(cmsCreate_sRGBProfile());
     const ProfileHandle lab(cmsCreateLab4Profile(nullptr));
     const cmsUInt32Number device = d.cmyk ? TYPE_CMYK_8 : TYPE_RGB_8;

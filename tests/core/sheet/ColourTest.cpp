@@ -134,6 +134,7 @@ void ColourTest::whatIsNoPrinterProfileIsRefused() {
     QVERIFY_EXCEPTION_THROWN(open({}), Error);
     QVERIFY_EXCEPTION_THROWN(open("not a profile"), Error);
     QVERIFY_EXCEPTION_THROWN(open(paleRgbProfile().left(300)), Error);
+    QVERIFY_EXCEPTION_THROWN(open(paleRgbProfile().replace(16, 4, "\xad\x78 0")), Error);
 }
 
 void ColourTest::greysStayGreyAndReachableColoursSurvive() {
