@@ -3,7 +3,10 @@
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # packs what is built, and builds no tests for it
 set(CPACK_PACKAGE_NAME dipwright)
 set(CPACK_PACKAGE_VENDOR Dipwright)
-set(CPACK_PACKAGE_CONTACT "The Dipwright maintainers")
+# A package for Debian names a person's address; .invalid is nobody's, until whoever publishes one says his.
+set(DIPWRIGHT_CONTACT "The Dipwright maintainers <maintainers@dipwright.invalid>" CACHE STRING
+    "Who answers for the packages, as Name <address>")
+set(CPACK_PACKAGE_CONTACT ${DIPWRIGHT_CONTACT})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "computational hydrographic printing")
 set(CPACK_PACKAGE_DESCRIPTION "Computes from a textured model the sheet that has to be printed on a film, so
 that the film, laid on water and dipped through, puts the texture where it
@@ -31,5 +34,6 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
         "shared-mime-info, desktop-file-utils, qt6-translations-l10n, cups, libgl1-mesa-dri")
     install(FILES ${PROJECT_SOURCE_DIR}/resources/desktop/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+    set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/DebianFiles.cmake)
 endif()
 include(CPack)

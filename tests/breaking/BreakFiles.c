@@ -3,7 +3,8 @@
 
    DIPWRIGHT_BREAK_BELOW   the folder; operations elsewhere pass and are not counted
    DIPWRIGHT_BREAK_AT      N, from 1; 0 or none: nothing is broken
-   DIPWRIGHT_BREAK_HOW     kill, EIO, ENOSPC
+   DIPWRIGHT_BREAK_HOW     kill, EIO, ENOSPC; or ESTALE: that and all that come after, as of a folder
+                           on the network that is gone
    DIPWRIGHT_BREAK_LOG     a file (elsewhere) that gets a line for every operation, for the count
 
    A write that is to be killed has put half of its bytes to the disk before. */
@@ -96,7 +97,11 @@ static int counts(const char* what, const char* path) {
     const char* at = getenv("DIPWRIGHT_BREAK_AT");
     const char* how = getenv("DIPWRIGHT_BREAK_HOW");
     errno = saved;
-    if (!at || !how || number != atoi(at)) {
+    const int from = at && how ? atoi(at) : 0;
+    if (from > 0 && number >= from && strcmp(how, "ESTALE") == 0) {
+        return ESTALE;
+    }
+    if (from == 0 || number != from) {
         return 0;
     }
     return strcmp(how, "EIO") == 0 ? EIO : strcmp(how, "ENOSPC") == 0 ? ENOSPC : -1;

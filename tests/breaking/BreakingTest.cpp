@@ -1,5 +1,6 @@
-// The programs are killed at every file operation of what writes, and each of these fails: what was
-// there before or what was to be there is there at the next start, whole, and nothing else.
+// The programs are killed at every file operation of what writes, each of these fails, and the
+// folder vanishes there, as one on the network does: what was there before or what was to be there
+// is there at the next start, whole, and nothing else.
 //
 // DIPWRIGHT_BREAK_EVERYWHERE=1 breaks at every operation, =3/16 at the third and every sixteenth
 // from it; without, at a few of each case. The counts are told (scripts/break).
@@ -254,7 +255,7 @@ void BreakingTest::whatIsWrittenIsWholeWhateverDies() {
     const Snapshot after = snapshot(place_.path());
     QVERIFY(before != after);
     const int operations = int(contentsOf(log).count('\n'));
-    const std::vector<const char*> ways{"kill", "EIO", "ENOSPC"};
+    const std::vector<const char*> ways{"kill", "EIO", "ENOSPC", "ESTALE"};
     const Points points = pointsOf(operations, pointsOfACase);
     // A few more: it may do others when something fails.
     const int last = operations + (isEverywhere() ? 2 : 0);
