@@ -154,8 +154,12 @@
         <translation>%1, %2 bis %3 statt %4: Der Bogen verschiebt sich um bis zu %5 (95 % von ihm), %6 % der bemalten Fläche um mehr als %7, und %8 % werden nicht mehr bemalt.</translation>
     </message>
     <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); set a cell size below %2 for the film, turn the body, or dip it in two immersions.</source>
-        <translation>Der Bogen kann aus numerischen Gründen um bis zu %1 daneben liegen (95 % von ihm); stellen Sie für den Film eine Zellengröße unter %2 ein, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); try a cell size of %2 for the film, turn the body, or dip it in two immersions.</source>
+        <translation>Der Bogen kann aus numerischen Gründen um bis zu %1 daneben liegen (95 % von ihm); versuchen Sie es mit einer Zellengröße von %2 für den Film, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+    </message>
+    <message>
+        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it), too far to tell which cells would do; give the film smaller cells or more points, turn the body, or dip it in two immersions.</source>
+        <translation>Der Bogen kann aus numerischen Gründen um bis zu %1 daneben liegen (95 % von ihm), zu weit, um zu sagen, welche Zellen reichen; geben Sie dem Film kleinere Zellen oder mehr Punkte, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
     </message>
 </context>
 <context>
@@ -394,6 +398,14 @@
     <message>
         <source>Reading the texture</source>
         <translation>Textur wird gelesen</translation>
+    </message>
+    <message>
+        <source>The model names files outside its own folder:</source>
+        <translation>Das Modell nennt Dateien außerhalb seines Ordners:</translation>
+    </message>
+    <message>
+        <source>The project, as it was opened, names these files:</source>
+        <translation>Das Projekt, wie es geöffnet wurde, nennt diese Dateien:</translation>
     </message>
 </context>
 <context>
@@ -5951,16 +5963,12 @@ mm</translation>
 <context>
     <name>dipwright::WindowMessages</name>
     <message>
-        <source>The model names files outside its own folder:</source>
-        <translation>Das Modell nennt Dateien außerhalb seines Ordners:</translation>
-    </message>
-    <message>
-        <source>Read them only if they belong to the model. A model from a stranger may name private files, so that they travel on inside the project.</source>
-        <translation>Lesen Sie sie nur, wenn sie zum Modell gehören. Ein Modell von Fremden kann private Dateien nennen, damit sie im Projekt mit weiterreisen.</translation>
-    </message>
-    <message>
         <source>Read Them</source>
         <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Read them only if they belong to the model. A stranger&apos;s model or project may name private files, so that they travel on inside the project.</source>
+        <translation>Lesen Sie sie nur, wenn sie zum Modell gehören. Ein Modell oder Projekt von Fremden kann private Dateien nennen, damit sie im Projekt mit weiterreisen.</translation>
     </message>
 </context>
 <context>

@@ -154,8 +154,12 @@
         <translation>%1, %2 a %3 em vez de %4: a folha se desloca em até %5 (95 % dela), %6 % do que é pintado em mais de %7, e %8 % deixam de ser pintados.</translation>
     </message>
     <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); set a cell size below %2 for the film, turn the body, or dip it in two immersions.</source>
-        <translation>A folha pode desviar até %1 por razões numéricas (95 % dela); defina para o filme um tamanho de células abaixo de %2, gire o corpo ou mergulhe-o em duas imersões.</translation>
+        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); try a cell size of %2 for the film, turn the body, or dip it in two immersions.</source>
+        <translation>A folha pode desviar até %1 por razões numéricas (95 % dela); tente células de %2 para o filme, gire o corpo ou mergulhe-o em duas imersões.</translation>
+    </message>
+    <message>
+        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it), too far to tell which cells would do; give the film smaller cells or more points, turn the body, or dip it in two immersions.</source>
+        <translation>A folha pode desviar até %1 por razões numéricas (95 % dela), demais para dizer que células bastam; dê ao filme células menores ou mais pontos, gire o corpo ou mergulhe-o em duas imersões.</translation>
     </message>
 </context>
 <context>
@@ -394,6 +398,14 @@
     <message>
         <source>Reading the texture</source>
         <translation>Lendo a textura</translation>
+    </message>
+    <message>
+        <source>The model names files outside its own folder:</source>
+        <translation>O modelo cita arquivos fora da sua pasta:</translation>
+    </message>
+    <message>
+        <source>The project, as it was opened, names these files:</source>
+        <translation>O projeto, tal como foi aberto, cita estes arquivos:</translation>
     </message>
 </context>
 <context>
@@ -5951,16 +5963,12 @@ mm</translation>
 <context>
     <name>dipwright::WindowMessages</name>
     <message>
-        <source>The model names files outside its own folder:</source>
-        <translation>O modelo cita arquivos fora da sua pasta:</translation>
-    </message>
-    <message>
-        <source>Read them only if they belong to the model. A model from a stranger may name private files, so that they travel on inside the project.</source>
-        <translation>Leia-os apenas se pertencerem ao modelo. Um modelo de um desconhecido pode citar arquivos privados, para que sigam viagem dentro do projeto.</translation>
-    </message>
-    <message>
         <source>Read Them</source>
         <translation>Ler</translation>
+    </message>
+    <message>
+        <source>Read them only if they belong to the model. A stranger&apos;s model or project may name private files, so that they travel on inside the project.</source>
+        <translation>Leia-os apenas se pertencerem ao modelo. Um modelo ou projeto de um desconhecido pode citar arquivos privados, para que sigam viagem dentro do projeto.</translation>
     </message>
 </context>
 <context>

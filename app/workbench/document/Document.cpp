@@ -47,6 +47,9 @@ Document::Document(Project project, const QString& path, const FileVersion& vers
                    QObject* parent)
     : QObject(parent), project_(std::move(project)), path_(path), version_(version) {
     undoStack_.setUndoLimit(undoLimit);
+    if (!path_.isEmpty()) {
+        untrusted_ = {project_.modelOrigin.source, project_.modelOrigin.texture};
+    }
     connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::fileChanged);
 }
 

@@ -7,6 +7,7 @@
 #include "pipeline/JobResult.h"
 
 #include <QObject>
+#include <QStringList>
 #include <QUndoStack>
 #include <functional>
 
@@ -61,6 +62,11 @@ public:
     // its own: whatever another program has written.
     void saveAs(const QString& path);
 
+    // Whether a file that the project names was chosen here, or allowed to be read: false of those
+    // that came with the file it was opened from, which may be a stranger's.
+    bool isTrusted(const QString& file) const { return !untrusted_.contains(file); }
+    void trust(const QString& file) { untrusted_.removeAll(file); }
+
     // The last run's result, which names the project it belongs to; null before the first.
     std::shared_ptr<const JobResult> result() const { return result_; }
     void setResult(std::shared_ptr<const JobResult> result);
@@ -86,6 +92,7 @@ private:
     int mergeRound_ = 0;
     bool recovered_ = false;
     FileVersion version_;
+    QStringList untrusted_; // files
     std::unique_ptr<FileLock> lock_ = std::make_unique<FileLock>();
     std::shared_ptr<const JobResult> result_;
 };

@@ -30,7 +30,7 @@ void WindowMessages::showFailure(const QString& title, const QString& sentence) 
     box->open();
 }
 
-void WindowMessages::askToRead(const QString& title, const QStringList& files,
+void WindowMessages::askToRead(const QString& title, const QString& who, const QStringList& files,
                                const std::function<void()>& allowed) {
     constexpr qsizetype mostShown = 8;
     QStringList shown;
@@ -41,12 +41,11 @@ void WindowMessages::askToRead(const QString& title, const QStringList& files,
         shown << QStringLiteral("…");
     }
     auto* box = new QMessageBox(QMessageBox::Warning, title,
-                                tr("The model names files outside its own folder:") +
-                                    QStringLiteral("\n\n") + shown.join(u'\n'),
+                                who + QStringLiteral("\n\n") + shown.join(u'\n'),
                                 QMessageBox::Cancel, &window_);
     box->setTextFormat(Qt::PlainText); // names of files are not ours
     box->setInformativeText(
-        tr("Read them only if they belong to the model. A model from a stranger may name "
+        tr("Read them only if they belong to the model. A stranger's model or project may name "
            "private files, so that they travel on inside the project."));
     box->setObjectName(QStringLiteral("outsideQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);

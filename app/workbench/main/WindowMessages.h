@@ -20,7 +20,7 @@ public:
 
 private:
     void showFailure(const QString& title, const QString& sentence);
-    void askToRead(const QString& title, const QStringList& files,
+    void askToRead(const QString& title, const QString& who, const QStringList& files,
                    const std::function<void()>& allowed);
 
     QMainWindow& window_;

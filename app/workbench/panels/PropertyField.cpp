@@ -150,10 +150,14 @@ public:
         makeRow(this)->addWidget(box_);
         box_->setFocusPolicy(Qt::StrongFocus);
         box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box_->setMinimumContentsLength(6);
+        // As wide as its words, as far as the panel goes: the row wraps where that is too much.
+        qsizetype letters = 6;
         for (const QString& word : rule.choices) {
-            box_->addItem(spec.words.value(word, word), word);
+            const QString text = spec.words.value(word, word);
+            letters = std::max(letters, text.size());
+            box_->addItem(text, word);
         }
+        box_->setMinimumContentsLength(int(std::min<qsizetype>(letters, 20)));
         adopt(box_, spec.label, {});
         connect(box_, &QComboBox::activated, this, [this](int index) {
             emit edited(box_->itemData(index).toString());

@@ -25,10 +25,11 @@ public:
     void logAndSay(const QString& sentence);
     void notice(const QString& text) { emit noticed(text); }
     void fail(const QString& title, const std::exception_ptr& failure);
-    // Whether these files, which a model names, may be read; `allowed` is called if so, later.
-    void askToRead(const QString& title, const QStringList& files,
+    // Whether these files may be read; `who`: who names them, in a sentence that ends in a colon.
+    // `allowed` is called if so, later.
+    void askToRead(const QString& title, const QString& who, const QStringList& files,
                    const std::function<void()>& allowed) {
-        emit askedToRead(title, files, allowed);
+        emit askedToRead(title, who, files, allowed);
     }
 
 signals:
@@ -36,7 +37,7 @@ signals:
     void said(const QString& sentence, int milliseconds);
     void noticed(const QString& text); // to be read and closed; empty: the last one is over
     void failed(const QString& title, const QString& sentence);
-    void askedToRead(const QString& title, const QStringList& files,
+    void askedToRead(const QString& title, const QString& who, const QStringList& files,
                      const std::function<void()>& allowed);
 };
 

@@ -80,9 +80,12 @@ void startImport(const QString& path, const ImportOptions& options, const QStrin
         } catch (const OutsideFiles& outside) {
             ImportOptions again = options;
             again.outsideFiles += outside.files();
-            messages.askToRead(failureTitle, outside.files(), [=, &jobs, &messages] {
-                startImport(path, again, failureTitle, jobs, messages, done);
-            });
+            messages.askToRead(failureTitle,
+                               QCoreApplication::translate(
+                                   "ModelImport", "The model names files outside its own folder:"),
+                               outside.files(), [=, &jobs, &messages] {
+                                   startImport(path, again, failureTitle, jobs, messages, done);
+                               });
         } catch (...) {
             messages.fail(failureTitle, failure);
         }
@@ -94,9 +97,28 @@ void startImport(const QString& path, const ImportOptions& options, const QStrin
 }
 
 void reloadModel(Document& document, JobRunner& jobs, Messages& messages) {
+    const QString title = QCoreApplication::translate("ModelImport", "Reload Model");
     const ModelOrigin& origin = document.project().modelOrigin;
-    importInto(document, origin.source, origin.texture, Pose::Kept,
-               QCoreApplication::translate("ModelImport", "Reload Model"), jobs, messages);
+    QStringList untrusted;
+    for (const QString& file : {origin.source, origin.texture}) {
+        if (!file.isEmpty() && !document.isTrusted(file)) {
+            untrusted << file;
+        }
+    }
+    const auto reload = [=, &document, &jobs, &messages, origin = origin] {
+        for (const QString& file : untrusted) {
+            document.trust(file);
+        }
+        importInto(document, origin.source, origin.texture, Pose::Kept, title, jobs, messages);
+    };
+    if (untrusted.isEmpty()) {
+        reload();
+    } else {
+        messages.askToRead(title,
+                           QCoreApplication::translate(
+                               "ModelImport", "The project, as it was opened, names these files:"),
+                           untrusted, reload);
+    }
 }
 
 void replaceModel(Document& document, const QString& path, JobRunner& jobs, Messages& messages) {

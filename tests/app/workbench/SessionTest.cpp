@@ -266,12 +266,12 @@ private slots:
 
         QStringList asked;
         std::function<void()> allow;
-        connect(
-            &host.messages, &Messages::askedToRead, this,
-            [&](const QString&, const QStringList& files, const std::function<void()>& allowed) {
-                asked = files;
-                allow = allowed;
-            });
+        connect(&host.messages, &Messages::askedToRead, this,
+                [&](const QString&, const QString&, const QStringList& files,
+                    const std::function<void()>& allowed) {
+                    asked = files;
+                    allow = allowed;
+                });
         host.session.importModel(naming.fileName(), {});
         QVERIFY(host.waitUntilIdle());
         QVERIFY(!host.session.document());
@@ -281,6 +281,35 @@ private slots:
         allow();
         QVERIFY(host.waitUntilIdle());
         QVERIFY(host.session.document());
+    }
+
+    // A stranger's project may name a private file, which would travel on inside it.
+    void whatAProjectNamesIsReadAgainOnlyWhenAsked() {
+        SessionHost host(recovery());
+        Project project = boxProject();
+        project.modelOrigin.source = writeModel(*folder_, 80);
+        const QString file = folder_->filePath("stranger.dipw");
+        saveProject(project, file);
+        Document document(loadProject(file), file);
+        const auto before = document.project().model;
+        QStringList asked;
+        std::function<void()> allow;
+        connect(&host.messages, &Messages::askedToRead, this,
+                [&](const QString&, const QString&, const QStringList& files,
+                    const std::function<void()>& allowed) {
+                    asked += files;
+                    allow = allowed;
+                });
+        reloadModel(document, host.jobs, host.messages);
+        QVERIFY(host.waitUntilIdle());
+        QCOMPARE(asked, QStringList(project.modelOrigin.source));
+        QVERIFY(document.project().model == before);
+        allow();
+        QVERIFY(host.waitUntilIdle());
+        QVERIFY(document.project().model != before);
+        reloadModel(document, host.jobs, host.messages);
+        QVERIFY(host.waitUntilIdle());
+        QCOMPARE(asked.size(), 1); // once is enough
     }
 
     void aChangeRunsAgainOnceThereIsAResult() {
