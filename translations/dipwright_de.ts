@@ -3797,6 +3797,41 @@
     </message>
 </context>
 <context>
+    <name>dipwright::PartCamera</name>
+    <message>
+        <source>Photo %1 has %2 pairs of places and takes %3 to tell its camera; give more</source>
+        <translation>Foto %1 hat %2 Paare von Stellen und braucht %3, damit seine Kamera bekannt ist; geben Sie mehr an</translation>
+    </message>
+    <message>
+        <source>All places of photo %1 lie in one plane, which does not tell how far the camera was; give some on other faces</source>
+        <translation>Alle Stellen von Foto %1 liegen in einer Ebene, und das sagt nicht, wie weit die Kamera weg war; geben Sie einige auf anderen Flächen an</translation>
+    </message>
+    <message>
+        <source>The pairs do not tell the camera; give more, farther apart</source>
+        <translation>Die Paare bestimmen die Kamera nicht; geben Sie mehr an, weiter auseinander</translation>
+    </message>
+    <message>
+        <source>The pairs do not tell how far the camera was; give places that lie nearer and farther, and photograph from less far away</source>
+        <translation>Die Paare sagen nicht, wie weit die Kamera weg war; geben Sie nähere und fernere Stellen an, und fotografieren Sie aus der Nähe</translation>
+    </message>
+    <message>
+        <source>Line %1 of the pairs is not the number of a photo, two numbers of pixels and three of millimetres, joined by commas</source>
+        <translation>Zeile %1 der Paare ist nicht die Nummer eines Fotos, zwei Zahlen in Pixeln und drei in Millimetern, mit Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>The first line of the pairs is not %1</source>
+        <translation>Die erste Zeile der Paare ist nicht %1</translation>
+    </message>
+    <message>
+        <source>There are more than %1 pairs</source>
+        <translation>Es sind mehr als %1 Paare</translation>
+    </message>
+    <message>
+        <source>Rings: expected · lines: to where it is seen, %1 times as long</source>
+        <translation>Ringe: erwartet · Linien: dorthin, wo es zu sehen ist, %1-fach</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::PicturePanel</name>
     <message>
         <source>Whole picture</source>

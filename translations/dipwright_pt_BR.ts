@@ -3797,6 +3797,41 @@
     </message>
 </context>
 <context>
+    <name>dipwright::PartCamera</name>
+    <message>
+        <source>Photo %1 has %2 pairs of places and takes %3 to tell its camera; give more</source>
+        <translation>A foto %1 tem %2 pares de lugares e precisa de %3 para dizer a câmera; dê mais</translation>
+    </message>
+    <message>
+        <source>All places of photo %1 lie in one plane, which does not tell how far the camera was; give some on other faces</source>
+        <translation>Todos os lugares da foto %1 ficam num plano, o que não diz a que distância estava a câmera; dê alguns em outras faces</translation>
+    </message>
+    <message>
+        <source>The pairs do not tell the camera; give more, farther apart</source>
+        <translation>Os pares não determinam a câmera; dê mais, mais afastados</translation>
+    </message>
+    <message>
+        <source>The pairs do not tell how far the camera was; give places that lie nearer and farther, and photograph from less far away</source>
+        <translation>Os pares não dizem a que distância estava a câmera; dê lugares mais próximos e mais distantes, e fotografe de mais perto</translation>
+    </message>
+    <message>
+        <source>Line %1 of the pairs is not the number of a photo, two numbers of pixels and three of millimetres, joined by commas</source>
+        <translation>A linha %1 dos pares não é o número de uma foto, dois números de pixels e três de milímetros, separados por vírgulas</translation>
+    </message>
+    <message>
+        <source>The first line of the pairs is not %1</source>
+        <translation>A primeira linha dos pares não é %1</translation>
+    </message>
+    <message>
+        <source>There are more than %1 pairs</source>
+        <translation>Há mais de %1 pares</translation>
+    </message>
+    <message>
+        <source>Rings: expected · lines: to where it is seen, %1 times as long</source>
+        <translation>Anéis: esperado · linhas: até onde se vê, %1 vezes mais longas</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::PicturePanel</name>
     <message>
         <source>Whole picture</source>

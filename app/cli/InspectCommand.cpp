@@ -1,4 +1,5 @@
 #include "cli/Arguments.h"
+#include "cli/InspectPart.h"
 
 #include "import/ReadPhotos.h"
 #include "inspection/FilmWatchFiles.h"
@@ -191,16 +192,18 @@ class InspectCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("inspect"); }
     QString summary() const override {
-        return QStringLiteral("Measures a film on the water by photos of it.");
+        return QStringLiteral("Measures a film on the water, or a dipped part, by photos.");
     }
 
     void declare(CommandSyntax& syntax) const override {
         syntax.addPositionalArgument(
-            QStringLiteral("film FILE…"),
+            QStringLiteral("film FILE… | part FILE…"),
             QStringLiteral("Photos of the page of “calibrate film” floating on the water, with the "
-                           "card of “calibrate card” beside it in each."));
+                           "card of “calibrate card” beside it in each; or photos of a "
+                           "dipped part."));
         syntax.addOption({outOption, QStringLiteral("Where the results go; made if missing."),
                           QStringLiteral("DIR")});
+        declarePart(syntax);
         syntax.addOption({timeOption,
                           QStringLiteral("When a photo was made, in seconds since the film was "
                                          "laid on the water; once for each photo."),
@@ -245,14 +248,22 @@ public:
 
     void run(const QCommandLineParser& parser, Console& console) const override {
         QStringList files = parser.positionalArguments();
-        if (files.isEmpty() || files.takeFirst() != QLatin1String("film") || files.isEmpty()) {
-            throw UsageError(QStringLiteral("Say what to inspect: film, and the photos"),
-                             QStringLiteral("film FILE…"));
+        const QString subject = files.isEmpty() ? QString() : files.takeFirst();
+        const bool isFilm = subject == QLatin1String("film");
+        if (files.isEmpty() || !(isFilm || subject == QLatin1String("part"))) {
+            throw UsageError(QStringLiteral("Say what to inspect, film or part, and the photos"),
+                             QStringLiteral("film FILE… | part FILE…"));
         }
         if (parser.value(outOption).isEmpty()) {
             throw UsageError(QStringLiteral("Say where the results go with --out DIR"),
                              QStringLiteral("--out"));
         }
+        isFilm ? inspectFilm(files, parser, console) : inspectPart(files, parser, console);
+    }
+
+private:
+    static void inspectFilm(const QStringList& files, const QCommandLineParser& parser,
+                            Console& console) {
         const FlatSettings settings = flatSettings(parser);
         const Clock clock(parser, files.size());
         Target target = targetOf(parser);
@@ -278,7 +289,6 @@ public:
                parser.value(outOption), console);
     }
 
-private:
     static void finish(const FilmWatch& watch, const WatchNotes& notes, Target target,
                        const QString& folder, Console& console) {
         const bool hasProfile = !target.profile.name.isEmpty();

@@ -186,6 +186,36 @@ private slots:
         QVERIFY(!cli({"profile", "list"}).out.contains("Never written"));
     }
 
+    // Places on a ball seen by a camera of 1000 pixels' focal length from 300 mm.
+    void partIsHeldAgainstItsPhoto() {
+        QByteArray table("photo,x_px,y_px,x_mm,y_mm,z_mm\n");
+        for (int i = 0; i < 16; ++i) {
+            const double up = -60 + 8 * i, around = 2.4 * i;
+            const double x = std::cos(around) * std::cos(up / 57.3) * 35;
+            const double y = std::sin(up / 57.3) * 35;
+            const double z = std::sin(around) * std::cos(up / 57.3) * 35;
+            const double off = i % 2 == 0 ? 1 : -1; // pixels
+            table += "1," + QByteArray::number(800 + 1000 * x / (z + 300) + off) + "," +
+                     QByteArray::number(600 + 1000 * y / (z + 300) - off) + "," +
+                     QByteArray::number(x) + "," + QByteArray::number(y) + "," +
+                     QByteArray::number(z) + "\n";
+        }
+        writeFile(path("pairs.csv"), table);
+        const QStringList arguments{"inspect", "part", photos_.first(), "--out", path("part")};
+        QCOMPARE(cli(arguments).exitCode, 2); // no pairs
+        const Outcome outcome = cli(arguments + QStringList{"--pairs", path("pairs.csv")});
+        QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+        qInfo("%s", outcome.out.constData());
+        const QJsonObject figures = QJsonDocument::fromJson(bytesOf(path("part/part-view.json")))
+                                        .object()
+                                        .value("figures")
+                                        .toObject();
+        QCOMPARE(figures.value("count").toInt(), 16);
+        QVERIFY(figures.value("mean_px").toDouble() < std::sqrt(2.0));
+        QCOMPARE(QImage(path("part/part-photo-1.png")).size(), QSize(1600, 1200));
+        QCOMPARE(bytesOf(path("part/part-pairs.csv")).count('\n'), 17);
+    }
+
     void sixteenBitsAreRead() {
         writeFile(path("deep.png"),
                   encoded(QImage(photos_.first()).convertToFormat(QImage::Format_RGBX64), "PNG"));

@@ -1,0 +1,193 @@
+#include "inspection/PartViewFiles.h"
+
+#include "base/Error.h"
+#include "base/Png.h"
+#include "disk/ResultFolder.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLocale>
+#include <QPainter>
+#include <QTextStream>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::PartCamera)
+};
+
+constexpr int mostPhotos = 50;
+constexpr qsizetype mostPairs = 10'000;
+constexpr double mostPixel = 100'000, mostMillimetres = 100'000;
+const QByteArray columns = "photo,x_px,y_px,x_mm,y_mm,z_mm";
+
+QString photoName(std::size_t index) {
+    return QStringLiteral("part-photo-%1.png").arg(index + 1);
+}
+
+PlacePair pairOf(const QByteArray& line, qsizetype number, int photos, const QString& where) {
+    const QList<QByteArray> cells = line.split(',');
+    std::array<double, 6> values{};
+    bool isGood = cells.size() == 6;
+    for (std::size_t i = 0; isGood && i < 6; ++i) {
+        values[i] = cells[qsizetype(i)].trimmed().toDouble(&isGood);
+        const double most = i == 0 ? photos : i < 3 ? mostPixel : mostMillimetres;
+        isGood = isGood && std::abs(values[i]) <= most;
+    }
+    if (!isGood || values[0] < 1 || values[0] != std::floor(values[0])) {
+        throw Error(Text::tr("Line %1 of the pairs is not the number of a photo, two numbers of "
+                             "pixels and three of millimetres, joined by commas")
+                        .arg(number),
+                    where);
+    }
+    return {int(values[0]) - 1, {values[1], values[2]}, {values[3], values[4], values[5]}};
+}
+
+QJsonObject toJson(const PartFigures& figures) {
+    return {{"count", figures.count},
+            {"mean_px", figures.meanPixels},
+            {"deviation_px", figures.deviationPixels},
+            {"share_of_diagonal", figures.shareOfDiagonal},
+            {"p95_mm", figures.percentile95},
+            {"worst_mm", figures.worst},
+            {"worst_pair", qint64(figures.worstPair) + 1}};
+}
+
+QJsonArray rows(const Eigen::Matrix3d& matrix) {
+    QJsonArray all;
+    for (int row = 0; row < 3; ++row) {
+        all.append(QJsonArray{matrix(row, 0), matrix(row, 1), matrix(row, 2)});
+    }
+    return all;
+}
+
+QByteArray jsonOf(const std::vector<PartPhoto>& photos, const PartView& view) {
+    QJsonArray list;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        const PartPose& pose = view.photos[i];
+        list.append(
+            QJsonObject{{"file", QFileInfo(photos[i].where).fileName()},
+                        {"sha256", photos[i].sha256},
+                        {"turn", rows(pose.turn)},
+                        {"shift_mm", QJsonArray{pose.shift.x(), pose.shift.y(), pose.shift.z()}}});
+    }
+    return QJsonDocument(QJsonObject{{"version", 1},
+                                     {"focal_length",
+                                      QJsonArray{view.focalLength.value, view.focalLength.off}},
+                                     {"k1", view.lens.k1},
+                                     {"figures", toJson(view.figures)},
+                                     {"photos", list}})
+        .toJson();
+}
+
+QByteArray tableOf(const std::vector<PlacePair>& pairs, const PartView& view) {
+    QByteArray table;
+    QTextStream out(&table);
+    out << columns << ",off_x_px,off_y_px,off_mm\n";
+    const auto number = [](double value) { return QString::number(value, 'f', 4); };
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const PlacePair& pair = pairs[i];
+        out << pair.photo + 1;
+        for (const double value :
+             {pair.pixel.x(), pair.pixel.y(), pair.model.x(), pair.model.y(), pair.model.z(),
+              view.off[i].pixels.x(), view.off[i].pixels.y(), view.off[i].millimetres}) {
+            out << ',' << number(value);
+        }
+        out << '\n';
+    }
+    out.flush();
+    return table;
+}
+
+// As much longer as keeps the longest line a twentieth of the picture.
+double enlargement(const PartView& view, QSize picture) {
+    double longest = 1e-3;
+    for (const PairOff& off : view.off) {
+        longest = std::max(longest, off.pixels.norm());
+    }
+    const double times = std::max(picture.width(), picture.height()) / 20.0 / longest;
+    return std::max(1.0, std::pow(10, std::floor(std::log10(times))));
+}
+
+} // namespace
+
+std::vector<PlacePair> readPairs(const QByteArray& table, int photos, const QString& where) {
+    const QList<QByteArray> lines = table.split('\n');
+    if (lines.first().trimmed() != columns) {
+        throw Error(
+            Text::tr("The first line of the pairs is not %1").arg(QString::fromLatin1(columns)),
+            where);
+    }
+    std::vector<PlacePair> pairs;
+    for (qsizetype i = 1; i < lines.size(); ++i) {
+        if (lines[i].trimmed().isEmpty()) {
+            continue;
+        }
+        pairs.push_back(pairOf(lines[i], i + 1, photos, where));
+        if (qsizetype(pairs.size()) > mostPairs) {
+            throw Error(Text::tr("There are more than %1 pairs").arg(mostPairs), where);
+        }
+    }
+    return pairs;
+}
+
+QImage pairsPicture(const PartPhoto& photo, int index, const std::vector<PlacePair>& pairs,
+                    const PartView& view, double times) {
+    QImage picture = photo.picture.convertToFormat(QImage::Format_RGB32);
+    const double unit = std::max(picture.width(), picture.height()) / 500.0; // pixels
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (pairs[i].photo != index) {
+            continue;
+        }
+        const Eigen::Vector2d expected = pairs[i].pixel - view.off[i].pixels;
+        const Eigen::Vector2d end = expected + times * view.off[i].pixels;
+        const QPointF from(expected.x(), expected.y());
+        for (const auto& [colour, width] :
+             {std::pair(QColor(Qt::white), 1.6), std::pair(QColor(200, 30, 60), 0.8)}) {
+            painter.setPen(QPen(colour, width * unit, Qt::SolidLine, Qt::RoundCap));
+            painter.drawEllipse(from, 2 * unit, 2 * unit);
+            painter.drawLine(from, QPointF(end.x(), end.y()));
+        }
+    }
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPixelSize(std::max(8, int(9 * unit)));
+    painter.setFont(font);
+    const QString words = Text::tr("Rings: expected · lines: to where it is seen, %1 times as long")
+                              .arg(QLocale().toString(times, 'g', 3));
+    const QRectF band(0, 0, picture.width(), 14 * unit);
+    painter.fillRect(band, QColor(255, 255, 255, 210));
+    painter.setPen(Qt::black);
+    painter.drawText(band.adjusted(4 * unit, 0, 0, 0), Qt::AlignVCenter, words);
+    return picture;
+}
+
+void writePartView(const std::vector<PartPhoto>& photos, const std::vector<PlacePair>& pairs,
+                   const PartView& view, const QString& folder) {
+    const QString json = QStringLiteral("part-view.json");
+    const QString table = QStringLiteral("part-pairs.csv");
+    QStringList names{json, table};
+    for (std::size_t i = 0; i < std::size_t(mostPhotos); ++i) {
+        names << photoName(i); // those of an earlier run with more photos go
+    }
+    ResultFolder files(folder, names);
+    files.write(json, jsonOf(photos, view));
+    files.write(table, tableOf(pairs, view));
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        const double times = enlargement(view, photos[i].picture.size());
+        files.write(photoName(i),
+                    pngBytes(pairsPicture(photos[i], int(i), pairs, view, times), photoName(i)));
+    }
+    files.commit();
+}
+
+} // namespace dipwright

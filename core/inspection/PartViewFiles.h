@@ -1,0 +1,31 @@
+// Pairs of places come in a table, and what follows from them goes out as numbers, a table and
+// pictures (docs/files-and-commands.md, "Part files").
+#pragma once
+
+#include "inspection/PartCamera.h"
+
+#include <QImage>
+#include <QStringList>
+
+namespace dipwright {
+
+// Of the bytes of a table with the columns photo (from 1), x_px, y_px, x_mm, y_mm, z_mm under these
+// names. Throws Error, naming `where` and the line, for anything else.
+std::vector<PlacePair> readPairs(const QByteArray& table, int photos, const QString& where);
+
+struct PartPhoto {
+    QString where, sha256;
+    QImage picture;
+};
+
+// The photo, with a line from where each of its places is expected to where it is seen, as in the
+// paper's Figure 8, `times` as long as it is.
+QImage pairsPicture(const PartPhoto& photo, int index, const std::vector<PlacePair>& pairs,
+                    const PartView& view, double times);
+
+// Replaces part-view.json, part-pairs.csv and part-photo-N.png in `folder` together. Needs a
+// QGuiApplication. Throws Error.
+void writePartView(const std::vector<PartPhoto>& photos, const std::vector<PlacePair>& pairs,
+                   const PartView& view, const QString& folder);
+
+} // namespace dipwright
