@@ -668,6 +668,10 @@
         <source>Writing who paints what</source>
         <translation>Schreibe, wer was färbt</translation>
     </message>
+    <message>
+        <source>Writing the tolerances of %1</source>
+        <translation>Schreibe die Toleranzen von %1</translation>
+    </message>
 </context>
 <context>
     <name>Png</name>
@@ -1299,8 +1303,8 @@
         <translation>%1 muss ein Feld von höchstens %2 Marken sein</translation>
     </message>
     <message>
-        <source>the sections are film, process, body, immersions[0], sheet, ink and share</source>
-        <translation>die Abschnitte sind film, process, body, immersions[0], sheet, ink und share</translation>
+        <source>the sections are film, process, body, immersions[0], sheet, ink, share, cradle and tolerance</source>
+        <translation>die Abschnitte sind film, process, body, immersions[0], sheet, ink, share, cradle und tolerance</translation>
     </message>
 </context>
 <context>
@@ -1932,6 +1936,90 @@
         <source>The side of the cells that the cradle&apos;s form is computed on. Smaller is smoother, slower and makes larger files.</source>
         <translation>Die Seite der Zellen, auf denen die Form der Halterung berechnet wird. Kleiner ist glatter, langsamer und macht größere Dateien.</translation>
     </message>
+    <message>
+        <source>Off by, to either side</source>
+        <translation>Abweichung, nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Body on the water</source>
+        <translation>Körper auf dem Wasser</translation>
+    </message>
+    <message>
+        <source>How far the body may lie off its place when it meets the film. 95 of 100 dips keep a tolerance.</source>
+        <translation>Wie weit der Körper neben seinem Ort sein darf, wenn er den Film trifft. 95 von 100 Tauchgängen halten eine Toleranz ein.</translation>
+    </message>
+    <message>
+        <source>Body turned</source>
+        <translation>Körper verdreht</translation>
+    </message>
+    <message>
+        <source>How far the body may be turned off its pose, about axes through its middle.</source>
+        <translation>Wie weit der Körper gegen seine Lage verdreht sein darf, um Achsen durch seine Mitte.</translation>
+    </message>
+    <message>
+        <source>Film on the water</source>
+        <translation>Film auf dem Wasser</translation>
+    </message>
+    <message>
+        <source>How far the film may lie off its place when the body meets it.</source>
+        <translation>Wie weit der Film neben seinem Ort liegen darf, wenn der Körper ihn trifft.</translation>
+    </message>
+    <message>
+        <source>Film turned</source>
+        <translation>Film verdreht</translation>
+    </message>
+    <message>
+        <source>How far the film may be turned on the water, about its middle.</source>
+        <translation>Wie weit der Film auf dem Wasser verdreht sein darf, um seine Mitte.</translation>
+    </message>
+    <message>
+        <source>By how much of its length the floating film may be longer or shorter than reckoned.</source>
+        <translation>Um welchen Teil seiner Länge der schwimmende Film länger oder kürzer sein darf als gerechnet.</translation>
+    </message>
+    <message>
+        <source>Water level</source>
+        <translation>Wasserstand</translation>
+    </message>
+    <message>
+        <source>By how much the body may go under deeper or less deep.</source>
+        <translation>Um wie viel der Körper tiefer oder weniger tief eintauchen darf.</translation>
+    </message>
+    <message>
+        <source>By how much of its speed the dip may be faster or slower.</source>
+        <translation>Um welchen Teil seiner Geschwindigkeit der Tauchgang schneller oder langsamer sein darf.</translation>
+    </message>
+    <message>
+        <source>By how much of it the film&apos;s relaxation time may be longer or shorter.</source>
+        <translation>Um welchen Teil die Relaxationszeit des Films länger oder kürzer sein darf.</translation>
+    </message>
+    <message>
+        <source>Of the zones</source>
+        <translation>Der Zonen</translation>
+    </message>
+    <message>
+        <source>How far colours may land off their places, to either side. What is not marked on the body is zone C.</source>
+        <translation>Wie weit Farben neben ihrem Ort landen dürfen, nach beiden Seiten. Was auf dem Körper nicht markiert ist, ist Zone C.</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <source>Dips</source>
+        <translation>Tauchgänge</translation>
+    </message>
+    <message>
+        <source>Dips with everything off at once, to see whether what each does by itself can be added up. 0: none.</source>
+        <translation>Tauchgänge, in denen alles zugleich abweicht, um zu sehen, ob sich die einzelnen Wirkungen addieren lassen. 0: keine.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startzahl</translation>
+    </message>
+    <message>
+        <source>What is off by how much in them. Another number draws others.</source>
+        <translation>Was darin um wie viel abweicht. Eine andere Zahl zieht andere.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -2253,6 +2341,85 @@
     </message>
 </context>
 <context>
+    <name>Tolerance</name>
+    <message>
+        <source>Body along X</source>
+        <translation>Körper längs X</translation>
+    </message>
+    <message>
+        <source>Body along Z</source>
+        <translation>Körper längs Z</translation>
+    </message>
+    <message>
+        <source>Body about X</source>
+        <translation>Körper um X</translation>
+    </message>
+    <message>
+        <source>Body about Y</source>
+        <translation>Körper um Y</translation>
+    </message>
+    <message>
+        <source>Body about Z</source>
+        <translation>Körper um Z</translation>
+    </message>
+    <message>
+        <source>Film along X</source>
+        <translation>Film längs X</translation>
+    </message>
+    <message>
+        <source>Film along Z</source>
+        <translation>Film längs Z</translation>
+    </message>
+    <message>
+        <source>Film about Y</source>
+        <translation>Film um Y</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Quellung</translation>
+    </message>
+    <message>
+        <source>Water level</source>
+        <translation>Wasserstand</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxation</translation>
+    </message>
+    <message>
+        <source>Dipping off its place</source>
+        <translation>Tauche mit Abweichungen</translation>
+    </message>
+    <message>
+        <source>A film that lies off its place does not follow the body; give the film smaller cells or more points</source>
+        <translation>Ein Film, der neben seinem Ort liegt, folgt dem Körper nicht; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
+    </message>
+    <message>
+        <source>%1 dips with everything off at once come to ±%2 in place of ±%3.</source>
+        <translation>%1 Tauchgänge, in denen alles zugleich abweicht, ergeben ±%2 statt ±%3.</translation>
+    </message>
+    <message>
+        <source>%1 dips with everything off at once come to ±%2 in place of ±%3: what the contributors do cannot simply be added here.</source>
+        <translation>%1 Tauchgänge, in denen alles zugleich abweicht, ergeben ±%2 statt ±%3: Die einzelnen Wirkungen lassen sich hier nicht einfach addieren.</translation>
+    </message>
+    <message>
+        <source>Zone %1 is not painted.</source>
+        <translation>Zone %1 wird nicht bemalt.</translation>
+    </message>
+    <message>
+        <source>Zone %1 keeps its limit: %2 % of what is painted is within ±%3, 95 % within ±%4. Most of it comes from: %5.</source>
+        <translation>Zone %1 hält ihre Grenze ein: %2 % des Bemalten liegen innerhalb von ±%3, 95 % innerhalb von ±%4. Das meiste kommt von: %5.</translation>
+    </message>
+    <message>
+        <source>Zone %1 does not keep its limit: %2 % of what is painted is within ±%3, 95 % only within ±%4. Most of it comes from: %5.</source>
+        <translation>Zone %1 hält ihre Grenze nicht ein: %2 % des Bemalten liegen innerhalb von ±%3, 95 % erst innerhalb von ±%4. Das meiste kommt von: %5.</translation>
+    </message>
+</context>
+<context>
     <name>Traveller</name>
     <message>
         <source>%1 s</source>
@@ -2471,6 +2638,40 @@
     <message>
         <source>The file cannot be written: %1</source>
         <translation>Die Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ZoneDress</name>
+    <message>
+        <source>Zone %1, ±%2 mm</source>
+        <translation>Zone %1, ±%2 mm</translation>
+    </message>
+    <message>
+        <source>Pale: far within the limit</source>
+        <translation>Blass: weit innerhalb der Grenze</translation>
+    </message>
+    <message>
+        <source>Past the limit</source>
+        <translation>Über der Grenze</translation>
+    </message>
+    <message>
+        <source>Not painted</source>
+        <translation>Nicht bemalt</translation>
+    </message>
+</context>
+<context>
+    <name>ZoneEdits</name>
+    <message>
+        <source>Mark a Zone</source>
+        <translation>Zone markieren</translation>
+    </message>
+    <message>
+        <source>Remove Mark</source>
+        <translation>Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Remove Marks</source>
+        <translation>Marken entfernen</translation>
     </message>
 </context>
 <context>
@@ -4625,6 +4826,10 @@
         <source>Join</source>
         <translation>Fuge</translation>
     </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Toleranzen</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PropertyField</name>
@@ -4794,6 +4999,18 @@
     <message>
         <source>The print, and if the second film lies off</source>
         <translation>Der Druck, und wenn der zweite Film daneben liegt</translation>
+    </message>
+    <message>
+        <source>Zones on the body</source>
+        <translation>Zonen auf dem Körper</translation>
+    </message>
+    <message>
+        <source>Tell Tolerances…</source>
+        <translation>Toleranzen berechnen …</translation>
+    </message>
+    <message>
+        <source>Dips with everything off, one by one and all at once, and says how far the colours land off their places.</source>
+        <translation>Taucht mit allen Abweichungen, einzeln und zugleich, und sagt, wie weit die Farben neben ihrem Ort landen.</translation>
     </message>
 </context>
 <context>
@@ -4975,6 +5192,24 @@ mm</translation>
     <message>
         <source>Film of %1</source>
         <translation>Film von %1</translation>
+    </message>
+    <message>
+        <source>Tolerance of the sheet</source>
+        <translation>Toleranz des Bogens</translation>
+    </message>
+    <message>
+        <source>How far the ink may land off its place on the body; ink side up</source>
+        <translation>Wie weit die Farbe neben ihrem Ort auf dem Körper landen kann; Farbseite oben</translation>
+    </message>
+    <message>
+        <source>off by
+± mm</source>
+        <translation>daneben um
+± mm</translation>
+    </message>
+    <message>
+        <source>On the body: 95 % within ±%1 mm</source>
+        <translation>Auf dem Körper: 95 % innerhalb von ±%1 mm</translation>
     </message>
 </context>
 <context>
@@ -5391,6 +5626,108 @@ mm</translation>
     <message>
         <source>Pause</source>
         <translation>Anhalten</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ToleranceCheck</name>
+    <message>
+        <source>Telling the tolerances</source>
+        <translation>Toleranzen werden berechnet</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Toleranzen</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ToleranceDialog</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>−%1, +%2 mm²</source>
+        <translation>−%1, +%2 mm²</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>Hälfte</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>What each contributor does</source>
+        <translation>Was jede Abweichung bewirkt</translation>
+    </message>
+    <message>
+        <source>The tolerance, to either side</source>
+        <translation>Die Toleranz, nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Its part in how far colours land off their places</source>
+        <translation>Ihr Anteil daran, wie weit Farben neben ihrem Ort landen</translation>
+    </message>
+    <message>
+        <source>How far off, by itself, half of what is painted is at most</source>
+        <translation>Wie weit die Hälfte des Bemalten davon allein höchstens daneben liegt</translation>
+    </message>
+    <message>
+        <source>How far off, by itself, 95 % of what is painted is at most</source>
+        <translation>Wie weit 95 % des Bemalten davon allein höchstens daneben liegen</translation>
+    </message>
+    <message>
+        <source>How far off, by itself, the worst place is</source>
+        <translation>Wie weit der schlechteste Ort davon allein daneben liegt</translation>
+    </message>
+    <message>
+        <source>How much less, or more, of the body is painted at the border</source>
+        <translation>Wie viel weniger oder mehr vom Körper am Rand bemalt wird</translation>
+    </message>
+    <message>
+        <source>All together: 95 % of what is painted lands within %1 of its place, half of it within %2.</source>
+        <translation>Alles zusammen: 95 % des Bemalten landen innerhalb von %1 um ihren Ort, die Hälfte innerhalb von %2.</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3, %4 mm of the model, most by: %5</source>
+        <translation>%1 bei %2, %3, %4 mm des Modells, am meisten durch: %5</translation>
+    </message>
+    <message>
+        <source>Tolerance of the sheet</source>
+        <translation>Toleranz des Bogens</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Toleranzen</translation>
+    </message>
+    <message>
+        <source>These are the figures of the project as it was before the last changes.</source>
+        <translation>Dies sind die Zahlen des Projekts, wie es vor den letzten Änderungen war.</translation>
     </message>
 </context>
 <context>
@@ -5900,6 +6237,22 @@ mm</translation>
         <source>&amp;Who Paints What</source>
         <translation>&amp;Wer was färbt</translation>
     </message>
+    <message>
+        <source>&amp;Tolerances…</source>
+        <translation>&amp;Toleranzen …</translation>
+    </message>
+    <message>
+        <source>See how far colours land off their places for what is off, and which zones keep their limits</source>
+        <translation>Zeigt, wie weit Farben durch Abweichungen neben ihrem Ort landen und welche Zonen ihre Grenzen einhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Zones on the Body</source>
+        <translation>&amp;Zonen auf dem Körper</translation>
+    </message>
+    <message>
+        <source>Show the zones of the body and, once tolerances are told, where they keep their limits</source>
+        <translation>Zeigt die Zonen des Körpers und, sobald die Toleranzen berechnet sind, wo sie ihre Grenzen einhalten</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::WindowLayout</name>
@@ -6035,6 +6388,69 @@ mm</translation>
     <message>
         <source>Decide Later</source>
         <translation>Später entscheiden</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ZoneBrush</name>
+    <message>
+        <source>Remove Last</source>
+        <translation>Letzte entfernen</translation>
+    </message>
+    <message>
+        <source>Remove All</source>
+        <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>A click on the body</source>
+        <translation>Ein Klick auf den Körper</translation>
+    </message>
+    <message>
+        <source>Marks nothing</source>
+        <translation>Markiert nichts</translation>
+    </message>
+    <message>
+        <source>Marks zone %1</source>
+        <translation>Markiert Zone %1</translation>
+    </message>
+    <message>
+        <source>What a click on the body in the view marks. Zone A is to be painted most exactly; what is not marked is zone C.</source>
+        <translation>Was ein Klick auf den Körper in der Ansicht markiert. Zone A soll am genauesten bemalt werden; was nicht markiert ist, ist Zone C.</translation>
+    </message>
+    <message>
+        <source>How far</source>
+        <translation>Wie weit</translation>
+    </message>
+    <message>
+        <source>A spot</source>
+        <translation>Ein Fleck</translation>
+    </message>
+    <message>
+        <source>The whole face</source>
+        <translation>Die ganze Fläche</translation>
+    </message>
+    <message>
+        <source>All of the material</source>
+        <translation>Alles von diesem Material</translation>
+    </message>
+    <message>
+        <source>How far round the click the mark reaches: a radius along the surface, the face up to its edges, or all that has the same material in the model.</source>
+        <translation>Wie weit um den Klick die Marke reicht: ein Radius entlang der Oberfläche, die Fläche bis zu ihren Kanten oder alles, was im Modell dasselbe Material hat.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>How far round the click the spot reaches, along the surface.</source>
+        <translation>Wie weit um den Klick der Fleck reicht, entlang der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>A click</source>
+        <translation>Ein Klick</translation>
+    </message>
+    <message>
+        <source>Marks on the body: %1</source>
+        <translation>Marken auf dem Körper: %1</translation>
     </message>
 </context>
 <context>

@@ -668,6 +668,10 @@
         <source>Writing who paints what</source>
         <translation>Gravando quem pinta o quê</translation>
     </message>
+    <message>
+        <source>Writing the tolerances of %1</source>
+        <translation>Gravando as tolerâncias de %1</translation>
+    </message>
 </context>
 <context>
     <name>Png</name>
@@ -1299,8 +1303,8 @@
         <translation>%1 deve ser uma lista de no máximo %2 marcas</translation>
     </message>
     <message>
-        <source>the sections are film, process, body, immersions[0], sheet, ink and share</source>
-        <translation>as seções são film, process, body, immersions[0], sheet, ink e share</translation>
+        <source>the sections are film, process, body, immersions[0], sheet, ink, share, cradle and tolerance</source>
+        <translation>as seções são film, process, body, immersions[0], sheet, ink, share, cradle e tolerance</translation>
     </message>
 </context>
 <context>
@@ -1932,6 +1936,90 @@
         <source>The side of the cells that the cradle&apos;s form is computed on. Smaller is smoother, slower and makes larger files.</source>
         <translation>O lado das células em que a forma do berço é calculada. Menor é mais liso, mais lento e gera arquivos maiores.</translation>
     </message>
+    <message>
+        <source>Off by, to either side</source>
+        <translation>Desvio, para os dois lados</translation>
+    </message>
+    <message>
+        <source>Body on the water</source>
+        <translation>Corpo na água</translation>
+    </message>
+    <message>
+        <source>How far the body may lie off its place when it meets the film. 95 of 100 dips keep a tolerance.</source>
+        <translation>Quanto o corpo pode estar fora do lugar ao tocar o filme. 95 de 100 imersões respeitam uma tolerância.</translation>
+    </message>
+    <message>
+        <source>Body turned</source>
+        <translation>Corpo girado</translation>
+    </message>
+    <message>
+        <source>How far the body may be turned off its pose, about axes through its middle.</source>
+        <translation>Quanto o corpo pode estar girado em relação à sua pose, em torno de eixos pelo seu centro.</translation>
+    </message>
+    <message>
+        <source>Film on the water</source>
+        <translation>Filme na água</translation>
+    </message>
+    <message>
+        <source>How far the film may lie off its place when the body meets it.</source>
+        <translation>Quanto o filme pode estar fora do lugar quando o corpo o toca.</translation>
+    </message>
+    <message>
+        <source>Film turned</source>
+        <translation>Filme girado</translation>
+    </message>
+    <message>
+        <source>How far the film may be turned on the water, about its middle.</source>
+        <translation>Quanto o filme pode estar girado na água, em torno do seu centro.</translation>
+    </message>
+    <message>
+        <source>By how much of its length the floating film may be longer or shorter than reckoned.</source>
+        <translation>Em que parte do seu comprimento o filme flutuante pode ser mais longo ou mais curto que o calculado.</translation>
+    </message>
+    <message>
+        <source>Water level</source>
+        <translation>Nível da água</translation>
+    </message>
+    <message>
+        <source>By how much the body may go under deeper or less deep.</source>
+        <translation>Quanto o corpo pode afundar a mais ou a menos.</translation>
+    </message>
+    <message>
+        <source>By how much of its speed the dip may be faster or slower.</source>
+        <translation>Em que parte da sua velocidade a imersão pode ser mais rápida ou mais lenta.</translation>
+    </message>
+    <message>
+        <source>By how much of it the film&apos;s relaxation time may be longer or shorter.</source>
+        <translation>Em que parte o tempo de relaxamento do filme pode ser mais longo ou mais curto.</translation>
+    </message>
+    <message>
+        <source>Of the zones</source>
+        <translation>Das zonas</translation>
+    </message>
+    <message>
+        <source>How far colours may land off their places, to either side. What is not marked on the body is zone C.</source>
+        <translation>Quanto as cores podem cair fora do lugar, para os dois lados. O que não está marcado no corpo é zona C.</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Verificação</translation>
+    </message>
+    <message>
+        <source>Dips</source>
+        <translation>Imersões</translation>
+    </message>
+    <message>
+        <source>Dips with everything off at once, to see whether what each does by itself can be added up. 0: none.</source>
+        <translation>Imersões com tudo desviado ao mesmo tempo, para ver se o efeito de cada desvio pode ser somado. 0: nenhuma.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semente</translation>
+    </message>
+    <message>
+        <source>What is off by how much in them. Another number draws others.</source>
+        <translation>O que desvia quanto nelas. Outro número sorteia outras.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -2253,6 +2341,85 @@
     </message>
 </context>
 <context>
+    <name>Tolerance</name>
+    <message>
+        <source>Body along X</source>
+        <translation>Corpo ao longo de X</translation>
+    </message>
+    <message>
+        <source>Body along Z</source>
+        <translation>Corpo ao longo de Z</translation>
+    </message>
+    <message>
+        <source>Body about X</source>
+        <translation>Corpo em torno de X</translation>
+    </message>
+    <message>
+        <source>Body about Y</source>
+        <translation>Corpo em torno de Y</translation>
+    </message>
+    <message>
+        <source>Body about Z</source>
+        <translation>Corpo em torno de Z</translation>
+    </message>
+    <message>
+        <source>Film along X</source>
+        <translation>Filme ao longo de X</translation>
+    </message>
+    <message>
+        <source>Film along Z</source>
+        <translation>Filme ao longo de Z</translation>
+    </message>
+    <message>
+        <source>Film about Y</source>
+        <translation>Filme em torno de Y</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Inchaço</translation>
+    </message>
+    <message>
+        <source>Water level</source>
+        <translation>Nível da água</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidade</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxamento</translation>
+    </message>
+    <message>
+        <source>Dipping off its place</source>
+        <translation>Mergulhando com desvios</translation>
+    </message>
+    <message>
+        <source>A film that lies off its place does not follow the body; give the film smaller cells or more points</source>
+        <translation>Um filme fora do lugar não acompanha o corpo; dê ao filme células menores ou mais pontos</translation>
+    </message>
+    <message>
+        <source>%1 dips with everything off at once come to ±%2 in place of ±%3.</source>
+        <translation>%1 imersões com tudo desviado ao mesmo tempo dão ±%2 em vez de ±%3.</translation>
+    </message>
+    <message>
+        <source>%1 dips with everything off at once come to ±%2 in place of ±%3: what the contributors do cannot simply be added here.</source>
+        <translation>%1 imersões com tudo desviado ao mesmo tempo dão ±%2 em vez de ±%3: aqui os efeitos não podem simplesmente ser somados.</translation>
+    </message>
+    <message>
+        <source>Zone %1 is not painted.</source>
+        <translation>A zona %1 não é pintada.</translation>
+    </message>
+    <message>
+        <source>Zone %1 keeps its limit: %2 % of what is painted is within ±%3, 95 % within ±%4. Most of it comes from: %5.</source>
+        <translation>A zona %1 respeita seu limite: %2 % do que é pintado fica dentro de ±%3, 95 % dentro de ±%4. A maior parte vem de: %5.</translation>
+    </message>
+    <message>
+        <source>Zone %1 does not keep its limit: %2 % of what is painted is within ±%3, 95 % only within ±%4. Most of it comes from: %5.</source>
+        <translation>A zona %1 não respeita seu limite: %2 % do que é pintado fica dentro de ±%3, 95 % só dentro de ±%4. A maior parte vem de: %5.</translation>
+    </message>
+</context>
+<context>
     <name>Traveller</name>
     <message>
         <source>%1 s</source>
@@ -2471,6 +2638,40 @@
     <message>
         <source>The file cannot be written: %1</source>
         <translation>O arquivo não pode ser gravado: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ZoneDress</name>
+    <message>
+        <source>Zone %1, ±%2 mm</source>
+        <translation>Zona %1, ±%2 mm</translation>
+    </message>
+    <message>
+        <source>Pale: far within the limit</source>
+        <translation>Pálido: bem dentro do limite</translation>
+    </message>
+    <message>
+        <source>Past the limit</source>
+        <translation>Além do limite</translation>
+    </message>
+    <message>
+        <source>Not painted</source>
+        <translation>Não pintado</translation>
+    </message>
+</context>
+<context>
+    <name>ZoneEdits</name>
+    <message>
+        <source>Mark a Zone</source>
+        <translation>Marcar uma zona</translation>
+    </message>
+    <message>
+        <source>Remove Mark</source>
+        <translation>Remover marca</translation>
+    </message>
+    <message>
+        <source>Remove Marks</source>
+        <translation>Remover marcas</translation>
     </message>
 </context>
 <context>
@@ -4625,6 +4826,10 @@
         <source>Join</source>
         <translation>Junção</translation>
     </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Tolerâncias</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PropertyField</name>
@@ -4794,6 +4999,18 @@
     <message>
         <source>The print, and if the second film lies off</source>
         <translation>A impressão, e se o segundo filme desvia</translation>
+    </message>
+    <message>
+        <source>Zones on the body</source>
+        <translation>Zonas no corpo</translation>
+    </message>
+    <message>
+        <source>Tell Tolerances…</source>
+        <translation>Calcular tolerâncias…</translation>
+    </message>
+    <message>
+        <source>Dips with everything off, one by one and all at once, and says how far the colours land off their places.</source>
+        <translation>Mergulha com todos os desvios, um a um e todos juntos, e diz quanto as cores caem fora do lugar.</translation>
     </message>
 </context>
 <context>
@@ -4975,6 +5192,24 @@ mm</translation>
     <message>
         <source>Film of %1</source>
         <translation>Filme de %1</translation>
+    </message>
+    <message>
+        <source>Tolerance of the sheet</source>
+        <translation>Tolerância da folha</translation>
+    </message>
+    <message>
+        <source>How far the ink may land off its place on the body; ink side up</source>
+        <translation>Quanto a tinta pode cair fora do lugar no corpo; lado da tinta para cima</translation>
+    </message>
+    <message>
+        <source>off by
+± mm</source>
+        <translation>desvio
+± mm</translation>
+    </message>
+    <message>
+        <source>On the body: 95 % within ±%1 mm</source>
+        <translation>No corpo: 95 % dentro de ±%1 mm</translation>
     </message>
 </context>
 <context>
@@ -5391,6 +5626,108 @@ mm</translation>
     <message>
         <source>Pause</source>
         <translation>Pausar</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ToleranceCheck</name>
+    <message>
+        <source>Telling the tolerances</source>
+        <translation>Calculando as tolerâncias</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Tolerâncias</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ToleranceDialog</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>−%1, +%2 mm²</source>
+        <translation>−%1, +%2 mm²</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <translation>Desvio</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>Metade</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation>Borda</translation>
+    </message>
+    <message>
+        <source>What each contributor does</source>
+        <translation>O que cada desvio causa</translation>
+    </message>
+    <message>
+        <source>The tolerance, to either side</source>
+        <translation>A tolerância, para os dois lados</translation>
+    </message>
+    <message>
+        <source>Its part in how far colours land off their places</source>
+        <translation>Sua parte em quanto as cores caem fora do lugar</translation>
+    </message>
+    <message>
+        <source>How far off, by itself, half of what is painted is at most</source>
+        <translation>Quanto, só por isso, metade do que é pintado fica fora do lugar, no máximo</translation>
+    </message>
+    <message>
+        <source>How far off, by itself, 95 % of what is painted is at most</source>
+        <translation>Quanto, só por isso, 95 % do que é pintado fica fora do lugar, no máximo</translation>
+    </message>
+    <message>
+        <source>How far off, by itself, the worst place is</source>
+        <translation>Quanto, só por isso, o pior lugar fica fora</translation>
+    </message>
+    <message>
+        <source>How much less, or more, of the body is painted at the border</source>
+        <translation>Quanto menos, ou mais, do corpo é pintado na borda</translation>
+    </message>
+    <message>
+        <source>All together: 95 % of what is painted lands within %1 of its place, half of it within %2.</source>
+        <translation>Tudo junto: 95 % do que é pintado cai a menos de %1 do lugar, metade a menos de %2.</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3, %4 mm of the model, most by: %5</source>
+        <translation>%1 em %2, %3, %4 mm do modelo, a maior parte por: %5</translation>
+    </message>
+    <message>
+        <source>Tolerance of the sheet</source>
+        <translation>Tolerância da folha</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Números</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Tolerâncias</translation>
+    </message>
+    <message>
+        <source>These are the figures of the project as it was before the last changes.</source>
+        <translation>Estes são os números do projeto como estava antes das últimas mudanças.</translation>
     </message>
 </context>
 <context>
@@ -5900,6 +6237,22 @@ mm</translation>
         <source>&amp;Who Paints What</source>
         <translation>&amp;Quem pinta o quê</translation>
     </message>
+    <message>
+        <source>&amp;Tolerances…</source>
+        <translation>&amp;Tolerâncias…</translation>
+    </message>
+    <message>
+        <source>See how far colours land off their places for what is off, and which zones keep their limits</source>
+        <translation>Mostra quanto as cores caem fora do lugar pelos desvios e que zonas respeitam seus limites</translation>
+    </message>
+    <message>
+        <source>&amp;Zones on the Body</source>
+        <translation>&amp;Zonas no corpo</translation>
+    </message>
+    <message>
+        <source>Show the zones of the body and, once tolerances are told, where they keep their limits</source>
+        <translation>Mostra as zonas do corpo e, calculadas as tolerâncias, onde respeitam seus limites</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::WindowLayout</name>
@@ -6035,6 +6388,69 @@ mm</translation>
     <message>
         <source>Decide Later</source>
         <translation>Decidir depois</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ZoneBrush</name>
+    <message>
+        <source>Remove Last</source>
+        <translation>Remover a última</translation>
+    </message>
+    <message>
+        <source>Remove All</source>
+        <translation>Remover todas</translation>
+    </message>
+    <message>
+        <source>A click on the body</source>
+        <translation>Um clique no corpo</translation>
+    </message>
+    <message>
+        <source>Marks nothing</source>
+        <translation>Não marca nada</translation>
+    </message>
+    <message>
+        <source>Marks zone %1</source>
+        <translation>Marca a zona %1</translation>
+    </message>
+    <message>
+        <source>What a click on the body in the view marks. Zone A is to be painted most exactly; what is not marked is zone C.</source>
+        <translation>O que um clique no corpo marca na vista. A zona A deve ser pintada com mais exatidão; o que não está marcado é zona C.</translation>
+    </message>
+    <message>
+        <source>How far</source>
+        <translation>Até onde</translation>
+    </message>
+    <message>
+        <source>A spot</source>
+        <translation>Uma mancha</translation>
+    </message>
+    <message>
+        <source>The whole face</source>
+        <translation>A face inteira</translation>
+    </message>
+    <message>
+        <source>All of the material</source>
+        <translation>Tudo desse material</translation>
+    </message>
+    <message>
+        <source>How far round the click the mark reaches: a radius along the surface, the face up to its edges, or all that has the same material in the model.</source>
+        <translation>Até onde em torno do clique a marca vai: um raio ao longo da superfície, a face até suas arestas ou tudo o que tem o mesmo material no modelo.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Raio</translation>
+    </message>
+    <message>
+        <source>How far round the click the spot reaches, along the surface.</source>
+        <translation>Até onde em torno do clique a mancha vai, ao longo da superfície.</translation>
+    </message>
+    <message>
+        <source>A click</source>
+        <translation>Um clique</translation>
+    </message>
+    <message>
+        <source>Marks on the body: %1</source>
+        <translation>Marcas no corpo: %1</translation>
     </message>
 </context>
 <context>

@@ -24,6 +24,7 @@ const QString cradleOption = QStringLiteral("cradle");
 const QString motionOption = QStringLiteral("motion-template");
 const QString languageOption = QStringLiteral("language");
 const QString lawsOption = QStringLiteral("laws");
+const QString tolerancesOption = QStringLiteral("tolerances");
 
 constexpr std::size_t mostPlaces = 8; // not reached, that are listed
 
@@ -55,6 +56,41 @@ void printVerdict(const ImmersionResult& result, QTextStream& out) {
 void printLaws(const std::vector<LawChange>& laws, QTextStream& out) {
     for (const LawChange& law : laws) {
         out << QStringLiteral("  %1\n").arg(lawText(law, millimetres));
+    }
+}
+
+void printTolerances(const DipTolerances& tolerances, QTextStream& out) {
+    const auto listed = [](const Spread& spread) {
+        return QStringLiteral("±%1 mm (half within ±%2, at most ±%3)")
+            .arg(number(spread.percentile95, 2), number(spread.median, 2),
+                 number(spread.maximum, 2));
+    };
+    out << QStringLiteral("  colours land within %1\n").arg(listed(tolerances.spread));
+    for (const Contribution& contribution : tolerances.contributions) {
+        out << QStringLiteral("    %1 ±%2 %3: %4 %, %5\n")
+                   .arg(contributorText(contribution.contributor))
+                   .arg(contribution.tolerance)
+                   .arg(contributorUnit(contribution.contributor),
+                        number(100 * contribution.share, 1), listed(contribution.spread));
+        if (contribution.lost + contribution.gained >= 1) { // mm²
+            out << QStringLiteral("      moves the border: %1 mm² less or %2 mm² more painted\n")
+                       .arg(number(contribution.lost, 0), number(contribution.gained, 0));
+        }
+    }
+    for (const WorstPlace& worst : tolerances.worst) {
+        out << QStringLiteral("    ±%1 mm at %2, %3, %4 mm of the model, most by: %5\n")
+                   .arg(number(worst.spread, 2), number(double(worst.place.x()), 1),
+                        number(double(worst.place.y()), 1), number(double(worst.place.z()), 1),
+                        contributorText(worst.contributor));
+    }
+    if (tolerances.sampled) {
+        out << QStringLiteral("  %1\n").arg(sampledText(*tolerances.sampled, millimetres));
+    }
+}
+
+void printZones(const std::vector<ZoneVerdict>& zones, QTextStream& out) {
+    for (const ZoneVerdict& zone : zones) {
+        out << zoneText(zone, millimetres) << '\n';
     }
 }
 
@@ -113,9 +149,13 @@ void printSummary(const JobResult& result, QTextStream& out) {
     for (const QString& note : result.notes) {
         out << note << '\n';
     }
-    for (const ImmersionResult& immersion : result.immersions) {
+    for (std::size_t i = 0; i < result.immersions.size(); ++i) {
+        const ImmersionResult& immersion = result.immersions[i];
         printVerdict(immersion, out);
         printLaws(immersion.laws, out);
+        if (result.tolerances) {
+            printTolerances(result.tolerances->dips[i], out);
+        }
         const DippedFilm& film = immersion.laid->film();
         out << QStringLiteral("%1: %2 × %3 points, cells of %8 mm over the body, %4 steps in %5 s, "
                               "%6 % of the body covered, the texture read back to %7 mm\n")
@@ -132,6 +172,9 @@ void printSummary(const JobResult& result, QTextStream& out) {
     }
     for (std::size_t i = 0; i < result.cradles.size(); ++i) {
         printCradle(result.immersions[i].immersion.name, result.cradles[i], out);
+    }
+    if (result.tolerances) {
+        printZones(result.tolerances->zones, out);
     }
     out << QStringLiteral("Covered altogether: %1 %\n").arg(number(100 * result.coverageTotal, 1));
 }
@@ -184,6 +227,11 @@ public:
         syntax.addOption(
             {lawsOption, QStringLiteral("Dips eight times more an immersion to say how much each "
                                         "sheet depends on the laws that nobody has measured.")});
+        syntax.addOption(
+            {tolerancesOption,
+             QStringLiteral(
+                 "Dips dozens of times more an immersion to say how far colours may land "
+                 "off their places for what is off, and which zones keep their limits.")});
         syntax.addOption({cradleOption, QStringLiteral("Also makes a cradle for each immersion, to "
                                                        "print in plastic: STL and 3MF.")});
         syntax.addOption({motionOption,
@@ -217,6 +265,7 @@ public:
         }
         options.estimatesCertainty = !parser.isSet(certaintyOption);
         options.variesLaws = parser.isSet(lawsOption);
+        options.tellsTolerances = parser.isSet(tolerancesOption);
         if (parser.isSet(languageOption)) {
             speak(parser.value(languageOption));
         }

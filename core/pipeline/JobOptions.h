@@ -22,6 +22,9 @@ struct JobOptions {
     bool variesLaws = false;
     // Whether a cradle is made for each immersion (JobCradles.h): some seconds each.
     bool makesCradles = false;
+    // Whether it is told how far colours may land off their places for the tolerances of the
+    // project, which takes dozens of dips more (JobTolerances.h).
+    bool tellsTolerances = false;
     // Of the motion's files, in place of motionTemplate() (traveller/Motion.h).
     std::optional<MotionTemplate> motion;
     // Called from the working thread with the immersion's number. Has no effect on the result.

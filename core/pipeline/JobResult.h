@@ -9,6 +9,7 @@
 #include "share/BodyShare.h"
 #include "solver/SolverRegistry.h"
 #include "texture/ReadBack.h"
+#include "tolerance/Zones.h"
 
 namespace dipwright {
 
@@ -29,6 +30,12 @@ struct ImmersionResult {
     Sheet sheet;
 };
 
+// How far the colours of a job may land off their places.
+struct JobTolerances {
+    std::vector<DipTolerances> dips; // an immersion each
+    std::vector<ZoneVerdict> zones;  // those that there are, of all dips together
+};
+
 struct JobResult {
     Project project;                            // what was computed
     QString wantedSolver, chosenSolver;         // "auto" or an id, and the id that it stood for
@@ -39,8 +46,9 @@ struct JobResult {
     std::shared_ptr<const BodyShare> share; // null: each dip paints all that it reaches
     double coverageTotal = 0;               // share of the body's surface that any immersion paints
     QImage proof;
-    QImage coverage;             // who paints what of a body that is shared out; null of others
-    std::vector<Cradle> cradles; // of each immersion; empty: not asked for
+    QImage coverage; // who paints what of a body that is shared out; null of others
+    std::shared_ptr<const JobTolerances> tolerances; // null: not asked for
+    std::vector<Cradle> cradles;                     // of each immersion; empty: not asked for
     QStringList notes; // sentences for the user: a solver that took over, a film past its date or
                        // too small
 };

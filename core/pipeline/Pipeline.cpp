@@ -4,6 +4,7 @@
 #include "parallel/Tasks.h"
 #include "pipeline/JobCradles.h"
 #include "pipeline/JobSheet.h"
+#include "pipeline/JobTolerances.h"
 #include "pipeline/LawChanges.h"
 #include "pipeline/SolverChoice.h"
 #include "results/Results.h"
@@ -24,7 +25,8 @@ struct Text {
 
 // Shares of the time of a job, roughly as measured on a film of 120 × 170 points.
 constexpr double fieldDone = 0.1;
-constexpr double lawsBegin = 0.3; // where they are varied
+constexpr double lawsBegin = 0.3;        // where they are varied
+constexpr double tolerancesBegin = 0.15; // where they are told
 constexpr double cradlesBegin = 0.6;
 constexpr double dipsDone = 0.7; // of what follows the field
 constexpr double sharesDone = 0.75;
@@ -403,10 +405,15 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     result.field = fieldOf(run, inputs, progress.part(0, fieldDone));
 
     const Progress job = options.makesCradles ? progress.part(0, cradlesBegin) : progress;
+    const Progress dips = options.tellsTolerances ? job.part(0, tolerancesBegin) : job;
     const double allDone = options.variesLaws ? lawsBegin : 1;
-    runImmersions(result, run, inputs, solver, job.part(fieldDone, allDone));
+    runImmersions(result, run, inputs, solver, dips.part(fieldDone, allDone));
     if (options.variesLaws) {
-        varyLaws(result, run, solver, job.part(allDone, 1));
+        varyLaws(result, run, solver, dips.part(allDone, 1));
+    }
+    if (options.tellsTolerances) {
+        result.tolerances = std::make_shared<const JobTolerances>(
+            jobTolerances(result, project.tolerance, registry, job.part(tolerancesBegin, 1)));
     }
     if (options.makesCradles) {
         result.cradles = jobCradles(result, progress.part(cradlesBegin, 1));

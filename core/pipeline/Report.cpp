@@ -1,5 +1,7 @@
 #include "pipeline/Report.h"
 
+#include "pipeline/JobTolerances.h"
+
 #include <QJsonArray>
 
 namespace dipwright {
@@ -164,6 +166,59 @@ QJsonObject immersionJson(const ImmersionResult& result) {
     return json;
 }
 
+QJsonObject toJson(const Spread& spread) {
+    return {{"p50", spread.median}, {"p95", spread.percentile95}, {"max", spread.maximum}};
+}
+
+QJsonObject toJson(const WorstPlace& worst) {
+    return {{"model_mm", QJsonArray{worst.place.x(), worst.place.y(), worst.place.z()}},
+            {"spread_mm", worst.spread},
+            {"contributor", contributorKey(worst.contributor)}};
+}
+
+QJsonObject tolerancesJson(const DipTolerances& tolerances) {
+    QJsonArray contributions, worst;
+    for (const Contribution& contribution : tolerances.contributions) {
+        contributions.append(QJsonObject{{"contributor", contributorKey(contribution.contributor)},
+                                         {"tolerance", contribution.tolerance},
+                                         {"unit", contributorUnit(contribution.contributor)},
+                                         {"share", contribution.share},
+                                         {"spread_mm", toJson(contribution.spread)},
+                                         {"lost_mm2", contribution.lost},
+                                         {"gained_mm2", contribution.gained}});
+    }
+    for (const WorstPlace& place : tolerances.worst) {
+        worst.append(toJson(place));
+    }
+    QJsonObject json{{"spread_mm", toJson(tolerances.spread)},
+                     {"contributions", contributions},
+                     {"worst", worst}};
+    if (tolerances.sampled) {
+        json["sampled"] = QJsonObject{{"dips", tolerances.sampled->dips},
+                                      {"p95_mm", tolerances.sampled->percentile95},
+                                      {"linear_p95_mm", tolerances.sampled->linear},
+                                      {"agrees", tolerances.sampled->agrees()}};
+    }
+    return json;
+}
+
+QJsonArray zonesJson(const std::vector<ZoneVerdict>& zones) {
+    QJsonArray json;
+    for (const ZoneVerdict& zone : zones) {
+        json.append(QJsonObject{{"zone", zoneName(zone.zone)},
+                                {"limit_mm", zone.limit},
+                                {"holds", zone.holds()},
+                                {"painted_mm2", zone.area},
+                                {"unpainted_mm2", zone.unpainted},
+                                {"within", zone.within},
+                                {"spread_mm", toJson(zone.spread)},
+                                {"worst", toJson(zone.worst)},
+                                {"contributor", contributorKey(zone.contributor)},
+                                {"sentence", zoneText(zone, millimetres)}});
+    }
+    return json;
+}
+
 QJsonObject cradleJson(const Cradle& cradle) {
     QJsonObject json{{"notes", QJsonArray::fromStringList(cradle.notes)}};
     if (!cradle.mesh.triangles.empty()) {
@@ -196,10 +251,16 @@ QJsonObject report(const Project& project, const JobResult& result) {
     for (const ImmersionResult& immersion : result.immersions) {
         immersions.append(immersionJson(immersion));
     }
+    const auto add = [&](std::size_t number, const char* key, const QJsonObject& value) {
+        QJsonObject json = immersions.at(qsizetype(number)).toObject();
+        json[QLatin1String(key)] = value;
+        immersions.replace(qsizetype(number), json);
+    };
     for (std::size_t i = 0; i < result.cradles.size(); ++i) {
-        QJsonObject json = immersions.at(qsizetype(i)).toObject();
-        json["cradle"] = cradleJson(result.cradles[i]);
-        immersions.replace(qsizetype(i), json);
+        add(i, "cradle", cradleJson(result.cradles[i]));
+    }
+    for (std::size_t i = 0; result.tolerances && i < result.tolerances->dips.size(); ++i) {
+        add(i, "tolerances", tolerancesJson(result.tolerances->dips[i]));
     }
     QJsonObject json{{"version", 1},
                      {"project", project.name},
@@ -213,6 +274,9 @@ QJsonObject report(const Project& project, const JobResult& result) {
                      {"notes", QJsonArray::fromStringList(result.notes)}};
     if (result.share) {
         json["share"] = shareJson(*result.share);
+    }
+    if (result.tolerances) {
+        json["zones"] = zonesJson(result.tolerances->zones);
     }
     return json;
 }

@@ -56,7 +56,7 @@ QStringList resultFiles() {
     }
     for (const int number : {1, 2}) {
         for (const char* name : {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp", "stretch.png",
-                                 "wrinkling.png", "certainty.png"}) {
+                                 "wrinkling.png", "certainty.png", "tolerance.png"}) {
             files.append(immersionFolder(number) + QLatin1Char('/') + QLatin1String(name));
         }
     }
@@ -179,10 +179,28 @@ void addTraveller(std::vector<Piece>& pieces, const JobResult& result, const Mot
                       }});
 }
 
+// Of each immersion, where they were asked for. Keeps references to all.
+void addToleranceMaps(std::vector<Piece>& pieces, const JobResult& result,
+                      const ResultFolder& folder) {
+    for (std::size_t i = 0; result.tolerances && i < result.tolerances->dips.size(); ++i) {
+        const ImmersionResult& immersion = result.immersions[i];
+        pieces.push_back({Text::tr("Writing the tolerances of %1").arg(immersion.immersion.name),
+                          [&, number = int(i) + 1, &dip = result.tolerances->dips[i]] {
+                              const QString name =
+                                  immersionFolder(number) + QStringLiteral("/tolerance.png");
+                              const double limit = result.project.tolerance.limits.back().value();
+                              const QImage map =
+                                  toleranceMap(*immersion.laid, dip.filmPoints, limit, filmMapEdge);
+                              folder.write(name, pngBytes(map, name));
+                          }});
+    }
+}
+
 // The files of the whole job.
 std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
                              const ResultFolder& folder) {
     std::vector<Piece> pieces = cradlePieces(result, result.cradles, folder);
+    addToleranceMaps(pieces, result, folder);
     pieces.push_back({Text::tr("Writing the proof"), [&] {
                           const QString proof = QStringLiteral("proof.png");
                           folder.write(proof, pngBytes(result.proof, proof));

@@ -19,6 +19,7 @@ struct Text {
 
 constexpr int maximumImmersions = 2;
 constexpr const char* shareMarksPath = "share.marks";
+constexpr const char* zoneMarksPath = "tolerance.marks";
 
 // A list of things that have fields of their own. `path`: the list's.
 template <typename Item>
@@ -58,18 +59,19 @@ std::vector<Immersion> readImmersions(const QJsonValue& value, const QString& fi
     return readList(array, immersionFields(), QStringLiteral("immersions"), file);
 }
 
-std::vector<ShareMark> readShareMarks(const QJsonObject& json, const QString& file) {
-    const QString path = QString::fromLatin1(shareMarksPath);
+// A list that may be missing, of so many items at most.
+template <typename Item>
+std::vector<Item> readMarks(const QJsonObject& json, const std::vector<Field<Item>>& fields,
+                            const char* list, std::size_t most, const QString& file) {
+    const QString path = QString::fromLatin1(list);
     const QJsonValue value = valueAt(json, path, file);
     if (value.isUndefined()) {
         return {};
     }
-    if (!value.isArray() || std::size_t(value.toArray().size()) > mostShareMarks) {
-        throw Error(
-            Text::tr("%1 must be an array of at most %2 marks").arg(path).arg(mostShareMarks),
-            file);
+    if (!value.isArray() || std::size_t(value.toArray().size()) > most) {
+        throw Error(Text::tr("%1 must be an array of at most %2 marks").arg(path).arg(most), file);
     }
-    return readList(value.toArray(), shareMarkFields(), path, file);
+    return readList(value.toArray(), fields, path, file);
 }
 
 template <typename P>
@@ -120,7 +122,9 @@ QJsonObject unknownPart(const QJsonObject& json) {
     for (const char* path : {"profiles.printer", "profiles.film", "profiles.tank"}) {
         removeAt(unknown, QLatin1String(path));
     }
-    removeAt(unknown, QString::fromLatin1(shareMarksPath));
+    for (const char* path : {shareMarksPath, zoneMarksPath}) {
+        removeAt(unknown, QString::fromLatin1(path));
+    }
     QJsonArray immersions;
     bool anything = false;
     for (const QJsonValue& immersion : json.value(QLatin1String("immersions")).toArray()) {
@@ -181,10 +185,10 @@ QStringList siblingPaths(const QString& path) {
 
 [[noreturn]] void throwUnknownPath(const QString& path) {
     const QStringList siblings = siblingPaths(path);
-    const QString hint =
-        siblings.isEmpty()
-            ? Text::tr("the sections are film, process, body, immersions[0], sheet, ink and share")
-            : Text::tr("there are %1").arg(siblings.join(QStringLiteral(", ")));
+    const QString hint = siblings.isEmpty()
+                             ? Text::tr("the sections are film, process, body, immersions[0], "
+                                        "sheet, ink, share, cradle and tolerance")
+                             : Text::tr("there are %1").arg(siblings.join(QStringLiteral(", ")));
     throw Error(Text::tr("There is no such setting, %1").arg(hint), path);
 }
 
@@ -260,6 +264,8 @@ QJsonObject toJson(const Project& project) {
                           project.unknown.value(QLatin1String("immersions")).toArray()));
     insertAt(json, QString::fromLatin1(shareMarksPath),
              writeList(project.share.marks, shareMarkFields(), {}));
+    insertAt(json, QString::fromLatin1(zoneMarksPath),
+             writeList(project.tolerance.marks, zoneMarkFields(), {}));
     writeProfiles(project.profiles, json);
     return json;
 }
@@ -270,7 +276,10 @@ Project fromJson(const QJsonObject& json, const QString& where) {
     Project project;
     readFields(project, projectFields(), current, {}, where);
     project.immersions = readImmersions(current.value(QLatin1String("immersions")), where);
-    project.share.marks = readShareMarks(current, where);
+    project.share.marks =
+        readMarks(current, shareMarkFields(), shareMarksPath, mostShareMarks, where);
+    project.tolerance.marks =
+        readMarks(current, zoneMarkFields(), zoneMarksPath, mostZoneMarks, where);
     project.profiles = readProfiles(current, where);
     project.unknown = unknownPart(current);
     return project;

@@ -9,6 +9,7 @@
 #include "share/ShareSettings.h"
 #include "sheet/Sheet.h"
 #include "texture/ReverseTexture.h"
+#include "tolerance/ToleranceSettings.h"
 
 #include <QByteArray>
 #include <QJsonObject>
@@ -41,6 +42,7 @@ struct Project {
     InkSettings ink;
     ShareSettings share; // of two immersions
     CradleSettings cradle;
+    ToleranceSettings tolerance;
     ProjectProfiles profiles; // that it was made with, by content
     QJsonObject unknown;      // keys this version does not know; they survive a save
     std::map<QString, QByteArray> unknownEntries; // and so do the file's other entries, by name

@@ -238,6 +238,33 @@ void addCradleFields(std::vector<Field<Project>>& fields) {
     add("cradle.cell_mm", 0.2, 2, &C::cell);
 }
 
+void addToleranceFields(std::vector<Field<Project>>& fields) {
+    fields.push_back(numbers(
+        "tolerance.position_mm", 2, 0, 10,
+        [](auto& p, int part) -> auto& { return p.tolerance.position[part]; }));
+    fields.push_back(numbers(
+        "tolerance.turn_deg", 3, 0, 10,
+        [](auto& p, int part) -> auto& { return p.tolerance.turn[part]; }));
+    fields.push_back(numbers(
+        "tolerance.film_position_mm", 2, 0, 50,
+        [](auto& p, int part) -> auto& { return p.tolerance.filmPosition[part]; }));
+    const auto add = [&](const char* path, double maximum, auto member) {
+        fields.push_back(number(
+            path, 0, maximum, [member](auto& p) -> auto& { return p.tolerance.*member; }));
+    };
+    using T = ToleranceSettings;
+    add("tolerance.film_turn_deg", 10, &T::filmTurn);
+    add("tolerance.swell", 0.1, &T::swell);
+    add("tolerance.water_level_mm", 50, &T::waterLevel);
+    add("tolerance.speed", 0.5, &T::speed);
+    add("tolerance.relaxation", 0.9, &T::relaxation);
+    add("tolerance.samples", 1000, &T::samples);
+    add("tolerance.seed", 1'000'000, &T::seed);
+    fields.push_back(numbers(
+        "tolerance.limits_mm", int(zoneCount), 0.01, 100,
+        [](auto& p, int part) -> auto& { return p.tolerance.limits[part]; }));
+}
+
 } // namespace
 
 const std::vector<Field<Project>>& projectFields() {
@@ -253,6 +280,7 @@ const std::vector<Field<Project>>& projectFields() {
         addSheetFields(all);
         addShareFields(all);
         addCradleFields(all);
+        addToleranceFields(all);
         return all;
     }();
     return fields;
@@ -281,6 +309,21 @@ const std::vector<Field<ShareMark>>& shareMarkFields() {
         numbers<ShareMark>(
             "place_mm", 3, -1e5, 1e5, [](auto& m, int part) -> auto& { return m.place[part]; }),
         number<ShareMark>(
+            "radius_mm", 0, 1000, [](auto& m) -> auto& { return m.radius; })};
+    return fields;
+}
+
+const std::vector<Field<ZoneMark>>& zoneMarkFields() {
+    static const std::vector<Field<ZoneMark>> fields{
+        choice<ZoneMark>(
+            "zone", {QStringLiteral("A"), QStringLiteral("B"), QStringLiteral("C")},
+            [](auto& m) -> auto& { return m.zone; }),
+        numbers<ZoneMark>(
+            "place_mm", 3, -1e5, 1e5, [](auto& m, int part) -> auto& { return m.place[part]; }),
+        choice<ZoneMark>(
+            "extent", {QStringLiteral("spot"), QStringLiteral("face"), QStringLiteral("material")},
+            [](auto& m) -> auto& { return m.extent; }),
+        number<ZoneMark>(
             "radius_mm", 0, 1000, [](auto& m) -> auto& { return m.radius; })};
     return fields;
 }

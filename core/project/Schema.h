@@ -16,5 +16,6 @@ inline constexpr int projectVersion = 2;
 const std::vector<Field<Project>>& projectFields();
 const std::vector<Field<Immersion>>& immersionFields();
 const std::vector<Field<ShareMark>>& shareMarkFields();
+const std::vector<Field<ZoneMark>>& zoneMarkFields();
 
 } // namespace dipwright

@@ -410,6 +410,18 @@ MapSubject certaintySubject(const FilmValues& values, double limit, std::uint8_t
             marks};
 }
 
+MapSubject toleranceSubject(const FilmValues& values, double limit, std::uint8_t marks) {
+    const std::vector<float> painted = values.paintedValues();
+    return {Text::tr("Tolerance of the sheet"),
+            Text::tr("How far the ink may land off its place on the body; ink side up"),
+            Text::tr("off by\n± mm"),
+            Text::tr("On the body: 95 % within ±%1 mm")
+                .arg(QLocale().toString(distribution(painted).percentile95, 'f', 2)),
+            changeScale(painted, limit),
+            false,
+            marks};
+}
+
 } // namespace
 
 QImage stretchMap(const LaidFilm& laid, int longEdge) {
@@ -428,6 +440,14 @@ QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, dou
     FilmValues values(laid, changes);
     const std::uint8_t marks = values.showMarks(laid);
     const MapSubject subject = certaintySubject(values, limit, marks);
+    return FilmMap(laid.film().grid, values, subject, longEdge).draw();
+}
+
+QImage toleranceMap(const LaidFilm& laid, const std::vector<float>& spread, double limit,
+                    int longEdge) {
+    FilmValues values(laid, spread);
+    const std::uint8_t marks = values.showMarks(laid);
+    const MapSubject subject = toleranceSubject(values, limit, marks);
     return FilmMap(laid.film().grid, values, subject, longEdge).draw();
 }
 

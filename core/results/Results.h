@@ -34,6 +34,11 @@ QImage wrinklingMap(const LaidFilm& laid, int longEdge);
 QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, double limit,
                     int longEdge);
 
+// How far colours may land off their places: `spread` in mm, one of each film point; over the flat
+// film, drawn like certaintyMap(), the colours up to a few times `limit`.
+QImage toleranceMap(const LaidFilm& laid, const std::vector<float>& spread, double limit,
+                    int longEdge);
+
 // Colour maps of even lightness steps, made in OKLab: "lagoon" (dark blue over green to yellow),
 // "dusk" (blue over grey to yellow, the same to readers with any colour vision), both light at 1;
 // "balance" (blue over near-white to orange, the middle at 0.5); "grey".

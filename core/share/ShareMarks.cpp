@@ -1,10 +1,7 @@
 #include "share/ShareMarks.h"
 
-#include "geometry/SurfaceDistance.h"
+#include "geometry/SurfaceSpot.h"
 #include "share/JoinPlaces.h"
-
-#include <cmath>
-#include <numbers>
 
 namespace dipwright {
 namespace {
@@ -13,43 +10,6 @@ namespace {
 constexpr double told = 1e5;     // the cost of a mm² that the user has given to the other dip
 constexpr float avoided = 20;    // times as visible
 constexpr float allowed = 0.05f; // times as visible
-constexpr double faceAngle = 15; // degrees by which a face's normals differ at most
-
-// How far each position is from a place, along the surface, up to `limit` mm.
-std::vector<float> distanceFrom(const TriangleMesh& mesh, const SurfacePoint& middle, float limit) {
-    const Eigen::Vector3f place = position(mesh, middle);
-    std::vector<float> begin(mesh.positions.size(), std::numeric_limits<float>::infinity());
-    for (const std::uint32_t corner : mesh.triangles[middle.triangle]) {
-        begin[corner] = (mesh.positions[corner] - place).norm();
-    }
-    return surfaceDistance(mesh, std::move(begin), limit);
-}
-
-// The triangles with their corners within `radius` mm in the mean, and the first itself.
-std::vector<std::uint32_t> spot(const TriangleMesh& mesh, const SurfacePoint& middle,
-                                float radius) {
-    const std::vector<float> distance = distanceFrom(mesh, middle, radius);
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-        const auto& [a, b, c] = mesh.triangles[triangle];
-        if ((distance[a] + distance[b] + distance[c]) / 3 <= radius ||
-            triangle == middle.triangle) {
-            found.push_back(triangle);
-        }
-    }
-    return found;
-}
-
-// The triangles that hang together with the first and face as it does.
-std::vector<std::uint32_t> face(const TriangleMesh& mesh, std::uint32_t first) {
-    const Eigen::Vector3f normal = triangleNormal(mesh, first);
-    const auto least = float(std::cos(faceAngle * std::numbers::pi / 180));
-    std::vector<std::uint8_t> seen(mesh.triangles.size());
-    return connectedTriangles(
-        oppositeEdges(mesh), first,
-        [&](std::uint32_t other) { return triangleNormal(mesh, other).dot(normal) >= least; },
-        seen);
-}
 
 SurfacePoint placeOf(const ShareMark& mark, const SurfaceQuery& query) {
     return query
@@ -86,7 +46,7 @@ markOutline(const TriangleMesh& mesh, const SurfaceQuery& query, const ShareMark
     const SurfacePoint middle = placeOf(mark, query);
     const auto radius = float(mark.radius.value());
     if (radius <= 0) {
-        return borderOf(mesh, face(mesh, middle.triangle));
+        return borderOf(mesh, faceRound(mesh, middle.triangle));
     }
     std::vector<float> inside = distanceFrom(mesh, middle, 2 * radius);
     for (float& value : inside) {
@@ -110,8 +70,8 @@ void obeyMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& marks,
     for (const ShareMark& mark : marks) {
         const SurfacePoint middle = placeOf(mark, query);
         const auto radius = float(mark.radius.value());
-        for (const std::uint32_t triangle :
-             radius > 0 ? spot(mesh, middle, radius) : face(mesh, middle.triangle)) {
+        for (const std::uint32_t triangle : radius > 0 ? trianglesWithin(mesh, middle, radius)
+                                                       : faceRound(mesh, middle.triangle)) {
             const double area = triangleArea(mesh, triangle);
             switch (mark.kind) {
             case ShareMarkKind::First:

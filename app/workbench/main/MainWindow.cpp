@@ -32,17 +32,19 @@ MainWindow::MainWindow(Workbench& workbench)
                   },
                   [this]() -> DocumentSession& { return workbench_.openWindow()->documents(); }}),
       session_(jobs_, workbench.registry()), check_(jobs_, workbench.registry(), messages_),
-      layout_(*this, workbench.registry()), parts_(layout_.parts()), actions_(*this),
-      shownMessages_(messages_, parts_, *this),
+      toleranceCheck_(jobs_, workbench.registry(), messages_), layout_(*this, workbench.registry()),
+      parts_(layout_.parts()), actions_(*this), shownMessages_(messages_, parts_, *this),
       status_(new StatusLine(*statusBar(), jobs_, *actions_.cancel)), scene_(*parts_.view),
       playback_(session_, *parts_.view, scene_, *parts_.timeline),
       reader_(session_, *parts_.view, scene_, *parts_.results),
       measure_(*parts_.view, scene_, messages_), join_(*parts_.view, scene_, session_),
-      turn_(session_, *parts_.view),
+      zone_(*parts_.view, scene_, session_), turn_(session_, *parts_.view),
       dip_(actions_, session_, check_, playback_, messages_, *parts_.results, *parts_.staleBanner),
       documentActions_(actions_, documents_, messages_, workbench, *this),
       edits_(actions_, *parts_.tree, *parts_.properties, session_, jobs_, messages_, *this),
       exports_(actions_, parts_.results->stretch(), session_, jobs_, messages_, *this),
+      tolerances_(actions_, session_, toleranceCheck_, messages_, scene_, *parts_.properties,
+                  *this),
       profiles_(actions_, documents_, messages_, workbench, *parts_.properties, *this),
       viewActions_(actions_, *parts_.view, scene_, parts_.results->stretch(), jobs_, messages_,
                    *this),
@@ -116,6 +118,7 @@ void MainWindow::connectPanels() {
                 join_.setBrush(brush);
                 scene_.setMarking(brush.has_value());
             });
+    connect(parts_.properties, &PropertyPanel::zoneBrushChanged, &zone_, &ZoneTool::setBrush);
     connect(&join_, &JoinTool::begun, this, [this] { dip_.setHeld(true); });
     connect(&join_, &JoinTool::ended, this, [this] { dip_.setHeld(false); });
     connect(parts_.properties, &PropertyPanel::failed, &messages_,
@@ -167,6 +170,7 @@ void MainWindow::showDocument() {
     layout_.showProject(shown); // as wide as the properties want
     playback_.showDocument();
     dip_.showDocument();
+    tolerances_.showDocument();
     if (shown) {
         connect(shown, &Document::projectChanged, this, &MainWindow::updateActions);
         connect(shown, &Document::fileChanged, this, &MainWindow::updateTitle);
@@ -189,6 +193,7 @@ void MainWindow::applyPreferences() {
     playback_.setLengthUnit(preferences.unit);
     reader_.setLengthUnit(preferences.unit);
     measure_.setLengthUnit(preferences.unit);
+    tolerances_.setLengthUnit(preferences.unit);
     actions_.live->setChecked(preferences.liveUpdate);
     actions_.setShortcuts(preferences.shortcuts);
     documents_.setAutosaveInterval(preferences.autosaveSeconds);

@@ -9,6 +9,7 @@
 #include "main/ExportController.h"
 #include "main/HelpController.h"
 #include "main/ProfileController.h"
+#include "main/ToleranceController.h"
 #include "main/ViewController.h"
 #include "main/WindowActions.h"
 #include "main/WindowLayout.h"
@@ -18,6 +19,7 @@
 #include "view/FilmReader.h"
 #include "view/JoinTool.h"
 #include "view/MeasureTool.h"
+#include "view/ZoneTool.h"
 
 #include <QMainWindow>
 
@@ -63,6 +65,7 @@ private:
     DocumentSession documents_;
     DipSession session_;
     CertaintyCheck check_;
+    ToleranceCheck toleranceCheck_;
 
     WindowLayout layout_;
     const WindowParts& parts_;
@@ -75,11 +78,13 @@ private:
     FilmReader reader_;
     MeasureTool measure_;
     JoinTool join_;
+    ZoneTool zone_;
     BodyTurn turn_;
     DipController dip_;
     DocumentController documentActions_;
     EditController edits_;
     ExportController exports_;
+    ToleranceController tolerances_;
     ProfileController profiles_;
     ViewController viewActions_;
     HelpController help_;

@@ -45,21 +45,23 @@ void ViewController::connectDisplay(const WindowActions& actions) {
     const auto wear = [this, &actions] {
         const BodyLook look = actions.coverage->isChecked()    ? BodyLook::Coverage
                               : actions.bodyPrint->isChecked() ? BodyLook::Print
+                              : actions.zones->isChecked()     ? BodyLook::Zones
                                                                : BodyLook::Own;
         scene_.setBodyLook(look);
         view_.setWaterVisible(actions.water->isChecked() && look == BodyLook::Own);
         view_.setFilmFitted(look == BodyLook::Own);
     };
     connect(actions.water, &QAction::toggled, this, wear);
-    const auto onlyOne = [this, wear](QAction* shown, QAction* other) {
-        connect(shown, &QAction::toggled, this, [wear, other](bool on) {
-            const QSignalBlocker quiet(other);
-            other->setChecked(other->isChecked() && !on);
+    const QList<QAction*> looks{actions.coverage, actions.bodyPrint, actions.zones};
+    for (QAction* shown : looks) { // one of them, or none
+        connect(shown, &QAction::toggled, this, [wear, shown, looks](bool on) {
+            for (QAction* other : looks) {
+                const QSignalBlocker quiet(other);
+                other->setChecked(other->isChecked() && (other == shown || !on));
+            }
             wear();
         });
-    };
-    onlyOne(actions.coverage, actions.bodyPrint);
-    onlyOne(actions.bodyPrint, actions.coverage);
+    }
     connect(actions.filmOnBody, &QAction::toggled, this, [this](bool only) {
         scene_.setFilmExtent(only ? FilmExtent::OnBody : FilmExtent::Whole);
     });

@@ -130,6 +130,9 @@ std::vector<WindowActions::Entry> WindowActions::dipEntries() {
          Kind::ToggledOff},
         {&A::certainty, "certainty", "", tr("C&heck Certainty…"),
          tr("Compute the sheets more finely and see how far they move, and where")},
+        {&A::tolerances, "tolerances", "tolerance", tr("&Tolerances…"),
+         tr("See how far colours land off their places for what is off, and which zones keep their "
+            "limits")},
         {&A::play, "play", "play", tr("&Play or Pause"), tr("Play the dip"), key("Ctrl+Space")},
     };
 }
@@ -192,6 +195,14 @@ std::vector<WindowActions::Entry> WindowActions::displayEntries() {
          tr("Show the body as it comes out of all dips, from every side"),
          {},
          Kind::ToggledOff},
+        {&A::zones,
+         "zones",
+         "tolerance",
+         tr("&Zones on the Body"),
+         tr("Show the zones of the body and, once tolerances are told, where they keep their "
+            "limits"),
+         {},
+         Kind::ToggledOff},
         {&A::filmOnBody,
          "filmOnBody",
          "film-on-body",
@@ -236,8 +247,9 @@ std::vector<WindowActions::Entry> WindowActions::helpEntries() {
 void WindowActions::enable(const WindowState& state) {
     const bool any = state.document != nullptr;
     const std::size_t immersions = any ? state.document->project().immersions.size() : 0;
-    for (QAction* action : {saveAs, replaceModel, replaceTexture, fit, oblique, front, right, top,
-                            back, left, bottom, parallel, rings, water, body, measure, live}) {
+    for (QAction* action :
+         {saveAs, replaceModel, replaceTexture, fit, oblique, front, right, top, back, left, bottom,
+          parallel, rings, water, body, measure, live, zones}) {
         action->setEnabled(any);
     }
     filmLook->setEnabled(any);
@@ -248,6 +260,7 @@ void WindowActions::enable(const WindowState& state) {
     swapImmersions->setEnabled(immersions > 1);
     run->setEnabled(any && !state.isDipping);
     certainty->setEnabled(any && !state.isBusy);
+    tolerances->setEnabled(any && !state.isBusy);
     cancel->setEnabled(state.isBusy);
     for (QAction* action : {print, exportResults, exportPdf, exportPng, exportCradles, coverage,
                             bodyPrint, filmOnBody}) {

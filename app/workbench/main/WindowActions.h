@@ -32,10 +32,10 @@ public:
         *exportCradles, *print, *calibrate, *profiles, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
         *replaceModel, *replaceTexture, *preferences;
-    QAction *run, *cancel, *live, *certainty, *play;
+    QAction *run, *cancel, *live, *certainty, *tolerances, *play;
     QAction *fit, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout, *saveLayout,
         *parallel;
-    QAction *rings, *water, *body, *coverage, *bodyPrint, *filmOnBody, *measure;
+    QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *measure;
     QActionGroup* filmLook; // each has its FilmLook as data
     QAction *tour, *guide, *whatsThis, *about;
 

@@ -36,7 +36,8 @@ WindowMenus::WindowMenus(QMainWindow& window, const WindowActions& actions,
                                           {a.reloadModel, a.replaceModel, a.replaceTexture},
                                           {a.profiles, a.preferences}});
     makeViewMenu(*bar.addMenu(tr("&View")), actions);
-    addGroups(*bar.addMenu(tr("&Dip")), {{a.run, a.cancel, a.live}, {a.play, a.certainty}});
+    addGroups(*bar.addMenu(tr("&Dip")),
+              {{a.run, a.cancel, a.live}, {a.play, a.certainty, a.tolerances}});
     makeWindowMenu(*bar.addMenu(tr("&Window")), actions, docks);
     addGroups(*bar.addMenu(tr("&Help")), {{a.tour, a.guide, a.whatsThis}, {a.about}});
     makeMainToolBar(window, actions);
@@ -59,7 +60,8 @@ void WindowMenus::makeViewMenu(QMenu& menu, const WindowActions& a) {
     menu.addSeparator();
     film_ = menu.addMenu(icon(QStringLiteral("film")), tr("Film &Wears"));
     film_->addActions(a.filmLook->actions());
-    menu.addActions({a.filmOnBody, a.body, a.coverage, a.bodyPrint, a.water, a.rings, a.measure});
+    menu.addActions(
+        {a.filmOnBody, a.body, a.coverage, a.bodyPrint, a.zones, a.water, a.rings, a.measure});
 }
 
 void WindowMenus::makeWindowMenu(QMenu& menu, const WindowActions& a,

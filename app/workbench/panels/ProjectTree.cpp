@@ -77,6 +77,7 @@ void ProjectTree::rebuild() {
             }
             addItem(root, tr("Sheet"), QStringLiteral("sheet"), {ProjectPart::Sheet});
             addItem(root, tr("Ink"), QStringLiteral("ink"), {ProjectPart::Ink});
+            addItem(root, tr("Tolerances"), QStringLiteral("tolerance"), {ProjectPart::Tolerance});
             expandAll();
         }
     }

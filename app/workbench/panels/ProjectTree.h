@@ -1,5 +1,5 @@
-// The project's parts: model, film, dip, immersions, sheet and ink, each with the state of its
-// result.
+// The project's parts: model, film, dip, immersions, sheet, ink and tolerances, each with the state
+// of its result.
 #pragma once
 
 #include "document/Document.h"
@@ -8,7 +8,7 @@
 
 namespace dipwright {
 
-enum class ProjectPart { Project, Model, Film, Process, Immersion, Share, Sheet, Ink };
+enum class ProjectPart { Project, Model, Film, Process, Immersion, Share, Sheet, Ink, Tolerance };
 
 struct ProjectNode {
     ProjectPart part = ProjectPart::Project;

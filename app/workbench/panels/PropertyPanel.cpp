@@ -3,10 +3,12 @@
 #include "base/Error.h"
 #include "document/ProjectValue.h"
 #include "document/ShareEdits.h"
+#include "document/ZoneEdits.h"
 #include "look/Icons.h"
 #include "panels/JoinBrush.h"
 #include "panels/PropertySpecs.h"
 #include "panels/ShippedNames.h"
+#include "panels/ZoneBrush.h"
 
 #include <QComboBox>
 #include <QFileInfo>
@@ -56,6 +58,7 @@ void PropertyPanel::showNode(const ProjectNode& node) {
 void PropertyPanel::rebuild() {
     refreshers_.clear();
     emit joinBrushChanged(std::nullopt);
+    emit zoneBrushChanged(std::nullopt);
     emit shownPrintChanged({});
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
@@ -94,6 +97,10 @@ void PropertyPanel::rebuild() {
     if (document_ && node_.part == ProjectPart::Share) {
         addJoinBrush(*form);
         addPrintFields(*form);
+    }
+    if (document_ && node_.part == ProjectPart::Tolerance) {
+        addZoneBrush(*form);
+        addTellTolerances(*form);
     }
     setWidget(page);
     refresh();
@@ -242,6 +249,27 @@ void PropertyPanel::addJoinBrush(QFormLayout& form) {
         brush->setEnabled(project.share.enabled);
         brush->setMarkCount(project.share.marks.size());
     });
+}
+
+void PropertyPanel::addZoneBrush(QFormLayout& form) {
+    addHeading(form, tr("Zones on the body"));
+    auto* brush = new ZoneBrush(lengthUnit_);
+    form.addRow(brush);
+    connect(brush, &ZoneBrush::changed, this,
+            [this, brush] { emit zoneBrushChanged(brush->mark()); });
+    connect(brush, &ZoneBrush::removeLastAsked, this, [this] { removeLastZoneMark(*document_); });
+    connect(brush, &ZoneBrush::removeAllAsked, this, [this] { removeZoneMarks(*document_); });
+    refreshers_.push_back(
+        [this, brush] { brush->setMarkCount(document_->project().tolerance.marks.size()); });
+}
+
+void PropertyPanel::addTellTolerances(QFormLayout& form) {
+    auto* tell = new QPushButton(icon(QStringLiteral("tolerance")), tr("Tell Tolerances…"));
+    tell->setObjectName(QStringLiteral("tellTolerances"));
+    tell->setToolTip(tr("Dips with everything off, one by one and all at once, and says how far "
+                        "the colours land off their places."));
+    connect(tell, &QPushButton::clicked, this, &PropertyPanel::tolerancesAsked);
+    form.addRow(tell);
 }
 
 void PropertyPanel::addPrintFields(QFormLayout& form) {

@@ -35,6 +35,9 @@ signals:
     void shownPrintChanged(const dipwright::ShownPrint& print);
     // What a click on the body marks for the join, without its place; none: nothing.
     void joinBrushChanged(const std::optional<dipwright::ShareMark>& brush);
+    // What a click on the body marks as a zone, without its place; none: nothing.
+    void zoneBrushChanged(const std::optional<dipwright::ZoneMark>& brush);
+    void tolerancesAsked();
 
 private:
     void rebuild();
@@ -44,6 +47,8 @@ private:
     void addFilmFacts(QFormLayout& form);
     void addJoinBrush(QFormLayout& form);
     void addPrintFields(QFormLayout& form);
+    void addZoneBrush(QFormLayout& form);
+    void addTellTolerances(QFormLayout& form);
     void addPreset(QFormLayout& form);
     void addSolver(QFormLayout& form);
     void addProfile(QFormLayout& form, ProfileKind kind, const QString& name, const QString& help);

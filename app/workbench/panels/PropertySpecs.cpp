@@ -379,6 +379,71 @@ std::vector<PropertySection> inkProperties() {
                .unit = Unit::Density}}}};
 }
 
+PropertySection offProperties() {
+    const QString x = QStringLiteral("X"), y = QStringLiteral("Y"), z = QStringLiteral("Z");
+    PropertySection off{Text::tr("Off by, to either side"), {}};
+    off.specs = {
+        {.path = QStringLiteral("tolerance.position_mm"),
+         .label = Text::tr("Body on the water"),
+         .help = Text::tr("How far the body may lie off its place when it meets the film. 95 of "
+                          "100 dips keep a tolerance."),
+         .unit = Unit::Length,
+         .parts = {x, z}},
+        {.path = QStringLiteral("tolerance.turn_deg"),
+         .label = Text::tr("Body turned"),
+         .help = Text::tr("How far the body may be turned off its pose, about axes through its "
+                          "middle."),
+         .unit = Unit::Angle,
+         .parts = {x, y, z}},
+        {.path = QStringLiteral("tolerance.film_position_mm"),
+         .label = Text::tr("Film on the water"),
+         .help = Text::tr("How far the film may lie off its place when the body meets it."),
+         .unit = Unit::Length,
+         .parts = {x, z}},
+        {.path = QStringLiteral("tolerance.film_turn_deg"),
+         .label = Text::tr("Film turned"),
+         .help = Text::tr("How far the film may be turned on the water, about its middle."),
+         .unit = Unit::Angle},
+        {.path = QStringLiteral("tolerance.swell"),
+         .label = Text::tr("Swell"),
+         .help = Text::tr("By how much of its length the floating film may be longer or shorter "
+                          "than reckoned."),
+         .unit = Unit::Share},
+        {.path = QStringLiteral("tolerance.water_level_mm"),
+         .label = Text::tr("Water level"),
+         .help = Text::tr("By how much the body may go under deeper or less deep."),
+         .unit = Unit::Length},
+        {.path = QStringLiteral("tolerance.speed"),
+         .label = Text::tr("Speed"),
+         .help = Text::tr("By how much of its speed the dip may be faster or slower."),
+         .unit = Unit::Share},
+        {.path = QStringLiteral("tolerance.relaxation"),
+         .label = Text::tr("Relaxation"),
+         .help = Text::tr("By how much of it the film's relaxation time may be longer or shorter."),
+         .unit = Unit::Share}};
+    return off;
+}
+
+std::vector<PropertySection> toleranceProperties() {
+    return {
+        offProperties(),
+        {Text::tr("Limits"),
+         {{.path = QStringLiteral("tolerance.limits_mm"),
+           .label = Text::tr("Of the zones"),
+           .help = Text::tr("How far colours may land off their places, to either side. What "
+                            "is not marked on the body is zone C."),
+           .unit = Unit::Length,
+           .parts = {QStringLiteral("A"), QStringLiteral("B"), QStringLiteral("C")}}}},
+        {Text::tr("Check"),
+         {{.path = QStringLiteral("tolerance.samples"),
+           .label = Text::tr("Dips"),
+           .help = Text::tr("Dips with everything off at once, to see whether what each does by "
+                            "itself can be added up. 0: none.")},
+          {.path = QStringLiteral("tolerance.seed"),
+           .label = Text::tr("Seed"),
+           .help = Text::tr("What is off by how much in them. Another number draws others.")}}}};
+}
+
 } // namespace
 
 std::vector<PropertySection> propertySections(const ProjectNode& node) {
@@ -399,6 +464,8 @@ std::vector<PropertySection> propertySections(const ProjectNode& node) {
         return sheetProperties();
     case ProjectPart::Ink:
         return inkProperties();
+    case ProjectPart::Tolerance:
+        return toleranceProperties();
     }
     return {};
 }

@@ -5,6 +5,7 @@
 #include "look/Theme.h"
 #include "results/Results.h"
 #include "texture/Chessboard.h"
+#include "view/ZoneDress.h"
 
 #include <QLocale>
 #include <QPainter>
@@ -116,12 +117,14 @@ DipScene::DipScene(DipView& view, QObject* parent) : QObject(parent), view_(view
 void DipScene::setProject(const Project& project, std::size_t immersion) {
     const bool otherModel = project.model != project_.model;
     const bool otherMarks = project.share.marks != project_.share.marks;
+    const bool otherZones = project.tolerance != project_.tolerance;
     const bool otherFilm = !(project.film == project_.film) || !project_.model;
     project_ = project;
     immersion_ = std::min(immersion, project.immersions.size() - 1);
     if (otherModel) {
         query_ = std::make_unique<SurfaceQuery>(project.model->mesh);
         marks_.reset();
+        zones_ = nullptr;
         wear({project.model, {}});
     } else if (otherMarks) {
         showLines();
@@ -131,6 +134,9 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
         const double height = double(boundingBox(project.model->mesh).diagonal().norm());
         view_.setTank({grid.width, grid.depth}, std::max(40.0, 0.8 * height));
         filmSource_ = {};
+    }
+    if (bodyLook_ == BodyLook::Zones && (otherModel || otherZones)) {
+        dressBody();
     }
     if (moment_ == Moment::Setup) {
         showSetup();
@@ -298,6 +304,16 @@ void DipScene::setMarking(bool marking) {
     }
 }
 
+void DipScene::setTolerances(std::shared_ptr<const JobTolerances> tolerances) {
+    if (tolerances == tolerances_) {
+        return;
+    }
+    tolerances_ = std::move(tolerances);
+    if (bodyLook_ == BodyLook::Zones) {
+        dressBody();
+    }
+}
+
 void DipScene::setShowRings(bool show) {
     rings_ = show;
     if (moment_ == Moment::Setup) {
@@ -387,8 +403,10 @@ std::vector<QRgb> DipScene::frameColours() const {
 }
 
 void DipScene::dressBody() {
-    if (bodyLook_ == BodyLook::Own || !result_ || result_->project.model != project_.model ||
-        immersion_ >= result_->immersions.size()) {
+    if (bodyLook_ == BodyLook::Zones && project_.model) {
+        wearZones();
+    } else if (bodyLook_ == BodyLook::Own || !result_ || result_->project.model != project_.model ||
+               immersion_ >= result_->immersions.size()) {
         wear({project_.model, {}});
     } else if (bodyLook_ == BodyLook::Print) {
         print(*result_);
@@ -415,6 +433,15 @@ void DipScene::print(const JobResult& result) {
     }
     const TextureInputs& inputs = result.immersions.front().inputs.texture;
     printer_.print(project_.model, std::move(films), inputs.isReversed() && inputs.ink.compensate);
+}
+
+void DipScene::wearZones() {
+    if (!zones_) {
+        zones_ = std::make_unique<ZonedBody>(project_.model);
+        zonedBody_ = plainBody(zones_->mesh());
+    }
+    zones_->setMarks(project_.tolerance.marks);
+    wear(zoneDress(zonedBody_, *zones_, tolerances_.get(), project_.tolerance));
 }
 
 void DipScene::wear(BodyDress dress) {

@@ -15,8 +15,8 @@ namespace dipwright {
 enum class FilmLook { Lines, Sheet, Chessboard, Picture, Stretch, Shares };
 enum class FilmExtent { Whole, OnBody };
 // The model's texture; painted, bare and marked parts, or the dips' shares; what comes out of the
-// dips. All but the first hide the film at the end of the dip.
-enum class BodyLook { Own, Coverage, Print };
+// dips; the zones of the body. All but the first hide the film at the end of the dip.
+enum class BodyLook { Own, Coverage, Print, Zones };
 
 class DipScene : public QObject {
     Q_OBJECT
@@ -45,6 +45,8 @@ public:
     // Whether the user's marks for the join are drawn whatever the body wears; over the coverage
     // they always are.
     void setMarking(bool marking);
+    // What is told in BodyLook::Zones; null: nothing that is true of the project.
+    void setTolerances(std::shared_ptr<const JobTolerances> tolerances);
     void setShowRings(bool show);
 
     // From the world to the pose frame at the end of the dip; only while the end is shown.
@@ -69,6 +71,7 @@ private:
     void dressBody();
     void print(const JobResult& result);
     void wear(BodyDress dress);
+    void wearZones();
     void showLines();
     void showEndAnew(); // where the end is shown
     // At the end: by the extent, and none over the body whose coverage is shown.
@@ -82,6 +85,9 @@ private:
     BodyPrinter printer_;
     std::shared_ptr<const BodyShare> shared_; // what `sharedBody_` was made for
     std::shared_ptr<const TexturedMesh> sharedBody_;
+    std::unique_ptr<ZonedBody> zones_; // of the project's model; null until it is shown
+    std::shared_ptr<const TexturedMesh> zonedBody_;
+    std::shared_ptr<const JobTolerances> tolerances_; // null: none that is true
     std::optional<MarkLines> marks_; // of the project's model; empty until there is a mark
     std::shared_ptr<const JobResult> result_;
     std::shared_ptr<const FilmReading> reading_;

@@ -89,6 +89,19 @@ private slots:
         QVERIFY(summary_.out.contains("Top") && summary_.out.contains("Bottom"));
     }
 
+    void tolerancesAreToldWhenAskedFor() {
+        const Outcome told =
+            cli(QStringList{"run", path("ball.dipw"), "--out", path("told"), "--tolerances",
+                            "--no-certainty", "--set", "tolerance.samples=0", "--set",
+                            "tolerance.turn_deg=0;0;0"} +
+                quickly);
+        QVERIFY2(told.exitCode == 0, told.err);
+        QVERIFY2(told.out.contains("Zone C"), told.out);
+        const QJsonObject report = jsonOf(path("told/report.json"));
+        QCOMPARE(report["zones"].toArray().size(), qsizetype(1));
+        QVERIFY(!QImage(path("told/immersion-1/tolerance.png")).isNull());
+    }
+
     void theSheetHasItsSizeItsResolutionAndItsProfile() {
         const QImage sheet(path("out/immersion-1/sheet.png"));
         QCOMPARE(sheet.size(), QSize(472, 472)); // 120 mm at 100 dpi

@@ -8,6 +8,7 @@
 #include "dialogs/PreferencesDialog.h"
 #include "panels/NoticeBar.h"
 #include "panels/PictureView.h"
+#include "panels/ProjectTree.h"
 #include "panels/StretchPanel.h"
 
 #include <QApplication>
@@ -17,6 +18,7 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QInputDialog>
 #include <QKeySequenceEdit>
 #include <QLabel>
@@ -164,6 +166,66 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(driver.action("certainty")->isEnabled(), patience());
         QVERIFY(!driver.find<QDialog>("certaintyDialog"));
         QVERIFY(!driver.find<QMessageBox>("failure"));
+    }
+
+    void howFarColoursMayLandOffTheirPlacesIsShown() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        Document& document = *window_->document();
+        document.edit({}, {}, [](Project& project) { project.tolerance.samples = 0; });
+        driver.trigger("tolerances");
+        QVERIFY(!driver.action("tolerances")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(driver.find<QDialog>("toleranceDialog"), patience());
+        auto* dialog = driver.find<QDialog>("toleranceDialog");
+        const auto* verdicts = dialog->findChild<QLabel*>(QStringLiteral("zoneVerdicts"));
+        QVERIFY2(verdicts->text().contains(QStringLiteral("Zone C")), qPrintable(verdicts->text()));
+        const auto* table = dialog->findChild<QTableWidget*>(QStringLiteral("contributions"));
+        QCOMPARE(table->rowCount(), int(contributorCount));
+        QVERIFY2(table->item(0, 0)->text().endsWith(QStringLiteral(" mm")),
+                 qPrintable(table->item(0, 0)->text()));
+        QVERIFY(!dialog->findChild<PictureView*>()->isEmpty());
+        dialog->close();
+
+        // On the body, as long as it is true.
+        driver.trigger("zones");
+        const QImage told = window_->view().picture();
+        document.edit({}, {}, [](Project& project) { project.tolerance.swell = 0.02; });
+        QVERIFY(window_->view().picture() != told);
+        driver.trigger("undo");
+        QCOMPARE(window_->view().picture(), told);
+    }
+
+    void tolerancesThatAreNotWaitedForAreCancelled() {
+        const WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        driver.trigger("tolerances");
+        driver.trigger("cancel");
+        QTRY_VERIFY_WITH_TIMEOUT(driver.action("tolerances")->isEnabled(), patience());
+        QVERIFY(!driver.find<QDialog>("toleranceDialog"));
+        QVERIFY(!driver.find<QMessageBox>("failure"));
+    }
+
+    void aClickOnTheBodyMarksAZone() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        const Document& document = *window_->document();
+        driver.find<ProjectTree>("projectTree")->select({ProjectPart::Tolerance, 0});
+        auto* brush = driver.find<QComboBox>("zoneBrush");
+        brush->setCurrentIndex(brush->findData(int(Zone::A)));
+        driver.find<QDoubleSpinBox>("zoneBrushRadius")->setValue(12);
+        QVERIFY(driver.action("zones")->isChecked()); // who marks them sees them
+        const QImage before = window_->view().picture();
+        const Eigen::Vector3f middle = boundingBox(document.project().model->mesh).center();
+        const QPointF place = window_->view().positionOf(middle + Eigen::Vector3f(0, 10, 0));
+        QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, place.toPoint());
+        const std::vector<ZoneMark>& marks = document.project().tolerance.marks;
+        QCOMPARE(marks.size(), std::size_t(1));
+        QCOMPARE(marks[0].zone, Zone::A);
+        QCOMPARE(marks[0].radius, Millimetres(12));
+        QVERIFY(window_->view().picture() != before);
+        driver.trigger("undo");
+        QVERIFY(document.project().tolerance.marks.empty());
+        QCOMPARE(window_->view().picture(), before);
     }
 
     void theMapIsExportedAsItIsShown() {

@@ -27,9 +27,9 @@ namespace {
 
 std::vector<PropertySpec> allSpecs() {
     std::vector<PropertySpec> all;
-    for (const ProjectPart part :
-         {ProjectPart::Project, ProjectPart::Model, ProjectPart::Film, ProjectPart::Process,
-          ProjectPart::Immersion, ProjectPart::Share, ProjectPart::Sheet, ProjectPart::Ink}) {
+    for (const ProjectPart part : {ProjectPart::Project, ProjectPart::Model, ProjectPart::Film,
+                                   ProjectPart::Process, ProjectPart::Immersion, ProjectPart::Share,
+                                   ProjectPart::Sheet, ProjectPart::Ink, ProjectPart::Tolerance}) {
         for (const PropertySection& section : propertySections({part, 0})) {
             all.insert(all.end(), section.specs.begin(), section.specs.end());
         }

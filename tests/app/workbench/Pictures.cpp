@@ -52,10 +52,10 @@ private:
 void photographParts(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
     auto* tree = driver.find<ProjectTree>("projectTree");
     const std::vector<std::pair<ProjectPart, const char*>> parts{
-        {ProjectPart::Model, "model"},        {ProjectPart::Film, "film"},
-        {ProjectPart::Process, "process"},    {ProjectPart::Share, "join"},
-        {ProjectPart::Sheet, "sheet"},        {ProjectPart::Ink, "ink"},
-        {ProjectPart::Immersion, "immersion"}};
+        {ProjectPart::Model, "model"},         {ProjectPart::Film, "film"},
+        {ProjectPart::Process, "process"},     {ProjectPart::Share, "join"},
+        {ProjectPart::Sheet, "sheet"},         {ProjectPart::Ink, "ink"},
+        {ProjectPart::Tolerance, "tolerance"}, {ProjectPart::Immersion, "immersion"}};
     for (const auto& [part, name] : parts) {
         tree->select({part, 0});
         camera.take(window, QStringLiteral("part-%1").arg(QLatin1String(name)));
@@ -172,6 +172,31 @@ void photographCertainty(WindowDriver& driver, const Photographer& camera) {
     }
 }
 
+// What is told, and the zones on the body with one marked.
+void photographTolerances(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
+    driver.find<ProjectTree>("projectTree")->select({ProjectPart::Tolerance, 0});
+    window.document()->edit({}, {}, [](Project& project) {
+        const Eigen::Vector3f place = project.model->mesh.positions.front();
+        ZoneMark mark;
+        mark.radius = Millimetres(15);
+        for (int axis = 0; axis < 3; ++axis) {
+            mark.place[std::size_t(axis)] = Millimetres(double(place[axis]));
+        }
+        project.tolerance.marks.push_back(mark);
+    });
+    driver.trigger("zones");
+    camera.take(window, QStringLiteral("zones"));
+    driver.trigger("tolerances");
+    const auto dialog = [&] { return driver.find<QDialog>("toleranceDialog"); };
+    if (QTest::qWaitFor([&] { return dialog() != nullptr; }, 900000)) {
+        camera.take(*dialog(), QStringLiteral("tolerances"));
+        dialog()->close();
+    }
+    camera.take(window, QStringLiteral("tolerances-on-body"));
+    driver.trigger("zones");
+    driver.trigger("undo");
+}
+
 void photographDialogs(MainWindow& window, Workbench& workbench, const Photographer& camera) {
     NewProjectDialog create({}, workbench.preferences());
     create.show();
@@ -245,7 +270,8 @@ int main(int argc, char* argv[]) {
          {QStringLiteral("language"), {}, QStringLiteral("CODE"), QStringLiteral("en")},
          {QStringLiteral("sample-thumbnail"), {}, QStringLiteral("FILE")},
          {QStringLiteral("only-window"), {}},
-         {QStringLiteral("only-results"), {}}});
+         {QStringLiteral("only-results"), {}},
+         {QStringLiteral("only-tolerances"), {}}});
     parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
     parser.process(*qApp);
     installLanguage(*qApp, parser.value(QStringLiteral("language")));
@@ -264,6 +290,7 @@ int main(int argc, char* argv[]) {
     window.show();
     WindowDriver driver(window);
     const bool all = !parser.isSet(QStringLiteral("only-window")) &&
+                     !parser.isSet(QStringLiteral("only-tolerances")) &&
                      !parser.isSet(QStringLiteral("sample-thumbnail"));
     if (all) {
         camera.take(window, QStringLiteral("start"));
@@ -285,11 +312,16 @@ int main(int argc, char* argv[]) {
         return 1;
     }
     camera.take(window, QStringLiteral("window"));
+    if (parser.isSet(QStringLiteral("only-tolerances"))) {
+        photographTolerances(driver, window, camera);
+        return 0;
+    }
     if (all) {
         photographResults(driver, window, camera);
     }
     if (all && !parser.isSet(QStringLiteral("only-results"))) {
         photographCertainty(driver, camera);
+        photographTolerances(driver, window, camera);
         photographDialogs(window, workbench, camera);
         driver.action("live")->setChecked(false);
         window.document()->edit(

@@ -1,0 +1,59 @@
+#include "main/ToleranceController.h"
+
+#include "dialogs/ToleranceDialog.h"
+#include "main/WindowActions.h"
+#include "panels/PropertyPanel.h"
+#include "view/DipScene.h"
+
+#include <QAction>
+
+namespace dipwright {
+
+ToleranceController::ToleranceController(const WindowActions& actions, const DipSession& session,
+                                         ToleranceCheck& check, Messages& messages, DipScene& scene,
+                                         const PropertyPanel& properties, QWidget& window)
+    : actions_(actions), session_(session), check_(check), messages_(messages), scene_(scene),
+      window_(window) {
+    connect(actions.tolerances, &QAction::triggered, this,
+            [this] { check_.start(*session_.document()); });
+    connect(actions.run, &QAction::triggered, &check_, &ToleranceCheck::cancel);
+    connect(&properties, &PropertyPanel::tolerancesAsked, actions.tolerances, &QAction::trigger);
+    // Who marks zones wants to see them.
+    connect(&properties, &PropertyPanel::zoneBrushChanged, this,
+            [this](const std::optional<ZoneMark>& brush) {
+                if (brush) {
+                    actions_.zones->setChecked(true);
+                }
+            });
+    connect(&check, &ToleranceCheck::done, this, &ToleranceController::take);
+}
+
+void ToleranceController::showDocument() {
+    told_ = {};
+    if (const Document* document = session_.document()) {
+        connect(document, &Document::projectChanged, this, &ToleranceController::dress);
+    }
+    dress();
+}
+
+bool ToleranceController::isTrue() const {
+    return told_.job && session_.document() && session_.document()->project() == told_.job->project;
+}
+
+void ToleranceController::take(const ToldTolerances& told) {
+    told_ = told;
+    for (const ZoneVerdict& zone : told.tolerances->zones) {
+        messages_.log(
+            zoneText(zone, [this](double millimetres) { return shownLength(millimetres, unit_); }));
+    }
+    dress();
+    auto* dialog = new ToleranceDialog(*told.job, *told.tolerances, !isTrue(), unit_, &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show(); // beside what the user does by now
+}
+
+void ToleranceController::dress() {
+    scene_.setTolerances(isTrue() ? told_.tolerances : nullptr);
+}
+
+} // namespace dipwright

@@ -1,0 +1,47 @@
+#include "pipeline/JobTolerances.h"
+
+#include "pipeline/SolverChoice.h"
+
+namespace dipwright {
+namespace {
+
+constexpr double fieldDone = 0.05;
+constexpr float mostColour = 0.5f; // from where on a dip's colour is the one that is seen
+
+} // namespace
+
+JobTolerances jobTolerances(const JobResult& result, const ToleranceSettings& settings,
+                            const SolverRegistry& registry, const Progress& progress) {
+    const Project& project = result.project;
+    SolverChoice solver = chooseSolver(result.chosenSolver, registry);
+    const auto field = result.field ? result.field
+                                    : cachedDistanceField(result.fieldInputs.model->mesh,
+                                                          result.fieldInputs.resolution,
+                                                          progress.part(0, fieldDone));
+    JobTolerances tolerances;
+    const double part = (1 - fieldDone) / double(result.immersions.size());
+    for (std::size_t number = 0; number < result.immersions.size(); ++number) {
+        const ImmersionResult& immersion = result.immersions[number];
+        std::function<bool(const SurfacePoint&)> isPainted;
+        if (result.share) {
+            isPainted = [share = result.share->of(number)](const SurfacePoint& point) {
+                return share.at(point) >= mostColour;
+            };
+        }
+        const double begin = fieldDone + part * double(number);
+        tolerances.dips.push_back(
+            withFallback(solver, registry, [&](const solver::SolverModule& module) {
+                return dipTolerances({*project.model, immersion.immersion, project.film,
+                                      project.process, *field, immersion.laid, isPainted, module},
+                                     settings, progress.part(begin, begin + part));
+            }));
+    }
+    std::vector<const DipTolerances*> dips;
+    for (const DipTolerances& dip : tolerances.dips) {
+        dips.push_back(&dip);
+    }
+    tolerances.zones = zoneVerdicts(project.model, dips, settings);
+    return tolerances;
+}
+
+} // namespace dipwright

@@ -1,0 +1,294 @@
+// How far colours land off their places for what is off, where that is known.
+#include "DippedByHand.h"
+#include "geometry/Shapes.h"
+#include "parallel/Threads.h"
+#include "pipeline/JobTolerances.h"
+#include "pipeline/Pipeline.h"
+#include "pipeline/Report.h"
+
+#include <QJsonArray>
+#include <QStandardPaths>
+#include <QtTest>
+
+#include <numeric>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr double radius = 25; // mm, of the ball
+constexpr double percent = 0.01;
+
+ToleranceSettings exact() {
+    ToleranceSettings none;
+    none.position = none.filmPosition = {Millimetres(0), Millimetres(0)};
+    none.turn = {Degrees(0), Degrees(0), Degrees(0)};
+    none.filmTurn = Degrees(0);
+    none.swell = none.speed = none.relaxation = 0;
+    none.waterLevel = Millimetres(0);
+    none.samples = 0;
+    return none;
+}
+
+Project jobOf(const TriangleMesh& mesh, double film, int points) {
+    Project project;
+    project.model =
+        std::make_shared<const TexturedMesh>(test::plainModel(mesh, QColor(200, 200, 200)));
+    project.film.width = project.film.height = Millimetres(film);
+    project.film.columns = project.film.rows = points;
+    project.fieldResolution = 96;
+    project.sheet.resolution = DotsPerInch(40);
+    return project;
+}
+
+// Its flat bottom touches the film all at once, and lays it as it is.
+Project box() {
+    Project project = jobOf(boxMesh({60, 20, 40}), 100, 51);
+    project.process.depth = Millimetres(1);
+    return project;
+}
+
+Project ball() {
+    return jobOf(sphereMesh(radius, 60, 120), 160, 65);
+}
+
+const SolverRegistry& registry() {
+    static const SolverRegistry plugins{QStringList{DIPWRIGHT_PLUGINS}};
+    return plugins;
+}
+
+JobResult resultOf(const Project& project) {
+    JobOptions options;
+    options.estimatesCertainty = false;
+    return runJob(project, registry(), options, nullptr, {});
+}
+
+DipTolerances tolerances(const JobResult& result, const ToleranceSettings& settings) {
+    return jobTolerances(result, settings, registry(), {}).dips.front();
+}
+
+// The places of the box's bottom, but for a cell along its edges, in model coordinates.
+template <typename Look>
+void eachOfTheBottom(const JobResult& result, const DipTolerances& found, const Look& look) {
+    const TexturedMesh& model = *result.project.model;
+    const std::vector<SurfacePoint> places = tolerancePlaces(model);
+    int looked = 0;
+    for (std::size_t place = 0; place < places.size(); ++place) {
+        const Eigen::Vector3f at = position(model.mesh, places[place]);
+        if (at.y() < -9.99f && std::abs(at.x()) < 27 && std::abs(at.z()) < 17) {
+            look(Eigen::Vector2d(double(at.x()), double(at.z())), double(found.places[place]));
+            ++looked;
+        }
+    }
+    QVERIFY(looked > 5000);
+}
+
+#define VERIFY_NEAR(value, wanted, allowed)                                                        \
+    QVERIFY2(std::abs((value) - (wanted)) <= (allowed),                                            \
+             qPrintable(QStringLiteral("%1, not %2").arg(value).arg(wanted)))
+
+} // namespace
+
+class TolerancesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        box_ = resultOf(box());
+        ball_ = resultOf(ball());
+    }
+
+    void onAFlatBottomColoursAreOffByWhatTheBodyIs() {
+        ToleranceSettings settings = exact();
+        settings.position = {Millimetres(0.6), Millimetres(0.8)};
+        eachOfTheBottom(box_, tolerances(box_, settings),
+                        [](auto, double spread) { VERIFY_NEAR(spread, 1.0, 1e-3); });
+    }
+
+    void filmThatLiesOffIsABodyThatLiesOff() {
+        ToleranceSettings film = exact(), body = exact();
+        film.filmPosition = body.position = {Millimetres(0.5), Millimetres(0.2)};
+        film.filmTurn = body.turn[1] = Degrees(0.7);
+        const DipTolerances one = tolerances(ball_, film), other = tolerances(ball_, body);
+        QCOMPARE(one.places, other.places);
+        // Proved by dips: the same setup, but for the way back.
+        Immersion aside;
+        aside.offset = {Millimetres(20), Millimetres(-10)};
+        const DipChange change = changeBy(Contributor::FilmTurn, aside);
+        // A body beside the middle of the film moves round that the other way.
+        const Eigen::Vector2d offset(20, -10);
+        const double angle = pi / 180;
+        VERIFY_NEAR(of(change, Freedom::TurnY), -1.0, 1e-12);
+        // About Y, right-handed: x goes to x + angle·z, z to z − angle·x.
+        VERIFY_NEAR(of(change, Freedom::X), -angle * offset.y(), 1e-12);
+        VERIFY_NEAR(of(change, Freedom::Z), angle * offset.x(), 1e-12);
+    }
+
+    void swellMovesColoursByTheirDistanceFromTheFilmsMiddle() {
+        ToleranceSettings settings = exact();
+        settings.swell = percent;
+        eachOfTheBottom(box_, tolerances(box_, settings),
+                        [](const Eigen::Vector2d& at, double spread) {
+                            VERIFY_NEAR(spread, percent * at.norm(), 2e-3);
+                        });
+    }
+
+    void aTurnAboutTheVerticalMovesThemRound() {
+        ToleranceSettings settings = exact();
+        settings.turn[1] = Degrees(1);
+        eachOfTheBottom(box_, tolerances(box_, settings),
+                        [](const Eigen::Vector2d& at, double spread) {
+                            VERIFY_NEAR(spread, at.norm() * pi / 180, 2e-3);
+                        });
+    }
+
+    // Viscous film lies at R = 2ρ sin(θ/2): a mm of it is 1/cos(θ/2) mm along the meridian and
+    // cos(θ/2) mm across (docs/film-model.md, "Closed forms").
+    void onABallTheyAreOffByWhatTheFilmMakesOfIt() {
+        Project viscous = ball();
+        viscous.film.relaxationTime = Seconds(0);
+        const JobResult result = resultOf(viscous);
+        ToleranceSettings settings = exact();
+        settings.position[0] = Millimetres(0.5);
+        const DipTolerances found = tolerances(result, settings);
+        const std::vector<SurfacePoint> places = tolerancePlaces(*viscous.model);
+        std::vector<float> ratios;
+        for (std::size_t place = 0; place < places.size(); ++place) {
+            const Eigen::Vector3d at = position(viscous.model->mesh, places[place]).cast<double>();
+            const double angle = std::acos(std::clamp(-at.y() / at.norm(), -1.0, 1.0));
+            if (angle < 0.1 || angle > 80 * pi / 180) {
+                continue;
+            }
+            QVERIFY(found.places[place] >= 0);
+            const double along = at.x() / std::hypot(at.x(), at.z());
+            const double slope = std::cos(angle / 2);
+            const double wanted = 0.5 * std::sqrt(along * along / (slope * slope) +
+                                                  (1 - along * along) * slope * slope);
+            ratios.push_back(float(double(found.places[place]) / wanted - 1));
+        }
+        QVERIFY(ratios.size() > 5000);
+        const double mean =
+            std::accumulate(ratios.begin(), ratios.end(), 0.0) / double(ratios.size());
+        VERIFY_NEAR(mean, 0.0, 0.01);
+        for (float& ratio : ratios) {
+            ratio = std::abs(ratio);
+        }
+        QVERIFY2(spreadOf(ratios).percentile95 < 0.05,
+                 qPrintable(QString::number(spreadOf(ratios).percentile95)));
+    }
+
+    void theWaterLevelMovesNothingOfABodyThatGoesUnder() {
+        ToleranceSettings settings = exact();
+        settings.waterLevel = Millimetres(1);
+        const DipTolerances found = tolerances(ball_, settings);
+        QVERIFY2(found.spread.maximum < 1e-3, qPrintable(QString::number(found.spread.maximum)));
+        QVERIFY(found.contributions.front().lost < 1);
+    }
+
+    void itMovesTheBorderOfOneThatDoesNot() {
+        Project half = ball();
+        half.process.depth = Millimetres(radius * 0.6);
+        ToleranceSettings settings = exact();
+        settings.waterLevel = Millimetres(4); // more than a film cell
+        const DipTolerances found = tolerances(resultOf(half), settings);
+        const double belt = 2 * pi * radius * 4; // mm², wherever on a ball
+        QVERIFY2(found.spread.percentile95 < 0.05,
+                 qPrintable(QString::number(found.spread.percentile95)));
+        VERIFY_NEAR(found.contributions.front().lost, belt, 0.2 * belt);
+        VERIFY_NEAR(found.contributions.front().gained, belt, 0.2 * belt);
+    }
+
+    void speedMovesNothingOfElasticFilm() {
+        ToleranceSettings settings = exact();
+        settings.speed = 10 * percent;
+        settings.relaxation = 20 * percent;
+        const DipTolerances found = tolerances(ball_, settings);
+        QCOMPARE(found.spread.maximum, 0.0);
+        QVERIFY(!found.sampled);
+    }
+
+    // What counts is how much time the film has against how much it needs.
+    void aDipThatIsFasterIsAFilmThatRelaxesLess() {
+        Project slow = ball();
+        slow.film.relaxationTime = Seconds(5);
+        const JobResult result = resultOf(slow);
+        ToleranceSettings speed = exact(), relaxation = exact();
+        speed.speed = relaxation.relaxation = 10 * percent;
+        const double one = tolerances(result, speed).spread.percentile95;
+        const double other = tolerances(result, relaxation).spread.percentile95;
+        QVERIFY(one > 0.005);
+        VERIFY_NEAR(one / other, 1.0, 0.05);
+    }
+
+    void contributionsAddUpToAll() {
+        ToleranceSettings settings = ToleranceSettings();
+        settings.samples = 0;
+        const DipTolerances found = tolerances(ball_, settings);
+        QCOMPARE(found.contributions.size(), contributorCount);
+        double sum = 0;
+        for (const Contribution& contribution : found.contributions) {
+            sum += contribution.share;
+        }
+        VERIFY_NEAR(sum, 1.0, 1e-9);
+        QVERIFY(found.worst.size() > 1);
+        QVERIFY(found.worst[0].spread >= found.worst[1].spread);
+        QCOMPARE(found.worst[0].spread, found.spread.maximum);
+    }
+
+    void dipsWithEverythingOffComeToTheSame() {
+        const DipTolerances found = tolerances(ball_, ToleranceSettings());
+        QVERIFY(found.sampled);
+        QCOMPARE(found.sampled->dips, 24);
+        QVERIFY2(found.sampled->agrees(), qPrintable(QStringLiteral("%1, not %2")
+                                                         .arg(found.sampled->percentile95)
+                                                         .arg(found.sampled->linear)));
+    }
+
+    void theSameOnAnyNumberOfThreads() {
+        Project coarse = jobOf(sphereMesh(radius, 30, 60), 120, 33);
+        coarse.tolerance.samples = 4;
+        coarse.tolerance.filmPosition = coarse.tolerance.position;
+        const auto run = [&](int threads) {
+            const ThreadLimit limit(threads);
+            return tolerances(resultOf(coarse), coarse.tolerance);
+        };
+        const DipTolerances one = run(1), three = run(3);
+        QCOMPARE(one.places, three.places);
+        QCOMPARE(one.filmPoints, three.filmPoints);
+        QCOMPARE(one.sampled->percentile95, three.sampled->percentile95);
+    }
+
+    void tolerancesChangeNoSheet() {
+        Project strict = box();
+        strict.tolerance.position[0] = Millimetres(2);
+        strict.tolerance.marks.emplace_back();
+        QCOMPARE(resultOf(strict).immersions[0].sheet.job.hash, box_.immersions[0].sheet.job.hash);
+    }
+
+    void theReportHasThemWhereTheyWereAskedFor() {
+        QVERIFY(!report(box_.project, box_).contains(QStringLiteral("zones")));
+        JobResult asked = box_;
+        ToleranceSettings settings = exact();
+        settings.position[0] = Millimetres(0.6);
+        settings.samples = 2;
+        asked.tolerances =
+            std::make_shared<const JobTolerances>(jobTolerances(box_, settings, registry(), {}));
+        const QJsonObject json = report(asked.project, asked);
+        const QJsonObject dip = json["immersions"].toArray()[0].toObject()["tolerances"].toObject();
+        const QJsonObject contribution = dip["contributions"].toArray()[0].toObject();
+        QCOMPARE(contribution["contributor"].toString(), QStringLiteral("position_x"));
+        QCOMPARE(contribution["tolerance"].toDouble(), 0.6);
+        QCOMPARE(contribution["share"].toDouble(), 1.0);
+        QCOMPARE(dip["sampled"].toObject()["dips"].toInt(), 2);
+        const QJsonObject zone = json["zones"].toArray()[0].toObject();
+        QCOMPARE(zone["zone"].toString(), QStringLiteral("C"));
+        QVERIFY(zone["holds"].toBool());
+    }
+
+private:
+    JobResult box_, ball_;
+};
+
+QTEST_MAIN(TolerancesTest)
+#include "TolerancesTest.moc"
