@@ -669,13 +669,13 @@ void ImportModelTest::textureRefusals_data() {
     };
     QTest::newRow("empty") << QByteArray() << QStringLiteral("picture");
     QTest::newRow("text") << QByteArray("hello") << QStringLiteral("picture");
-    QTest::newRow("truncated") << good.left(60) << QStringLiteral("texture");
-    QTest::newRow("no pixels") << withSize(0, 0) << QStringLiteral("texture");
+    QTest::newRow("truncated") << good.left(60) << QStringLiteral("picture");
+    QTest::newRow("no pixels") << withSize(0, 0) << QStringLiteral("picture");
     QTest::newRow("100,000 pixels a side") << withSize(100000, 100000) << QStringLiteral("texture");
     QTest::newRow("a long strip") << withSize(40000, 1) << QStringLiteral("40000");
     QTest::newRow("100,000 pixels of text")
-        << QByteArray("P6\n100000 100000\n255\nabc") << QStringLiteral("texture");
-    QTest::newRow("no pixels of text") << QByteArray("P6\n0 0\n255\n") << QStringLiteral("texture");
+        << QByteArray("P6\n100000 100000\n255\nabc") << QStringLiteral("picture");
+    QTest::newRow("no pixels of text") << QByteArray("P6\n0 0\n255\n") << QStringLiteral("picture");
 }
 
 void ImportModelTest::textureRefusals() {

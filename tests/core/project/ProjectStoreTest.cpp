@@ -181,7 +181,7 @@ private slots:
         QTest::newRow("mesh elsewhere")
             << zip(withDocument(changed("mesh", "../../../etc/passwd"))) << "lacks";
         QTest::newRow("texture is no picture")
-            << zip(withDocument(changed("texture", "mimetype"))) << "texture";
+            << zip(withDocument(changed("texture", "mimetype"))) << "picture";
         QTest::newRow("no mesh named") << zip(withDocument(changed("mesh", 5))) << "model.mesh";
         QJsonObject newer = documentOf(entries_);
         newer["version"] = 3;
