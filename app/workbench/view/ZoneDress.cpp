@@ -1,5 +1,7 @@
 #include "view/ZoneDress.h"
 
+#include "results/Results.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -17,7 +19,6 @@ struct Text {
 const std::array<QColor, zoneCount> hues{QColor(0x00, 0x72, 0xb2), QColor(0x00, 0x9e, 0x73),
                                          QColor(0x7a, 0x86, 0x92)};
 const QColor past(0xd5, 0x5e, 0x00);
-const QColor bare(0xf4, 0xf7, 0xfa);
 
 constexpr double even = 0.55; // of the colour, where nothing is known
 constexpr double steps = 4;   // that can be told apart
@@ -38,7 +39,9 @@ float spreadAt(const JobTolerances& tolerances, std::size_t piece) {
 
 QColor colourOf(std::size_t zone, double spread, double limit) {
     const double used = std::ceil(steps * spread / limit) / steps;
-    return spread < 0 ? bare : used > 1 ? past : mixed(hues[zone], 0.15 + 0.85 * used);
+    return spread < 0 ? painterColour(Painter::None)
+           : used > 1 ? past
+                      : mixed(hues[zone], 0.15 + 0.85 * used);
 }
 
 } // namespace
@@ -66,7 +69,7 @@ BodyDress zoneDress(std::shared_ptr<const TexturedMesh> body, const ZonedBody& z
     if (tolerances) {
         worn.legend.push_back({mixed(hues[0], 0.15), Text::tr("Pale: far within the limit")});
         worn.legend.push_back({past, Text::tr("Past the limit")});
-        worn.legend.push_back({bare, Text::tr("Not painted")});
+        worn.legend.push_back({painterColour(Painter::None), Text::tr("Not painted")});
     }
     return worn;
 }

@@ -29,13 +29,8 @@ namespace {
 const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
 const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png");
 
-// A coarse film, to be quick; two immersions.
-void makeCoarse(Project& project) {
-    project.film.resolution = FilmResolution::Points;
-    project.film.columns = 28;
-    project.film.rows = 40;
-    project.fieldResolution = 64;
-    project.sheet.resolution = DotsPerInch(72);
+void makeTwoCoarseDips(Project& project) {
+    makeCoarse(project);
     project.immersions = {Immersion{}, Immersion{}};
     project.immersions[0].name = QStringLiteral("Bottom");
     project.immersions[1].name = QStringLiteral("Top");
@@ -115,7 +110,7 @@ private slots:
         QVERIFY(!driver.action("run")->isEnabled()); // there is nothing to run
 
         // New, from a model.
-        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        QVERIFY(driver.create(model, texture, 90, makeTwoCoarseDips));
         Document& document = *window->document();
         QCOMPARE(document.project().immersions.size(), std::size_t(2));
         QVERIFY(window->isWindowModified());
@@ -154,7 +149,7 @@ private slots:
         window.show();
         WindowDriver driver(window);
         QVERIFY(driver.create(model, {}, 90, [](Project& project) {
-            makeCoarse(project);
+            makeTwoCoarseDips(project);
             project.film.columns = 24; // far too few
             project.film.rows = 34;
         }));
@@ -192,7 +187,7 @@ private slots:
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
-        QVERIFY(driver.create(model, {}, 90, makeCoarse));
+        QVERIFY(driver.create(model, {}, 90, makeTwoCoarseDips));
         QSignalSpy stopped(&window.session(), &DipSession::stopped);
         driver.trigger("run");
         QVERIFY(window.session().isRunning());
@@ -289,7 +284,7 @@ private slots:
         WindowDriver driver(window);
         // Coarse film reaches little twice: the band is to leave the join some of it.
         QVERIFY(driver.create(model, texture, 90, [](Project& project) {
-            makeCoarse(project);
+            makeTwoCoarseDips(project);
             project.share.registrationError = Millimetres(0.1);
         }));
         QVERIFY(driver.run());
@@ -327,7 +322,7 @@ private slots:
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
-        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        QVERIFY(driver.create(model, texture, 90, makeTwoCoarseDips));
         QVERIFY(driver.run());
         const Document& document = *window.document();
         driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
@@ -350,7 +345,7 @@ private slots:
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
-        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        QVERIFY(driver.create(model, texture, 90, makeTwoCoarseDips));
         QVERIFY(driver.run());
         driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
         const QImage own = window.view().picture();
@@ -373,7 +368,7 @@ private slots:
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
-        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        QVERIFY(driver.create(model, texture, 90, makeTwoCoarseDips));
         const Document& document = *window.document();
         const Project before = document.project();
         driver.trigger("swapImmersions");

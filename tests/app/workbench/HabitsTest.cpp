@@ -35,13 +35,6 @@ namespace {
 const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
 const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png");
 
-void makeCoarse(Project& project) {
-    project.film.columns = 28;
-    project.film.rows = 40;
-    project.fieldResolution = 64;
-    project.sheet.resolution = DotsPerInch(72);
-}
-
 // A GPU solver that every run prefers and that fails as soon as it steps.
 void addFailingGpu(const PluginFolder& folder) {
     const QString name = QStringLiteral("advance");
@@ -139,7 +132,10 @@ private slots:
     void howCertainTheSheetIsIsShown() {
         const WindowDriver driver(*window_);
         QVERIFY(!driver.action("certainty")->isEnabled());
-        QVERIFY(makeProject());
+        QVERIFY(WindowDriver(*window_).create(model, texture, 90, [](Project& project) {
+            makeCoarse(project);
+            project.film.resolution = FilmResolution::Automatic; // a coarse film is not certain
+        }));
         driver.trigger("certainty");
         QVERIFY(!driver.action("certainty")->isEnabled());
         QTRY_VERIFY_WITH_TIMEOUT(driver.find<QDialog>("certaintyDialog"), patience());

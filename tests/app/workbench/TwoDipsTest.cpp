@@ -22,13 +22,9 @@ namespace {
 const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
 const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png");
 
-// A coarse film, to be quick; the second immersion is the window's to add.
-void makeCoarse(Project& project) {
-    project.film.resolution = FilmResolution::Points;
-    project.film.columns = 28;
-    project.film.rows = 40;
-    project.fieldResolution = 64;
-    project.sheet.resolution = DotsPerInch(72);
+// The second immersion is the window's to add.
+void makeCoarseDip(Project& project) {
+    makeCoarse(project);
     project.share.registrationError = Millimetres(0.1); // leaves the join some room
 }
 
@@ -77,7 +73,7 @@ private slots:
     }
 
     void twoPosesShareTheBody() {
-        QVERIFY(driver().create(model, texture, 90, makeCoarse));
+        QVERIFY(driver().create(model, texture, 90, makeCoarseDip));
         driver().trigger("addImmersion");
         QCOMPARE(project().immersions.size(), std::size_t(2));
         QVERIFY(driver().run());

@@ -58,6 +58,14 @@ QAction* WindowDriver::action(const char* name) const {
     return window_.findChild<QAction*>(QLatin1String(name));
 }
 
+void makeCoarse(Project& project) {
+    project.film.resolution = FilmResolution::Points;
+    project.film.columns = 28;
+    project.film.rows = 40;
+    project.fieldResolution = 64;
+    project.sheet.resolution = DotsPerInch(72);
+}
+
 void WindowDriver::drag(QWidget& widget, QPointF from, QPointF to) {
     constexpr int steps = 12;
     const auto at = [&](double share) {

@@ -25,6 +25,9 @@ private:
     std::unique_ptr<QApplication> application_;
 };
 
+// A film and sheets so coarse that a job is quick.
+void makeCoarse(Project& project);
+
 class WindowDriver {
 public:
     explicit WindowDriver(MainWindow& window) : window_(window) {}
