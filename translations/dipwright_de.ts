@@ -414,10 +414,6 @@
         <source>The template of the motion names {%1}, which there is not; use one of %2</source>
         <translation>Die Vorlage der Bewegung nennt {%1}, das es nicht gibt; nehmen Sie eines von %2</translation>
     </message>
-    <message>
-        <source>The template of the motion cannot be read: %1</source>
-        <translation>Die Vorlage der Bewegung lässt sich nicht lesen: %1</translation>
-    </message>
 </context>
 <context>
     <name>PhysicsValidation</name>
@@ -1174,14 +1170,6 @@
     <message>
         <source>There is no %1 profile of your own of this name</source>
         <translation>Ein eigenes Profil für %1 mit diesem Namen gibt es nicht</translation>
-    </message>
-    <message>
-        <source>The profile cannot be read: %1</source>
-        <translation>Das Profil kann nicht gelesen werden: %1</translation>
-    </message>
-    <message>
-        <source>The file is too large for a profile</source>
-        <translation>Die Datei ist zu groß für ein Profil</translation>
     </message>
     <message>
         <source>This is not a Dipwright profile: %1</source>
@@ -2255,6 +2243,17 @@
     <message>
         <source>Grey</source>
         <translation>Grau</translation>
+    </message>
+</context>
+<context>
+    <name>SmallFile</name>
+    <message>
+        <source>The file cannot be read: %1</source>
+        <translation>Die Datei kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>The file is larger than %1 MB, more than what is asked for here takes; choose another one</source>
+        <translation>Die Datei ist größer als %1 MB, mehr als das, wonach hier gefragt ist, braucht; wählen Sie eine andere</translation>
     </message>
 </context>
 <context>
@@ -4031,6 +4030,10 @@
         <source>Rings: expected · lines: to where it is seen, %1 times as long</source>
         <translation>Ringe: erwartet · Linien: dorthin, wo es zu sehen ist, %1-fach</translation>
     </message>
+    <message>
+        <source>Photo %1 shows its places as in a mirror; give the photo as the camera made it, and the places with the model&apos;s own signs</source>
+        <translation>Foto %1 zeigt seine Stellen wie in einem Spiegel; geben Sie das Foto so, wie die Kamera es gemacht hat, und die Stellen mit den Vorzeichen des Modells</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PicturePanel</name>
@@ -4646,10 +4649,6 @@
     <message>
         <source>%1 (RGB)</source>
         <translation>%1 (RGB)</translation>
-    </message>
-    <message>
-        <source>The file cannot be read: %1</source>
-        <translation>Die Datei kann nicht gelesen werden: %1</translation>
     </message>
     <message>
         <source>Copy…</source>

@@ -414,10 +414,6 @@
         <source>The template of the motion names {%1}, which there is not; use one of %2</source>
         <translation>O modelo do movimento cita {%1}, que não existe; use um de %2</translation>
     </message>
-    <message>
-        <source>The template of the motion cannot be read: %1</source>
-        <translation>O modelo do movimento não pode ser lido: %1</translation>
-    </message>
 </context>
 <context>
     <name>PhysicsValidation</name>
@@ -1174,14 +1170,6 @@
     <message>
         <source>There is no %1 profile of your own of this name</source>
         <translation>Não há perfil seu de %1 com este nome</translation>
-    </message>
-    <message>
-        <source>The profile cannot be read: %1</source>
-        <translation>O perfil não pode ser lido: %1</translation>
-    </message>
-    <message>
-        <source>The file is too large for a profile</source>
-        <translation>O arquivo é grande demais para um perfil</translation>
     </message>
     <message>
         <source>This is not a Dipwright profile: %1</source>
@@ -2255,6 +2243,17 @@
     <message>
         <source>Grey</source>
         <translation>Cinza</translation>
+    </message>
+</context>
+<context>
+    <name>SmallFile</name>
+    <message>
+        <source>The file cannot be read: %1</source>
+        <translation>O arquivo não pode ser lido: %1</translation>
+    </message>
+    <message>
+        <source>The file is larger than %1 MB, more than what is asked for here takes; choose another one</source>
+        <translation>O arquivo tem mais de %1 MB, mais do que precisa o que se pede aqui; escolha outro</translation>
     </message>
 </context>
 <context>
@@ -4031,6 +4030,10 @@
         <source>Rings: expected · lines: to where it is seen, %1 times as long</source>
         <translation>Anéis: esperado · linhas: até onde se vê, %1 vezes mais longas</translation>
     </message>
+    <message>
+        <source>Photo %1 shows its places as in a mirror; give the photo as the camera made it, and the places with the model&apos;s own signs</source>
+        <translation>A foto %1 mostra seus lugares como num espelho; forneça a foto como a câmera a fez, e os lugares com os sinais do próprio modelo</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PicturePanel</name>
@@ -4646,10 +4649,6 @@
     <message>
         <source>%1 (RGB)</source>
         <translation>%1 (RGB)</translation>
-    </message>
-    <message>
-        <source>The file cannot be read: %1</source>
-        <translation>O arquivo não pode ser lido: %1</translation>
     </message>
     <message>
         <source>Copy…</source>

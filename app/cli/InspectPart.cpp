@@ -1,26 +1,15 @@
 #include "cli/InspectPart.h"
 
+#include "disk/SmallFile.h"
 #include "import/ReadPhotos.h"
 #include "inspection/PartViewFiles.h"
-
-#include <QFile>
 
 namespace dipwright::cli {
 namespace {
 
 const QString pairsOption = QStringLiteral("pairs");
 
-QByteArray readTable(const QString& path) {
-    constexpr qint64 longest = 4 << 20; // bytes
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        throw Error(QStringLiteral("The pairs cannot be read: %1").arg(file.errorString()), path);
-    }
-    if (file.size() > longest) {
-        throw Error(QStringLiteral("This is more than pairs of places take, 4 MiB"), path);
-    }
-    return file.readAll();
-}
+constexpr qint64 mostTableBytes = 4 << 20; // of pairs
 
 std::vector<PartPhoto> readPhotos(const QStringList& files, const Progress& progress) {
     std::vector<PartPhoto> photos;
@@ -77,7 +66,7 @@ void inspectPart(const QStringList& files, const QCommandLineParser& parser, Con
         throw UsageError(QStringLiteral("Give %1 photos at most").arg(mostPhotos),
                          QStringLiteral("part FILE…"));
     }
-    const auto pairs = readPairs(readTable(path), int(files.size()), path);
+    const auto pairs = readPairs(readSmallFile(path, mostTableBytes), int(files.size()), path);
     const Progress progress = console.progress();
     const std::vector<PartPhoto> photos = readPhotos(files, progress);
     const PartView view =

@@ -1,11 +1,11 @@
 #include "cli/Command.h"
 
+#include "disk/SmallFile.h"
 #include "project/ProfileFields.h"
 #include "project/ProfileLibrary.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 
-#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 
@@ -75,21 +75,13 @@ void show(Words words, QTextStream& out) {
     out << QJsonDocument(toJson(ProfileLibrary().profile(kind, name))).toJson();
 }
 
-QByteArray contents(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        throw Error(QStringLiteral("The file cannot be read: %1").arg(file.errorString()), path);
-    }
-    return file.readAll();
-}
-
 void setIccProfile(Profile& profile, const QString& path) {
     auto* printer = std::get_if<PrinterProfile>(&profile);
     if (!printer) {
         throw UsageError(QStringLiteral("Only printers have an ICC profile"),
                          QStringLiteral("--icc"));
     }
-    printer->iccProfile = contents(path);
+    printer->iccProfile = readSmallFile(path, mostProfileBytes);
     // Refuses what no sheet could be printed with.
     PrinterColour(printer->iccProfile, printer->intent, printer->blackPoint, path);
 }

@@ -6,7 +6,6 @@
 #include "pipeline/WriteResults.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QLocale>
 #include <QTranslator>
 
@@ -194,16 +193,6 @@ void speak(const QString& code) {
     QCoreApplication::installTranslator(words);
 }
 
-MotionTemplate readTemplate(const QString& path) {
-    constexpr qint64 longest = 1 << 20; // bytes
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        throw Error(QStringLiteral("The template cannot be read: %1").arg(file.errorString()),
-                    path);
-    }
-    return {QString::fromUtf8(file.read(longest)), path};
-}
-
 class RunCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("run"); }
@@ -270,7 +259,7 @@ public:
             speak(parser.value(languageOption));
         }
         if (parser.isSet(motionOption)) {
-            options.motion = readTemplate(parser.value(motionOption));
+            options.motion = motionTemplate(parser.value(motionOption));
         }
         options.makesCradles = parser.isSet(cradleOption);
         applyFilmImage(options, parser);

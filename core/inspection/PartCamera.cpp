@@ -183,6 +183,12 @@ std::vector<Start> firstCameras(const std::vector<PlacePair>& pairs, int photos,
                    where);
         }
         starts.push_back(pinhole(linearCamera(own, LensPlane(picture))));
+        if (starts.back().pose.turn.determinant() < 0) {
+            refuse(Text::tr("Photo %1 shows its places as in a mirror; give the photo as the "
+                            "camera made it, and the places with the model's own signs")
+                       .arg(photo + 1),
+                   where);
+        }
     }
     return starts;
 }

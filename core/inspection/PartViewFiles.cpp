@@ -120,7 +120,9 @@ double enlargement(const PartView& view, QSize picture) {
 } // namespace
 
 std::vector<PlacePair> readPairs(const QByteArray& table, int photos, const QString& where) {
-    const QList<QByteArray> lines = table.split('\n');
+    const QByteArray mark = "\xef\xbb\xbf"; // that some spreadsheets begin with
+    const QList<QByteArray> lines =
+        (table.startsWith(mark) ? table.mid(mark.size()) : table).split('\n');
     if (lines.first().trimmed() != columns) {
         throw Error(
             Text::tr("The first line of the pairs is not %1").arg(QString::fromLatin1(columns)),

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "base/ProgramName.h"
 #include "disk/FileLock.h"
+#include "disk/SmallFile.h"
 #include "disk/WholeFile.h"
 #include "project/ProjectFile.h"
 
@@ -20,8 +21,6 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(Profiles)
 };
-
-constexpr qint64 longestFile = 32 << 20; // bytes; ICC profiles are a megabyte or two
 
 constexpr const char* chosenFolder = "DIPWRIGHT_PROFILE_PATH";
 const QString profilesName = QStringLiteral("/profiles");
@@ -170,15 +169,9 @@ void ProfileLibrary::remove(ProfileKind kind, const QString& name) const {
 }
 
 Profile importProfile(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        throw Error(Text::tr("The profile cannot be read: %1").arg(file.errorString()), path);
-    }
-    if (file.size() > longestFile) {
-        throw Error(Text::tr("The file is too large for a profile"), path);
-    }
     QJsonParseError failure;
-    const QJsonDocument document = QJsonDocument::fromJson(file.readAll(), &failure);
+    const QJsonDocument document =
+        QJsonDocument::fromJson(readSmallFile(path, mostProfileBytes), &failure);
     if (!document.isObject()) {
         throw Error(Text::tr("This is not a Dipwright profile: %1").arg(failure.errorString()),
                     path);

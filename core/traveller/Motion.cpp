@@ -1,9 +1,9 @@
 #include "traveller/Motion.h"
 
 #include "base/Error.h"
+#include "disk/SmallFile.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QMap>
 #include <QRegularExpression>
 #include <QStandardPaths>
@@ -96,15 +96,17 @@ QByteArray filledTemplate(const DipMotion& motion, const QString& text, const QS
     return (filled + text.mid(done)).toUtf8();
 }
 
+MotionTemplate motionTemplate(const QString& path) {
+    return {QString::fromUtf8(readSmallFile(path, longestTemplate)), path};
+}
+
 MotionTemplate motionTemplate() {
     const QString own =
         QStandardPaths::locate(QStandardPaths::AppDataLocation, QStringLiteral("motion.gcode"));
-    QFile file(own.isEmpty() ? QStringLiteral(":/dipwright/motion/linear.gcode") : own);
-    if (!file.open(QIODevice::ReadOnly)) {
-        throw Error(
-            Text::tr("The template of the motion cannot be read: %1").arg(file.errorString()), own);
+    if (!own.isEmpty()) {
+        return motionTemplate(own);
     }
-    return {QString::fromUtf8(file.read(longestTemplate)), own};
+    return {motionTemplate(QStringLiteral(":/dipwright/motion/linear.gcode")).text, {}};
 }
 
 } // namespace dipwright

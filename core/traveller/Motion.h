@@ -39,11 +39,14 @@ QByteArray motionCsv(const DipMotion& motion);
 // control characters, so that none of them can become a command. Throws Error for a name that there
 // is not; `where` is what the user knows the template by.
 QByteArray filledTemplate(const DipMotion& motion, const QString& text, const QString& where);
-// The user's own, motion.gcode in the folder for the program's data; without it the one that comes
-// with the program: G-code for one linear axis. Throws Error where the user's cannot be read.
+
 struct MotionTemplate {
     QString text, where;
 };
+// Of a file of up to 1 MiB. Throws Error where it cannot be read.
+MotionTemplate motionTemplate(const QString& path);
+// The user's own, motion.gcode in the folder for the program's data; without it the one that comes
+// with the program: G-code for one linear axis. Throws Error where the user's cannot be read.
 MotionTemplate motionTemplate();
 
 } // namespace dipwright

@@ -1,6 +1,7 @@
 #include "dialogs/ProfilesDialog.h"
 
 #include "base/Error.h"
+#include "disk/SmallFile.h"
 #include "look/Icons.h"
 #include "panels/ProfileSpecs.h"
 #include "panels/ShippedNames.h"
@@ -50,15 +51,6 @@ QString colourSpace(const PrinterProfile& printer) {
     return colour->isCmyk()
                ? ProfilesDialog::tr("%1 (CMYK: for TIFF files)").arg(colour->description())
                : ProfilesDialog::tr("%1 (RGB)").arg(colour->description());
-}
-
-QByteArray contents(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        throw Error(ProfilesDialog::tr("The file cannot be read: %1").arg(file.errorString()),
-                    path);
-    }
-    return file.readAll();
 }
 
 } // namespace
@@ -363,7 +355,7 @@ void ProfilesDialog::exportFile(const QString& path) const {
 
 void ProfilesDialog::setIccFile(const QString& path) {
     auto printer = std::get<PrinterProfile>(*chosen_);
-    printer.iccProfile = contents(path);
+    printer.iccProfile = readSmallFile(path, mostProfileBytes);
     PrinterColour(printer.iccProfile, printer.intent, printer.blackPoint, path); // or throws
     chosen_ = printer;
     changed_ = true;

@@ -176,6 +176,21 @@ private slots:
         QCOMPARE(everythingIn(folder_.path()), before);
     }
 
+    void filesThatNeverEndAreLeft_data() {
+        QTest::addColumn<QStringList>("arguments");
+        const QString endless = "/dev/zero";
+        QTest::newRow("profile") << QStringList{"profile", "import", endless};
+        QTest::newRow("ICC profile")
+            << QStringList{"profile", "set", "printer", "Endless", "--icc", endless};
+        QTest::newRow("template of the motion") << QStringList{
+            "run", path("ball.dipw"), "--out", path("out"), "--motion-template", endless};
+    }
+    void filesThatNeverEndAreLeft() {
+        QFETCH(QStringList, arguments);
+        refused(1);
+        QVERIFY(cli(arguments).err.contains("larger than"));
+    }
+
     void outputThatCannotBeWrittenIsAFailure() {
         const Outcome outcome = program(
             "/bin/sh", {"-c", "exec \"$0\" info \"$1\" > /dev/full", cliPath(), path("ball.dipw")});

@@ -153,6 +153,11 @@ private slots:
             pair.pixel = truth(10, 10).seen(pair.model);
         }
         QVERIFY(errorOf(flat).contains(QStringLiteral("one plane")));
+        std::vector<PlacePair> mirrored = good;
+        for (PlacePair& pair : mirrored) {
+            pair.pixel.x() = picture.width() - pair.pixel.x();
+        }
+        QVERIFY(errorOf(mirrored).contains(QStringLiteral("mirror")));
         std::vector<PlacePair> same(10, good.front());
         QVERIFY(!errorOf(same).isEmpty());
         // From so far that a turn and a step aside look the same.
@@ -173,6 +178,7 @@ private slots:
                                  "1,1e30,2,3,4,5", "1.5,1,2,3,4,5", "a,b,c,d,e,f"}) {
             QVERIFY2(readingError(head + line).contains(QStringLiteral("Line 2")), line);
         }
+        QVERIFY(readingError("\xef\xbb\xbf" + head + "1,2,3,4,5,6\n").isEmpty());
         QVERIFY(!readingError("x,y\n").isEmpty());
         QVERIFY(!readingError({}).isEmpty());
     }
