@@ -63,6 +63,16 @@ bool isBelow(const QString& name) {
            !name.contains(QLatin1Char(':')) && !name.contains(QLatin1Char('\\'));
 }
 
+// A link among the folders of a name, which could lead anywhere.
+bool isLinked(const QDir& target, const QString& name) {
+    for (QString folder = folderOf(name); folder != QLatin1String("."); folder = folderOf(folder)) {
+        if (QFileInfo(target.filePath(folder)).isSymLink()) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // The hidden folder of a target, and the moving between the two. Every step can be taken again
 // after it, or one behind it, has been taken already.
 class Work {
@@ -125,11 +135,13 @@ public:
     void remove() {
         QFile::remove(path(journalName));
         QFile::remove(path(undoName));
-        if (!isUnderWay()) {
+        if (!isUnderWay() && !isLink()) {
             work_.removeRecursively();
         }
     }
     bool isThere() const { return work_.exists(); }
+    // Somebody's who shares the folder: what it leads to is not ours to empty.
+    bool isLink() const { return QFileInfo(work_.path()).isSymLink(); }
     bool isUnderWay() const { return has(journalName) || has(undoName); }
     // Whatever a dead process has left.
     bool putRight() {
@@ -155,7 +167,7 @@ private:
         const Journal journal = journalOf(path(name));
         const QStringList all = journal.written + journal.there;
         const bool isOurs = std::all_of(all.begin(), all.end(), [&](const QString& file) {
-            return isBelow(file) && !QFileInfo(target_.filePath(folderOf(file))).isSymLink();
+            return isBelow(file) && !isLinked(target_, file);
         });
         return isOurs ? journal : Journal{};
     }
@@ -273,15 +285,20 @@ void ResultFolder::write(const QString& name, const QByteArray& contents) const 
 
 // Nothing that stands in the way of a file, or of its folder, is the results' to remove.
 void ResultFolder::refuseOthers() const {
+    const auto refuse = [this](const QString& name) {
+        throw Error(Text::tr("%1 is in the way of the results; move it, or choose another folder")
+                        .arg(name),
+                    target_);
+    };
+    const QFileInfo work(target_ + QLatin1Char('/') + workName());
+    if (work.isSymLink() || (work.exists() && !work.isDir())) {
+        refuse(workName());
+    }
     for (const QString& name : names_) {
         const QFileInfo file(target_ + QLatin1Char('/') + name);
         const QFileInfo folder(file.path());
-        const bool isLinked = folderOf(name) != QLatin1String(".") && folder.isSymLink();
-        if (file.isDir() || isLinked || (folder.exists() && !folder.isDir())) {
-            throw Error(
-                Text::tr("%1 is in the way of the results; move it, or choose another folder")
-                    .arg(file.isDir() ? file.fileName() : folder.fileName()),
-                target_);
+        if (file.isDir() || isLinked(QDir(target_), name) || (folder.exists() && !folder.isDir())) {
+            refuse(file.isDir() ? file.fileName() : folder.fileName());
         }
     }
 }

@@ -25,6 +25,12 @@ QByteArray contentsOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
+void write(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(bytes), bytes.size());
+}
+
 } // namespace
 
 class WritersTest : public QObject {
@@ -39,6 +45,8 @@ private slots:
     void whatWasChangedMeanwhileIsNotReplaced();
     void aProfileThatWasChangedMeanwhileIsNotReplaced();
     void aFolderThatCannotTakeResultsIsRefusedBeforeTheWork();
+    void linksInAFolderForResultsLeadNowhere();
+    void whatADeadWriterSeemsToHaveLeftIsNotMovedThroughLinks();
 
 private:
     QString path(const QString& name) const { return folder_->filePath(name); }
@@ -154,6 +162,40 @@ void WritersTest::aFolderThatCannotTakeResultsIsRefusedBeforeTheWork() {
     QCOMPARE(outcome.exitCode, 1);
     QVERIFY2(outcome.err.contains("in the way"), outcome.err.constData());
     QVERIFY2(!outcome.err.contains("Dipping"), outcome.err.constData()); // no work was begun
+}
+
+// Who shares a folder with somebody could have put them there.
+void WritersTest::linksInAFolderForResultsLeadNowhere() {
+    const QString thesis = path(QStringLiteral("documents/thesis.txt"));
+    QVERIFY(QDir().mkpath(path(QStringLiteral("documents"))));
+    QVERIFY(QDir().mkpath(path(QStringLiteral("out"))));
+    write(thesis, "mine");
+    for (const QString& name : {ResultFolder::workName(), QStringLiteral("immersion-1")}) {
+        const QString link = path(QStringLiteral("out/")) + name;
+        QVERIFY(QFile::link(path(QStringLiteral("documents")), link));
+        const Outcome outcome = cli(
+            {QStringLiteral("run"), job_, QStringLiteral("--out"), path(QStringLiteral("out"))});
+        QCOMPARE(outcome.exitCode, 1);
+        QVERIFY2(outcome.err.contains("in the way"), outcome.err.constData());
+        QCOMPARE(contentsOf(thesis), QByteArray("mine"));
+        QCOMPARE(QDir(path(QStringLiteral("documents")))
+                     .entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::Hidden),
+                 QStringList(QStringLiteral("thesis.txt")));
+        QVERIFY(QFile::remove(link));
+    }
+}
+
+void WritersTest::whatADeadWriterSeemsToHaveLeftIsNotMovedThroughLinks() {
+    const QString keys = path(QStringLiteral("home/keys/allowed"));
+    const QString work = path(QStringLiteral("out/")) + ResultFolder::workName();
+    QVERIFY(QDir().mkpath(path(QStringLiteral("home/keys"))));
+    QVERIFY(QDir().mkpath(work + QStringLiteral("/new/a/keys")));
+    write(keys, "mine");
+    write(work + QStringLiteral("/new/a/keys/allowed"), "another's");
+    write(work + QStringLiteral("/journal.json"), R"({"written":["a/keys/allowed"],"there":[]})");
+    QVERIFY(QFile::link(path(QStringLiteral("home")), path(QStringLiteral("out/a"))));
+    const ResultFolder folder(path(QStringLiteral("out")), {QStringLiteral("proof.png")});
+    QCOMPARE(contentsOf(keys), QByteArray("mine"));
 }
 
 QTEST_GUILESS_MAIN(WritersTest)
