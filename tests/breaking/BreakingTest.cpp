@@ -10,6 +10,7 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QDirIterator>
+#include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -170,11 +171,16 @@ void BreakingTest::initTestCase() {
         }
         return outcome.exitCode == 0;
     };
+    // Small: a job is run again for every break.
+    QImage texture(16, 16, QImage::Format_RGB32);
+    texture.fill(Qt::darkCyan);
+    QVERIFY(texture.save(place_.path(QStringLiteral("a.png"))));
     const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/tetrahedron.obj");
     const auto project = [&](const QString& name, const QStringList& more) {
         return QStringList{QStringLiteral("new"),       place_.path(name),
                            QStringLiteral("--model"),   model,
-                           QStringLiteral("--size-mm"), QStringLiteral("40")} +
+                           QStringLiteral("--size-mm"), QStringLiteral("40"),
+                           QStringLiteral("--texture"), place_.path(QStringLiteral("a.png"))} +
                more;
     };
     const QStringList small{QStringLiteral("--set"), QStringLiteral("film.size_mm=80x80"),
