@@ -4034,6 +4034,22 @@
         <source>Photo %1 shows its places as in a mirror; give the photo as the camera made it, and the places with the model&apos;s own signs</source>
         <translation>Foto %1 zeigt seine Stellen wie in einem Spiegel; geben Sie das Foto so, wie die Kamera es gemacht hat, und die Stellen mit den Vorzeichen des Modells</translation>
     </message>
+    <message>
+        <source>By its places, photo %1 shows none of the print; give them again, or photograph the side that was dipped</source>
+        <translation>Nach seinen Stellen zeigt Foto %1 nichts vom Druck; geben Sie sie noch einmal an oder fotografieren Sie die getauchte Seite</translation>
+    </message>
+    <message>
+        <source>In photo %1 black and white are swapped: the film was laid with its ink down, or turned by a square</source>
+        <translation>In Foto %1 sind Schwarz und Weiß vertauscht: Die Folie lag mit der Farbe nach unten oder um ein Feld verschoben</translation>
+    </message>
+    <message>
+        <source>Of %1 corners that photo %2 should show, %3 were found: is this the job&apos;s part and print, sharp and whole, and were its places given rightly?</source>
+        <translation>Von %1 Ecken, die Foto %2 zeigen müsste, wurden %3 gefunden: Sind es Teil und Druck dieses Auftrags, scharf und ganz, und stimmen die angegebenen Stellen?</translation>
+    </message>
+    <message>
+        <source>Finding corners in photo %1</source>
+        <translation>Ecken in Foto %1 werden gesucht</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PicturePanel</name>

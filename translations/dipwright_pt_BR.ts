@@ -4034,6 +4034,22 @@
         <source>Photo %1 shows its places as in a mirror; give the photo as the camera made it, and the places with the model&apos;s own signs</source>
         <translation>A foto %1 mostra seus lugares como num espelho; forneça a foto como a câmera a fez, e os lugares com os sinais do próprio modelo</translation>
     </message>
+    <message>
+        <source>By its places, photo %1 shows none of the print; give them again, or photograph the side that was dipped</source>
+        <translation>Pelos seus pontos, a foto %1 não mostra nada da impressão; indique-os de novo ou fotografe o lado que foi mergulhado</translation>
+    </message>
+    <message>
+        <source>In photo %1 black and white are swapped: the film was laid with its ink down, or turned by a square</source>
+        <translation>Na foto %1 o preto e o branco estão trocados: o filme foi posto com a tinta para baixo ou deslocado de um quadrado</translation>
+    </message>
+    <message>
+        <source>Of %1 corners that photo %2 should show, %3 were found: is this the job&apos;s part and print, sharp and whole, and were its places given rightly?</source>
+        <translation>Dos %1 cantos que a foto %2 deveria mostrar, foram encontrados %3: é a peça e a impressão deste trabalho, nítida e inteira, e os pontos indicados estão certos?</translation>
+    </message>
+    <message>
+        <source>Finding corners in photo %1</source>
+        <translation>Procurando cantos na foto %1</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PicturePanel</name>

@@ -61,14 +61,19 @@ std::array<double, 2> rulerScale(const QCommandLineParser& parser, const QString
     return {measured[0] / nominalRuler, measured[1] / nominalRuler};
 }
 
+std::optional<Lens> lensOf(const QCommandLineParser& parser) {
+    if (!parser.isSet(lensOption)) {
+        return std::nullopt;
+    }
+    const auto [k1, k2] = pairOption(parser, lensOption, -1, 1);
+    return Lens{k1, k2};
+}
+
 FlatSettings flatSettings(const QCommandLineParser& parser) {
     FlatSettings settings;
     settings.cardScale = rulerScale(parser, cardRulersOption);
     settings.filmScale = rulerScale(parser, filmRulersOption);
-    if (parser.isSet(lensOption)) {
-        const auto [k1, k2] = pairOption(parser, lensOption, -1, 1);
-        settings.lens = Lens{k1, k2};
-    }
+    settings.lens = lensOf(parser);
     if (parser.isSet(cardAboveOption)) {
         settings.cardAbove = numberOption(parser, cardAboveOption, -200, 200);
     }
@@ -258,7 +263,8 @@ public:
             throw UsageError(QStringLiteral("Say where the results go with --out DIR"),
                              QStringLiteral("--out"));
         }
-        isFilm ? inspectFilm(files, parser, console) : inspectPart(files, parser, console);
+        isFilm ? inspectFilm(files, parser, console)
+               : inspectPart(files, parser, lensOf(parser), console);
     }
 
 private:

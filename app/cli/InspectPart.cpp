@@ -1,13 +1,21 @@
 #include "cli/InspectPart.h"
 
+#include "cli/Arguments.h"
 #include "disk/SmallFile.h"
 #include "import/ReadPhotos.h"
+#include "inspection/FindPrint.h"
 #include "inspection/PartViewFiles.h"
+#include "pipeline/Pipeline.h"
+#include "project/ProjectStore.h"
+
+#include <algorithm>
 
 namespace dipwright::cli {
 namespace {
 
 const QString pairsOption = QStringLiteral("pairs");
+const QString projectOption = QStringLiteral("project");
+const QString keepOption = QStringLiteral("keep-camera");
 
 constexpr qint64 mostTableBytes = 4 << 20; // of pairs
 
@@ -46,6 +54,60 @@ void tell(const std::vector<PlacePair>& pairs, const PartView& view, QTextStream
                     number(worst.model.z(), 1));
 }
 
+// Where the print is meant to be, by the dips of the job.
+std::vector<PrintedCorner> cornersOf(Project& project, const QCommandLineParser& parser,
+                                     const Progress& progress) {
+    JobOptions options;
+    applyFilmImage(options, parser);
+    if (!options.filmImage.isNull()) {
+        throw UsageError(QStringLiteral("Only chessboard is looked for in photos, and what the "
+                                        "model has for its texture"),
+                         QStringLiteral("--film-image"));
+    }
+    options.estimatesCertainty = false;
+    project.sheet.resolution = DotsPerInch(72); // the sheets are not kept
+    const JobResult result = runJob(project, SolverRegistry(), options, nullptr, progress);
+    std::vector<std::shared_ptr<const LaidFilm>> dips;
+    for (const ImmersionResult& immersion : result.immersions) {
+        dips.push_back(immersion.laid);
+    }
+    return printedCorners(project, dips,
+                          options.chessboard ? PartPrint::Chessboard : PartPrint::Texture);
+}
+
+FoundPrint search(const std::vector<PartPhoto>& photos, const std::vector<PlacePair>& clicked,
+                  const QCommandLineParser& parser, const std::optional<Lens>& lens,
+                  const Progress& progress) {
+    const QString path = parser.value(projectOption);
+    Project project = loadProject(path);
+    const auto corners = cornersOf(project, parser, progress.part(0.2, 0.7));
+    if (corners.empty()) {
+        throw Error(QStringLiteral("The model's texture has no chess squares to look for; print "
+                                   "and dip the chessboard and name it with --film-image "
+                                   "chessboard, or leave --project out"),
+                    path);
+    }
+    std::vector<QImage> pictures;
+    for (const PartPhoto& photo : photos) {
+        pictures.push_back(photo.picture);
+    }
+    return findPrint(pictures, project.model->mesh, corners, clicked,
+                     {parser.isSet(keepOption), lens}, progress.part(0.7, 1),
+                     parser.value(pairsOption));
+}
+
+void tellFound(const FoundPrint& print, QTextStream& out) {
+    for (std::size_t photo = 0; photo < print.expected.size(); ++photo) {
+        const auto found =
+            std::count_if(print.places.begin(), print.places.end(),
+                          [&](const PrintedPlace& place) { return place.photo == int(photo); });
+        out << QStringLiteral("Photo %1: %2 of %3 corners found\n")
+                   .arg(photo + 1)
+                   .arg(found)
+                   .arg(print.expected[photo]);
+    }
+}
+
 } // namespace
 
 void declarePart(CommandSyntax& syntax) {
@@ -53,9 +115,21 @@ void declarePart(CommandSyntax& syntax) {
                       QStringLiteral("Of “part”: a table of places in the photos and on the model "
                                      "with the columns photo,x_px,y_px,x_mm,y_mm,z_mm."),
                       QStringLiteral("FILE.csv")});
+    syntax.addOption({projectOption,
+                      QStringLiteral("Of “part”: the job that was dipped. The corners of its print "
+                                     "are then looked for in the photos, from the pairs on: of "
+                                     "chess squares in its texture, or of --film-image "
+                                     "chessboard."),
+                      QStringLiteral("JOB.dipw")});
+    declareFilmImage(syntax);
+    syntax.addOption(
+        {keepOption, QStringLiteral("Of “part” with --project: the camera stays as the pairs "
+                                    "alone have it, which are of the body itself, so that a "
+                                    "print that is shifted as a whole shows.")});
 }
 
-void inspectPart(const QStringList& files, const QCommandLineParser& parser, Console& console) {
+void inspectPart(const QStringList& files, const QCommandLineParser& parser,
+                 const std::optional<Lens>& lens, Console& console) {
     constexpr qsizetype mostPhotos = 50;
     const QString path = parser.value(pairsOption);
     if (path.isEmpty()) {
@@ -66,14 +140,22 @@ void inspectPart(const QStringList& files, const QCommandLineParser& parser, Con
         throw UsageError(QStringLiteral("Give %1 photos at most").arg(mostPhotos),
                          QStringLiteral("part FILE…"));
     }
-    const auto pairs = readPairs(readSmallFile(path, mostTableBytes), int(files.size()), path);
+    std::vector<PlacePair> pairs =
+        readPairs(readSmallFile(path, mostTableBytes), int(files.size()), path);
     const Progress progress = console.progress();
-    const std::vector<PartPhoto> photos = readPhotos(files, progress);
-    const PartView view =
-        fitPartCamera(pairs, int(photos.size()), photos.front().picture.size(), path);
-    writePartView(photos, pairs, view, parser.value(QStringLiteral("out")));
+    const std::vector<PartPhoto> photos = readPhotos(files, progress.part(0, 0.2));
+    FoundPrint print;
+    if (parser.isSet(projectOption)) {
+        print = search(photos, pairs, parser, lens, progress);
+        pairs = pairsOf(print.places);
+    } else {
+        print.view =
+            fitPartCamera(pairs, int(photos.size()), photos.front().picture.size(), path, lens);
+    }
+    writePartView(photos, pairs, print.view, print.places, parser.value(QStringLiteral("out")));
     progress(1, QStringLiteral("Done"));
-    tell(pairs, view, console.out());
+    tellFound(print, console.out());
+    tell(pairs, print.view, console.out());
 }
 
 } // namespace dipwright::cli

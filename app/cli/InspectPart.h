@@ -2,10 +2,15 @@
 #pragma once
 
 #include "cli/Command.h"
+#include "inspection/Lens.h"
+
+#include <optional>
 
 namespace dipwright::cli {
 
 void declarePart(CommandSyntax& syntax);
-void inspectPart(const QStringList& files, const QCommandLineParser& parser, Console& console);
+// `lens`: of a camera measured before.
+void inspectPart(const QStringList& files, const QCommandLineParser& parser,
+                 const std::optional<Lens>& lens, Console& console);
 
 } // namespace dipwright::cli

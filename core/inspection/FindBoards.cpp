@@ -55,7 +55,8 @@ CornerGrid refined(const cv::Mat& grey, const CornerGrid& grid) {
     std::vector<std::optional<Eigen::Vector2d>> found(places.size());
     parallelFor(std::size_t(0), places.size(), [&](std::size_t i) {
         const GridSteps steps = grid.steps(places[i]);
-        found[i] = refinedCorner(grey, grid.corners.at(places[i]), steps.right, steps.down);
+        found[i] = refinedCorner(grey, grid.corners.at(places[i]), steps.right, steps.down,
+                                 BoardShape::Flat);
     });
     CornerGrid result;
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -22,9 +22,9 @@ struct Text {
 };
 
 constexpr double sure95 = 1.959964;
-constexpr int pairsForDistortion = 30;
-constexpr double leastDepth = 1e-3;  // of the pairs' extent over their thickness
-constexpr double mostFocalOff = 0.6; // of the focal length, at 95 %
+constexpr int pairsForDistortion = 30; // for each of k1 and k2
+constexpr double leastDepth = 1e-3;    // of the pairs' extent over their thickness
+constexpr double mostFocalOff = 0.6;   // of the focal length, at 95 %
 
 struct Start {
     PartPose pose;
@@ -101,13 +101,14 @@ Start pinhole(const Eigen::Matrix<double, 3, 4>& camera) {
     return start;
 }
 
-// Parameters: logarithm of the focal length, k1 (0 or 1 of them), and for each photo a turn, as a
-// vector along its axis, on top of the start's, and a shift over the distance.
+// Parameters: logarithm of the focal length, k1 and k2 (0 to 2 of them), and for each photo a turn,
+// as a vector along its axis, on top of the start's, and a shift over the distance.
 class PartFit {
 public:
-    PartFit(const std::vector<PlacePair>& pairs, std::vector<Start> starts, QSize picture)
-        : pairs_(pairs), starts_(std::move(starts)), plane_(picture),
-          hasDistortion_(int(pairs.size()) >= pairsForDistortion) {}
+    PartFit(const std::vector<PlacePair>& pairs, std::vector<Start> starts, QSize picture,
+            const std::optional<Lens>& lens)
+        : pairs_(pairs), starts_(std::move(starts)), plane_(picture), lens_(lens.value_or(Lens{})),
+          distortions_(lens ? 0 : std::min(2, int(pairs.size()) / pairsForDistortion)) {}
 
     Eigen::VectorXd start() const {
         Eigen::VectorXd start =
@@ -147,18 +148,20 @@ public:
         return {more * starts_[photo].pose.turn, p.segment<3>(at + 3) * distance(photo)};
     }
 
-    Lens lens(const Eigen::VectorXd& p) const { return {hasDistortion_ ? p[1] : 0, 0}; }
-    double pixels() const { return plane_.unit(); }
+    Lens lens(const Eigen::VectorXd& p) const {
+        return {distortions_ > 0 ? p[1] : lens_.k1, distortions_ > 1 ? p[2] : lens_.k2};
+    }
     int count() const { return int(2 * pairs_.size()); }
 
 private:
-    Eigen::Index firstPose() const { return hasDistortion_ ? 2 : 1; }
+    Eigen::Index firstPose() const { return 1 + distortions_; }
     double distance(std::size_t photo) const { return starts_[photo].pose.shift.norm(); }
 
     const std::vector<PlacePair>& pairs_;
     std::vector<Start> starts_;
     LensPlane plane_;
-    bool hasDistortion_;
+    Lens lens_;
+    int distortions_;
 };
 
 std::vector<Start> firstCameras(const std::vector<PlacePair>& pairs, int photos, QSize picture,
@@ -196,6 +199,9 @@ std::vector<Start> firstCameras(const std::vector<PlacePair>& pairs, int photos,
 PartFigures figuresOf(const std::vector<PairOff>& off, double diagonal) {
     PartFigures figures;
     figures.count = int(off.size());
+    if (off.empty()) {
+        return figures;
+    }
     std::vector<double> lengths;
     for (std::size_t i = 0; i < off.size(); ++i) {
         figures.meanPixels += off[i].pixels.norm() / double(off.size());
@@ -219,8 +225,8 @@ PartFigures figuresOf(const std::vector<PairOff>& off, double diagonal) {
 } // namespace
 
 PartView fitPartCamera(const std::vector<PlacePair>& pairs, int photos, QSize picture,
-                       const QString& where) {
-    const PartFit problem(pairs, firstCameras(pairs, photos, picture, where), picture);
+                       const QString& where, const std::optional<Lens>& lens) {
+    const PartFit problem(pairs, firstCameras(pairs, photos, picture, where), picture, lens);
     const LeastSquaresFit fit = robustLeastSquares(
         [&](const Eigen::VectorXd& p, Eigen::VectorXd& values) { problem.residuals(p, values); },
         problem.count(), problem.start());
@@ -242,14 +248,32 @@ PartView fitPartCamera(const std::vector<PlacePair>& pairs, int photos, QSize pi
     for (int photo = 0; photo < photos; ++photo) {
         view.photos.push_back(problem.pose(fit.parameters, std::size_t(photo)));
     }
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const PartPose& pose = view.photos[std::size_t(pairs[i].photo)];
-        const double depth = (pose.turn * pairs[i].model + pose.shift).z();
-        const Eigen::Vector2d off = fit.residuals.segment<2>(Eigen::Index(2 * i));
-        view.off.push_back({off * problem.pixels(), off.norm() * depth / view.focalLength.value});
+    return viewOf(view, pairs, picture);
+}
+
+PartView viewOf(const PartView& camera, const std::vector<PlacePair>& pairs, QSize picture) {
+    PartView view = camera;
+    view.off.clear();
+    for (const PlacePair& pair : pairs) {
+        const PartPose& pose = view.photos[std::size_t(pair.photo)];
+        const double depth = (pose.turn * pair.model + pose.shift).z();
+        const Eigen::Vector2d off = pair.pixel - seenAt(view, pair.photo, picture, pair.model);
+        const double unit = LensPlane(picture).unit();
+        view.off.push_back({off, off.norm() / unit * depth / view.focalLength.value});
     }
-    view.figures = figuresOf(view.off, 2 * problem.pixels());
+    view.figures = figuresOf(view.off, 2 * LensPlane(picture).unit());
     return view;
+}
+
+PartFigures figuresOfPhoto(const PartView& view, const std::vector<PlacePair>& pairs, int photo,
+                           QSize picture) {
+    std::vector<PairOff> off;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (pairs[i].photo == photo) {
+            off.push_back(view.off[i]);
+        }
+    }
+    return figuresOf(off, 2 * LensPlane(picture).unit());
 }
 
 Eigen::Vector2d seenAt(const PartView& view, int photo, QSize picture,

@@ -44,8 +44,8 @@ struct PartFigures {
 
 struct PartView {
     std::vector<PartPose> photos;
-    Measured focalLength;     // half diagonals; the same lens for all photos
-    Lens lens;                // k1 alone
+    Measured focalLength; // half diagonals; the same lens for all photos
+    Lens lens;
     std::vector<PairOff> off; // of each pair
     PartFigures figures;
 };
@@ -53,11 +53,19 @@ struct PartView {
 // Least pairs of each photo.
 inline constexpr int leastPairs = 6;
 
-// One camera for photos of one size. k1 is fitted where there are at least 30 pairs, else it is 0.
-// Throws Error where the pairs are too few or do not tell the camera: all in one plane, say.
+// One camera for photos of one size. Its lens is `lens`, where it is known; else k1 is fitted where
+// there are at least 30 pairs, k2 where there are 60, and 0 with fewer. Throws Error where the
+// pairs are too few or do not tell the camera: all in one plane, say, or of a mirrored photo.
 // `where` names them.
 PartView fitPartCamera(const std::vector<PlacePair>& pairs, int photos, QSize picture,
-                       const QString& where);
+                       const QString& where, const std::optional<Lens>& lens = {});
+
+// The same camera's figures of other pairs of its photos.
+PartView viewOf(const PartView& camera, const std::vector<PlacePair>& pairs, QSize picture);
+
+// Those of one photo's pairs alone; `view` is of all of them.
+PartFigures figuresOfPhoto(const PartView& view, const std::vector<PlacePair>& pairs, int photo,
+                           QSize picture);
 
 // Where a place of the model appears, in pixels.
 Eigen::Vector2d seenAt(const PartView& view, int photo, QSize picture,

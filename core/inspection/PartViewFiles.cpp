@@ -107,6 +107,47 @@ QByteArray tableOf(const std::vector<PlacePair>& pairs, const PartView& view) {
     return table;
 }
 
+// As the paper's Table II has it, a line for each photo and one for all.
+QByteArray figuresTable(const std::vector<PartPhoto>& photos, const std::vector<PlacePair>& pairs,
+                        const PartView& view) {
+    QByteArray table;
+    QTextStream out(&table);
+    out << "photo,count,mean_px,deviation_px,percent_of_diagonal,p95_mm,worst_mm\n";
+    const auto line = [&](const QString& name, const PartFigures& figures) {
+        out << name << ',' << figures.count;
+        for (const double value :
+             {figures.meanPixels, figures.deviationPixels, 100 * figures.shareOfDiagonal,
+              figures.percentile95, figures.worst}) {
+            out << ',' << QString::number(value, 'f', 4);
+        }
+        out << '\n';
+    };
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        line(QString::number(i + 1), figuresOfPhoto(view, pairs, int(i), photos[i].picture.size()));
+    }
+    line(QStringLiteral("all"), view.figures);
+    out.flush();
+    return table;
+}
+
+QByteArray placesTable(const std::vector<PrintedPlace>& places) {
+    QByteArray table;
+    QTextStream out(&table);
+    out << "photo,x_px,y_px,dip,sheet_x_mm,sheet_y_mm,x_mm,y_mm,z_mm\n";
+    const auto number = [](double value) { return QString::number(value, 'f', 4); };
+    for (const PrintedPlace& place : places) {
+        out << place.photo + 1 << ',' << number(place.pixel.x()) << ',' << number(place.pixel.y())
+            << ',' << place.dip + 1;
+        for (const double value : {place.sheet.x(), place.sheet.y(), place.model.x(),
+                                   place.model.y(), place.model.z()}) {
+            out << ',' << number(value);
+        }
+        out << '\n';
+    }
+    out.flush();
+    return table;
+}
+
 // As much longer as keeps the longest line a twentieth of the picture.
 double enlargement(const PartView& view, QSize picture) {
     double longest = 1e-3;
@@ -174,16 +215,23 @@ QImage pairsPicture(const PartPhoto& photo, int index, const std::vector<PlacePa
 }
 
 void writePartView(const std::vector<PartPhoto>& photos, const std::vector<PlacePair>& pairs,
-                   const PartView& view, const QString& folder) {
+                   const PartView& view, const std::vector<PrintedPlace>& places,
+                   const QString& folder) {
     const QString json = QStringLiteral("part-view.json");
+    const QString figures = QStringLiteral("part-figures.csv");
     const QString table = QStringLiteral("part-pairs.csv");
-    QStringList names{json, table};
+    const QString found = QStringLiteral("part-places.csv");
+    QStringList names{json, figures, table, found};
     for (std::size_t i = 0; i < std::size_t(mostPhotos); ++i) {
         names << photoName(i); // those of an earlier run with more photos go
     }
     ResultFolder files(folder, names);
     files.write(json, jsonOf(photos, view));
+    files.write(figures, figuresTable(photos, pairs, view));
     files.write(table, tableOf(pairs, view));
+    if (!places.empty()) {
+        files.write(found, placesTable(places));
+    }
     for (std::size_t i = 0; i < photos.size(); ++i) {
         const double times = enlargement(view, photos[i].picture.size());
         files.write(photoName(i),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "inspection/PartCamera.h"
+#include "inspection/PrintedPlace.h"
 
 #include <QImage>
 #include <QStringList>
@@ -23,9 +24,11 @@ struct PartPhoto {
 QImage pairsPicture(const PartPhoto& photo, int index, const std::vector<PlacePair>& pairs,
                     const PartView& view, double times);
 
-// Replaces part-view.json, part-pairs.csv and part-photo-N.png in `folder` together. Needs a
-// QGuiApplication. Throws Error.
+// Replaces part-view.json, part-figures.csv, part-pairs.csv and part-photo-N.png in `folder`
+// together, and part-places.csv, of places that were found, where there are any: `pairs` are then
+// theirs. Needs a QGuiApplication. Throws Error.
 void writePartView(const std::vector<PartPhoto>& photos, const std::vector<PlacePair>& pairs,
-                   const PartView& view, const QString& folder);
+                   const PartView& view, const std::vector<PrintedPlace>& places,
+                   const QString& folder);
 
 } // namespace dipwright

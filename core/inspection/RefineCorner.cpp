@@ -17,6 +17,8 @@ constexpr double reach = 0.36;  // of the steps, all round: short of the dots
 constexpr double farthest = 15; // pixels to each side
 constexpr std::size_t leastPixels = 30;
 constexpr double mostMisfit = 0.2; // of the contrast, rms
+constexpr Eigen::Index bends = 7;  // the first of the two parameters
+constexpr double bendUnit = 100;   // pixels: of what a bend of 1 is half the inverse radius
 
 struct Window {
     std::vector<Eigen::Vector2d> places; // from the corner's first place
@@ -47,14 +49,17 @@ Window windowRound(const cv::Mat& grey, const Eigen::Vector2d& place, const Eige
     return window;
 }
 
-// Parameters: place (2), directions (2), mean, contrast, blur.
+// Parameters: place (2), directions (2), mean, contrast, blur and, of a bent board, how much each
+// of the two edges bends.
 double modelled(const Eigen::VectorXd& p, const Eigen::Vector2d& at) {
     const Eigen::Vector2d from = at - p.head<2>();
-    const auto edge = [&](double direction) {
-        const double distance = std::cos(direction) * from.y() - std::sin(direction) * from.x();
-        return std::erf(distance / p[6]);
+    const auto edge = [&](Eigen::Index which) {
+        const double x = std::cos(p[2 + which]), y = std::sin(p[2 + which]);
+        const double along = x * from.x() + y * from.y();
+        const double bend = p.size() > bends ? p[bends + which] / bendUnit : 0;
+        return std::erf((x * from.y() - y * from.x() - bend * along * along) / p[6]);
     };
-    return p[4] + p[5] * edge(p[2]) * edge(p[3]);
+    return p[4] + p[5] * edge(0) * edge(1);
 }
 
 // Half of what the two dark and the two light quarters differ by, with the model's sign.
@@ -75,12 +80,12 @@ double firstContrast(const Window& window, const Eigen::VectorXd& start) {
 
 std::optional<Eigen::Vector2d> refinedCorner(const cv::Mat& grey, const Eigen::Vector2d& place,
                                              const Eigen::Vector2d& right,
-                                             const Eigen::Vector2d& down) {
+                                             const Eigen::Vector2d& down, BoardShape shape) {
     const Window window = windowRound(grey, place, right, down);
     if (window.values.size() < leastPixels) {
         return std::nullopt;
     }
-    Eigen::VectorXd start(7);
+    Eigen::VectorXd start(bends);
     double mean = 0;
     for (const double value : window.values) {
         mean += value / double(window.values.size());
@@ -92,7 +97,12 @@ std::optional<Eigen::Vector2d> refinedCorner(const cv::Mat& grey, const Eigen::V
             values[Eigen::Index(i)] = modelled(p, window.places[i]) - window.values[i];
         }
     };
-    const LeastSquaresFit fit = leastSquares(residuals, int(window.values.size()), start);
+    LeastSquaresFit fit = leastSquares(residuals, int(window.values.size()), start);
+    if (shape == BoardShape::Bent) { // from the straight edges on, which are near
+        Eigen::VectorXd bent = Eigen::VectorXd::Zero(bends + 2);
+        bent.head<bends>() = fit.parameters;
+        fit = leastSquares(residuals, int(window.values.size()), bent);
+    }
     const Eigen::Vector2d moved = fit.parameters.head<2>();
     const double misfit = std::sqrt(fit.residuals.squaredNorm() / double(window.values.size()));
     const double most = std::min(right.norm(), down.norm()) / 4;

@@ -10,13 +10,15 @@ namespace dipwright {
 
 // Fits two crossing blurred edges to the grey values round a corner,
 //   grey = m + c · erf(d₁/s) · erf(d₂/s),   d the distances from the two edges,
-// with place, both directions, m, c and s free. No slope of the light is among them: near a blurred
+// with place, both directions, m, c and s free; where the board is bent, how much each edge bends,
+// too. No slope of the light is among them: near a blurred
 // corner it is the same as a shift, and what light does across a few pixels is far less. `right`
 // and `down` are the steps to the next corners, which give first directions; what is more than a
 // good third of them away is not looked at. Nothing where the picture is not like that, or the
 // place would move by more than a quarter of them.
+enum class BoardShape { Flat, Bent };
 std::optional<Eigen::Vector2d> refinedCorner(const cv::Mat& grey, const Eigen::Vector2d& place,
                                              const Eigen::Vector2d& right,
-                                             const Eigen::Vector2d& down);
+                                             const Eigen::Vector2d& down, BoardShape shape);
 
 } // namespace dipwright

@@ -27,7 +27,7 @@ Eigen::Vector2d printedCorner(BoardKind kind, QSizeF paper, int column, int row)
 struct Tank {
     FloatingPage film = filmPage(), card = cardPage();
     TankCamera camera;
-    TankLight light;
+    PhotoLight light;
 
     QImage photo() const { return tankPhoto({card, film}, camera, light); }
 };

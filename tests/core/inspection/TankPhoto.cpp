@@ -6,10 +6,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include <QBuffer>
 #include <QPainter>
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace dipwright::test {
@@ -54,38 +52,10 @@ double reflected(const std::vector<FloatingPage>& pages, const Eigen::Vector2d& 
     return 0.2 + 0.03 * std::sin(water.x() / 9) * std::sin(water.y() / 13);
 }
 
-using Plane = std::vector<float>;
-
-// One direction of a Gaussian.
-Plane blurred(const Plane& plane, int width, int height, double sigma, bool across) {
-    const int reach = int(std::ceil(4 * sigma));
-    std::vector<double> weights;
-    double sum = 0;
-    for (int i = -reach; i <= reach; ++i) {
-        weights.push_back(std::exp(-i * i / (2 * sigma * sigma)));
-        sum += weights.back();
-    }
-    Plane result(plane.size());
-    parallelFor(0, height, [&](int y) {
-        for (int x = 0; x < width; ++x) {
-            double value = 0;
-            for (int i = -reach; i <= reach; ++i) {
-                const int column = across ? std::clamp(x + i, 0, width - 1) : x;
-                const int row = across ? y : std::clamp(y + i, 0, height - 1);
-                value += weights[std::size_t(i + reach)] / sum *
-                         double(plane[std::size_t(row) * std::size_t(width) + std::size_t(column)]);
-            }
-            result[std::size_t(y) * std::size_t(width) + std::size_t(x)] = float(value);
-        }
-    });
-    return result;
-}
-
-Plane exposed(const std::vector<FloatingPage>& pages, const TankCamera& camera,
-              const TankLight& light) {
+std::vector<float> reflected(const std::vector<FloatingPage>& pages, const TankCamera& camera) {
     constexpr int samples = 3;
     const int width = camera.size.width(), height = camera.size.height();
-    Plane plane(std::size_t(width) * std::size_t(height));
+    std::vector<float> plane(std::size_t(width) * std::size_t(height));
     parallelFor(0, height, [&](int y) {
         for (int x = 0; x < width; ++x) {
             // Within a pixel a lens is straight.
@@ -97,22 +67,10 @@ Plane exposed(const std::vector<FloatingPage>& pages, const TankCamera& camera,
                 const double u = (i % samples + 0.5) / samples, v = (i / samples + 0.5) / samples;
                 sum += reflected(pages, corner + u * right + v * down) / (samples * samples);
             }
-            double level = sum * (1 - light.uneven * (1 - double(x) / width));
-            if (light.glare) {
-                const double away = std::hypot(x - 0.55 * width, y - 0.45 * height) / width;
-                level += 1.5 * std::exp(-away * away / 0.003);
-            }
-            plane[std::size_t(y) * std::size_t(width) + std::size_t(x)] = float(level);
+            plane[std::size_t(y) * std::size_t(width) + std::size_t(x)] = float(sum);
         }
     });
     return plane;
-}
-
-QImage throughJpeg(const QImage& picture, int quality) {
-    QBuffer buffer;
-    buffer.open(QIODevice::ReadWrite);
-    picture.save(&buffer, "JPEG", quality);
-    return QImage::fromData(buffer.data(), "JPEG");
 }
 
 // The camera's axes in the tank's frame, by columns: right, down and forward in the picture.
@@ -159,25 +117,8 @@ Eigen::Vector2d TankCamera::looksAt(const Eigen::Vector2d& pixel, double above) 
 }
 
 QImage tankPhoto(const std::vector<FloatingPage>& pages, const TankCamera& camera,
-                 const TankLight& light) {
-    const int width = camera.size.width(), height = camera.size.height();
-    Plane plane = exposed(pages, camera, light);
-    plane = blurred(plane, width, height, light.blur, true);
-    plane = blurred(plane, width, height, light.blur, false);
-    std::mt19937 random(light.seed);
-    std::normal_distribution<double> noise(0, 1);
-    QImage picture(width, height, QImage::Format_RGB32);
-    for (int y = 0; y < height; ++y) {
-        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
-        for (int x = 0; x < width; ++x) {
-            const double level = std::clamp(
-                double(plane[std::size_t(y) * std::size_t(width) + std::size_t(x)]), 0.0, 1.0);
-            const double grey = 255 * std::pow(level, 1 / 2.2) + light.noise * noise(random);
-            const int byte = std::clamp(int(std::lround(grey)), 0, 255);
-            line[x] = qRgb(byte, byte, byte);
-        }
-    }
-    return light.jpegQuality > 0 ? throughJpeg(picture, light.jpegQuality) : picture;
+                 const PhotoLight& light) {
+    return developed(reflected(pages, camera), camera.size, light);
 }
 
 FloatingPage filmPage() {

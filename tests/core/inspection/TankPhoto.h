@@ -3,6 +3,8 @@
 // encoded.
 #pragma once
 
+#include "PhotoLight.h"
+
 #include <Eigen/Core>
 
 #include <QImage>
@@ -37,18 +39,9 @@ struct TankCamera {
     Eigen::Vector2d looksAt(const Eigen::Vector2d& pixel, double above = 0) const;
 };
 
-struct TankLight {
-    double blur = 0.7;    // pixels, standard deviation
-    double noise = 1;     // levels of 255
-    double uneven = 0.4;  // how much darker it is on the left
-    bool glare = false;   // a bright spot
-    int jpegQuality = 85; // 0: none
-    unsigned seed = 1;
-};
-
 // Of pages on the water itself, not drawn aside.
 QImage tankPhoto(const std::vector<FloatingPage>& pages, const TankCamera& camera,
-                 const TankLight& light);
+                 const PhotoLight& light);
 
 // The film's page and the card's, A4 and A5, as they are printed.
 FloatingPage filmPage();

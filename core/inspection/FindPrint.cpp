@@ -1,0 +1,350 @@
+#include "inspection/FindPrint.h"
+
+#include "base/Error.h"
+#include "geometry/SurfaceQuery.h"
+#include "inspection/RefineCorner.h"
+#include "inspection/Saddles.h"
+#include "parallel/ParallelFor.h"
+
+#include <Eigen/LU>
+
+#include <opencv2/imgproc.hpp>
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::PartCamera)
+};
+
+constexpr double leastFacing = 0.3; // cosine between the line of sight and the body's normal
+constexpr double leastStep = 8;     // pixels to the next corner, and the least sine between them
+constexpr double leastSine = 0.25;  // … of the two steps in the picture
+constexpr double firstReach = 0.6;  // steps all round, in which a corner is looked for
+constexpr double nearReach = 0.35;  // … beside one that was found
+constexpr double leastAlike = 0.75; // correlation with what four squares look like
+constexpr double neighbours = 1.6;  // squares within which corners are beside each other
+constexpr double mostAstray = 0.35; // steps from where those beside it are, on the mean
+constexpr double leastShare = 0.25; // of the corners that a photo should show
+constexpr int rounds = 3;           // of finding corners and fitting the camera to them
+
+// A corner as the camera should see it.
+struct Expected {
+    std::size_t corner = 0;
+    Eigen::Vector2d pixel, right, down; // the last two: steps to the next corners
+};
+
+struct Alike {
+    double correlation = 0;
+    Eigen::Vector2d steps = Eigen::Vector2d::Zero(); // from where it was looked for
+};
+
+// How much the picture looks like four squares that meet at a place: dark and light in turn, 1 at
+// most, −1 where black and white are swapped.
+double alike(const cv::Mat& grey, const Expected& at, const Eigen::Vector2d& place, bool isDark) {
+    constexpr std::array<double, 8> samples{-0.4, -0.3, -0.2, -0.1, 0.1, 0.2, 0.3, 0.4};
+    double sum = 0, squares = 0, product = 0;
+    for (const double down : samples) {
+        for (const double right : samples) {
+            const double value = greyAt(grey, place + right * at.right + down * at.down);
+            sum += value;
+            squares += value * value;
+            product += ((right > 0) == (down > 0) ? -1 : 1) * value;
+        }
+    }
+    constexpr double count = samples.size() * samples.size();
+    constexpr double leastDeviation = 0.01; // of white: less is noise
+    const double deviation = std::sqrt(std::max(0.0, squares / count - std::pow(sum / count, 2)));
+    return (isDark ? 1 : -1) * product / count / std::max(deviation, leastDeviation);
+}
+
+// Looks at a photo from the camera that is known so far.
+class PhotoSearch {
+public:
+    PhotoSearch(const QImage& photo, const std::vector<PrintedCorner>& corners)
+        : corners_(corners), grey_(greyOf(photo)), size_(photo.size()) {
+        cv::GaussianBlur(grey_, blurred_, {}, 1);
+    }
+
+    // Those that face the camera, with nothing of the body before them.
+    std::vector<Expected> expected(const PartView& view, int photo,
+                                   const SurfaceQuery& body) const {
+        const PartPose& pose = view.photos[std::size_t(photo)];
+        const Eigen::Vector3d eye = -pose.turn.transpose() * pose.shift;
+        std::vector<Expected> all;
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            const PrintedCorner& corner = corners_[i];
+            const Eigen::Vector3d sight = corner.model - eye;
+            const bool isBefore = (pose.turn * corner.model + pose.shift).z() > 0;
+            if (!isBefore || -sight.normalized().dot(corner.outward) < leastFacing) {
+                continue;
+            }
+            const float depth = body.hit(eye.cast<float>(), sight.cast<float>()).distance;
+            if (double(depth) < 1 - 0.02 * corner.right.norm() / sight.norm()) {
+                continue;
+            }
+            const auto seen = [&](const Eigen::Vector3d& place) {
+                return seenAt(view, photo, size_, place);
+            };
+            constexpr double step = 0.25;
+            Expected one{i, seen(corner.model), {}, {}};
+            one.right = (seen(corner.model + step * corner.right) -
+                         seen(corner.model - step * corner.right)) /
+                        (2 * step);
+            one.down = (seen(corner.model + step * corner.down) -
+                        seen(corner.model - step * corner.down)) /
+                       (2 * step);
+            if (isLargeEnough(one)) {
+                all.push_back(one);
+            }
+        }
+        return all;
+    }
+
+    // Where it is nearest to how it should look, within so many steps of `place`.
+    Alike bestNear(const Expected& at, const Eigen::Vector2d& place, double reach) const {
+        constexpr double step = 0.05;
+        const int count = int(std::ceil(reach / step));
+        const bool isDark = corners_[at.corner].isDark;
+        Alike best;
+        for (int i = -count; i <= count; ++i) {
+            for (int j = -count; j <= count; ++j) {
+                const Eigen::Vector2d steps = step * Eigen::Vector2d(i, j);
+                const double here =
+                    alike(blurred_, at, place + steps.x() * at.right + steps.y() * at.down, isDark);
+                if (steps.norm() <= reach && here > best.correlation) {
+                    best = {here, steps};
+                }
+            }
+        }
+        return best;
+    }
+
+    bool isMirrored(const Expected& at) const {
+        return alike(blurred_, at, at.pixel, corners_[at.corner].isDark) < -leastAlike;
+    }
+
+    std::optional<Eigen::Vector2d> found(const Expected& at, const Eigen::Vector2d& place,
+                                         double reach) const {
+        const Alike best = bestNear(at, place, reach);
+        if (best.correlation < leastAlike) {
+            return std::nullopt;
+        }
+        return refinedCorner(grey_, place + best.steps.x() * at.right + best.steps.y() * at.down,
+                             at.right, at.down, BoardShape::Bent);
+    }
+
+private:
+    bool isLargeEnough(const Expected& at) const {
+        const double right = at.right.norm(), down = at.down.norm();
+        const double sine =
+            std::abs(at.right.x() * at.down.y() - at.right.y() * at.down.x()) / (right * down);
+        const bool isIn = at.pixel.x() > right / 2 && at.pixel.y() > down / 2 &&
+                          at.pixel.x() < size_.width() - right / 2 &&
+                          at.pixel.y() < size_.height() - down / 2;
+        return isIn && right > leastStep && down > leastStep && sine > leastSine;
+    }
+
+    const std::vector<PrintedCorner>& corners_;
+    cv::Mat grey_, blurred_;
+    QSize size_;
+};
+
+// The corners of one photo, from those beside which others were found to the next.
+class PhotoCorners {
+public:
+    PhotoCorners(const PhotoSearch& search, const std::vector<PrintedCorner>& corners,
+                 std::vector<Expected> expected)
+        : search_(search), corners_(corners), expected_(std::move(expected)),
+          found_(expected_.size()) {}
+
+    void find() {
+        lookFor(everything(), firstReach);
+        dropStrays();
+        for (std::size_t before = 0; before != count();) {
+            before = count();
+            lookFor(missing(), nearReach);
+        }
+        dropStrays();
+    }
+
+    const std::vector<Expected>& expected() const { return expected_; }
+    const std::vector<std::optional<Eigen::Vector2d>>& found() const { return found_; }
+    std::size_t count() const {
+        return std::size_t(std::count_if(found_.begin(), found_.end(),
+                                         [](const auto& place) { return place.has_value(); }));
+    }
+
+private:
+    std::vector<std::size_t> everything() const {
+        std::vector<std::size_t> all(expected_.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all[i] = i;
+        }
+        return all;
+    }
+
+    // Those that have a neighbour that was found.
+    std::vector<std::size_t> missing() const {
+        std::vector<std::size_t> all = everything();
+        std::erase_if(all, [&](std::size_t i) { return found_[i] || !moved(i); });
+        return all;
+    }
+
+    void lookFor(const std::vector<std::size_t>& which, double reach) {
+        std::vector<std::optional<Eigen::Vector2d>> places(which.size());
+        parallelFor(std::size_t(0), which.size(), [&](std::size_t i) {
+            const Expected& at = expected_[which[i]];
+            const Eigen::Vector2d move = moved(which[i]).value_or(Eigen::Vector2d::Zero());
+            places[i] =
+                search_.found(at, at.pixel + move.x() * at.right + move.y() * at.down, reach);
+        });
+        for (std::size_t i = 0; i < which.size(); ++i) {
+            found_[which[i]] = places[i];
+        }
+    }
+
+    // How far those beside it lie from where they are expected, by the middle one, in steps.
+    std::optional<Eigen::Vector2d> moved(std::size_t which) const {
+        const PrintedCorner& here = corners_[expected_[which].corner];
+        const double most = neighbours * std::max(here.right.norm(), here.down.norm());
+        std::vector<double> right, down;
+        for (std::size_t i = 0; i < expected_.size(); ++i) {
+            const PrintedCorner& other = corners_[expected_[i].corner];
+            if (i != which && found_[i] && other.dip == here.dip &&
+                (other.model - here.model).norm() < most) {
+                const Eigen::Vector2d steps = inSteps(i);
+                right.push_back(steps.x());
+                down.push_back(steps.y());
+            }
+        }
+        if (right.empty()) {
+            return std::nullopt;
+        }
+        const auto middle = [](std::vector<double>& values) {
+            const auto half = values.begin() + std::ptrdiff_t(values.size() / 2);
+            std::nth_element(values.begin(), half, values.end());
+            return *half;
+        };
+        return Eigen::Vector2d(middle(right), middle(down));
+    }
+
+    Eigen::Vector2d inSteps(std::size_t which) const {
+        const Expected& at = expected_[which];
+        Eigen::Matrix2d steps;
+        steps << at.right, at.down;
+        return steps.inverse() * (*found_[which] - at.pixel);
+    }
+
+    // Something else was taken for a corner where it does not go with those beside it, or stands
+    // alone.
+    void dropStrays() {
+        std::vector<std::size_t> strays;
+        for (std::size_t i = 0; i < expected_.size(); ++i) {
+            if (found_[i]) {
+                const auto beside = moved(i);
+                if (!beside || (*beside - inSteps(i)).norm() > mostAstray) {
+                    strays.push_back(i);
+                }
+            }
+        }
+        for (const std::size_t stray : strays) {
+            found_[stray].reset();
+        }
+    }
+
+    const PhotoSearch& search_;
+    const std::vector<PrintedCorner>& corners_;
+    std::vector<Expected> expected_;
+    std::vector<std::optional<Eigen::Vector2d>> found_; // of each expected one
+};
+
+// The sentence for a photo that does not show what it should.
+QString notSeen(const PhotoSearch& search, const PhotoCorners& corners, int photo) {
+    std::size_t mirrored = 0;
+    for (const Expected& at : corners.expected()) {
+        mirrored += search.isMirrored(at);
+    }
+    const std::size_t should = corners.expected().size();
+    if (should == 0) {
+        return Text::tr("By its places, photo %1 shows none of the print; give them again, or "
+                        "photograph the side that was dipped")
+            .arg(photo + 1);
+    }
+    if (double(mirrored) > 0.5 * double(should)) {
+        return Text::tr("In photo %1 black and white are swapped: the film was laid with its ink "
+                        "down, or turned by a square")
+            .arg(photo + 1);
+    }
+    return Text::tr("Of %1 corners that photo %2 should show, %3 were found: is this the job's "
+                    "part and print, sharp and whole, and were its places given rightly?")
+        .arg(should)
+        .arg(photo + 1)
+        .arg(corners.count());
+}
+
+void append(const PhotoCorners& found, const std::vector<PrintedCorner>& corners, int photo,
+            std::vector<PrintedPlace>& places) {
+    for (std::size_t i = 0; i < found.expected().size(); ++i) {
+        if (const auto& pixel = found.found()[i]) {
+            const PrintedCorner& corner = corners[found.expected()[i].corner];
+            places.push_back({photo, *pixel, corner.dip, corner.sheet, corner.model});
+        }
+    }
+}
+
+} // namespace
+
+std::vector<PlacePair> pairsOf(const std::vector<PrintedPlace>& places) {
+    std::vector<PlacePair> pairs;
+    for (const PrintedPlace& place : places) {
+        pairs.push_back({place.photo, place.pixel, place.model});
+    }
+    return pairs;
+}
+
+FoundPrint findPrint(const std::vector<QImage>& photos, const TriangleMesh& model,
+                     const std::vector<PrintedCorner>& corners,
+                     const std::vector<PlacePair>& clicked, const FindPrintSettings& settings,
+                     const Progress& progress, const QString& where) {
+    const QSize size = photos.front().size();
+    const int count = int(photos.size());
+    const SurfaceQuery body(model);
+    std::vector<PhotoSearch> searches;
+    for (const QImage& photo : photos) {
+        searches.emplace_back(photo, corners);
+    }
+    FoundPrint print;
+    print.view = fitPartCamera(clicked, count, size, where, settings.lens);
+    for (int round = 0; round < rounds; ++round) {
+        print.places.clear();
+        print.expected.clear();
+        for (int photo = 0; photo < count; ++photo) {
+            progress(double(round * count + photo) / double(rounds * count),
+                     Text::tr("Finding corners in photo %1").arg(photo + 1));
+            const PhotoSearch& search = searches[std::size_t(photo)];
+            PhotoCorners found(search, corners, search.expected(print.view, photo, body));
+            found.find();
+            if (found.count() < std::size_t(leastPairs) ||
+                double(found.count()) < leastShare * double(found.expected().size())) {
+                throw Error(notSeen(search, found, photo), where);
+            }
+            print.expected.push_back(int(found.expected().size()));
+            append(found, corners, photo, print.places);
+        }
+        if (settings.keepsCamera) {
+            break;
+        }
+        print.view = fitPartCamera(pairsOf(print.places), count, size, where, settings.lens);
+    }
+    print.view = viewOf(print.view, pairsOf(print.places), size);
+    return print;
+}
+
+} // namespace dipwright

@@ -1,0 +1,330 @@
+// Corners of a print found in photos of a body, of which every number is known.
+#include "inspection/FindPrint.h"
+#include "PartPhoto.h"
+#include "base/Error.h"
+#include "base/Units.h"
+#include "geometry/Shapes.h"
+#include "pipeline/Pipeline.h"
+#include "texture/Chessboard.h"
+
+#include <QGuiApplication>
+#include <QStandardPaths>
+#include <QtTest>
+#include <random>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+constexpr double radius = 35; // mm
+const Eigen::Vector3d lookedFrom(60, -160, 90);
+
+// Chess squares of 20 degrees of longitude and latitude on a ball, about the Y axis.
+constexpr double squareAngle = 20 * pi / 180;
+
+double paintedBall(const Eigen::Vector3d& place) {
+    const double around = std::atan2(place.z(), place.x()) / squareAngle;
+    const double up = std::asin(std::clamp(place.normalized().y(), -1.0, 1.0)) / squareAngle;
+    return (int(std::floor(around)) + int(std::floor(up))) % 2 == 0 ? 0.05 : 0.85;
+}
+
+Eigen::Vector3d onBall(double around, double up) {
+    return radius * Eigen::Vector3d(std::cos(around) * std::cos(up), std::sin(up),
+                                    std::sin(around) * std::cos(up));
+}
+
+std::vector<PrintedCorner> ballCorners() {
+    std::vector<PrintedCorner> corners;
+    for (int row = -3; row <= 3; ++row) {
+        for (int column = -9; column < 9; ++column) {
+            const double around = column * squareAngle, up = row * squareAngle;
+            PrintedCorner corner;
+            corner.model = onBall(around, up);
+            corner.outward = corner.model.normalized();
+            corner.right =
+                (onBall(around + 0.01, up) - onBall(around - 0.01, up)) / 0.02 * squareAngle;
+            corner.down =
+                (onBall(around, up + 0.01) - onBall(around, up - 0.01)) / 0.02 * squareAngle;
+            corner.sheet = {column, row};
+            corner.isDark = (column + row) % 2 == 0;
+            corners.push_back(corner);
+        }
+    }
+    return corners;
+}
+
+PhotoCamera camera() {
+    PhotoCamera camera = cameraFrom(lookedFrom, {2, 3, -1}, {0.2, 0.1, 1});
+    camera.focalLength = 2.6;
+    camera.k1 = -0.08;
+    camera.k2 = 0.03;
+    return camera;
+}
+
+// So many corners as a hand clicks them, `off` pixels from where they are.
+std::vector<PlacePair> clicked(const std::vector<PrintedCorner>& corners, const PhotoCamera& camera,
+                               int photo, int count, double off, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, off);
+    std::vector<PrintedCorner> seen;
+    for (const PrintedCorner& corner : corners) {
+        if ((camera.eye() - corner.model).normalized().dot(corner.outward) > 0.4) {
+            seen.push_back(corner);
+        }
+    }
+    std::shuffle(seen.begin(), seen.end(), random);
+    std::vector<PlacePair> pairs;
+    for (int i = 0; i < std::min(count, int(seen.size())); ++i) {
+        const Eigen::Vector3d& place = seen[std::size_t(i)].model;
+        pairs.push_back(
+            {photo, camera.seen(place) + Eigen::Vector2d(noise(random), noise(random)), place});
+    }
+    return pairs;
+}
+
+const TriangleMesh& ball() {
+    static const TriangleMesh mesh = sphereMesh(radius, 300, 600);
+    return mesh;
+}
+
+QImage ballPhoto(const PhotoCamera& camera, const PhotoLight& light) {
+    return partPhoto(
+        ball(),
+        [](const SurfacePoint& point) {
+            return paintedBall(position(ball(), point).cast<double>());
+        },
+        camera, light);
+}
+
+FoundPrint foundOn(const QImage& photo, const std::vector<PlacePair>& pairs,
+                   const FindPrintSettings& settings = {}) {
+    return findPrint({photo}, ball(), ballCorners(), pairs, settings, {},
+                     QStringLiteral("pairs.csv"));
+}
+
+QString errorOf(const QImage& photo, const std::vector<PlacePair>& pairs) {
+    try {
+        foundOn(photo, pairs);
+    } catch (const Error& error) {
+        return error.message();
+    }
+    return {};
+}
+
+} // namespace
+
+class FindPrintTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cornersAreFoundToAFewHundredthsOfAPixel_data() {
+        QTest::addColumn<double>("blur");
+        QTest::addColumn<double>("noise");
+        QTest::addColumn<bool>("glare");
+        QTest::addColumn<int>("jpeg");
+        QTest::newRow("sharp") << 0.6 << 0.0 << false << 0;
+        QTest::newRow("noise of one level") << 0.8 << 1.0 << false << 85;
+        QTest::newRow("noise of two levels") << 0.8 << 2.0 << false << 85;
+        QTest::newRow("out of focus") << 2.5 << 1.0 << false << 85;
+        QTest::newRow("glare") << 0.8 << 1.0 << true << 85;
+    }
+
+    void cornersAreFoundToAFewHundredthsOfAPixel() {
+        QFETCH(double, blur);
+        QFETCH(double, noise);
+        QFETCH(bool, glare);
+        QFETCH(int, jpeg);
+        const QImage photo = ballPhoto(
+            camera(), {.blur = blur, .noise = noise, .glare = glare, .jpegQuality = jpeg});
+        const FoundPrint print = foundOn(photo, clicked(ballCorners(), camera(), 0, 8, 1.5, 3));
+        Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+        double square = 0, farthest = 0;
+        const double count = double(print.places.size());
+        for (const PrintedPlace& place : print.places) {
+            const Eigen::Vector2d off = place.pixel - camera().seen(place.model);
+            mean += off / count;
+            square += off.squaredNorm() / count;
+            farthest = std::max(farthest, off.norm());
+        }
+        qInfo("%d of %d corners; off by %.4f, %.4f on the mean, %.4f rms, %.3f at most; the fitted "
+              "camera leaves R = %.4f px",
+              int(count), print.expected[0], mean.x(), mean.y(), std::sqrt(square), farthest,
+              print.view.figures.meanPixels);
+        QVERIFY(count > 0.7 * print.expected[0]);
+        QVERIFY(mean.norm() < 0.05);
+        QVERIFY(std::sqrt(square) < 0.15);
+        QVERIFY(farthest < 1);
+    }
+
+    void figuresAreOfWhereThePrintIsOff() {
+        // Turned by half a degree about Y against where it should be, seen by a camera that is
+        // known from the body itself.
+        const double off = 0.5 * pi / 180;
+        const QImage photo = partPhoto(
+            ball(),
+            [&](const SurfacePoint& point) {
+                const Eigen::Vector3d place = position(ball(), point).cast<double>();
+                return paintedBall(Eigen::AngleAxisd(off, Eigen::Vector3d::UnitY()) * place);
+            },
+            camera(), {});
+        const FoundPrint print = foundOn(photo, clicked(ballCorners(), camera(), 0, 40, 0, 3),
+                                         {.keepsCamera = true, .lens = {}});
+        // A place at a latitude moves along its circle.
+        double expected = 0;
+        for (const PrintedPlace& place : print.places) {
+            expected += off * std::hypot(place.model.x(), place.model.z());
+        }
+        double mean = 0;
+        for (const PairOff& one : print.view.off) {
+            mean += one.millimetres;
+        }
+        qInfo("R %.3f ± %.3f px, %.3f mm on the mean across the line of sight of %.3f",
+              print.view.figures.meanPixels, print.view.figures.deviationPixels,
+              mean / double(print.places.size()), expected / double(print.places.size()));
+        QVERIFY(mean < expected && mean > 0.6 * expected); // seen at a slant
+        // The camera that follows the print takes the turn for its own.
+        const FoundPrint followed = foundOn(photo, clicked(ballCorners(), camera(), 0, 40, 0, 3));
+        QVERIFY(followed.view.figures.meanPixels < 0.2 * print.view.figures.meanPixels);
+    }
+
+    void severalPhotosCountTogether() {
+        PhotoCamera other = cameraFrom({150, -90, 20}, {0, 0, 0}, {0, 0.2, 1});
+        other.focalLength = 2.6;
+        other.k1 = -0.08;
+        other.k2 = 0.03;
+        std::vector<PlacePair> pairs = clicked(ballCorners(), camera(), 0, 8, 1.5, 3);
+        for (const PlacePair& pair : clicked(ballCorners(), other, 1, 8, 1.5, 4)) {
+            pairs.push_back(pair);
+        }
+        const FoundPrint print = findPrint({ballPhoto(camera(), {}), ballPhoto(other, {})}, ball(),
+                                           ballCorners(), pairs, {}, {}, QStringLiteral("pairs"));
+        QCOMPARE(int(print.expected.size()), 2);
+        QCOMPARE(print.view.figures.count, int(print.places.size()));
+        QVERIFY(print.places.front().photo == 0 && print.places.back().photo == 1);
+        QVERIFY(std::abs(print.view.focalLength.value - 2.6) < 2 * print.view.focalLength.off);
+        QVERIFY(print.view.figures.meanPixels < 0.1);
+    }
+
+    void photosThatDoNotShowThePrintGetASentence() {
+        const auto pairs = clicked(ballCorners(), camera(), 0, 10, 1, 5);
+        const QImage good = ballPhoto(camera(), {});
+        QCOMPARE(errorOf(good, pairs), QString());
+        QImage bare(good.size(), QImage::Format_RGB32);
+        bare.fill(Qt::gray);
+        QVERIFY(errorOf(bare, pairs).contains(QStringLiteral("were found")));
+        // The same part with another job's print on it.
+        const QImage other =
+            partPhoto(ball(),
+                      [](const SurfacePoint& point) {
+                          const Eigen::Vector3d place = position(ball(), point).cast<double>();
+                          return paintedBall(
+                              Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 3).normalized()) * place);
+                      },
+                      camera(), {});
+        QVERIFY2(errorOf(other, pairs).contains(QStringLiteral("were found")),
+                 qPrintable(errorOf(other, pairs)));
+        // Its print the other way round.
+        const QImage swapped =
+            partPhoto(ball(),
+                      [](const SurfacePoint& point) {
+                          return 0.9 - paintedBall(position(ball(), point).cast<double>());
+                      },
+                      camera(), {});
+        QVERIFY(errorOf(swapped, pairs).contains(QStringLiteral("swapped")));
+        // A photo that was flipped, with places clicked in it.
+        std::vector<PlacePair> flipped = pairs;
+        for (PlacePair& pair : flipped) {
+            pair.pixel.x() = good.width() - pair.pixel.x();
+        }
+        QVERIFY(errorOf(good.mirrored(true, false), flipped).contains(QStringLiteral("mirror")));
+        // Half of it covered: what is seen is told.
+        QImage half = good;
+        for (int y = 0; y < half.height(); ++y) {
+            for (int x = half.width() / 2; x < half.width(); ++x) {
+                half.setPixelColor(x, y, QColor(120, 120, 120));
+            }
+        }
+        const FoundPrint print = foundOn(half, pairs);
+        QVERIFY(double(print.places.size()) < 0.65 * print.expected[0]);
+    }
+
+    void theJobsChessboardIsCarriedToTheBody();
+};
+
+// A ball dipped into the chessboard; in the tank the film had swollen by 1.5 % more than the job
+// has it, and the ball stood 0.8 mm aside.
+void FindPrintTest::theJobsChessboardIsCarriedToTheBody() {
+    Project project;
+    auto model = std::make_shared<TexturedMesh>();
+    model->mesh = sphereMesh(radius, 90, 180);
+    model->textureCoordinates.resize(model->mesh.triangles.size());
+    for (auto& coordinates : model->textureCoordinates) {
+        coordinates.fill(Eigen::Vector2f::Constant(NAN));
+    }
+    model->material.resize(model->mesh.triangles.size(), 0);
+    model->materials.resize(1);
+    model->chart = findCharts(*model);
+    project.model = model;
+    project.film.width = project.film.height = Millimetres(180);
+    project.film.columns = project.film.rows = 91;
+    project.fieldResolution = 96;
+    project.sheet.resolution = DotsPerInch(72);
+    Project inTank = project;
+    inTank.film.swellX = inTank.film.swellY = 1.015;
+    inTank.immersions[0].offset = {Millimetres(0.8), Millimetres(0)};
+    QStandardPaths::setTestModeEnabled(true);
+    const SolverRegistry registry(QStringList{DIPWRIGHT_PLUGINS});
+    JobOptions options;
+    options.chessboard = true;
+    options.estimatesCertainty = false;
+    const JobResult meant = runJob(project, registry, options, nullptr, {});
+    const JobResult made = runJob(inTank, registry, options, nullptr, {});
+    const QSizeF sheet(180, 180);
+    const auto corners = chessboardCorners(*meant.immersions[0].laid, 0, sheet, chessSquare);
+    const auto truth = chessboardCorners(*made.immersions[0].laid, 0, sheet, chessSquare);
+    QVERIFY(corners.size() >= 21);
+    // The photo asks the film that was made, place by place, the other way round.
+    const LaidFilm& laid = *made.immersions[0].laid;
+    const Print print = [&](const SurfacePoint& point) {
+        const auto place = laid.place(point);
+        if (!place) {
+            return 0.6;
+        }
+        const Eigen::Vector2d squares = place->rest.cast<double>() / 1.015 / chessSquare;
+        const int number = int(std::floor(squares.x())) + int(std::floor(squares.y()));
+        return number % 2 == 0 ? 0.05 : 0.85;
+    };
+    PhotoCamera camera = cameraFrom({50, -190, 60}, {0, -5, 0}, {0, 0, 1});
+    camera.k1 = -0.05;
+    const QImage photo = partPhoto(model->mesh, print, camera, {});
+    if (qEnvironmentVariableIsSet("DIPWRIGHT_PICTURES")) {
+        photo.save(qEnvironmentVariable("DIPWRIGHT_PICTURES") + "/dipped-ball.png");
+    }
+    const FoundPrint found =
+        findPrint({photo}, model->mesh, corners, clicked(corners, camera, 0, 40, 0, 7),
+                  {.keepsCamera = true, .lens = {}}, {}, QStringLiteral("x"));
+    double worst = 0, meanOff = 0, mean = 0;
+    for (std::size_t i = 0; i < found.places.size(); ++i) {
+        const PrintedPlace& place = found.places[i];
+        for (const PrintedCorner& corner : truth) {
+            if (corner.sheet == place.sheet) {
+                const double away = (place.pixel - camera.seen(corner.model)).norm();
+                worst = std::max(worst, away);
+                meanOff += away / double(found.places.size());
+            }
+        }
+        mean += (camera.seen(place.model) - place.pixel).norm() / double(found.places.size());
+    }
+    qInfo("%zu of %d corners; from where the film really took them %.3f px on the mean, %.3f at "
+          "most; R %.3f ± %.3f px of %.3f, %.2f mm at most",
+          found.places.size(), found.expected[0], meanOff, worst, found.view.figures.meanPixels,
+          found.view.figures.deviationPixels, mean, found.view.figures.worst);
+    QVERIFY(double(found.places.size()) > 0.7 * found.expected[0]);
+    QVERIFY(meanOff < 0.5);
+    QVERIFY(std::abs(found.view.figures.meanPixels - mean) < 0.5);
+    QVERIFY(mean > 2);
+}
+
+QTEST_MAIN(FindPrintTest)
+#include "FindPrintTest.moc"

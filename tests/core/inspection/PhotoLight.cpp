@@ -1,0 +1,85 @@
+#include "PhotoLight.h"
+
+#include "parallel/ParallelFor.h"
+
+#include <QBuffer>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace dipwright::test {
+
+namespace {
+
+using Plane = std::vector<float>;
+
+// One direction of a Gaussian.
+Plane blurred(const Plane& plane, int width, int height, double sigma, bool across) {
+    const int reach = int(std::ceil(4 * sigma));
+    std::vector<double> weights;
+    double sum = 0;
+    for (int i = -reach; i <= reach; ++i) {
+        weights.push_back(std::exp(-i * i / (2 * sigma * sigma)));
+        sum += weights.back();
+    }
+    Plane result(plane.size());
+    parallelFor(0, height, [&](int y) {
+        for (int x = 0; x < width; ++x) {
+            double value = 0;
+            for (int i = -reach; i <= reach; ++i) {
+                const int column = across ? std::clamp(x + i, 0, width - 1) : x;
+                const int row = across ? y : std::clamp(y + i, 0, height - 1);
+                value += weights[std::size_t(i + reach)] / sum *
+                         double(plane[std::size_t(row) * std::size_t(width) + std::size_t(column)]);
+            }
+            result[std::size_t(y) * std::size_t(width) + std::size_t(x)] = float(value);
+        }
+    });
+    return result;
+}
+
+void shine(Plane& plane, int width, int height, const PhotoLight& light) {
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            float& level = plane[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+            level *= float(1 - light.uneven * (1 - double(x) / width));
+            if (light.glare) {
+                const double away = std::hypot(x - 0.55 * width, y - 0.45 * height) / width;
+                level += float(1.5 * std::exp(-away * away / 0.003));
+            }
+        }
+    }
+}
+
+QImage throughJpeg(const QImage& picture, int quality) {
+    QBuffer buffer;
+    buffer.open(QIODevice::ReadWrite);
+    picture.save(&buffer, "JPEG", quality);
+    return QImage::fromData(buffer.data(), "JPEG");
+}
+
+} // namespace
+
+QImage developed(std::vector<float> reflected, QSize size, const PhotoLight& light) {
+    const int width = size.width(), height = size.height();
+    Plane plane = std::move(reflected);
+    shine(plane, width, height, light);
+    plane = blurred(plane, width, height, light.blur, true);
+    plane = blurred(plane, width, height, light.blur, false);
+    std::mt19937 random(light.seed);
+    std::normal_distribution<double> noise(0, 1);
+    QImage picture(width, height, QImage::Format_RGB32);
+    for (int y = 0; y < height; ++y) {
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
+        for (int x = 0; x < width; ++x) {
+            const double level = std::clamp(
+                double(plane[std::size_t(y) * std::size_t(width) + std::size_t(x)]), 0.0, 1.0);
+            const double grey = 255 * std::pow(level, 1 / 2.2) + light.noise * noise(random);
+            const int byte = std::clamp(int(std::lround(grey)), 0, 255);
+            line[x] = qRgb(byte, byte, byte);
+        }
+    }
+    return light.jpegQuality > 0 ? throughJpeg(picture, light.jpegQuality) : picture;
+}
+
+} // namespace dipwright::test
