@@ -106,6 +106,12 @@ void tellFound(const FoundPrint& print, QTextStream& out) {
                    .arg(found)
                    .arg(print.expected[photo]);
     }
+    if (!print.expected.empty()) {
+        out << (print.followsPrint
+                    ? QStringLiteral("The camera follows the print: what all of it is shifted or "
+                                     "turned by does not show\n")
+                    : QStringLiteral("The camera is that of the pairs given\n"));
+    }
 }
 
 } // namespace

@@ -341,7 +341,12 @@ FoundPrint findPrint(const std::vector<QImage>& photos, const TriangleMesh& mode
         if (settings.keepsCamera) {
             break;
         }
-        print.view = fitPartCamera(pairsOf(print.places), count, size, where, settings.lens);
+        try {
+            print.view = fitPartCamera(pairsOf(print.places), count, size, where, settings.lens);
+            print.followsPrint = true;
+        } catch (const Error&) {
+            break; // all on one face, say
+        }
     }
     print.view = viewOf(print.view, pairsOf(print.places), size);
     return print;

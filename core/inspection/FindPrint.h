@@ -15,7 +15,7 @@ namespace dipwright {
 struct FindPrintSettings {
     // The camera is the clicked pairs' alone: for pairs of the body itself, its tips and edges, so
     // that a print that is shifted as a whole shows. Else the found corners say where the camera
-    // was, from the clicked pairs on.
+    // was, as far as they alone can.
     bool keepsCamera = false;
     std::optional<Lens> lens; // of a camera measured before
 };
@@ -23,6 +23,7 @@ struct FindPrintSettings {
 struct FoundPrint {
     std::vector<PrintedPlace> places; // by photos
     std::vector<int> expected;        // of each photo: corners that should be seen
+    bool followsPrint = false;        // whether the camera is that of the found places
     PartView view;                    // its `off` is of the places found
 };
 
