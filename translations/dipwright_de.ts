@@ -95,15 +95,15 @@
     </message>
     <message>
         <source>The dip was not compared with coarser ones.</source>
-        <translation>Der Tauchgang wurde nicht mit gröberen verglichen.</translation>
+        <translation>Der Tauchvorgang wurde nicht mit gröberen verglichen.</translation>
     </message>
     <message>
         <source>The dip could not be compared with coarser ones: %1.</source>
-        <translation>Der Tauchgang ließ sich nicht mit gröberen vergleichen: %1.</translation>
+        <translation>Der Tauchvorgang ließ sich nicht mit gröberen vergleichen: %1.</translation>
     </message>
     <message>
         <source>Nothing is painted alike by this dip and by coarser ones.</source>
-        <translation>Nichts wird von diesem Tauchgang und von gröberen gleichermaßen bemalt.</translation>
+        <translation>Nichts wird von diesem Tauchvorgang und von gröberen gleichermaßen bemalt.</translation>
     </message>
     <message>
         <source>95 % of the sheet is off by %1 or less for numerical reasons.</source>
@@ -123,11 +123,11 @@
     </message>
     <message>
         <source>The paint&apos;s border is not certain: %1 % of the body is painted by finer or coarser dips only.</source>
-        <translation>Der Rand der Farbe ist nicht sicher: %1 % des Körpers werden nur von feineren oder gröberen Tauchgängen bemalt.</translation>
+        <translation>Der Rand der Farbe ist nicht sicher: %1 % des Körpers werden nur von feineren oder gröberen Tauchvorgängen bemalt.</translation>
     </message>
     <message>
         <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left.</source>
-        <translation>%1 Schritte des Tauchgangs endeten ohne Gleichgewicht, mit bis zu %2 % der elastischen Kräfte als Rest.</translation>
+        <translation>%1 Schritte des Tauchvorgangs endeten ohne Gleichgewicht, mit bis zu %2 % der elastischen Kräfte als Rest.</translation>
     </message>
     <message>
         <source>%1: %2. %3</source>
@@ -239,7 +239,7 @@
     </message>
     <message>
         <source>%1: the cradle lies on %2 mm² of paint of an earlier dip; line it there with %3 mm of soft felt or foam</source>
-        <translation>%1: Die Halterung liegt auf %2 mm² Farbe eines früheren Tauchgangs; legen Sie sie dort mit %3 mm weichem Filz oder Schaum aus</translation>
+        <translation>%1: Die Halterung liegt auf %2 mm² Farbe eines früheren Tauchvorgangs; legen Sie sie dort mit %3 mm weichem Filz oder Schaum aus</translation>
     </message>
     <message>
         <source>%1: the cradle&apos;s plate has no room for arrow and job; write them on it</source>
@@ -247,7 +247,7 @@
     </message>
     <message>
         <source>%1: there is no cradle, for all that could hold the body is painted by an earlier dip; allow it with cradle.on_paint, through padding, or turn the pose</source>
-        <translation>%1: Es gibt keine Halterung, denn alles, was den Körper halten könnte, hat ein früherer Tauchgang bemalt; erlauben Sie es mit cradle.on_paint, durch ein Polster, oder drehen Sie die Lage</translation>
+        <translation>%1: Es gibt keine Halterung, denn alles, was den Körper halten könnte, hat ein früherer Tauchvorgang bemalt; erlauben Sie es mit cradle.on_paint, durch ein Polster, oder drehen Sie die Lage</translation>
     </message>
     <message>
         <source>%1: there is no cradle, for the film reaches all that could hold the body; dip it less deep or turn the pose</source>
@@ -321,7 +321,7 @@
     <name>DipJob</name>
     <message>
         <source>Simulating the dip</source>
-        <translation>Tauchgang wird simuliert</translation>
+        <translation>Tauchvorgang wird simuliert</translation>
     </message>
     <message>
         <source>Preparing the views</source>
@@ -358,19 +358,38 @@
     <name>ImmersionEdits</name>
     <message>
         <source>Add Immersion</source>
-        <translation>Tauchgang hinzufügen</translation>
+        <translation>Tauchvorgang hinzufügen</translation>
     </message>
     <message>
         <source>Immersion %1</source>
-        <translation>Tauchgang %1</translation>
+        <translation>Tauchvorgang %1</translation>
     </message>
     <message>
         <source>Remove Immersion</source>
-        <translation>Tauchgang entfernen</translation>
+        <translation>Tauchvorgang entfernen</translation>
     </message>
     <message>
         <source>Swap Immersions</source>
-        <translation>Tauchgänge tauschen</translation>
+        <translation>Tauchvorgänge tauschen</translation>
+    </message>
+</context>
+<context>
+    <name>MarkEdits</name>
+    <message>
+        <source>Mark for the Join</source>
+        <translation>Marke für die Fuge</translation>
+    </message>
+    <message>
+        <source>Mark a Zone</source>
+        <translation>Zone markieren</translation>
+    </message>
+    <message>
+        <source>Remove Mark</source>
+        <translation>Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Remove Marks</source>
+        <translation>Marken entfernen</translation>
     </message>
 </context>
 <context>
@@ -381,7 +400,7 @@
     </message>
     <message>
         <source>Immersion %1</source>
-        <translation>Tauchgang %1</translation>
+        <translation>Tauchvorgang %1</translation>
     </message>
     <message>
         <source>Reload Model</source>
@@ -696,7 +715,7 @@
     </message>
     <message>
         <source>Immersion %1</source>
-        <translation>Tauchgang %1</translation>
+        <translation>Tauchvorgang %1</translation>
     </message>
     <message>
         <source>The project has no model, import one first</source>
@@ -1026,7 +1045,7 @@
     </message>
     <message>
         <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin.</source>
-        <translation>Wie schnell die Folie weiterwächst, während sie schwimmt, in einer Sekunde und zu Beginn des Tauchgangs.</translation>
+        <translation>Wie schnell die Folie weiterwächst, während sie schwimmt, in einer Sekunde und zu Beginn des Tauchvorgangs.</translation>
     </message>
     <message>
         <source>Grows by at most</source>
@@ -1034,7 +1053,7 @@
     </message>
     <message>
         <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
-        <translation>Um wie viel länger als zu Beginn des Tauchgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
+        <translation>Um wie viel länger als zu Beginn des Tauchvorgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
     </message>
     <message>
         <source>Flash time</source>
@@ -1244,7 +1263,7 @@
     </message>
     <message>
         <source>immersions must be an array of one or two immersions</source>
-        <translation>immersions muss ein Feld von einem oder zwei Tauchgängen sein</translation>
+        <translation>immersions muss ein Feld von einem oder zwei Tauchvorgängen sein</translation>
     </message>
     <message>
         <source>%1 must be an object</source>
@@ -1276,7 +1295,7 @@
     </message>
     <message>
         <source>The project has %1 immersion(s), the first is immersions[0]</source>
-        <translation>Das Projekt hat %1 Tauchgänge, der erste ist immersions[0]</translation>
+        <translation>Das Projekt hat %1 Tauchvorgänge, der erste ist immersions[0]</translation>
     </message>
     <message>
         <source>%1 × %2 points are more than the %3 million that a film may have, give fewer</source>
@@ -1614,7 +1633,7 @@
     </message>
     <message>
         <source>What this immersion is called. It stands in the job line of its sheet.</source>
-        <translation>Wie dieser Tauchgang heißt. Der Name steht in der Auftragszeile seines Bogens.</translation>
+        <translation>Wie dieser Tauchvorgang heißt. Der Name steht in der Auftragszeile seines Bogens.</translation>
     </message>
     <message>
         <source>Rotation</source>
@@ -1698,7 +1717,7 @@
     </message>
     <message>
         <source>A line with project, immersion, date, film, scale and a check sum.</source>
-        <translation>Eine Zeile mit Projekt, Tauchgang, Datum, Film, Maßstab und Prüfsumme.</translation>
+        <translation>Eine Zeile mit Projekt, Tauchvorgang, Datum, Film, Maßstab und Prüfsumme.</translation>
     </message>
     <message>
         <source>Compensate stretch</source>
@@ -1722,7 +1741,7 @@
     </message>
     <message>
         <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
-        <translation>Wie schnell die Folie weiterwächst, während sie schwimmt, in einer Sekunde und zu Beginn des Tauchgangs. Was am Körper liegt, wächst nicht mehr.</translation>
+        <translation>Wie schnell die Folie weiterwächst, während sie schwimmt, in einer Sekunde und zu Beginn des Tauchvorgangs. Was am Körper liegt, wächst nicht mehr.</translation>
     </message>
     <message>
         <source>Grows by at most</source>
@@ -1730,7 +1749,7 @@
     </message>
     <message>
         <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
-        <translation>Um wie viel länger als zu Beginn des Tauchgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
+        <translation>Um wie viel länger als zu Beginn des Tauchvorgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
     </message>
     <message>
         <source>Advanced: laws without measurement</source>
@@ -1782,7 +1801,7 @@
     </message>
     <message>
         <source>Each dip paints the places that it paints better, and leaves the others blank. If not, both paint all that they reach, and some places are painted twice.</source>
-        <translation>Jeder Tauchgang färbt die Stellen, die er besser färbt, und lässt die anderen frei. Sonst färben beide alles, was sie erreichen, und manche Stellen werden doppelt gefärbt.</translation>
+        <translation>Jeder Tauchvorgang färbt die Stellen, die er besser färbt, und lässt die anderen frei. Sonst färben beide alles, was sie erreichen, und manche Stellen werden doppelt gefärbt.</translation>
     </message>
     <message>
         <source>Overlap</source>
@@ -1790,7 +1809,7 @@
     </message>
     <message>
         <source>The band along the join in which both dips fade into each other, on the body. It is made wider where the registration error would show in it.</source>
-        <translation>Das Band längs der Fuge, in dem beide Tauchgänge ineinander übergehen, auf dem Körper. Es wird breiter, wo der Passerfehler darin zu sehen wäre.</translation>
+        <translation>Das Band längs der Fuge, in dem beide Tauchvorgänge ineinander übergehen, auf dem Körper. Es wird breiter, wo der Passerfehler darin zu sehen wäre.</translation>
     </message>
     <message>
         <source>Registration error</source>
@@ -1798,7 +1817,7 @@
     </message>
     <message>
         <source>How far the second dip may lie off the first. The band is made wide enough that no edge shows.</source>
-        <translation>Wie weit der zweite Tauchgang neben dem ersten liegen darf. Das Band wird so breit, dass keine Kante zu sehen ist.</translation>
+        <translation>Wie weit der zweite Tauchvorgang neben dem ersten liegen darf. Das Band wird so breit, dass keine Kante zu sehen ist.</translation>
     </message>
     <message>
         <source>Stretched by at most</source>
@@ -1806,7 +1825,7 @@
     </message>
     <message>
         <source>Where one dip&apos;s film is drawn out to more times its length, the other is to paint, if it can.</source>
-        <translation>Wo der Film eines Tauchgangs auf mehr als das Sovielfache seiner Länge gezogen ist, färbt der andere, wenn er kann.</translation>
+        <translation>Wo der Film eines Tauchvorgangs auf mehr als das Sovielfache seiner Länge gezogen ist, färbt der andere, wenn er kann.</translation>
     </message>
     <message>
         <source>Cradle</source>
@@ -1842,7 +1861,7 @@
     </message>
     <message>
         <source>How far the cradle keeps off all that the film reaches, and off what earlier dips have painted.</source>
-        <translation>Wie weit die Halterung von allem wegbleibt, was der Film erreicht, und von dem, was frühere Tauchgänge bemalt haben.</translation>
+        <translation>Wie weit die Halterung von allem wegbleibt, was der Film erreicht, und von dem, was frühere Tauchvorgänge bemalt haben.</translation>
     </message>
     <message>
         <source>On paint</source>
@@ -1850,7 +1869,7 @@
     </message>
     <message>
         <source>Whether the cradle may lie on what earlier dips have painted, through padding.</source>
-        <translation>Ob die Halterung, durch ein Polster, auf dem liegen darf, was frühere Tauchgänge bemalt haben.</translation>
+        <translation>Ob die Halterung, durch ein Polster, auf dem liegen darf, was frühere Tauchvorgänge bemalt haben.</translation>
     </message>
     <message>
         <source>Padding</source>
@@ -1874,7 +1893,7 @@
     </message>
     <message>
         <source>How far the plate stays above the water at the end of the dip.</source>
-        <translation>Wie weit die Platte am Ende des Tauchgangs über dem Wasser bleibt.</translation>
+        <translation>Wie weit die Platte am Ende des Tauchvorgangs über dem Wasser bleibt.</translation>
     </message>
     <message>
         <source>Pins apart</source>
@@ -1934,7 +1953,7 @@
     </message>
     <message>
         <source>How far the body may lie off its place when it meets the film. 95 of 100 dips keep a tolerance.</source>
-        <translation>Wie weit der Körper neben seinem Ort sein darf, wenn er den Film trifft. 95 von 100 Tauchgängen halten eine Toleranz ein.</translation>
+        <translation>Wie weit der Körper neben seinem Ort sein darf, wenn er den Film trifft. 95 von 100 Tauchvorgängen halten eine Toleranz ein.</translation>
     </message>
     <message>
         <source>Body turned</source>
@@ -1974,7 +1993,7 @@
     </message>
     <message>
         <source>By how much of its speed the dip may be faster or slower.</source>
-        <translation>Um welchen Teil seiner Geschwindigkeit der Tauchgang schneller oder langsamer sein darf.</translation>
+        <translation>Um welchen Teil seiner Geschwindigkeit der Tauchvorgang schneller oder langsamer sein darf.</translation>
     </message>
     <message>
         <source>By how much of it the film&apos;s relaxation time may be longer or shorter.</source>
@@ -1994,11 +2013,11 @@
     </message>
     <message>
         <source>Dips</source>
-        <translation>Tauchgänge</translation>
+        <translation>Tauchvorgänge</translation>
     </message>
     <message>
         <source>Dips with everything off at once, to see whether what each does by itself can be added up. 0: none.</source>
-        <translation>Tauchgänge, in denen alles zugleich abweicht, um zu sehen, ob sich die einzelnen Wirkungen addieren lassen. 0: keine.</translation>
+        <translation>Tauchvorgänge, in denen alles zugleich abweicht, um zu sehen, ob sich die einzelnen Wirkungen addieren lassen. 0: keine.</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -2149,21 +2168,6 @@
     <message>
         <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
         <translation>Die Ergebnisse sind nur zum Teil in den Ordner verschoben; schließen Sie, was dort Dateien geöffnet hat, und starten Sie das Programm neu: Es verschiebt den Rest</translation>
-    </message>
-</context>
-<context>
-    <name>ShareEdits</name>
-    <message>
-        <source>Mark for the Join</source>
-        <translation>Marke für die Fuge</translation>
-    </message>
-    <message>
-        <source>Remove Mark</source>
-        <translation>Marke entfernen</translation>
-    </message>
-    <message>
-        <source>Remove Marks</source>
-        <translation>Marken entfernen</translation>
     </message>
 </context>
 <context>
@@ -2399,11 +2403,11 @@
     </message>
     <message>
         <source>%1 dips with everything off at once come to ±%2 in place of ±%3.</source>
-        <translation>%1 Tauchgänge, in denen alles zugleich abweicht, ergeben ±%2 statt ±%3.</translation>
+        <translation>%1 Tauchvorgänge, in denen alles zugleich abweicht, ergeben ±%2 statt ±%3.</translation>
     </message>
     <message>
         <source>%1 dips with everything off at once come to ±%2 in place of ±%3: what the contributors do cannot simply be added here.</source>
-        <translation>%1 Tauchgänge, in denen alles zugleich abweicht, ergeben ±%2 statt ±%3: Die einzelnen Wirkungen lassen sich hier nicht einfach addieren.</translation>
+        <translation>%1 Tauchvorgänge, in denen alles zugleich abweicht, ergeben ±%2 statt ±%3: Die einzelnen Wirkungen lassen sich hier nicht einfach addieren.</translation>
     </message>
     <message>
         <source>Zone %1 is not painted.</source>
@@ -2430,7 +2434,7 @@
     </message>
     <message>
         <source>Dip %1 of %2: %3</source>
-        <translation>Tauchgang %1 von %2: %3</translation>
+        <translation>Tauchvorgang %1 von %2: %3</translation>
     </message>
     <message>
         <source>Traveller of %1, %2</source>
@@ -2534,7 +2538,7 @@
     </message>
     <message>
         <source>Compared with the picture before dip %1: colour in its place, no tear, no fold, dry where the next cradle holds it</source>
-        <translation>Vor Tauchgang %1 mit dem Bild verglichen: Farbe an ihrem Platz, kein Riss, keine Falte, trocken, wo die nächste Halterung greift</translation>
+        <translation>Vor Tauchvorgang %1 mit dem Bild verglichen: Farbe an ihrem Platz, kein Riss, keine Falte, trocken, wo die nächste Halterung greift</translation>
     </message>
     <message>
         <source>Compared with the picture</source>
@@ -2558,7 +2562,7 @@
     </message>
     <message>
         <source>So it has to look after dip %1: as it hung, from the film&apos;s lower edge, from its right edge, and from below</source>
-        <translation>So muss es nach Tauchgang %1 aussehen: wie es hing, von der unteren und von der rechten Kante des Films und von unten</translation>
+        <translation>So muss es nach Tauchvorgang %1 aussehen: wie es hing, von der unteren und von der rechten Kante des Films und von unten</translation>
     </message>
     <message>
         <source>Swell measured on %1.</source>
@@ -2656,21 +2660,6 @@
     <message>
         <source>Not painted</source>
         <translation>Nicht bemalt</translation>
-    </message>
-</context>
-<context>
-    <name>ZoneEdits</name>
-    <message>
-        <source>Mark a Zone</source>
-        <translation>Zone markieren</translation>
-    </message>
-    <message>
-        <source>Remove Mark</source>
-        <translation>Marke entfernen</translation>
-    </message>
-    <message>
-        <source>Remove Marks</source>
-        <translation>Marken entfernen</translation>
     </message>
 </context>
 <context>
@@ -3018,11 +3007,11 @@
     </message>
     <message>
         <source>The part of the body that is painted by both dips</source>
-        <translation>Der Teil des Körpers, den beide Tauchgänge bemalen</translation>
+        <translation>Der Teil des Körpers, den beide Tauchvorgänge bemalen</translation>
     </message>
     <message>
         <source>The part of the body that is painted by one of the dips only</source>
-        <translation>Der Teil des Körpers, den nur einer der Tauchgänge bemalt</translation>
+        <translation>Der Teil des Körpers, den nur einer der Tauchvorgänge bemalt</translation>
     </message>
     <message>
         <source>%1: nothing is painted that could be compared.</source>
@@ -3038,7 +3027,7 @@
     </message>
     <message>
         <source>%1: this sheet is not certain. 95 % of it moves by up to %2 when it is computed more finely; give the film smaller cells or more points, turn the body, or dip it in two immersions.</source>
-        <translation>%1: dieser Bogen ist nicht verlässlich. 95 % davon verschieben sich um bis zu %2, wenn feiner gerechnet wird; geben Sie dem Film kleinere Zellen oder mehr Punkte, drehen Sie den Körper oder tauchen Sie ihn in zwei Tauchgängen.</translation>
+        <translation>%1: dieser Bogen ist nicht verlässlich. 95 % davon verschieben sich um bis zu %2, wenn feiner gerechnet wird; geben Sie dem Film kleinere Zellen oder mehr Punkte, drehen Sie den Körper oder tauchen Sie ihn in zwei Tauchvorgängen.</translation>
     </message>
 </context>
 <context>
@@ -3049,7 +3038,7 @@
     </message>
     <message>
         <source>Run the dip to see how far the sheet may be off.</source>
-        <translation>Starten Sie den Tauchgang, um zu sehen, wie weit der Bogen daneben liegen kann.</translation>
+        <translation>Starten Sie den Tauchvorgang, um zu sehen, wie weit der Bogen daneben liegen kann.</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -3060,7 +3049,7 @@
     <name>dipwright::DipController</name>
     <message>
         <source>The Dip</source>
-        <translation>Der Tauchgang</translation>
+        <translation>Der Tauchvorgang</translation>
     </message>
     <message>
         <source>Simulated with %1 on %2</source>
@@ -3257,7 +3246,7 @@
     </message>
     <message>
         <source>These sheets were made before the last changes. Run the dip first to print what the project now says.</source>
-        <translation>Diese Bögen entstanden vor den letzten Änderungen. Starten Sie zuerst den Tauchgang, um zu drucken, was im Projekt jetzt steht.</translation>
+        <translation>Diese Bögen entstanden vor den letzten Änderungen. Starten Sie zuerst den Tauchvorgang, um zu drucken, was im Projekt jetzt steht.</translation>
     </message>
     <message>
         <source>Save Maps</source>
@@ -3405,7 +3394,7 @@
     </message>
     <message>
         <source>Model, film, one or two immersions, sheet and ink. Choose a part in the tree and change its values below. Begin by dropping a model on the window.</source>
-        <translation>Modell, Film, ein oder zwei Tauchgänge, Bogen und Farbe. Wählen Sie einen Teil im Baum und ändern Sie darunter seine Werte. Beginnen Sie, indem Sie ein Modell auf das Fenster ziehen.</translation>
+        <translation>Modell, Film, ein oder zwei Tauchvorgänge, Bogen und Farbe. Wählen Sie einen Teil im Baum und ändern Sie darunter seine Werte. Beginnen Sie, indem Sie ein Modell auf das Fenster ziehen.</translation>
     </message>
     <message>
         <source>The view</source>
@@ -3421,7 +3410,7 @@
     </message>
     <message>
         <source>Simulates the dip while you watch and can be cancelled at any time. With Run Live, each change runs what depends on it again.</source>
-        <translation>Simuliert den Tauchgang vor Ihren Augen und kann jederzeit abgebrochen werden. Mit „Mitlaufen“ rechnet jede Änderung neu, was von ihr abhängt.</translation>
+        <translation>Simuliert den Tauchvorgang vor Ihren Augen und kann jederzeit abgebrochen werden. Mit „Mitlaufen“ rechnet jede Änderung neu, was von ihr abhängt.</translation>
     </message>
     <message>
         <source>The timeline</source>
@@ -3429,7 +3418,7 @@
     </message>
     <message>
         <source>Plays the dip again, or shows any moment of it.</source>
-        <translation>Spielt den Tauchgang noch einmal ab oder zeigt einen beliebigen Augenblick.</translation>
+        <translation>Spielt den Tauchvorgang noch einmal ab oder zeigt einen beliebigen Augenblick.</translation>
     </message>
     <message>
         <source>The results</source>
@@ -3696,26 +3685,10 @@
     </message>
 </context>
 <context>
-    <name>dipwright::JoinBrush</name>
+    <name>dipwright::JoinFields</name>
     <message>
         <source>The whole face</source>
         <translation>Die ganze Fläche</translation>
-    </message>
-    <message>
-        <source>Remove Last</source>
-        <translation>Letzte entfernen</translation>
-    </message>
-    <message>
-        <source>Remove All</source>
-        <translation>Alle entfernen</translation>
-    </message>
-    <message>
-        <source>A click on the body</source>
-        <translation>Ein Klick auf den Körper</translation>
-    </message>
-    <message>
-        <source>Marks nothing</source>
-        <translation>Markiert nichts</translation>
     </message>
     <message>
         <source>Keeps the join away</source>
@@ -3726,32 +3699,16 @@
         <translation>Lässt die Fuge dort laufen</translation>
     </message>
     <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
-    </message>
-    <message>
-        <source>How far round the click the mark reaches, along the surface.</source>
-        <translation>Wie weit um den Klick herum die Marke reicht, entlang der Oberfläche.</translation>
+        <source>What a click or a drag on the body in the view marks there. Give places to the other dip to move the join. With Run Live the join follows at once.</source>
+        <translation>Was ein Klick oder ein Zug auf dem Körper in der Ansicht dort markiert. Geben Sie Stellen dem anderen Tauchvorgang, um die Fuge zu verschieben. Mit „Mitlaufen“ folgt die Fuge sofort.</translation>
     </message>
     <message>
         <source>Marks the flat face that is clicked, up to its edges.</source>
         <translation>Markiert die ebene Fläche, die angeklickt wird, bis zu ihren Kanten.</translation>
     </message>
     <message>
-        <source>A click</source>
-        <translation>Ein Klick</translation>
-    </message>
-    <message>
         <source>Gives the place to %1</source>
         <translation>Gibt die Stelle %1</translation>
-    </message>
-    <message>
-        <source>Marks on the body: %1</source>
-        <translation>Marken auf dem Körper: %1</translation>
-    </message>
-    <message>
-        <source>What a click or a drag on the body in the view marks there. Give places to the other dip to move the join. With Run Live the join follows at once.</source>
-        <translation>Was ein Klick oder ein Zug auf dem Körper in der Ansicht dort markiert. Geben Sie Stellen dem anderen Tauchgang, um die Fuge zu verschieben. Mit „Mitlaufen“ folgt die Fuge sofort.</translation>
     </message>
 </context>
 <context>
@@ -3794,6 +3751,41 @@
     <message>
         <source>The body is %1 long. If its file is in another unit, make the project again and say there how long the longest edge is.</source>
         <translation>Der Körper ist %1 lang. Wenn seine Datei in einer anderen Einheit ist, legen Sie das Projekt neu an und geben dort an, wie lang die längste Kante ist.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::MarkFields</name>
+    <message>
+        <source>Remove Last</source>
+        <translation>Letzte entfernen</translation>
+    </message>
+    <message>
+        <source>Remove All</source>
+        <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>A click on the body</source>
+        <translation>Ein Klick auf den Körper</translation>
+    </message>
+    <message>
+        <source>Marks nothing</source>
+        <translation>Markiert nichts</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>How far round the click the mark reaches, along the surface.</source>
+        <translation>Wie weit um den Klick herum die Marke reicht, entlang der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>A click</source>
+        <translation>Ein Klick</translation>
+    </message>
+    <message>
+        <source>Marks on the body: %1</source>
+        <translation>Marken auf dem Körper: %1</translation>
     </message>
 </context>
 <context>
@@ -3866,19 +3858,19 @@
     </message>
     <message>
         <source>One dip</source>
-        <translation>Ein Tauchgang</translation>
+        <translation>Ein Tauchvorgang</translation>
     </message>
     <message>
         <source>Two dips: bottom and top</source>
-        <translation>Zwei Tauchgänge: unten und oben</translation>
+        <translation>Zwei Tauchvorgänge: unten und oben</translation>
     </message>
     <message>
         <source>Two dips: left and right</source>
-        <translation>Zwei Tauchgänge: links und rechts</translation>
+        <translation>Zwei Tauchvorgänge: links und rechts</translation>
     </message>
     <message>
         <source>One dip with the film model of 2020, to compare</source>
-        <translation>Ein Tauchgang mit dem Filmmodell von 2020, zum Vergleich</translation>
+        <translation>Ein Tauchvorgang mit dem Filmmodell von 2020, zum Vergleich</translation>
     </message>
     <message>
         <source>How often and from where the body is dipped. All of it can be changed later.</source>
@@ -4313,7 +4305,7 @@
     </message>
     <message>
         <source>Whether this immersion&apos;s sheet is printed.</source>
-        <translation>Ob der Bogen dieses Tauchgangs gedruckt wird.</translation>
+        <translation>Ob der Bogen dieses Tauchvorgangs gedruckt wird.</translation>
     </message>
     <message>
         <source>The printers that are set up on this machine.</source>
@@ -4831,11 +4823,11 @@
     </message>
     <message>
         <source>Add a second immersion</source>
-        <translation>Zweiten Tauchgang hinzufügen</translation>
+        <translation>Zweiten Tauchvorgang hinzufügen</translation>
     </message>
     <message>
         <source>Remove this immersion</source>
-        <translation>Diesen Tauchgang entfernen</translation>
+        <translation>Diesen Tauchvorgang entfernen</translation>
     </message>
     <message>
         <source>Join</source>
@@ -4989,7 +4981,7 @@
     </message>
     <message>
         <source>What computes the dip. “Best available” takes a GPU where there is one.</source>
-        <translation>Was den Tauchgang berechnet. „Bester verfügbarer“ nimmt eine GPU, wo es eine gibt.</translation>
+        <translation>Was den Tauchvorgang berechnet. „Bester verfügbarer“ nimmt eine GPU, wo es eine gibt.</translation>
     </message>
     <message>
         <source>Solver</source>
@@ -5067,7 +5059,7 @@
     </message>
     <message>
         <source>Run the dip to see its figures.</source>
-        <translation>Starten Sie den Tauchgang, um seine Zahlen zu sehen.</translation>
+        <translation>Starten Sie den Tauchvorgang, um seine Zahlen zu sehen.</translation>
     </message>
     <message>
         <source>Body painted altogether</source>
@@ -5174,7 +5166,7 @@ mm</translation>
     </message>
     <message>
         <source>A certain place is off by %1 mm at most · magenta: paints in one of the dips only</source>
-        <translation>Eine sichere Stelle liegt höchstens %1 mm daneben · magenta: bemalt nur in einem der Tauchgänge</translation>
+        <translation>Eine sichere Stelle liegt höchstens %1 mm daneben · magenta: bemalt nur in einem der Tauchvorgänge</translation>
     </message>
     <message>
         <source>%1: %2 mm², %3 %</source>
@@ -5235,7 +5227,7 @@ mm</translation>
     </message>
     <message>
         <source>Run the dip to see the image that goes on the film.</source>
-        <translation>Starten Sie den Tauchgang, um das Bild zu sehen, das auf den Film kommt.</translation>
+        <translation>Starten Sie den Tauchvorgang, um das Bild zu sehen, das auf den Film kommt.</translation>
     </message>
     <message>
         <source>Proof</source>
@@ -5243,7 +5235,7 @@ mm</translation>
     </message>
     <message>
         <source>Run the dip to see the body as it will come out.</source>
-        <translation>Starten Sie den Tauchgang, um den Körper zu sehen, wie er herauskommt.</translation>
+        <translation>Starten Sie den Tauchvorgang, um den Körper zu sehen, wie er herauskommt.</translation>
     </message>
     <message>
         <source>Sheet</source>
@@ -5251,7 +5243,7 @@ mm</translation>
     </message>
     <message>
         <source>Run the dip to see the page as it prints.</source>
-        <translation>Starten Sie den Tauchgang, um die Seite zu sehen, wie sie gedruckt wird.</translation>
+        <translation>Starten Sie den Tauchvorgang, um die Seite zu sehen, wie sie gedruckt wird.</translation>
     </message>
     <message>
         <source>Stretch</source>
@@ -5299,7 +5291,11 @@ mm</translation>
     </message>
     <message>
         <source>The shares of the two dips, from six sides and on both films</source>
-        <translation>Die Anteile der beiden Tauchgänge, von sechs Seiten und auf beiden Filmen</translation>
+        <translation>Die Anteile der beiden Tauchvorgänge, von sechs Seiten und auf beiden Filmen</translation>
+    </message>
+    <message>
+        <source>The shares of the two dips, over the sheet of this one</source>
+        <translation>Die Anteile der beiden Tauchvorgänge, über dem Bogen von diesem</translation>
     </message>
 </context>
 <context>
@@ -5567,7 +5563,7 @@ mm</translation>
     </message>
     <message>
         <source>Run the dip to see how the film stretches.</source>
-        <translation>Starten Sie den Tauchgang, um zu sehen, wie sich der Film dehnt.</translation>
+        <translation>Starten Sie den Tauchvorgang, um zu sehen, wie sich der Film dehnt.</translation>
     </message>
     <message>
         <source>On the body: mean %1 · 95 % below %2 · largest %3</source>
@@ -5620,19 +5616,19 @@ mm</translation>
     <name>dipwright::Timeline</name>
     <message>
         <source>Before the dip</source>
-        <translation>Vor dem Tauchgang</translation>
+        <translation>Vor dem Tauchvorgang</translation>
     </message>
     <message>
         <source>Play the dip</source>
-        <translation>Den Tauchgang abspielen</translation>
+        <translation>Den Tauchvorgang abspielen</translation>
     </message>
     <message>
         <source>End of the dip</source>
-        <translation>Ende des Tauchgangs</translation>
+        <translation>Ende des Tauchvorgangs</translation>
     </message>
     <message>
         <source>Time of the dip</source>
-        <translation>Zeit des Tauchgangs</translation>
+        <translation>Zeit des Tauchvorgangs</translation>
     </message>
     <message>
         <source>How far the lowest point of the body is under the waterline</source>
@@ -5870,7 +5866,7 @@ mm</translation>
     </message>
     <message>
         <source>Save this immersion&apos;s sheet as PDF at true size</source>
-        <translation>Den Bogen dieses Tauchgangs als PDF in wahrer Größe speichern</translation>
+        <translation>Den Bogen dieses Tauchvorgangs als PDF in wahrer Größe speichern</translation>
     </message>
     <message>
         <source>Sheet as P&amp;NG…</source>
@@ -5878,7 +5874,7 @@ mm</translation>
     </message>
     <message>
         <source>Save this immersion&apos;s film image as PNG</source>
-        <translation>Das Filmbild dieses Tauchgangs als PNG speichern</translation>
+        <translation>Das Filmbild dieses Tauchvorgangs als PNG speichern</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
@@ -5938,7 +5934,7 @@ mm</translation>
     </message>
     <message>
         <source>Add &amp;Second Immersion</source>
-        <translation>&amp;Zweiten Tauchgang hinzufügen</translation>
+        <translation>&amp;Zweiten Tauchvorgang hinzufügen</translation>
     </message>
     <message>
         <source>Dip the body a second time, from another side</source>
@@ -5946,11 +5942,11 @@ mm</translation>
     </message>
     <message>
         <source>Remove &amp;Immersion</source>
-        <translation>&amp;Tauchgang entfernen</translation>
+        <translation>&amp;Tauchvorgang entfernen</translation>
     </message>
     <message>
         <source>Remove the immersion shown</source>
-        <translation>Den gezeigten Tauchgang entfernen</translation>
+        <translation>Den gezeigten Tauchvorgang entfernen</translation>
     </message>
     <message>
         <source>Re&amp;load Model</source>
@@ -5990,7 +5986,7 @@ mm</translation>
     </message>
     <message>
         <source>Simulate the dip and make the sheets</source>
-        <translation>Den Tauchgang simulieren und die Bögen machen</translation>
+        <translation>Den Tauchvorgang simulieren und die Bögen machen</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
@@ -6022,7 +6018,7 @@ mm</translation>
     </message>
     <message>
         <source>Play the dip</source>
-        <translation>Den Tauchgang abspielen</translation>
+        <translation>Den Tauchvorgang abspielen</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
@@ -6146,7 +6142,7 @@ mm</translation>
     </message>
     <message>
         <source>At the end of the dip, hide the film that paints nothing</source>
-        <translation>Am Ende des Tauchgangs den Film verbergen, der nichts bemalt</translation>
+        <translation>Am Ende des Tauchvorgangs den Film verbergen, der nichts bemalt</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -6226,11 +6222,11 @@ mm</translation>
     </message>
     <message>
         <source>Make what holds the body in each dip, as STL and 3MF to print in plastic</source>
-        <translation>Machen, was den Körper in jedem Tauchgang hält, als STL und 3MF zum Drucken in Kunststoff</translation>
+        <translation>Machen, was den Körper in jedem Tauchvorgang hält, als STL und 3MF zum Drucken in Kunststoff</translation>
     </message>
     <message>
         <source>Show what the dips paint of the body</source>
-        <translation>Zeigt, was die Tauchgänge vom Körper färben</translation>
+        <translation>Zeigt, was die Tauchvorgänge vom Körper färben</translation>
     </message>
     <message>
         <source>&amp;Print on the Body</source>
@@ -6238,15 +6234,15 @@ mm</translation>
     </message>
     <message>
         <source>Show the body as it comes out of all dips, from every side</source>
-        <translation>Zeigt den Körper, wie er aus allen Tauchgängen kommt, von allen Seiten</translation>
+        <translation>Zeigt den Körper, wie er aus allen Tauchvorgängen kommt, von allen Seiten</translation>
     </message>
     <message>
         <source>S&amp;wap Immersions</source>
-        <translation>Tauchgänge &amp;tauschen</translation>
+        <translation>Tauchvorgänge &amp;tauschen</translation>
     </message>
     <message>
         <source>Make the second dip the first one</source>
-        <translation>Macht den zweiten Tauchgang zum ersten</translation>
+        <translation>Macht den zweiten Tauchvorgang zum ersten</translation>
     </message>
     <message>
         <source>&amp;Who Paints What</source>
@@ -6273,7 +6269,7 @@ mm</translation>
     <name>dipwright::WindowLayout</name>
     <message>
         <source>3D view of the dip</source>
-        <translation>3D-Ansicht des Tauchgangs</translation>
+        <translation>3D-Ansicht des Tauchvorgangs</translation>
     </message>
     <message>
         <source>The body above the film. Drag to turn the view, drag with the right button to shift it, turn the wheel to zoom. Drag a ring to turn the body.</source>
@@ -6406,30 +6402,14 @@ mm</translation>
     </message>
 </context>
 <context>
-    <name>dipwright::ZoneBrush</name>
-    <message>
-        <source>Remove Last</source>
-        <translation>Letzte entfernen</translation>
-    </message>
-    <message>
-        <source>Remove All</source>
-        <translation>Alle entfernen</translation>
-    </message>
-    <message>
-        <source>A click on the body</source>
-        <translation>Ein Klick auf den Körper</translation>
-    </message>
-    <message>
-        <source>Marks nothing</source>
-        <translation>Markiert nichts</translation>
-    </message>
+    <name>dipwright::ZoneFields</name>
     <message>
         <source>Marks zone %1</source>
         <translation>Markiert Zone %1</translation>
     </message>
     <message>
-        <source>What a click on the body in the view marks. Zone A is to be painted most exactly; what is not marked is zone C.</source>
-        <translation>Was ein Klick auf den Körper in der Ansicht markiert. Zone A soll am genauesten bemalt werden; was nicht markiert ist, ist Zone C.</translation>
+        <source>What a click or a drag on the body in the view marks. Zone A is to be painted most exactly; what is not marked is zone C.</source>
+        <translation>Was ein Klick oder ein Zug auf dem Körper in der Ansicht markiert. Zone A ist am genauesten zu färben; was nicht markiert ist, ist Zone C.</translation>
     </message>
     <message>
         <source>How far</source>
@@ -6450,22 +6430,6 @@ mm</translation>
     <message>
         <source>How far round the click the mark reaches: a radius along the surface, the face up to its edges, or all that has the same material in the model.</source>
         <translation>Wie weit um den Klick die Marke reicht: ein Radius entlang der Oberfläche, die Fläche bis zu ihren Kanten oder alles, was im Modell dasselbe Material hat.</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
-    </message>
-    <message>
-        <source>How far round the click the spot reaches, along the surface.</source>
-        <translation>Wie weit um den Klick der Fleck reicht, entlang der Oberfläche.</translation>
-    </message>
-    <message>
-        <source>A click</source>
-        <translation>Ein Klick</translation>
-    </message>
-    <message>
-        <source>Marks on the body: %1</source>
-        <translation>Marken auf dem Körper: %1</translation>
     </message>
 </context>
 <context>

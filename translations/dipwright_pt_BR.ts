@@ -374,6 +374,25 @@
     </message>
 </context>
 <context>
+    <name>MarkEdits</name>
+    <message>
+        <source>Mark for the Join</source>
+        <translation>Marca para a junção</translation>
+    </message>
+    <message>
+        <source>Mark a Zone</source>
+        <translation>Marcar uma zona</translation>
+    </message>
+    <message>
+        <source>Remove Mark</source>
+        <translation>Remover marca</translation>
+    </message>
+    <message>
+        <source>Remove Marks</source>
+        <translation>Remover marcas</translation>
+    </message>
+</context>
+<context>
     <name>ModelImport</name>
     <message>
         <source>Reading the model</source>
@@ -2152,21 +2171,6 @@
     </message>
 </context>
 <context>
-    <name>ShareEdits</name>
-    <message>
-        <source>Mark for the Join</source>
-        <translation>Marca para a junção</translation>
-    </message>
-    <message>
-        <source>Remove Mark</source>
-        <translation>Remover marca</translation>
-    </message>
-    <message>
-        <source>Remove Marks</source>
-        <translation>Remover marcas</translation>
-    </message>
-</context>
-<context>
     <name>ShippedNames</name>
     <message>
         <source>Ideal film, A3</source>
@@ -2656,21 +2660,6 @@
     <message>
         <source>Not painted</source>
         <translation>Não pintado</translation>
-    </message>
-</context>
-<context>
-    <name>ZoneEdits</name>
-    <message>
-        <source>Mark a Zone</source>
-        <translation>Marcar uma zona</translation>
-    </message>
-    <message>
-        <source>Remove Mark</source>
-        <translation>Remover marca</translation>
-    </message>
-    <message>
-        <source>Remove Marks</source>
-        <translation>Remover marcas</translation>
     </message>
 </context>
 <context>
@@ -3696,26 +3685,10 @@
     </message>
 </context>
 <context>
-    <name>dipwright::JoinBrush</name>
+    <name>dipwright::JoinFields</name>
     <message>
         <source>The whole face</source>
         <translation>A face inteira</translation>
-    </message>
-    <message>
-        <source>Remove Last</source>
-        <translation>Remover a última</translation>
-    </message>
-    <message>
-        <source>Remove All</source>
-        <translation>Remover todas</translation>
-    </message>
-    <message>
-        <source>A click on the body</source>
-        <translation>Um clique no corpo</translation>
-    </message>
-    <message>
-        <source>Marks nothing</source>
-        <translation>Não marca nada</translation>
     </message>
     <message>
         <source>Keeps the join away</source>
@@ -3726,32 +3699,16 @@
         <translation>Deixa a junção passar ali</translation>
     </message>
     <message>
-        <source>Radius</source>
-        <translation>Raio</translation>
-    </message>
-    <message>
-        <source>How far round the click the mark reaches, along the surface.</source>
-        <translation>Até onde a marca chega em volta do clique, ao longo da superfície.</translation>
+        <source>What a click or a drag on the body in the view marks there. Give places to the other dip to move the join. With Run Live the join follows at once.</source>
+        <translation>O que um clique ou um arrasto no corpo na vista marca ali. Dê lugares à outra imersão para mover a junção. Com “Executar ao vivo” a junção acompanha na hora.</translation>
     </message>
     <message>
         <source>Marks the flat face that is clicked, up to its edges.</source>
         <translation>Marca a face plana clicada, até as suas arestas.</translation>
     </message>
     <message>
-        <source>A click</source>
-        <translation>Um clique</translation>
-    </message>
-    <message>
         <source>Gives the place to %1</source>
         <translation>Dá o lugar a %1</translation>
-    </message>
-    <message>
-        <source>Marks on the body: %1</source>
-        <translation>Marcas no corpo: %1</translation>
-    </message>
-    <message>
-        <source>What a click or a drag on the body in the view marks there. Give places to the other dip to move the join. With Run Live the join follows at once.</source>
-        <translation>O que um clique ou um arrasto no corpo na vista marca ali. Dê lugares à outra imersão para mover a junção. Com “Executar ao vivo” a junção acompanha na hora.</translation>
     </message>
 </context>
 <context>
@@ -3794,6 +3751,41 @@
     <message>
         <source>The body is %1 long. If its file is in another unit, make the project again and say there how long the longest edge is.</source>
         <translation>O corpo tem %1 de comprimento. Se o arquivo estiver em outra unidade, crie o projeto de novo e informe ali o comprimento da aresta mais longa.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::MarkFields</name>
+    <message>
+        <source>Remove Last</source>
+        <translation>Remover a última</translation>
+    </message>
+    <message>
+        <source>Remove All</source>
+        <translation>Remover todas</translation>
+    </message>
+    <message>
+        <source>A click on the body</source>
+        <translation>Um clique no corpo</translation>
+    </message>
+    <message>
+        <source>Marks nothing</source>
+        <translation>Não marca nada</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Raio</translation>
+    </message>
+    <message>
+        <source>How far round the click the mark reaches, along the surface.</source>
+        <translation>Até onde a marca chega em volta do clique, ao longo da superfície.</translation>
+    </message>
+    <message>
+        <source>A click</source>
+        <translation>Um clique</translation>
+    </message>
+    <message>
+        <source>Marks on the body: %1</source>
+        <translation>Marcas no corpo: %1</translation>
     </message>
 </context>
 <context>
@@ -5301,6 +5293,10 @@ mm</translation>
         <source>The shares of the two dips, from six sides and on both films</source>
         <translation>As partes das duas imersões, de seis lados e nos dois filmes</translation>
     </message>
+    <message>
+        <source>The shares of the two dips, over the sheet of this one</source>
+        <translation>As partes das duas imersões, sobre a folha desta</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ReverseTexture</name>
@@ -6406,30 +6402,14 @@ mm</translation>
     </message>
 </context>
 <context>
-    <name>dipwright::ZoneBrush</name>
-    <message>
-        <source>Remove Last</source>
-        <translation>Remover a última</translation>
-    </message>
-    <message>
-        <source>Remove All</source>
-        <translation>Remover todas</translation>
-    </message>
-    <message>
-        <source>A click on the body</source>
-        <translation>Um clique no corpo</translation>
-    </message>
-    <message>
-        <source>Marks nothing</source>
-        <translation>Não marca nada</translation>
-    </message>
+    <name>dipwright::ZoneFields</name>
     <message>
         <source>Marks zone %1</source>
         <translation>Marca a zona %1</translation>
     </message>
     <message>
-        <source>What a click on the body in the view marks. Zone A is to be painted most exactly; what is not marked is zone C.</source>
-        <translation>O que um clique no corpo marca na vista. A zona A deve ser pintada com mais exatidão; o que não está marcado é zona C.</translation>
+        <source>What a click or a drag on the body in the view marks. Zone A is to be painted most exactly; what is not marked is zone C.</source>
+        <translation>O que um clique ou um arrasto no corpo na vista marca. A zona A deve ser pintada com mais exatidão; o que não é marcado é zona C.</translation>
     </message>
     <message>
         <source>How far</source>
@@ -6450,22 +6430,6 @@ mm</translation>
     <message>
         <source>How far round the click the mark reaches: a radius along the surface, the face up to its edges, or all that has the same material in the model.</source>
         <translation>Até onde em torno do clique a marca vai: um raio ao longo da superfície, a face até suas arestas ou tudo o que tem o mesmo material no modelo.</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Raio</translation>
-    </message>
-    <message>
-        <source>How far round the click the spot reaches, along the surface.</source>
-        <translation>Até onde em torno do clique a mancha vai, ao longo da superfície.</translation>
-    </message>
-    <message>
-        <source>A click</source>
-        <translation>Um clique</translation>
-    </message>
-    <message>
-        <source>Marks on the body: %1</source>
-        <translation>Marcas no corpo: %1</translation>
     </message>
 </context>
 <context>

@@ -37,8 +37,8 @@ MainWindow::MainWindow(Workbench& workbench)
       status_(new StatusLine(*statusBar(), jobs_, *actions_.cancel)), scene_(*parts_.view),
       playback_(session_, *parts_.view, scene_, *parts_.timeline),
       reader_(session_, *parts_.view, scene_, *parts_.results),
-      measure_(*parts_.view, scene_, messages_), join_(*parts_.view, scene_, session_),
-      zone_(*parts_.view, scene_, session_), turn_(session_, *parts_.view),
+      measure_(*parts_.view, scene_, messages_), marks_(*parts_.view, scene_, session_),
+      turn_(session_, *parts_.view),
       dip_(actions_, session_, check_, playback_, messages_, *parts_.results, *parts_.staleBanner),
       documentActions_(actions_, documents_, messages_, workbench, *this),
       edits_(actions_, *parts_.tree, *parts_.properties, session_, jobs_, messages_, *this),
@@ -113,14 +113,12 @@ void MainWindow::connectPanels() {
     });
     connect(parts_.properties, &PropertyPanel::shownPrintChanged, &scene_,
             &DipScene::setShownPrint);
-    connect(parts_.properties, &PropertyPanel::joinBrushChanged, this,
-            [this](const std::optional<ShareMark>& brush) {
-                join_.setBrush(brush);
-                scene_.setMarking(brush.has_value());
-            });
-    connect(parts_.properties, &PropertyPanel::zoneBrushChanged, &zone_, &ZoneTool::setBrush);
-    connect(&join_, &JoinTool::begun, this, [this] { dip_.setHeld(true); });
-    connect(&join_, &JoinTool::ended, this, [this] { dip_.setHeld(false); });
+    connect(parts_.properties, &PropertyPanel::brushChanged, this, [this](const MarkBrush& brush) {
+        marks_.setBrush(brush);
+        scene_.setMarking(std::holds_alternative<ShareMark>(brush));
+    });
+    connect(&marks_, &MarkTool::begun, this, [this] { dip_.setHeld(true); });
+    connect(&marks_, &MarkTool::ended, this, [this] { dip_.setHeld(false); });
     connect(parts_.properties, &PropertyPanel::failed, &messages_,
             [this](const QString& sentence) { messages_.say(sentence); });
 }

@@ -17,9 +17,8 @@
 #include "view/BodyTurn.h"
 #include "view/DipPlayback.h"
 #include "view/FilmReader.h"
-#include "view/JoinTool.h"
+#include "view/MarkTool.h"
 #include "view/MeasureTool.h"
-#include "view/ZoneTool.h"
 
 #include <QMainWindow>
 
@@ -77,8 +76,7 @@ private:
     DipPlayback playback_;
     FilmReader reader_;
     MeasureTool measure_;
-    JoinTool join_;
-    ZoneTool zone_;
+    MarkTool marks_;
     BodyTurn turn_;
     DipController dip_;
     DocumentController documentActions_;

@@ -19,12 +19,11 @@ ToleranceController::ToleranceController(const WindowActions& actions, const Dip
     connect(actions.run, &QAction::triggered, &check_, &ToleranceCheck::cancel);
     connect(&properties, &PropertyPanel::tolerancesAsked, actions.tolerances, &QAction::trigger);
     // Who marks zones wants to see them.
-    connect(&properties, &PropertyPanel::zoneBrushChanged, this,
-            [this](const std::optional<ZoneMark>& brush) {
-                if (brush) {
-                    actions_.zones->setChecked(true);
-                }
-            });
+    connect(&properties, &PropertyPanel::brushChanged, this, [this](const MarkBrush& brush) {
+        if (std::holds_alternative<ZoneMark>(brush)) {
+            actions_.zones->setChecked(true);
+        }
+    });
     connect(&check, &ToleranceCheck::done, this, &ToleranceController::take);
 }
 

@@ -12,7 +12,7 @@ namespace dipwright {
 
 PicturePanel::PicturePanel(const QString& name, const QString& hint, QWidget* parent)
     : QWidget(parent), hint_(hint), view_(new PictureView), bar_(new QToolBar),
-      zoomLabel_(new QLabel) {
+      zoomLabel_(new QLabel), legend_(new QLabel) {
     view_->setAccessibleName(name);
     bar_->setIconSize({18, 18});
     bar_->addAction(icon(QStringLiteral("fit")), tr("Whole picture"), view_,
@@ -29,6 +29,10 @@ PicturePanel::PicturePanel(const QString& name, const QString& hint, QWidget* pa
     layout->setSpacing(0);
     layout->addWidget(bar_);
     layout->addWidget(view_, 1);
+    layout->addWidget(legend_);
+    legend_->setTextFormat(Qt::RichText);
+    legend_->setContentsMargins(8, 4, 8, 4);
+    legend_->hide();
     zoomLabel_->setContentsMargins(6, 0, 6, 0);
     connect(view_, &PictureView::zoomChanged, this, [this] {
         const double trueSize = view_->screen()->physicalDotsPerInch() / 25.4;
@@ -49,9 +53,15 @@ void PicturePanel::setPicture(const QImage& picture, QSizeF millimetres) {
 void PicturePanel::clear() {
     view_->clear(hint_);
     zoomLabel_->clear();
+    setLegend({});
     for (QAction* button : bar_->actions()) {
         button->setEnabled(false);
     }
+}
+
+void PicturePanel::setLegend(const QString& text) {
+    legend_->setText(text);
+    legend_->setVisible(!text.isEmpty());
 }
 
 void PicturePanel::addButton(QAction* action) {

@@ -18,6 +18,8 @@ public:
     PictureView& view() { return *view_; }
     void setPicture(const QImage& picture, QSizeF millimetres);
     void clear();
+    // Under the picture; rich text, empty: none.
+    void setLegend(const QString& text);
     // Placed right of the zoom buttons; enabled while there is a picture.
     void addButton(QAction* action);
     void offerTrueSize();
@@ -29,6 +31,7 @@ private:
     PictureView* view_;
     QToolBar* bar_;
     QLabel* zoomLabel_;
+    QLabel* legend_;
     QList<QAction*> buttons_;
 };
 

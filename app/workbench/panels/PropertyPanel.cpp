@@ -2,13 +2,11 @@
 
 #include "base/Error.h"
 #include "document/ProjectValue.h"
-#include "document/ShareEdits.h"
-#include "document/ZoneEdits.h"
 #include "look/Icons.h"
-#include "panels/JoinBrush.h"
+#include "panels/JoinFields.h"
 #include "panels/PropertySpecs.h"
 #include "panels/ShippedNames.h"
-#include "panels/ZoneBrush.h"
+#include "panels/ZoneFields.h"
 
 #include <QComboBox>
 #include <QFileInfo>
@@ -17,6 +15,7 @@
 #include <QPushButton>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace dipwright {
 
@@ -57,8 +56,7 @@ void PropertyPanel::showNode(const ProjectNode& node) {
 
 void PropertyPanel::rebuild() {
     refreshers_.clear();
-    emit joinBrushChanged(std::nullopt);
-    emit zoneBrushChanged(std::nullopt);
+    emit brushChanged({});
     emit shownPrintChanged({});
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
@@ -83,23 +81,15 @@ void PropertyPanel::rebuild() {
                           "limit and resolution."));
         }
         for (const PropertySection& section : propertySections(node_)) {
-            if (!section.title.isEmpty()) {
-                addHeading(*form, section.title);
-            }
-            for (const PropertySpec& spec : section.specs) {
-                addField(*form, spec);
-                if (spec.path == QLatin1String("film.points")) {
-                    addFilmFacts(*form);
-                }
-            }
+            addSection(*form, section);
         }
     }
     if (document_ && node_.part == ProjectPart::Share) {
-        addJoinBrush(*form);
+        addJoinFields(*form);
         addPrintFields(*form);
     }
     if (document_ && node_.part == ProjectPart::Tolerance) {
-        addZoneBrush(*form);
+        addZoneFields(*form);
         addTellTolerances(*form);
     }
     setWidget(page);
@@ -122,13 +112,31 @@ void PropertyPanel::refresh() {
     }
 }
 
-void PropertyPanel::addHeading(QFormLayout& form, const QString& text) {
+void PropertyPanel::addSection(QFormLayout& form, const PropertySection& section) {
+    if (!section.title.isEmpty()) {
+        QWidget* heading = addHeading(form, section.title);
+        refreshers_.push_back([this, &form, heading, specs = section.specs] {
+            form.setRowVisible(heading, std::ranges::any_of(specs, [this](const auto& spec) {
+                                   return !spec.relevant || spec.relevant(document_->project());
+                               }));
+        });
+    }
+    for (const PropertySpec& spec : section.specs) {
+        addField(form, spec);
+        if (spec.path == QLatin1String("film.points")) {
+            addFilmFacts(form);
+        }
+    }
+}
+
+QWidget* PropertyPanel::addHeading(QFormLayout& form, const QString& text) {
     auto* heading = new QLabel(text);
     QFont font = heading->font();
     font.setBold(true);
     heading->setFont(font);
     heading->setContentsMargins(0, form.rowCount() > 0 ? 8 : 0, 0, 0);
     form.addRow(heading);
+    return heading;
 }
 
 void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
@@ -233,34 +241,35 @@ void PropertyPanel::addFilmFacts(QFormLayout& form) {
     });
 }
 
-void PropertyPanel::addJoinBrush(QFormLayout& form) {
-    addHeading(form, tr("Where the join runs"));
-    auto* brush = new JoinBrush(lengthUnit_);
-    form.addRow(brush);
-    connect(brush, &JoinBrush::changed, this,
-            [this, brush] { emit joinBrushChanged(brush->mark()); });
-    connect(brush, &JoinBrush::removeLastAsked, this, [this] { removeLastShareMark(*document_); });
-    connect(brush, &JoinBrush::removeAllAsked, this, [this] { removeShareMarks(*document_); });
-    refreshers_.push_back([this, brush] {
+template <typename Mark>
+void PropertyPanel::addMarkFields(QFormLayout& form, const QString& heading, MarkFields& fields) {
+    addHeading(form, heading);
+    form.addRow(&fields);
+    connect(&fields, &MarkFields::changed, this,
+            [this, &fields] { emit brushChanged(fields.brush()); });
+    connect(&fields, &MarkFields::removeLastAsked, this,
+            [this] { removeLastMark<Mark>(*document_); });
+    connect(&fields, &MarkFields::removeAllAsked, this, [this] { removeMarks<Mark>(*document_); });
+}
+
+void PropertyPanel::addJoinFields(QFormLayout& form) {
+    auto* fields = new JoinFields(lengthUnit_);
+    addMarkFields<ShareMark>(form, tr("Where the join runs"), *fields);
+    refreshers_.push_back([this, fields] {
         const Project& project = document_->project();
         if (project.immersions.size() > 1) {
-            brush->setDips(project.immersions[0].name, project.immersions[1].name);
+            fields->setDips(project.immersions[0].name, project.immersions[1].name);
         }
-        brush->setEnabled(project.share.enabled);
-        brush->setMarkCount(project.share.marks.size());
+        fields->setEnabled(project.share.enabled);
+        fields->setMarkCount(project.share.marks.size());
     });
 }
 
-void PropertyPanel::addZoneBrush(QFormLayout& form) {
-    addHeading(form, tr("Zones on the body"));
-    auto* brush = new ZoneBrush(lengthUnit_);
-    form.addRow(brush);
-    connect(brush, &ZoneBrush::changed, this,
-            [this, brush] { emit zoneBrushChanged(brush->mark()); });
-    connect(brush, &ZoneBrush::removeLastAsked, this, [this] { removeLastZoneMark(*document_); });
-    connect(brush, &ZoneBrush::removeAllAsked, this, [this] { removeZoneMarks(*document_); });
+void PropertyPanel::addZoneFields(QFormLayout& form) {
+    auto* fields = new ZoneFields(lengthUnit_);
+    addMarkFields<ZoneMark>(form, tr("Zones on the body"), *fields);
     refreshers_.push_back(
-        [this, brush] { brush->setMarkCount(document_->project().tolerance.marks.size()); });
+        [this, fields] { fields->setMarkCount(document_->project().tolerance.marks.size()); });
 }
 
 void PropertyPanel::addTellTolerances(QFormLayout& form) {

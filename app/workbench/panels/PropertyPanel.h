@@ -1,7 +1,7 @@
 // The values of what is selected in the project tree, each with unit, range and explanation.
 #pragma once
 
-#include "document/Document.h"
+#include "document/MarkEdits.h"
 #include "panels/FilmFacts.h"
 #include "panels/PrintFields.h"
 #include "panels/ProjectTree.h"
@@ -13,6 +13,9 @@
 class QFormLayout;
 
 namespace dipwright {
+
+class MarkFields;
+struct PropertySection;
 
 class PropertyPanel : public QScrollArea {
     Q_OBJECT
@@ -33,21 +36,22 @@ signals:
     void replaceTextureAsked();
     // How far the second film lies off, in the view only.
     void shownPrintChanged(const dipwright::ShownPrint& print);
-    // What a click on the body marks for the join, without its place; none: nothing.
-    void joinBrushChanged(const std::optional<dipwright::ShareMark>& brush);
-    // What a click on the body marks as a zone, without its place; none: nothing.
-    void zoneBrushChanged(const std::optional<dipwright::ZoneMark>& brush);
+    // What a click on the body marks.
+    void brushChanged(const dipwright::MarkBrush& brush);
     void tolerancesAsked();
 
 private:
     void rebuild();
-    void addHeading(QFormLayout& form, const QString& text);
+    void addSection(QFormLayout& form, const PropertySection& section);
+    QWidget* addHeading(QFormLayout& form, const QString& text);
     void addField(QFormLayout& form, const PropertySpec& spec);
     void addModelFacts(QFormLayout& form);
     void addFilmFacts(QFormLayout& form);
-    void addJoinBrush(QFormLayout& form);
+    template <typename Mark>
+    void addMarkFields(QFormLayout& form, const QString& heading, MarkFields& fields);
+    void addJoinFields(QFormLayout& form);
     void addPrintFields(QFormLayout& form);
-    void addZoneBrush(QFormLayout& form);
+    void addZoneFields(QFormLayout& form);
     void addTellTolerances(QFormLayout& form);
     void addPreset(QFormLayout& form);
     void addSolver(QFormLayout& form);

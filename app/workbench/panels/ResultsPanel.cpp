@@ -4,8 +4,10 @@
 #include "panels/PicturePanel.h"
 #include "panels/ReportPanel.h"
 #include "panels/StretchPanel.h"
+#include "results/Results.h"
 
 #include <QAction>
+#include <QPainter>
 
 namespace dipwright {
 
@@ -13,6 +15,32 @@ namespace {
 
 constexpr int leastWidth = 390;                // all tabs can be seen, marked as stale too
 constexpr double proofPixelsPerMillimetre = 8; // the proof has no size of its own
+constexpr double sharesOpacity = 0.6;          // over the sheet, which is to be seen below
+
+// The page with the shares of the two dips over its film.
+QImage sharedSheet(const SheetPreview& sheet, const JobResult& result, std::size_t immersion) {
+    const double perMillimetre = sheet.page.width() / sheet.size.width();
+    const QRectF film(sheet.film.topLeft() * perMillimetre, sheet.film.size() * perMillimetre);
+    QImage page = sheet.page.convertToFormat(QImage::Format_RGB32);
+    QPainter painter(&page);
+    painter.setOpacity(sharesOpacity);
+    painter.drawImage(film, sharePicture(*result.immersions[immersion].laid, *result.share,
+                                         immersion, film.size().toSize()));
+    return page;
+}
+
+QString sharesLegend(const JobResult& result) {
+    QStringList lines;
+    for (const ShareLine& line : shareLines(*result.share, {result.immersions[0].immersion.name,
+                                                            result.immersions[1].immersion.name})) {
+        // What is bare would not be seen on a bright window.
+        const bool bare = line.colour == painterColour(Painter::None);
+        lines.append(bare ? QStringLiteral("□ ") + line.text.toHtmlEscaped()
+                          : QStringLiteral("<span style='color:%1'>■</span> %2")
+                                .arg(line.colour.name(), line.text.toHtmlEscaped()));
+    }
+    return lines.join(QStringLiteral("<br>"));
+}
 
 } // namespace
 
@@ -28,13 +56,12 @@ ResultsPanel::ResultsPanel(QWidget* parent)
     setUsesScrollButtons(true);
     setMinimumWidth(leastWidth);
     sheet_->offerTrueSize();
-    shares_ = new QAction(tr("Who Paints What"), this);
-    shares_->setObjectName(QStringLiteral("proofShares"));
-    shares_->setCheckable(true);
-    shares_->setVisible(false);
-    shares_->setToolTip(tr("The shares of the two dips, from six sides and on both films"));
-    proof_->addButton(shares_);
-    connect(shares_, &QAction::toggled, this, &ResultsPanel::showProof);
+    proofShares_ = offerShares(*proof_, QStringLiteral("proofShares"),
+                               tr("The shares of the two dips, from six sides and on both films"));
+    sheetShares_ = offerShares(*sheet_, QStringLiteral("sheetShares"),
+                               tr("The shares of the two dips, over the sheet of this one"));
+    connect(proofShares_, &QAction::toggled, this, &ResultsPanel::showProof);
+    connect(sheetShares_, &QAction::toggled, this, &ResultsPanel::showSheet);
     addTab(certainty_, tr("Verdict"));
     addTab(stretch_, tr("Stretch"));
     addTab(texture_, tr("Texture"));
@@ -85,19 +112,40 @@ void ResultsPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion) 
     const FilmSettings& film = outcome.result->project.film;
     texture_->setPicture(outcome.result->immersions[immersion].texture->image,
                          {film.width.value(), film.height.value()});
-    shares_->setVisible(!outcome.result->coverage.isNull());
+    proofShares_->setVisible(!outcome.result->coverage.isNull());
+    sheetShares_->setVisible(outcome.result->share != nullptr);
     showProof();
-    const SheetPreview& sheet = outcome.sheets[immersion];
-    sheet_->setPicture(sheet.page, sheet.size);
+    showSheet();
+}
+
+QAction* ResultsPanel::offerShares(PicturePanel& panel, const QString& name, const QString& help) {
+    auto* shares = new QAction(tr("Who Paints What"), this);
+    shares->setObjectName(name);
+    shares->setCheckable(true);
+    shares->setVisible(false);
+    shares->setToolTip(help);
+    panel.addButton(shares);
+    return shares;
 }
 
 void ResultsPanel::showProof() {
     const bool hasShares = outcome_.result && !outcome_.result->coverage.isNull();
     if (outcome_.result) {
-        const QImage& picture =
-            hasShares && shares_->isChecked() ? outcome_.result->coverage : outcome_.result->proof;
+        const QImage& picture = hasShares && proofShares_->isChecked() ? outcome_.result->coverage
+                                                                       : outcome_.result->proof;
         proof_->setPicture(picture, QSizeF(picture.size()) / proofPixelsPerMillimetre);
     }
+}
+
+void ResultsPanel::showSheet() {
+    if (immersion_ >= outcome_.sheets.size()) {
+        return;
+    }
+    const SheetPreview& sheet = outcome_.sheets[immersion_];
+    const bool shared = outcome_.result->share && sheetShares_->isChecked();
+    sheet_->setPicture(shared ? sharedSheet(sheet, *outcome_.result, immersion_) : sheet.page,
+                       sheet.size);
+    sheet_->setLegend(shared ? sharesLegend(*outcome_.result) : QString());
 }
 
 void ResultsPanel::setLengthUnit(LengthUnit unit) {

@@ -39,7 +39,9 @@ signals:
 
 private:
     void hoverShare(double across, double down);
+    QAction* offerShares(PicturePanel& panel, const QString& name, const QString& help);
     void showProof();
+    void showSheet();
 
     DipOutcome outcome_;
     std::size_t immersion_ = 0;
@@ -48,8 +50,9 @@ private:
     StretchPanel* stretch_;
     PicturePanel* texture_;
     PicturePanel* proof_;
-    QAction* shares_; // who paints what, in place of the proof
+    QAction* proofShares_; // who paints what, in place of the proof …
     PicturePanel* sheet_;
+    QAction* sheetShares_; // … and over the sheet
     ReportPanel* report_;
 };
 

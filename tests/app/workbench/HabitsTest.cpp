@@ -224,6 +224,22 @@ private slots:
         QCOMPARE(window_->view().picture(), before);
     }
 
+    void aDragOverTheBodyMarksAZoneInOneStep() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        const Document& document = *window_->document();
+        driver.find<ProjectTree>("projectTree")->select({ProjectPart::Tolerance, 0});
+        auto* brush = driver.find<QComboBox>("zoneBrush");
+        brush->setCurrentIndex(brush->findData(int(Zone::B)));
+        driver.find<QDoubleSpinBox>("zoneBrushRadius")->setValue(4);
+        window_->view().picture();
+        WindowDriver::drag(window_->view(), {0.45, 0.5}, {0.55, 0.5});
+        const std::vector<ZoneMark>& marks = document.project().tolerance.marks;
+        QVERIFY2(marks.size() > 3 && marks.size() < 15, QByteArray::number(marks.size()));
+        driver.trigger("undo");
+        QVERIFY(marks.empty());
+    }
+
     void theMapIsExportedAsItIsShown() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());

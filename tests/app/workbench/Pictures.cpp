@@ -76,6 +76,10 @@ void photographTabs(WindowDriver& driver, MainWindow& window, const Photographer
 void photographShares(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
     driver.trigger("filmShares");
     camera.take(window, QStringLiteral("film-shares"));
+    driver.trigger("sheetShares");
+    driver.find<QTabWidget>("results")->setCurrentIndex(4);
+    camera.take(window, QStringLiteral("sheet-shares"));
+    driver.trigger("sheetShares");
     driver.trigger("proofShares");
     driver.find<QTabWidget>("results")->setCurrentIndex(3); // the proof
     driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});

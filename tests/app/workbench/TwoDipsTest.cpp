@@ -4,6 +4,8 @@
 #include "PrivateCups.h"
 #include "WindowDriver.h"
 #include "panels/ProjectTree.h"
+#include "panels/ResultsPanel.h"
+#include "results/Results.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -39,6 +41,16 @@ void answerWithFolder(const QString& folder) {
         }
     });
     timer->start(50);
+}
+
+int count(const QImage& picture, const QColor& colour) {
+    int found = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            found += picture.pixelColor(x, y) == colour;
+        }
+    }
+    return found;
 }
 
 template <typename Widget>
@@ -81,6 +93,20 @@ private slots:
         QVERIFY(!result().coverage.isNull());
         second_ = result().share->areas.second;
         sheets_ = {result().immersions[0].sheet.image, result().immersions[1].sheet.image};
+    }
+
+    void theSheetsPageShowsWhoPaintsWhat() {
+        auto* results = driver().find<ResultsPanel>("results");
+        results->setCurrentIndex(4);
+        auto* shares = results->findChild<QAction*>(QStringLiteral("sheetShares"));
+        QVERIFY(shares && shares->isVisible());
+        const QImage plain = results->grab().toImage();
+        shares->trigger();
+        const QImage shared = results->grab().toImage();
+        QVERIFY(count(shared, painterColour(Painter::First)) >
+                count(plain, painterColour(Painter::First)) + 50); // its key, at least
+        shares->trigger();
+        QTRY_COMPARE(results->grab().toImage(), plain);
     }
 
     void theJoinIsMovedAndMovedBack() {

@@ -1,20 +1,21 @@
-// Marks on the body for the join of two dips, where the user clicks or drags.
+// Marks on the body, where the user clicks or drags: for the join of two dips, or of zones.
 #pragma once
 
+#include "document/MarkEdits.h"
 #include "session/DipSession.h"
 #include "view/DipScene.h"
 
 namespace dipwright {
 
-class JoinTool : public QObject {
+class MarkTool : public QObject {
     Q_OBJECT
 
 public:
-    JoinTool(DipView& view, const DipScene& scene, const DipSession& session,
+    MarkTool(DipView& view, const DipScene& scene, const DipSession& session,
              QObject* parent = nullptr);
 
-    // The mark of a click, without its place; none: clicks are somebody else's.
-    void setBrush(const std::optional<ShareMark>& brush) { brush_ = brush; }
+    // None: presses on the body are somebody else's.
+    void setBrush(const MarkBrush& brush) { brush_ = brush; }
 
 signals:
     void begun(); // a stroke, which is one step to undo
@@ -27,7 +28,7 @@ private:
 
     const DipScene& scene_;
     const DipSession& session_;
-    std::optional<ShareMark> brush_;
+    MarkBrush brush_;
     std::optional<Eigen::Vector3f> last_; // of the stroke's marks
 };
 
