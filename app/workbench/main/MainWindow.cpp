@@ -44,7 +44,7 @@ MainWindow::MainWindow(Workbench& workbench)
       edits_(actions_, *parts_.tree, *parts_.properties, session_, jobs_, messages_, *this),
       exports_(actions_, parts_.results->stretch(), session_, jobs_, messages_, *this),
       tolerances_(actions_, session_, toleranceCheck_, messages_, scene_, *parts_.properties,
-                  *this),
+                  parts_.results->report(), *this),
       profiles_(actions_, documents_, messages_, workbench, *parts_.properties, *this),
       viewActions_(actions_, *parts_.view, scene_, parts_.results->stretch(), jobs_, messages_,
                    *this),

@@ -3,6 +3,7 @@
 #include "dialogs/ToleranceDialog.h"
 #include "main/WindowActions.h"
 #include "panels/PropertyPanel.h"
+#include "panels/ReportPanel.h"
 #include "view/DipScene.h"
 
 #include <QAction>
@@ -11,9 +12,10 @@ namespace dipwright {
 
 ToleranceController::ToleranceController(const WindowActions& actions, const DipSession& session,
                                          ToleranceCheck& check, Messages& messages, DipScene& scene,
-                                         const PropertyPanel& properties, QWidget& window)
+                                         const PropertyPanel& properties, ReportPanel& report,
+                                         QWidget& window)
     : actions_(actions), session_(session), check_(check), messages_(messages), scene_(scene),
-      window_(window) {
+      report_(report), window_(window) {
     connect(actions.tolerances, &QAction::triggered, this,
             [this] { check_.start(*session_.document()); });
     connect(actions.run, &QAction::triggered, &check_, &ToleranceCheck::cancel);
@@ -35,15 +37,19 @@ void ToleranceController::showDocument() {
     dress();
 }
 
+void ToleranceController::setLengthUnit(LengthUnit unit) {
+    unit_ = unit;
+    dress();
+}
+
 bool ToleranceController::isTrue() const {
     return told_.job && session_.document() && session_.document()->project() == told_.job->project;
 }
 
 void ToleranceController::take(const ToldTolerances& told) {
     told_ = told;
-    for (const ZoneVerdict& zone : told.tolerances->zones) {
-        messages_.log(
-            zoneText(zone, [this](double millimetres) { return shownLength(millimetres, unit_); }));
+    for (const QString& verdict : verdicts()) {
+        messages_.log(verdict);
     }
     dress();
     auto* dialog = new ToleranceDialog(*told.job, *told.tolerances, !isTrue(), unit_, &window_);
@@ -53,6 +59,16 @@ void ToleranceController::take(const ToldTolerances& told) {
 
 void ToleranceController::dress() {
     scene_.setTolerances(isTrue() ? told_.tolerances : nullptr);
+    report_.setTolerances(isTrue() ? verdicts() : QStringList());
+}
+
+QStringList ToleranceController::verdicts() const {
+    QStringList sentences;
+    for (const ZoneVerdict& zone : told_.tolerances->zones) {
+        sentences.append(
+            zoneText(zone, [this](double millimetres) { return shownLength(millimetres, unit_); }));
+    }
+    return sentences;
 }
 
 } // namespace dipwright

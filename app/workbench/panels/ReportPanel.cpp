@@ -141,24 +141,41 @@ ReportPanel::ReportPanel(QWidget* parent)
 }
 
 void ReportPanel::setResult(std::shared_ptr<const JobResult> result, LengthUnit unit) {
-    text_->setVisible(result != nullptr);
-    hint_->setVisible(!result);
-    if (!result) {
+    result_ = std::move(result);
+    unit_ = unit;
+    show();
+}
+
+void ReportPanel::setTolerances(const QStringList& sentences) {
+    tolerances_ = sentences;
+    show();
+}
+
+void ReportPanel::show() {
+    text_->setVisible(result_ != nullptr);
+    hint_->setVisible(!result_);
+    if (!result_) {
         return;
     }
     Table whole;
-    whole.row(tr("Body painted altogether"), percent(result->coverageTotal));
-    whole.row(tr("Solver"), shownName(result->solver.name));
-    whole.row(tr("Device"), result->solver.device);
+    whole.row(tr("Body painted altogether"), percent(result_->coverageTotal));
+    whole.row(tr("Solver"), shownName(result_->solver.name));
+    whole.row(tr("Device"), result_->solver.device);
     QString html = whole.html();
-    for (const QString& note : result->notes) {
+    for (const QString& note : result_->notes) {
         html += QStringLiteral("<p><b>%1</b></p>").arg(note.toHtmlEscaped());
     }
-    if (result->share) {
-        html += shareHtml(*result);
+    if (result_->share) {
+        html += shareHtml(*result_);
     }
-    for (const ImmersionResult& immersion : result->immersions) {
-        html += immersionHtml(immersion, unit);
+    if (!tolerances_.isEmpty()) {
+        html += heading(tr("Tolerances"));
+    }
+    for (const QString& sentence : tolerances_) {
+        html += QStringLiteral("<p>%1</p>").arg(sentence.toHtmlEscaped());
+    }
+    for (const ImmersionResult& immersion : result_->immersions) {
+        html += immersionHtml(immersion, unit_);
     }
     text_->setHtml(html);
 }

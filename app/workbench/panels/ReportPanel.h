@@ -18,8 +18,15 @@ public:
     explicit ReportPanel(QWidget* parent = nullptr);
 
     void setResult(std::shared_ptr<const JobResult> result, LengthUnit unit); // null: none yet
+    // Of how far colours may land off their places, a sentence a zone; empty where not told.
+    void setTolerances(const QStringList& sentences);
 
 private:
+    void show();
+
+    std::shared_ptr<const JobResult> result_;
+    LengthUnit unit_ = LengthUnit::Millimetre;
+    QStringList tolerances_;
     QTextBrowser* text_;
     QLabel* hint_; // instead of the text, before the first run
 };

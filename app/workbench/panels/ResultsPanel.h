@@ -31,6 +31,7 @@ public:
     void addTextureAction(QAction* action);
     void addSheetAction(QAction* action);
     StretchPanel& stretch() { return *stretch_; }
+    ReportPanel& report() { return *report_; }
 
 signals:
     void hovered(Eigen::Vector2f rest); // a place on the floating film

@@ -26,6 +26,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QTextBrowser>
 
 using namespace dipwright;
 using test::PluginFolder;
@@ -169,6 +170,7 @@ private slots:
         QVERIFY(makeProject());
         Document& document = *window_->document();
         document.edit({}, {}, [](Project& project) { project.tolerance.samples = 0; });
+        QVERIFY(driver.run());
         driver.trigger("tolerances");
         QVERIFY(!driver.action("tolerances")->isEnabled());
         QTRY_VERIFY_WITH_TIMEOUT(driver.find<QDialog>("toleranceDialog"), patience());
@@ -182,11 +184,14 @@ private slots:
         QVERIFY(!dialog->findChild<PictureView*>()->isEmpty());
         dialog->close();
 
-        // On the body, as long as it is true.
+        // In the report and on the body, as long as it is true.
+        const auto* report = driver.find<QTextBrowser>("report");
+        QVERIFY(report->toPlainText().contains(QStringLiteral("Zone C")));
         driver.trigger("zones");
         const QImage told = window_->view().picture();
         document.edit({}, {}, [](Project& project) { project.tolerance.swell = 0.02; });
         QVERIFY(window_->view().picture() != told);
+        QVERIFY(!report->toPlainText().contains(QStringLiteral("Zone C")));
         driver.trigger("undo");
         QCOMPARE(window_->view().picture(), told);
     }
