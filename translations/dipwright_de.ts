@@ -3276,16 +3276,16 @@
         <translation>Körper bei %1, %2, %3</translation>
     </message>
     <message>
-        <source>Sheet %1, %2 · %3 · stretch %4 · area %5 · %6 to %7</source>
-        <translation>Bogen %1, %2 · %3 · Dehnung %4 · Fläche %5 · %6 bis %7</translation>
-    </message>
-    <message>
         <source>on the body</source>
         <translation>auf dem Körper</translation>
     </message>
     <message>
         <source>on the water</source>
         <translation>auf dem Wasser</translation>
+    </message>
+    <message>
+        <source>Sheet %1, %2 · %3 · stretch %4 by %5, area %6</source>
+        <translation>Bogen %1, %2 · %3 · Dehnung %4 mal %5, Fläche %6</translation>
     </message>
 </context>
 <context>
@@ -5072,6 +5072,10 @@
     <message>
         <source>Device</source>
         <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Toleranzen</translation>
     </message>
 </context>
 <context>

@@ -3276,16 +3276,16 @@
         <translation>Corpo em %1, %2, %3</translation>
     </message>
     <message>
-        <source>Sheet %1, %2 · %3 · stretch %4 · area %5 · %6 to %7</source>
-        <translation>Folha %1, %2 · %3 · estiramento %4 · área %5 · %6 a %7</translation>
-    </message>
-    <message>
         <source>on the body</source>
         <translation>no corpo</translation>
     </message>
     <message>
         <source>on the water</source>
         <translation>na água</translation>
+    </message>
+    <message>
+        <source>Sheet %1, %2 · %3 · stretch %4 by %5, area %6</source>
+        <translation>Folha %1, %2 · %3 · estiramento %4 por %5, área %6</translation>
     </message>
 </context>
 <context>
@@ -5072,6 +5072,10 @@
     <message>
         <source>Device</source>
         <translation>Dispositivo</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Tolerâncias</translation>
     </message>
 </context>
 <context>

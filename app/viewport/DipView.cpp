@@ -17,8 +17,9 @@ namespace dipwright {
 
 namespace {
 
-constexpr double clickReach = 4; // pixels that a click may move
-constexpr int wheelStep = 120;   // of a notch, as Qt counts
+constexpr double clickReach = 4;     // pixels that a click may move
+constexpr int wheelStep = 120;       // of a notch, as Qt counts
+constexpr double wheelFactor = 1.21; // of a step of the wheel
 
 } // namespace
 
@@ -415,8 +416,8 @@ void DipView::wheelEvent(QWheelEvent* event) {
     for (turned += event->angleDelta().y(); std::abs(turned) >= wheelStep;) {
         const bool forward = turned > 0;
         turned -= forward ? wheelStep : -wheelStep;
-        sendMouse({forward ? MouseAction::WheelForward : MouseAction::WheelBackward, Qt::NoButton,
-                   event->position(), event->modifiers()});
+        change([place = event->position(), factor = forward ? wheelFactor : 1 / wheelFactor](
+                   ViewScene& scene) { scene.zoomAt(place, factor); });
     }
 }
 

@@ -59,10 +59,6 @@ unsigned long eventOf(const ViewMouse& mouse) {
     switch (mouse.action) {
     case MouseAction::Move:
         return vtkCommand::MouseMoveEvent;
-    case MouseAction::WheelForward:
-        return vtkCommand::MouseWheelForwardEvent;
-    case MouseAction::WheelBackward:
-        return vtkCommand::MouseWheelBackwardEvent;
     case MouseAction::Press:
         return mouse.button == Qt::LeftButton     ? vtkCommand::LeftButtonPressEvent
                : mouse.button == Qt::MiddleButton ? vtkCommand::MiddleButtonPressEvent
@@ -223,6 +219,25 @@ void ViewScene::zoom(double factor) {
     } else {
         camera().Dolly(factor);
     }
+}
+
+void ViewScene::zoomAt(const QPointF& place, double factor) {
+    vtkCamera& own = camera();
+    const Eigen::Vector3d focus(own.GetFocalPoint()), ahead(own.GetDirectionOfProjection());
+    const Eigen::Vector3d up(own.GetViewUp()), right = ahead.cross(up).normalized();
+    const double half =
+        own.GetParallelProjection()
+            ? own.GetParallelScale()
+            : own.GetDistance() * std::tan(radians(Degrees(own.GetViewAngle())) / 2);
+    // From the focal point to what is seen at the place, in the plane across the view.
+    const QPointF fromMiddle = place - QPointF(size_.size.width() / 2.0, size_.size.height() / 2.0);
+    const Eigen::Vector3d aside = 2 * half / std::max(1, size_.size.height()) *
+                                  (fromMiddle.x() * right - fromMiddle.y() * right.cross(ahead));
+    zoom(factor);
+    const Eigen::Vector3d shift = aside * (1 - 1 / factor);
+    const Eigen::Vector3d camera = Eigen::Vector3d(own.GetPosition()) + shift;
+    own.SetPosition(camera.x(), camera.y(), camera.z());
+    own.SetFocalPoint(focus.x() + shift.x(), focus.y() + shift.y(), focus.z() + shift.z());
 }
 
 void ViewScene::mouse(const ViewMouse& mouse) {

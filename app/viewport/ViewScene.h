@@ -30,7 +30,7 @@ struct ViewSize {
     double fontSize = 10;  // points
 };
 
-enum class MouseAction { Press, Release, Move, WheelForward, WheelBackward };
+enum class MouseAction { Press, Release, Move };
 
 struct ViewMouse {
     MouseAction action = MouseAction::Move;
@@ -61,8 +61,9 @@ public:
     // From outside, as close as shows a good part of the body.
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
     void fit();
-    void turn(double rightPixels, double upPixels); // as dragging by so many would
-    void zoom(double factor);
+    void turn(double rightPixels, double upPixels);   // as dragging by so many would
+    void zoom(double factor);                         // what is in the middle stays there
+    void zoomAt(const QPointF& place, double factor); // what is seen there stays there
     void mouse(const ViewMouse& mouse);
     ViewPicture draw();
 

@@ -7,6 +7,12 @@
 
 namespace dipwright {
 
+namespace {
+
+constexpr double sameAxis = 1e-6; // cosine of the turn about Y from which on X and Z are one axis
+
+} // namespace
+
 Eigen::Matrix3d rotationMatrix(const std::array<Degrees, 3>& angles) {
     return (Eigen::AngleAxisd(radians(angles[2]), Eigen::Vector3d::UnitZ()) *
             Eigen::AngleAxisd(radians(angles[1]), Eigen::Vector3d::UnitY()) *
@@ -14,12 +20,28 @@ Eigen::Matrix3d rotationMatrix(const std::array<Degrees, 3>& angles) {
         .toRotationMatrix();
 }
 
-std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation) {
-    const Eigen::Vector3d zyx = rotation.eulerAngles(2, 1, 0);
-    const auto rounded = [](double angle) {
-        return Degrees(std::round(angle * 1800 / pi) / 10 + 0.0); // 0 for −0
+std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
+                                      const std::array<Degrees, 3>& near) {
+    const Eigen::Vector3d aim(radians(near[0]), radians(near[1]), radians(near[2]));
+    // The same turns, each within half a turn of the aim's.
+    const auto nearAim = [&](const Eigen::Vector3d& angles) -> Eigen::Vector3d {
+        return aim + (angles - aim).unaryExpr([](double a) { return std::remainder(a, 2 * pi); });
     };
-    return {rounded(zyx[2]), rounded(zyx[1]), rounded(zyx[0])};
+    const Eigen::Vector3d zyx = rotation.eulerAngles(2, 1, 0);
+    Eigen::Vector3d one(zyx[2], zyx[1], zyx[0]);
+    if (std::abs(std::cos(one.y())) < sameAxis) { // X and Z turn about one axis then
+        const double more = aim.x() - one.x();
+        one += Eigen::Vector3d(more, 0, std::sin(one.y()) > 0 ? more : -more);
+    }
+    const Eigen::Vector3d other(one.x() + pi, pi - one.y(), one.z() + pi);
+    const bool otherIsNearer =
+        (nearAim(other) - aim).squaredNorm() < (nearAim(one) - aim).squaredNorm();
+    const Eigen::Vector3d nearest = nearAim(otherIsNearer ? other : one);
+    const auto rounded = [](double angle) {
+        const double turn = std::abs(angle) > 2 * pi ? std::remainder(angle, 2 * pi) : angle;
+        return Degrees(std::round(turn * 1800 / pi) / 10 + 0.0); // 0 for −0
+    };
+    return {rounded(nearest.x()), rounded(nearest.y()), rounded(nearest.z())};
 }
 
 Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immersion) {

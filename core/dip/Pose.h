@@ -23,9 +23,10 @@ struct Immersion {
 };
 
 // The rotation by angles about X, then Y, then Z, and such angles for a rotation, to a tenth of a
-// degree.
+// degree: of all that there are those nearest to `near`, but within a whole turn.
 Eigen::Matrix3d rotationMatrix(const std::array<Degrees, 3>& angles);
-std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation);
+std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
+                                      const std::array<Degrees, 3>& near = {});
 
 // Model coordinates to the pose frame.
 Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immersion);

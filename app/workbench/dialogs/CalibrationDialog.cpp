@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "disk/WholeFile.h"
+#include "panels/NumberBox.h"
 #include "panels/PictureView.h"
 #include "panels/ShippedNames.h"
 #include "printing/Calibration.h"
@@ -10,7 +11,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QGroupBox>
@@ -41,7 +41,7 @@ QImage picture(const CalibrationPage& page) {
 }
 
 QDoubleSpinBox* lengthBox(const QString& name) {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new NumberBox;
     box->setRange(1, 5000);
     box->setDecimals(2);
     box->setSingleStep(0.1);

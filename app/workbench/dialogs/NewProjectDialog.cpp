@@ -2,13 +2,13 @@
 
 #include "look/Icons.h"
 #include "model/ModelFormats.h"
+#include "panels/NumberBox.h"
 #include "panels/Units.h"
 #include "project/FilmSizes.h"
 #include "project/ProfileLibrary.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -56,7 +56,7 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
     : QDialog(parent), lengthUnit_(preferences.unit), printerProfile_(preferences.printerProfile),
       model_(new QLineEdit(model)), texture_(new QLineEdit),
       byUnit_(new QRadioButton(tr("One unit of the file is"))), unit_(new QComboBox),
-      byEdge_(new QRadioButton(tr("The longest edge is"))), edge_(new QDoubleSpinBox),
+      byEdge_(new QRadioButton(tr("The longest edge is"))), edge_(new NumberBox),
       film_(new QComboBox), template_(new QComboBox) {
     setWindowTitle(tr("New Project"));
     setObjectName(QStringLiteral("newProjectDialog"));

@@ -47,7 +47,12 @@ public:
     // The file. `path` is empty for a document that was never saved.
     const QString& path() const { return path_; }
     QString title() const; // the file's name, or the project's
-    bool isModified() const { return path_.isEmpty() || recovered_ || !undoStack_.isClean(); }
+    bool isModified() const {
+        return (path_.isEmpty() && !keptElsewhere_) || recovered_ || !undoStack_.isClean();
+    }
+    // Without a file, but of something that is kept anyway, such as a sample: unmodified until it
+    // is edited.
+    void setKeptElsewhere() { keptElsewhere_ = true; }
     // Restored after a crash: differs from its file though nothing was edited since.
     void setRecovered() {
         recovered_ = true;
@@ -90,7 +95,7 @@ private:
     QString path_;
     QUndoStack undoStack_;
     int mergeRound_ = 0;
-    bool recovered_ = false;
+    bool recovered_ = false, keptElsewhere_ = false;
     FileVersion version_;
     QStringList untrusted_; // files
     std::unique_ptr<FileLock> lock_ = std::make_unique<FileLock>();

@@ -81,7 +81,7 @@ AutoSaver::AutoSaver(Document& document, const QString& folder, QObject* parent)
             discard();
         }
     });
-    if (document.isModified() || document.path().isEmpty()) {
+    if (document.isModified()) {
         scheduleCopy();
     }
 }

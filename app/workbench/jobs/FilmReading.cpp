@@ -115,6 +115,7 @@ FilmReadingPoint FilmReading::at(const SurfacePoint& onFilm) const {
     const FilmTriangle& triangle = mesh_.triangles[onFilm.triangle];
     FilmReadingPoint reading;
     reading.place = position(mesh_, onFilm);
+    reading.stretch = laid_->stretches()[onFilm.triangle];
     reading.adhered = true;
     Eigen::Index nearest = 0;
     onFilm.weights.maxCoeff(&nearest);

@@ -16,6 +16,7 @@ struct FilmReadingPoint {
     Eigen::Vector2f rest = Eigen::Vector2f::Zero();  // on the floating film, see restPosition()
     Eigen::Vector3f place = Eigen::Vector3f::Zero(); // pose frame, mm
     std::array<float, filmQuantityCount> values{};
+    PrincipalStretch stretch; // of the triangle there: these agree with each other
     bool adhered = false;
     SurfacePoint body;                                 // invalid where the film is not on it
     Eigen::Vector3f outward = Eigen::Vector3f::Zero(); // of the body's surface there, pose frame

@@ -22,14 +22,17 @@ DipController::DipController(const WindowActions& actions, DipSession& session,
     connect(&session, &DipSession::finished, this, &DipController::takeResult);
     connect(&session, &DipSession::stopped, this, [this](const std::exception_ptr& failure) {
         showResults();
-        if (failure) {
+        // What nobody asked for just now does not stand in anybody's way.
+        if (failure && isLive_) {
+            messages_.notice(sentenceOf(failure));
+        } else if (failure) {
             messages_.fail(tr("The Dip"), failure);
         }
     });
     connect(&session, &DipSession::immersionChanged, this, &DipController::showResults);
     connect(&session, &DipSession::dropped, this, &DipController::showResults);
-    connect(&live_, &LiveRun::runAsked, this, &DipController::run);
-    connect(actions.run, &QAction::triggered, this, &DipController::run);
+    connect(&live_, &LiveRun::runAsked, this, [this] { run(true); });
+    connect(actions.run, &QAction::triggered, this, [this] { run(false); });
     connect(actions.cancel, &QAction::triggered, this, &DipController::cancel);
     connect(actions.live, &QAction::toggled, &live_, &LiveRun::setWanted);
     connect(actions.certainty, &QAction::triggered, this, &DipController::checkCertainty);
@@ -44,7 +47,8 @@ void DipController::showDocument() {
     }
 }
 
-void DipController::run() {
+void DipController::run(bool live) {
+    isLive_ = live;
     live_.stop();
     check_.cancel();
     session_.run(playback_.mostPoints());

@@ -32,7 +32,7 @@ signals:
     void cancelled();
 
 private:
-    void run();
+    void run(bool live);
     void cancel();
     void checkCertainty();
     void takeResult();
@@ -46,6 +46,7 @@ private:
     ResultsPanel& results_;
     QLabel& staleBanner_;
     LiveRun live_;
+    bool isLive_ = false; // what runs, or ran last
 };
 
 } // namespace dipwright

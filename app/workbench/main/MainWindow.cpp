@@ -19,6 +19,7 @@
 #include <QCloseEvent>
 #include <QMenu>
 #include <QMimeData>
+#include <QShortcut>
 #include <QStatusBar>
 #include <QWhatsThis>
 
@@ -30,7 +31,9 @@ MainWindow::MainWindow(Workbench& workbench)
                  {[this](const Document& document, const LockState& holder) {
                       return documentActions_.askToOpenLocked(document, holder);
                   },
-                  [this]() -> DocumentSession& { return workbench_.openWindow()->documents(); }}),
+                  [this](const QString& path) { return workbench_.bringForward(path); },
+                  [this]() -> DocumentSession& { return workbench_.openWindow()->documents(); },
+                  [this] { close(); }}),
       session_(jobs_, workbench.registry()), check_(jobs_, workbench.registry(), messages_),
       toleranceCheck_(jobs_, workbench.registry(), messages_), layout_(*this, workbench.registry()),
       parts_(layout_.parts()), actions_(*this), shownMessages_(messages_, parts_, *this),
@@ -82,6 +85,11 @@ void MainWindow::connectActions() {
     on(actions_.resetLayout, [this] { layout_.reset(); });
     on(actions_.saveLayout, [this] { layout_.askName(); });
     connect(actions_.measure, &QAction::toggled, &measure_, &MeasureTool::setActive);
+    auto* endMeasure = new QShortcut(Qt::Key_Escape, this);
+    endMeasure->setEnabled(false); // the key is somebody else's then
+    connect(actions_.measure, &QAction::toggled, endMeasure, &QShortcut::setEnabled);
+    connect(endMeasure, &QShortcut::activated, this,
+            [this] { actions_.measure->setChecked(false); });
     parts_.results->addSheetAction(actions_.exportPdf);
     parts_.results->addTextureAction(actions_.exportPng);
 }

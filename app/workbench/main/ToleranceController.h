@@ -1,5 +1,5 @@
-// The tolerances of a window's document: told when asked, and shown on the body and in the report as long
-// as they are true.
+// The tolerances of a window's document: told when asked, and shown on the body and in the report
+// as long as they are true.
 #pragma once
 
 #include "document/Preferences.h"
@@ -31,7 +31,7 @@ private:
     void take(const ToldTolerances& told);
     void dress();
     QStringList verdicts() const; // a sentence a zone
-    bool isTrue() const; // of the project as it is
+    bool isTrue() const;          // of the project as it is
 
     const WindowActions& actions_;
     const DipSession& session_;

@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QFileInfo>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
@@ -60,6 +61,20 @@ MainWindow* Workbench::emptyWindow() {
         }
     }
     return openWindow();
+}
+
+bool Workbench::bringForward(const QString& path) {
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+        auto* window = qobject_cast<MainWindow*>(widget);
+        if (window && window->isVisible() && !window->isEmpty() &&
+            QFileInfo(window->document()->path()) == QFileInfo(path)) {
+            window->setWindowState(window->windowState() & ~Qt::WindowMinimized);
+            window->raise();
+            window->activateWindow();
+            return true;
+        }
+    }
+    return false;
 }
 
 void Workbench::offerRecovery() {

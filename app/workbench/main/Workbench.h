@@ -26,6 +26,8 @@ public:
 
     // A new window that shows the start page. Deletes itself when it is closed.
     MainWindow* openWindow();
+    // The window that has this file open; false: none has.
+    bool bringForward(const QString& path);
     // Offers what a crash has left behind, each in a window of its own.
     void offerRecovery();
 

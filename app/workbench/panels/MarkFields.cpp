@@ -1,7 +1,8 @@
 #include "panels/MarkFields.h"
 
+#include "panels/NumberBox.h"
+
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -16,8 +17,7 @@ constexpr double leastRadius = 0.5, mostRadius = 200, usualRadius = 5; // mm
 
 MarkFields::MarkFields(const QString& name, LengthUnit unit, QWidget* parent)
     : QWidget(parent), unit_(unit), form_(new QFormLayout(this)), kind_(new QComboBox),
-      radius_(new QDoubleSpinBox), count_(new QLabel),
-      removeLast_(new QPushButton(tr("Remove Last"))),
+      radius_(new NumberBox), count_(new QLabel), removeLast_(new QPushButton(tr("Remove Last"))),
       removeAll_(new QPushButton(tr("Remove All"))) {
     kind_->setObjectName(name);
     kind_->setAccessibleName(tr("A click on the body"));

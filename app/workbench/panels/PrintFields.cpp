@@ -1,7 +1,8 @@
 #include "panels/PrintFields.h"
 
+#include "panels/NumberBox.h"
+
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -62,7 +63,7 @@ PrintFields::PrintFields(LengthUnit unit, QWidget* parent)
 }
 
 QDoubleSpinBox* PrintFields::add(QFormLayout& form, const Row& row) {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new NumberBox;
     box->setObjectName(row.name);
     box->setAccessibleName(row.label);
     box->setToolTip(row.help);

@@ -1,15 +1,15 @@
 #include "panels/PropertyField.h"
 
+#include "panels/NumberBox.h"
+
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QJsonArray>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QWheelEvent>
 #include <cmath>
 
 namespace dipwright {
@@ -23,45 +23,21 @@ QHBoxLayout* makeRow(QWidget* owner) {
     return row;
 }
 
-// Takes the wheel only while it has the focus, so that scrolling the panel changes no value.
-class NumberBox : public QDoubleSpinBox {
+// Tells of a number once it has been typed, and is as wide as a usual one.
+class PropertyNumberBox : public NumberBox {
 public:
-    explicit NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
-        setFocusPolicy(Qt::StrongFocus);
+    explicit PropertyNumberBox(QWidget* parent) : NumberBox(parent) {
         setKeyboardTracking(false);
         setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
         // What has been taken over is no longer being typed.
         connect(this, &QDoubleSpinBox::editingFinished, this,
                 [this] { lineEdit()->setText(lineEdit()->text()); });
     }
-    // Room for a usual value, not for the longest that the range allows.
     QSize sizeHint() const override {
         const QString usual = prefix() + QStringLiteral("-000.0") + suffix();
-        return {fontMetrics().horizontalAdvance(usual) + 30, QDoubleSpinBox::sizeHint().height()};
+        return {fontMetrics().horizontalAdvance(usual) + 30, NumberBox::sizeHint().height()};
     }
     QSize minimumSizeHint() const override { return sizeHint(); }
-
-protected:
-    void wheelEvent(QWheelEvent* event) override {
-        if (hasFocus()) {
-            QDoubleSpinBox::wheelEvent(event);
-        } else {
-            event->ignore();
-        }
-    }
-    QString textFromValue(double value) const override {
-        QString text = QDoubleSpinBox::textFromValue(value);
-        const QString point = locale().decimalPoint();
-        if (text.contains(point)) {
-            while (text.endsWith(locale().zeroDigit())) {
-                text.chop(1);
-            }
-            if (text.endsWith(point)) {
-                text.chop(point.size());
-            }
-        }
-        return text;
-    }
 };
 
 class NumberField : public PropertyField {
@@ -79,7 +55,7 @@ public:
                                        locale().toString(rule.maximum * factor_, 'g', 6),
                                        unitSuffix(spec.unit, length));
         for (int part = 0; part < rule.parts; ++part) {
-            auto* box = new NumberBox(this);
+            auto* box = new PropertyNumberBox(this);
             box->setDecimals(decimals);
             box->setRange(rule.minimum * factor_, rule.maximum * factor_);
             box->setSuffix(unitSuffix(spec.unit, length));

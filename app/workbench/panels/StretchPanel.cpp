@@ -1,12 +1,12 @@
 #include "panels/StretchPanel.h"
 
 #include "look/Icons.h"
+#include "panels/NumberBox.h"
 #include "panels/ShippedNames.h"
 #include "results/Results.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -19,7 +19,7 @@ namespace dipwright {
 namespace {
 
 QDoubleSpinBox* rangeBox(const QString& name) {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new NumberBox;
     box->setRange(0, 100);
     box->setDecimals(2);
     box->setSingleStep(0.05);

@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QProxyStyle>
 #include <QSlider>
 #include <QToolButton>
 
@@ -13,6 +14,17 @@ namespace {
 
 constexpr double playSeconds = 4; // a whole dip, however long it took
 constexpr int ticksPerSecond = 30;
+
+// A press beside the handle takes it there, as in players of films.
+class JumpStyle : public QProxyStyle {
+public:
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* result) const override {
+        return hint == SH_Slider_AbsoluteSetButtons
+                   ? int(Qt::LeftButton)
+                   : QProxyStyle::styleHint(hint, option, widget, result);
+    }
+};
 
 } // namespace
 
@@ -29,6 +41,9 @@ Timeline::Timeline(QWidget* parent)
     makeButton(playButton_, QStringLiteral("play"), tr("Play the dip"));
     makeButton(endButton_, QStringLiteral("to-end"), tr("End of the dip"));
     slider_->setObjectName(QStringLiteral("timeline"));
+    auto* style = new JumpStyle;
+    style->setParent(slider_);
+    slider_->setStyle(style);
     slider_->setAccessibleName(tr("Time of the dip"));
     slider_->setToolTip(tr("Time of the dip"));
     depth_->setMinimumWidth(

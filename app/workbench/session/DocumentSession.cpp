@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QPointer>
 
 namespace dipwright {
 
@@ -56,23 +57,40 @@ DocumentSession& DocumentSession::vacant() {
 }
 
 void DocumentSession::openProject(const QString& path) {
-    if (document_ || jobs_.isBusy()) { // with another one, perhaps
-        window_.another().openProject(path);
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    if (window_.bringForward(absolute)) {
         return;
     }
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    startJob(
-        jobs_, messages_, tr("Opening the project"), tr("Open Project"),
-        [absolute](const Progress& progress) { return projectFrom(absolute, absolute, progress); },
-        [this, absolute](const ReadProject& read) {
-            auto document = std::make_unique<Document>(read.project, absolute, read.version);
-            if (!lockOrAsk(*document)) {
-                return;
-            }
-            addRecentProject(absolute);
-            messages_.log(tr("Opened %1").arg(QDir::toNativeSeparators(absolute)));
-            take(std::move(document));
-        });
+    if (document_ || jobs_.isBusy()) { // with another one, perhaps
+        DocumentSession& other = window_.another();
+        other.readProject(absolute, messages_, other.window_.giveUp);
+        return;
+    }
+    readProject(absolute, messages_, [] {});
+}
+
+void DocumentSession::readProject(const QString& file, Messages& teller,
+                                  const std::function<void()>& failed) {
+    const auto take = [this, file, failed](const ReadProject& read) {
+        auto document = std::make_unique<Document>(read.project, file, read.version);
+        if (!lockOrAsk(*document)) {
+            failed();
+            return;
+        }
+        addRecentProject(file);
+        messages_.log(tr("Opened %1").arg(QDir::toNativeSeparators(file)));
+        this->take(std::move(document));
+    };
+    const auto tell = [teller = QPointer(&teller), failed](const std::exception_ptr& failure) {
+        if (teller) { // its window may be closed by now
+            teller->fail(tr("Open Project"), failure);
+        }
+        failed();
+    };
+    jobs_.start(std::make_unique<ValueJob<ReadProject>>(
+        tr("Opening the project"),
+        [file](const Progress& progress) { return projectFrom(file, file, progress); }, take,
+        tell));
 }
 
 void DocumentSession::openCopy(const QString& path) {
@@ -80,7 +98,9 @@ void DocumentSession::openCopy(const QString& path) {
         jobs_, messages_, tr("Opening the project"), tr("Open Project"),
         [path](const Progress& progress) { return projectFrom(path, {}, progress); },
         [this](const ReadProject& read) {
-            vacant().take(std::make_unique<Document>(read.project));
+            auto document = std::make_unique<Document>(read.project);
+            document->setKeptElsewhere();
+            vacant().take(std::move(document));
         });
 }
 

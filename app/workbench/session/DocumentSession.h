@@ -19,8 +19,12 @@ public:
     struct Window {
         // Another has the file open: whether the user wants it all the same.
         std::function<bool(const Document& document, const LockState& holder)> opensLocked;
+        // Brings the window forward that has this file open; false: none has.
+        std::function<bool(const QString& path)> bringForward;
         // That of a new window: this one shows one document only.
         std::function<DocumentSession&()> another;
+        // Nothing came of what this window was opened for.
+        std::function<void()> giveUp;
     };
 
     // `recovery`: the folder in which copies of unsaved work are kept.
@@ -31,7 +35,8 @@ public:
     Document* document() const { return document_.get(); } // null: none
     void setAutosaveInterval(int seconds);
 
-    // Each becomes the document here if there is none, else that of another window.
+    // Each becomes the document here if there is none, else that of another window. A project that
+    // is open in a window already is shown there.
     void openProject(const QString& path);
     // As an untitled copy: a sample, which stays as it is.
     void openCopy(const QString& path);
@@ -51,6 +56,8 @@ signals:
     void lengthDoubted(double millimetres); // of the body that was read
 
 private:
+    // What went wrong is told by `teller`, and `failed` called.
+    void readProject(const QString& file, Messages& teller, const std::function<void()>& failed);
     bool lockOrAsk(Document& document);
     void tellSaved(const QString& path);
     void take(std::unique_ptr<Document> document);

@@ -9,7 +9,7 @@ Immersion turned(const Immersion& immersion, int axis, double degrees) {
         Eigen::AngleAxisd(radians(Degrees(degrees)), Eigen::Vector3d::Unit(axis))
             .toRotationMatrix();
     Immersion result = immersion;
-    result.rotation = rotationAngles(turn * rotationMatrix(immersion.rotation));
+    result.rotation = rotationAngles(turn * rotationMatrix(immersion.rotation), immersion.rotation);
     return result;
 }
 

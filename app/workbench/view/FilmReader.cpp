@@ -55,15 +55,12 @@ QString FilmReader::describeBody(const Eigen::Vector3f& place) const {
 QString FilmReader::describe(const FilmReadingPoint& point) const {
     const solver::FilmGrid& grid = session_.reading()->film().grid;
     const FilmSettings& film = session_.outcome().result->project.film;
-    const auto number = [&point](FilmQuantity quantity) {
-        return QLocale().toString(double(point.values[std::size_t(quantity)]), 'f', 3);
-    };
-    return tr("Sheet %1, %2 · %3 · stretch %4 · area %5 · %6 to %7")
+    const auto number = [](float value) { return QLocale().toString(double(value), 'f', 3); };
+    return tr("Sheet %1, %2 · %3 · stretch %4 by %5, area %6")
         .arg(shownLength((double(point.rest.x()) / grid.width + 0.5) * film.width.value(), unit_),
              shownLength((double(point.rest.y()) / grid.depth + 0.5) * film.height.value(), unit_),
-             point.adhered ? tr("on the body") : tr("on the water"), number(FilmQuantity::Length),
-             number(FilmQuantity::Area), number(FilmQuantity::Smaller),
-             number(FilmQuantity::Larger));
+             point.adhered ? tr("on the body") : tr("on the water"), number(point.stretch.larger),
+             number(point.stretch.smaller), number(point.stretch.area()));
 }
 
 } // namespace dipwright

@@ -6,9 +6,11 @@
 #include "look/Theme.h"
 #include "panels/CertaintyPanel.h"
 #include "panels/FilmFacts.h"
+#include "panels/NumberBox.h"
 #include "panels/PictureView.h"
 #include "panels/PropertyField.h"
 #include "panels/PropertySpecs.h"
+#include "panels/Timeline.h"
 #include "project/Schema.h"
 
 #include <QApplication>
@@ -18,6 +20,7 @@
 #include <QScrollBar>
 #include <QSet>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTest>
 #include <QTextBrowser>
 
@@ -81,6 +84,44 @@ private slots:
         const QJsonArray told = edited[0][0].toJsonValue().toArray();
         QCOMPARE(told.at(0).toDouble(), 279.4);
         QCOMPARE(told.at(1).toDouble(), 297.0); // not rounded by being shown in inches
+    }
+
+    void aCommaOrAPointIsTheDecimalSign_data() {
+        QTest::addColumn<QLocale>("locale");
+        QTest::addColumn<QString>("typed");
+        for (const QLocale::Language language :
+             {QLocale::English, QLocale::German, QLocale::Portuguese}) {
+            for (const char* typed : {"1,06", "1.06"}) {
+                const QLocale locale(language);
+                QTest::addRow("%s %s", qPrintable(locale.name()), typed)
+                    << locale << QString::fromLatin1(typed);
+            }
+        }
+    }
+    void aCommaOrAPointIsTheDecimalSign() {
+        QFETCH(QLocale, locale);
+        QFETCH(QString, typed);
+        NumberBox box;
+        box.setLocale(locale);
+        box.setDecimals(3);
+        box.setRange(0, 5000);
+        box.setSuffix(QStringLiteral(" mm"));
+        box.selectAll();
+        QTest::keyClicks(&box, typed);
+        QCOMPARE(box.value(), 1.06);
+        QString both = QStringLiteral("1.234,5 mm");
+        int end = 0;
+        QCOMPARE(box.validate(both, end), QValidator::Invalid);
+    }
+
+    void aPressBesideTheHandleTakesItThere() {
+        Timeline timeline;
+        timeline.resize(600, 40);
+        timeline.show();
+        timeline.setFrames(100);
+        auto* slider = timeline.findChild<QSlider*>();
+        QTest::mouseClick(slider, Qt::LeftButton, {}, {slider->width() / 4, slider->height() / 2});
+        QVERIFY2(std::abs(timeline.position() - 25) <= 4, QByteArray::number(timeline.position()));
     }
 
     void undoIsTheProjectsWhereNothingIsBeingTyped() {

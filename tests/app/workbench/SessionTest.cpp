@@ -29,10 +29,12 @@ struct SessionHost {
                        ++timesAsked;
                        return opensLocked;
                    },
+                   [this](const QString& path) { return path == openElsewhere; },
                    [this, recovery]() -> DocumentSession& {
                        other = std::make_unique<SessionHost>(recovery);
                        return other->session;
-                   }}) {}
+                   },
+                   [this] { gaveUp = true; }}) {}
 
     bool waitUntilIdle() {
         return QTest::qWaitFor([this] { return !jobs.isBusy(); }, patience());
@@ -42,6 +44,8 @@ struct SessionHost {
     JobRunner jobs;
     bool opensLocked = false;
     int timesAsked = 0;
+    QString openElsewhere; // a file that another window has open
+    bool gaveUp = false;
     std::unique_ptr<SessionHost> other; // the new window, once there is one
     DocumentSession session;
 };
@@ -128,8 +132,34 @@ private slots:
         SessionHost host(recovery());
         host.session.openCopy(project_);
         QVERIFY(host.waitUntilIdle());
-        QVERIFY(host.session.document()->path().isEmpty());
-        QVERIFY(host.session.document()->isModified());
+        Document& copy = *host.session.document();
+        QVERIFY(copy.path().isEmpty());
+        QVERIFY(!copy.isModified()); // nothing is lost with it yet
+        setWidth(copy, 123);
+        QVERIFY(copy.isModified());
+        copy.undoStack().undo();
+        QVERIFY(!copy.isModified());
+    }
+
+    void aProjectThatIsOpenIsShownWhereItIs() {
+        SessionHost host(recovery());
+        host.openElsewhere = project_;
+        host.session.openProject(project_);
+        QVERIFY(!host.jobs.isBusy());
+        QVERIFY(!host.session.document() && !host.other);
+    }
+
+    void aWindowThatNothingCameOfIsGivenUp() {
+        SessionHost host(recovery());
+        host.session.openProject(project_);
+        QVERIFY(host.waitUntilIdle());
+        const QString broken = folder_->filePath(QStringLiteral("broken.dipw"));
+        QVERIFY(QFile(broken).open(QIODevice::WriteOnly));
+        QSignalSpy told(&host.messages, &Messages::failed);
+        host.session.openProject(broken);
+        QVERIFY(host.other && host.other->waitUntilIdle());
+        QCOMPARE(told.count(), 1); // where it was asked for
+        QVERIFY(host.other->gaveUp);
     }
 
     void aLockedProjectIsOpenedWhenTheUserSaysSo_data() {

@@ -260,6 +260,13 @@ private slots:
         QVERIFY((poseTransform(body, immersion).linear() - wanted).norm() < 0.01); // tenths
     }
 
+    void turningKeepsTheAnglesNear() {
+        const Immersion immersion = turned(Immersion{}, 2, -30);
+        QCOMPARE(immersion.rotation, (std::array{Degrees(0), Degrees(0), Degrees(-30)}));
+        QCOMPARE(turned(immersion, 2, -170).rotation[2].value(), -200);
+        QCOMPARE(turned(turned(immersion, 2, -170), 2, -170).rotation[2].value(), -10); // in range
+    }
+
     void aRingTurnsTheBody() {
         view_->look(ViewDirection::Top);
         view_->setRotationRings(true, {0, 30, 0}, 60);
@@ -275,6 +282,20 @@ private slots:
         QVERIFY(!dragged.isEmpty());
         QCOMPARE(dragged.last()[0].toInt(), 1);
         QVERIFY(std::abs(dragged.last()[1].toDouble() - 90) < 3);
+    }
+
+    void theWheelZoomsToTheCursor() {
+        view_->look(ViewDirection::Top);
+        view_->setParallelProjection(true);
+        view_->picture();
+        const QPointF cursor = view_->positionOf({50, 0, 0}), other = view_->positionOf({0, 0, 0});
+        QWheelEvent wheel(cursor, view_->mapToGlobal(cursor), {}, {0, 240}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(view_.get(), &wheel);
+        view_->picture();
+        QVERIFY(QLineF(cursor, view_->positionOf({50, 0, 0})).length() < 0.5);
+        QVERIFY(QLineF(cursor, view_->positionOf({0, 0, 0})).length() >
+                1.4 * QLineF(cursor, other).length());
     }
 
     void aClickIsNoDrag() {

@@ -100,6 +100,12 @@ void PoseTest::anglesOfARotationGiveItBack() {
     const Eigen::Matrix3d rotation =
         rotationMatrix({Degrees(angles[0]), Degrees(angles[1]), Degrees(angles[2])});
     const std::array<Degrees, 3> back = rotationAngles(rotation);
+    const std::array<Degrees, 3> same = rotationAngles(
+        rotation, {Degrees(angles[0] + 1), Degrees(angles[1] + 1), Degrees(angles[2] - 1)});
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        QVERIFY2(std::abs(same[axis].value() - angles[qsizetype(axis)]) < 1.5,
+                 QByteArray::number(same[axis].value()));
+    }
     for (const Degrees angle : back) {
         QVERIFY(std::abs(angle.value() * 10 - std::round(angle.value() * 10)) < 1e-9);
         QVERIFY(!std::signbit(angle.value()) || angle.value() < 0); // no −0
