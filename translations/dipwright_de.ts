@@ -1324,6 +1324,10 @@
         <source>The project is open elsewhere (%1); close it there, or work on a copy</source>
         <translation>Das Projekt ist anderswo geöffnet (%1); schließen Sie es dort, oder arbeiten Sie an einer Kopie</translation>
     </message>
+    <message>
+        <source>The file that is there cannot be read, and nothing is saved over it; try again, or save under another name</source>
+        <translation>Die Datei, die dort liegt, kann nicht gelesen werden, und nichts wird über sie gespeichert; versuchen Sie es noch einmal, oder speichern Sie unter einem anderen Namen</translation>
+    </message>
 </context>
 <context>
     <name>ProjectStore</name>

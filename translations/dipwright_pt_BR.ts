@@ -1324,6 +1324,10 @@
         <source>The project is open elsewhere (%1); close it there, or work on a copy</source>
         <translation>O projeto está aberto em outro lugar (%1); feche-o lá ou trabalhe em uma cópia</translation>
     </message>
+    <message>
+        <source>The file that is there cannot be read, and nothing is saved over it; try again, or save under another name</source>
+        <translation>O arquivo que está ali não pode ser lido, e nada é salvo por cima dele; tente de novo ou salve com outro nome</translation>
+    </message>
 </context>
 <context>
     <name>ProjectStore</name>

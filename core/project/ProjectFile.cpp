@@ -3,6 +3,7 @@
 #include "project/ProjectStore.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace dipwright {
 namespace {
@@ -14,7 +15,14 @@ struct Text {
 } // namespace
 
 void replaceProject(const Project& project, const QString& path, FileVersion& known) {
-    if (FileVersion::of(path) != known) {
+    // One that is gone is written anew: nobody loses by that.
+    const FileVersion now = FileVersion::of(path);
+    if (now != known && QFileInfo::exists(path)) {
+        if (now == FileVersion()) {
+            throw Error(Text::tr("The file that is there cannot be read, and nothing is saved over "
+                                 "it; try again, or save under another name"),
+                        path);
+        }
         throw ChangedFile(Text::tr("Another program has written the project since it was read, "
                                    "nothing is saved; look at what it holds now and do it again"),
                           path);

@@ -17,7 +17,7 @@ public:
 };
 
 // Writes the project (saveProject) where its file still has the contents `known`, which are those
-// written afterwards. Throws ChangedFile or Error.
+// written afterwards, or is gone. Throws ChangedFile or Error.
 void replaceProject(const Project& project, const QString& path, FileVersion& known);
 
 class ProjectFile {

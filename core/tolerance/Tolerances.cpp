@@ -22,6 +22,7 @@ struct Text {
 constexpr double wantedPlaces = 40'000; // of the body, and pieces that it is cut into
 constexpr std::size_t dipsAtOnce = 16;  // in a batch, between two words of progress
 constexpr double deviations = 2;        // that a tolerance stands for
+constexpr double leastEffect = 1e-12;   // mm, degrees or shares: less is exact, and has no square
 constexpr std::size_t mostWorst = 5;
 constexpr float worstApart = 10; // mm
 
@@ -148,7 +149,7 @@ Effects effectsOf(const std::vector<Contribution>& contributions, const Immersio
             effects.row(Eigen::Index(row)).setZero();
         }
     }
-    return effects;
+    return (effects.array().abs() < leastEffect).select(0, effects);
 }
 
 // Off by as much as all contributors together make it, each way; one that makes nothing of it is

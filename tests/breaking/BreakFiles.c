@@ -1,14 +1,16 @@
-/* Preloaded into a program: kills it, or lets the operation fail, at the Nth operation on files below
-   one folder; and lets the Nth allocation fail, counted from when the program says so.
+/* Preloaded into a program: kills it, or lets the operation fail, at the Nth operation on files
+   below one folder; and lets the Nth allocation fail, counted from when the program says so.
 
    DIPWRIGHT_BREAK_BELOW   the folder; operations elsewhere pass and are not counted
    DIPWRIGHT_BREAK_AT      N, from 1; 0 or none: nothing is broken
-   DIPWRIGHT_BREAK_HOW     kill, EIO, ENOSPC; or ESTALE: that and all that come after, as of a folder
-                           on the network that is gone
-   DIPWRIGHT_BREAK_LOG     a file (elsewhere) that gets a line for every operation, for the count
+   DIPWRIGHT_BREAK_HOW     kill, EIO, ENOSPC; or ESTALE: that and all that come after, as of a
+   folder on the network that is gone; looking at files fails as well then DIPWRIGHT_BREAK_LOG     a
+   file (elsewhere) that gets a line for every operation, for the count
 
-   A write that is to be killed has put half of its bytes to the disk before. */
+   All may change while the program runs. A write that is to be killed has put half of its bytes to
+   the disk before. */
 #define _GNU_SOURCE
+#include <dirent.h>
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -31,13 +33,7 @@
 static int counted;
 
 static const char* below(void) {
-    static const char* folder;
-    static int asked;
-    if (!asked) {
-        folder = getenv("DIPWRIGHT_BREAK_BELOW");
-        asked = 1;
-    }
-    return folder;
+    return getenv("DIPWRIGHT_BREAK_BELOW");
 }
 
 static int isWatched(const char* path) {
@@ -77,8 +73,7 @@ static void log_line(int number, const char* what, const char* path) {
     REAL(int, open, const char*, int, ...)
     const int file = real(name, O_WRONLY | O_CREAT | O_APPEND, 0666);
     char line[PATH_MAX + 64];
-    const int length =
-        snprintf(line, sizeof line, "%d %s %s\n", number, what, path ? path : "");
+    const int length = snprintf(line, sizeof line, "%d %s %s\n", number, what, path ? path : "");
     static ssize_t (*realWrite)(int, const void*, size_t);
     if (!realWrite) {
         *(void**)&realWrite = dlsym(RTLD_NEXT, "write");
@@ -259,6 +254,42 @@ int linkat(int fromFolder, const char* from, int toFolder, const char* to, int f
     REAL(int, linkat, int, const char*, int, const char*, int)
     BREAK("link", isWatched(to), to, -1)
     return real(fromFolder, from, toFolder, to, flags);
+}
+
+/* Looking at files is not counted. */
+
+static int isGone(const char* path) {
+    const char* at = getenv("DIPWRIGHT_BREAK_AT");
+    const char* how = getenv("DIPWRIGHT_BREAK_HOW");
+    const int from = at && how && strcmp(how, "ESTALE") == 0 ? atoi(at) : 0;
+    if (from == 0 || __atomic_load_n(&counted, __ATOMIC_SEQ_CST) + 1 < from || !isWatched(path)) {
+        return 0;
+    }
+    errno = ESTALE;
+    return 1;
+}
+
+#define LOOK(name, type)                                                                           \
+    int name(const char* path, type* seen) {                                                       \
+        REAL(int, name, const char*, type*)                                                        \
+        return isGone(path) ? -1 : real(path, seen);                                               \
+    }
+LOOK(stat, struct stat)
+LOOK(lstat, struct stat)
+
+int statx(int folder, const char* path, int flags, unsigned mask, struct statx* seen) {
+    REAL(int, statx, int, const char*, int, unsigned, struct statx*)
+    return isGone(path) ? -1 : real(folder, path, flags, mask, seen);
+}
+
+int access(const char* path, int mode) {
+    REAL(int, access, const char*, int)
+    return isGone(path) ? -1 : real(path, mode);
+}
+
+DIR* opendir(const char* path) {
+    REAL(DIR*, opendir, const char*)
+    return isGone(path) ? NULL : real(path);
 }
 
 /* Allocations. */

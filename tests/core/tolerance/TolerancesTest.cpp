@@ -106,6 +106,14 @@ private slots:
                         [](auto, double spread) { VERIFY_NEAR(spread, 1.0, 1e-3); });
     }
 
+    void tolerancesTooSmallForASquareAreExact() {
+        ToleranceSettings settings = exact();
+        settings.position[0] = Millimetres(1e-300);
+        settings.swell = 1e-200;
+        eachOfTheBottom(box_, tolerances(box_, settings),
+                        [](auto, double spread) { QCOMPARE(spread, 0.0); });
+    }
+
     void filmThatLiesOffIsABodyThatLiesOff() {
         ToleranceSettings film = exact(), body = exact();
         film.filmPosition = body.position = {Millimetres(0.5), Millimetres(0.2)};
