@@ -9,7 +9,7 @@ public:
     explicit Given(const QByteArray& bytes) {
         const QByteArray line = "\n====\n";
         const auto end = bytes.indexOf(line);
-        model_ = bytes.left(end);
+        model_ = end < 0 ? bytes : bytes.left(end);
         named_ = end < 0 ? QByteArray() : bytes.mid(end + line.size());
     }
 

@@ -5,12 +5,14 @@
 #include "model/StoredModel.h"
 #include "project/Profiles.h"
 #include "project/ProjectStore.h"
+#include "traveller/Motion.h"
 
 #include <QBuffer>
 #include <QColorSpace>
 #include <QDir>
 #include <QGuiApplication>
 #include <QJsonDocument>
+#include <cmath>
 
 using namespace dipwright;
 using namespace dipwright::test;
@@ -73,6 +75,25 @@ void writeProjects(const QDir& folder) {
     }
 }
 
+// Places on a screw line, seen from two sides by a camera that is 300 mm away.
+void writePairs(const QDir& folder) {
+    QByteArray table("photo,x_px,y_px,x_mm,y_mm,z_mm\n");
+    for (int i = 0; i < 16; ++i) {
+        const double x = 30 * std::cos(i), y = 4 * i - 30, z = 30 * std::sin(i);
+        const int photo = i % 2;
+        const double across = photo == 0 ? x : z, away = 300 + (photo == 0 ? z : -x);
+        table += QStringLiteral("%1,%2,%3,%4,%5,%6\n")
+                     .arg(photo + 1)
+                     .arg(200 + 250 * across / away)
+                     .arg(150 + 250 * y / away)
+                     .arg(x)
+                     .arg(y)
+                     .arg(z)
+                     .toLatin1();
+    }
+    write(folder, QStringLiteral("pairs"), table);
+}
+
 } // namespace
 
 int main(int argc, char* argv[]) {
@@ -81,6 +102,8 @@ int main(int argc, char* argv[]) {
     writeModels(folder);
     writePictures(folder);
     writeProjects(folder);
+    writePairs(folder);
+    write(folder, QStringLiteral("motion"), motionTemplate().text.toUtf8());
     write(folder, QStringLiteral("plugin"),
           R"({"format":"dipwright-solver","interface":1,"id":"a","name":"A","version":"1",)"
           R"("device":"cpu","vendor":"B","priority":1,"module":"a.so"})");

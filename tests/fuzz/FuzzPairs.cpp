@@ -1,0 +1,21 @@
+// A table of pairs of places on two photos, and the camera that follows from them. What is accepted
+// has figures that are numbers.
+#include "base/Error.h"
+#include "inspection/PartViewFiles.h"
+
+#include <cmath>
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+    const QByteArray bytes(reinterpret_cast<const char*>(data), qsizetype(size));
+    try {
+        const auto pairs = dipwright::readPairs(bytes, 2, QStringLiteral("x"));
+        const dipwright::PartFigures figures =
+            dipwright::fitPartCamera(pairs, 2, {400, 300}, QStringLiteral("x")).figures;
+        if (!std::isfinite(figures.meanPixels + figures.deviationPixels + figures.percentile95)) {
+            std::abort();
+        }
+    } catch (const dipwright::Error&) {
+    }
+    return 0;
+}
