@@ -393,6 +393,13 @@
     </message>
 </context>
 <context>
+    <name>ModelEdits</name>
+    <message>
+        <source>Change Size</source>
+        <translation>Größe ändern</translation>
+    </message>
+</context>
+<context>
     <name>ModelImport</name>
     <message>
         <source>Reading the model</source>
@@ -3753,8 +3760,8 @@
         <translation>Anordnung „%1“</translation>
     </message>
     <message>
-        <source>The body is %1 long. If its file is in another unit, make the project again and say there how long the longest edge is.</source>
-        <translation>Der Körper ist %1 lang. Wenn seine Datei in einer anderen Einheit ist, legen Sie das Projekt neu an und geben dort an, wie lang die längste Kante ist.</translation>
+        <source>The body is %1 long. If its file is in another unit, change its size under Model.</source>
+        <translation>Der Körper ist %1 lang. Wenn seine Datei eine andere Einheit hat, ändern Sie seine Größe unter „Modell“.</translation>
     </message>
 </context>
 <context>
@@ -3979,6 +3986,22 @@
     <message>
         <source>Choose a file: %1</source>
         <translation>Wählen Sie eine Datei: %1</translation>
+    </message>
+    <message>
+        <source>Reading the model …</source>
+        <translation>Lese das Modell …</translation>
+    </message>
+    <message>
+        <source>Reading the model</source>
+        <translation>Lese das Modell</translation>
+    </message>
+    <message>
+        <source>The body is %1 × %2 × %3</source>
+        <translation>Der Körper misst %1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>the unit is a guess by its size.</source>
+        <translation>die Einheit ist nach seiner Größe geraten.</translation>
     </message>
 </context>
 <context>
@@ -5022,6 +5045,14 @@
     <message>
         <source>Dips with everything off, one by one and all at once, and says how far the colours land off their places.</source>
         <translation>Taucht mit allen Abweichungen, einzeln und zugleich, und sagt, wie weit die Farben neben ihrem Ort landen.</translation>
+    </message>
+    <message>
+        <source>Longest edge</source>
+        <translation>Längste Kante</translation>
+    </message>
+    <message>
+        <source>Makes the body larger or smaller, with what is marked on it.</source>
+        <translation>Macht den Körper größer oder kleiner, mit dem, was auf ihm markiert ist.</translation>
     </message>
 </context>
 <context>

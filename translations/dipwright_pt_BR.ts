@@ -393,6 +393,13 @@
     </message>
 </context>
 <context>
+    <name>ModelEdits</name>
+    <message>
+        <source>Change Size</source>
+        <translation>Mudar tamanho</translation>
+    </message>
+</context>
+<context>
     <name>ModelImport</name>
     <message>
         <source>Reading the model</source>
@@ -3753,8 +3760,8 @@
         <translation>Disposição “%1”</translation>
     </message>
     <message>
-        <source>The body is %1 long. If its file is in another unit, make the project again and say there how long the longest edge is.</source>
-        <translation>O corpo tem %1 de comprimento. Se o arquivo estiver em outra unidade, crie o projeto de novo e informe ali o comprimento da aresta mais longa.</translation>
+        <source>The body is %1 long. If its file is in another unit, change its size under Model.</source>
+        <translation>O corpo tem %1 de comprimento. Se o arquivo está em outra unidade, mude o tamanho em “Modelo”.</translation>
     </message>
 </context>
 <context>
@@ -3979,6 +3986,22 @@
     <message>
         <source>Choose a file: %1</source>
         <translation>Escolha um arquivo: %1</translation>
+    </message>
+    <message>
+        <source>Reading the model …</source>
+        <translation>Lendo o modelo …</translation>
+    </message>
+    <message>
+        <source>Reading the model</source>
+        <translation>Lendo o modelo</translation>
+    </message>
+    <message>
+        <source>The body is %1 × %2 × %3</source>
+        <translation>O corpo mede %1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>the unit is a guess by its size.</source>
+        <translation>a unidade é suposta pelo tamanho.</translation>
     </message>
 </context>
 <context>
@@ -5022,6 +5045,14 @@
     <message>
         <source>Dips with everything off, one by one and all at once, and says how far the colours land off their places.</source>
         <translation>Mergulha com todos os desvios, um a um e todos juntos, e diz quanto as cores caem fora do lugar.</translation>
+    </message>
+    <message>
+        <source>Longest edge</source>
+        <translation>Aresta mais longa</translation>
+    </message>
+    <message>
+        <source>Makes the body larger or smaller, with what is marked on it.</source>
+        <translation>Torna o corpo maior ou menor, com o que está marcado nele.</translation>
     </message>
 </context>
 <context>

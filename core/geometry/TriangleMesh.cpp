@@ -159,6 +159,17 @@ TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& tran
     return result;
 }
 
+void scale(TriangleMesh& mesh, double factor) {
+    for (auto& position : mesh.positions) {
+        position = (position.cast<double>() * factor).cast<float>();
+    }
+}
+
+double longestEdgeOf(const TriangleMesh& mesh) {
+    const BoundingBox box = boundingBox(mesh);
+    return (box.max().cast<double>() - box.min().cast<double>()).maxCoeff();
+}
+
 Eigen::Vector3f position(const TriangleMesh& mesh, const SurfacePoint& point) {
     const auto& index = mesh.triangles[point.triangle];
     return point.weights[0] * mesh.positions[index[0]] +

@@ -43,6 +43,9 @@ std::vector<std::uint32_t> connectedTriangles(const std::vector<std::uint32_t>& 
 // Every edge belongs to exactly two triangles that run along it in opposite directions.
 bool isClosed(const TriangleMesh& mesh);
 TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& transform);
+void scale(TriangleMesh& mesh, double factor); // about the origin
+// Of the box round the mesh.
+double longestEdgeOf(const TriangleMesh& mesh);
 
 // A place on a mesh: a triangle and the barycentric weights of its corners (they sum to 1).
 struct SurfacePoint {

@@ -93,9 +93,8 @@ void repair(TexturedMesh& model, QStringList& repairs, const QString& path) {
     }
 }
 
-void scale(TriangleMesh& mesh, const ImportOptions& options, const QString& path) {
-    const BoundingBox box = boundingBox(mesh);
-    const double edge = (box.max().cast<double>() - box.min().cast<double>()).maxCoeff();
+void scaleAsAsked(TriangleMesh& mesh, const ImportOptions& options, const QString& path) {
+    const double edge = longestEdgeOf(mesh);
     if (edge == 0) {
         throw Error(Text::tr("The model has no extent; choose another model"), path);
     }
@@ -106,9 +105,7 @@ void scale(TriangleMesh& mesh, const ImportOptions& options, const QString& path
                         .arg(edge * factor),
                     path);
     }
-    for (auto& position : mesh.positions) {
-        position = (position.cast<double>() * factor).cast<float>();
-    }
+    scale(mesh, factor);
     if (!boundingBox(mesh).sizes().allFinite()) {
         throw Error(
             Text::tr("The model lies too far from its origin; move it there and save it anew"),
@@ -222,7 +219,7 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
     checkPositions(model.mesh, path);
     dropUnusableCoordinates(model, report.warnings);
     repair(model, report.repairs, path);
-    scale(model.mesh, options, path);
+    scaleAsAsked(model.mesh, options, path);
     dropUselessTextures(model, report.warnings);
     progress(0.9, Text::tr("Finding the texture's charts"));
     model.chart = findCharts(model);
@@ -232,6 +229,16 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
 }
 
 } // namespace
+
+double guessedUnit(double longestEdge) {
+    constexpr double smallest = 10, largest = 1000; // mm, of what is mostly dipped
+    for (const double unit : {1.0, 10.0, 1000.0, millimetresPerInch}) {
+        if (longestEdge * unit >= smallest && longestEdge * unit <= largest) {
+            return unit;
+        }
+    }
+    return 1;
+}
 
 OutsideFiles::OutsideFiles(const QStringList& files, const QString& model)
     : Error(

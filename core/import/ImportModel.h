@@ -20,6 +20,10 @@ struct ImportOptions {
     QStringList outsideFiles;
 };
 
+// mm in a unit of a model's file: of the usual ones, millimetres first, the one in which the
+// longest edge, so many units long, is as long as what is mostly dipped; 1 where none is.
+double guessedUnit(double longestEdge);
+
 // Thrown where a model names files that are there but do not belong to its folder: they lie outside
 // of it, by a link too, or are hidden. They have not been read.
 class OutsideFiles : public Error {

@@ -13,6 +13,7 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
@@ -21,6 +22,8 @@
 namespace dipwright {
 
 namespace {
+
+constexpr int readDelay = 300; // ms after the last letter
 
 enum class Template { One, TopAndBottom, LeftAndRight, Paper };
 
@@ -57,7 +60,7 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
       model_(new QLineEdit(model)), texture_(new QLineEdit),
       byUnit_(new QRadioButton(tr("One unit of the file is"))), unit_(new QComboBox),
       byEdge_(new QRadioButton(tr("The longest edge is"))), edge_(new NumberBox),
-      film_(new QComboBox), template_(new QComboBox) {
+      film_(new QComboBox), template_(new QComboBox), extent_(new QLabel) {
     setWindowTitle(tr("New Project"));
     setObjectName(QStringLiteral("newProjectDialog"));
     setMinimumWidth(540);
@@ -96,6 +99,9 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
     layout->addStretch();
     layout->addSpacing(12);
     layout->addWidget(buttons);
+    delay_.setSingleShot(true);
+    delay_.setInterval(readDelay);
+    connect(&delay_, &QTimer::timeout, this, &NewProjectDialog::readSizes);
     connect(model_, &QLineEdit::textChanged, this, &NewProjectDialog::updateButtons);
     updateButtons();
 }
@@ -151,12 +157,69 @@ QWidget* NewProjectDialog::makeSizeRow() {
     grid->addWidget(unit_, 0, 1);
     grid->addWidget(byEdge_, 1, 0);
     grid->addWidget(edge_, 1, 1);
+    extent_->setObjectName(QStringLiteral("extent"));
+    extent_->setWordWrap(true);
+    grid->addWidget(extent_, 2, 0, 1, 2);
     grid->setColumnStretch(1, 1);
+    connect(edge_, &QDoubleSpinBox::valueChanged, this, &NewProjectDialog::showExtent);
+    connect(byEdge_, &QRadioButton::toggled, this, &NewProjectDialog::showExtent);
+    connect(unit_, &QComboBox::currentIndexChanged, this, &NewProjectDialog::showExtent);
+    const auto choose = [this] {
+        guesses_ = false;
+        showExtent();
+    };
+    connect(unit_, &QComboBox::activated, this, choose);
+    connect(byEdge_, &QRadioButton::clicked, this, choose);
+    connect(byUnit_, &QRadioButton::clicked, this, choose);
     return box;
 }
 
 void NewProjectDialog::updateButtons() {
     create_->setEnabled(QFileInfo(model_->text()).isFile());
+    sizes_.reset();
+    showExtent();
+    delay_.start();
+}
+
+// In the file's units. What cannot be read is told when the project is made of it.
+void NewProjectDialog::readSizes() {
+    jobs_.cancelAll();
+    const QString path = model_->text();
+    if (!QFileInfo(path).isFile()) {
+        return;
+    }
+    extent_->setText(tr("Reading the model …"));
+    jobs_.start(std::make_unique<ValueJob<ImportedModel>>(
+        tr("Reading the model"),
+        [path](const Progress& progress) { return importModel(path, {}, progress); },
+        [this](const ImportedModel& imported) { takeSizes(imported.report.box); },
+        [this](const std::exception_ptr&) { extent_->clear(); }));
+}
+
+void NewProjectDialog::takeSizes(const BoundingBox& box) {
+    sizes_ = box.sizes().cast<double>();
+    if (guesses_) {
+        unit_->setCurrentIndex(unit_->findData(guessedUnit(sizes_->maxCoeff())));
+    }
+    showExtent();
+}
+
+void NewProjectDialog::showExtent() {
+    if (!sizes_) {
+        extent_->clear();
+        return;
+    }
+    const ImportOptions options = importOptions();
+    const Eigen::Vector3d size =
+        *sizes_ * (options.longestEdge ? options.longestEdge->value() / sizes_->maxCoeff()
+                                       : options.unitMillimetres);
+    const QString text =
+        tr("The body is %1 × %2 × %3")
+            .arg(shownLength(size.x(), lengthUnit_), shownLength(size.y(), lengthUnit_),
+                 shownLength(size.z(), lengthUnit_));
+    extent_->setText(guesses_ && byUnit_->isChecked()
+                         ? text + QStringLiteral("; ") + tr("the unit is a guess by its size.")
+                         : text + QStringLiteral("."));
 }
 
 QString NewProjectDialog::model() const {

@@ -3,12 +3,15 @@
 
 #include "document/Preferences.h"
 #include "import/ImportModel.h"
+#include "jobs/JobRunner.h"
 #include "project/Project.h"
 
 #include <QDialog>
+#include <QTimer>
 
 class QComboBox;
 class QDoubleSpinBox;
+class QLabel;
 class QLineEdit;
 class QPushButton;
 class QRadioButton;
@@ -31,6 +34,9 @@ private:
     QWidget* makeFileRow(QLineEdit* line, const QString& title, const QString& filter);
     QWidget* makeSizeRow();
     void updateButtons();
+    void readSizes();
+    void takeSizes(const BoundingBox& box);
+    void showExtent();
 
     LengthUnit lengthUnit_;
     QString printerProfile_;
@@ -42,7 +48,12 @@ private:
     QDoubleSpinBox* edge_;
     QComboBox* film_;
     QComboBox* template_;
+    QLabel* extent_;
     QPushButton* create_;
+    QTimer delay_;                         // while a name is typed
+    std::optional<Eigen::Vector3d> sizes_; // of the model in its file's units, once it is read
+    bool guesses_ = true;                  // as long as the user has not chosen
+    JobRunner jobs_;
 };
 
 QString modelFileFilter();

@@ -135,8 +135,8 @@ void MainWindow::connectSession() {
     connect(&documents_, &DocumentSession::documentChanged, this, &MainWindow::showDocument);
     connect(&documents_, &DocumentSession::saved, this, &MainWindow::keepThumbnail);
     connect(&documents_, &DocumentSession::lengthDoubted, this, [this](double millimetres) {
-        messages_.notice(tr("The body is %1 long. If its file is in another unit, make the project "
-                            "again and say there how long the longest edge is.")
+        messages_.notice(tr("The body is %1 long. If its file is in another unit, change its size "
+                            "under Model.")
                              .arg(shownLength(millimetres, workbench_.preferences().unit)));
     });
     connect(&jobs_, &JobRunner::busy, this, &MainWindow::updateActions);

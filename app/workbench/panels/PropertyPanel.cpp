@@ -1,9 +1,11 @@
 #include "panels/PropertyPanel.h"
 
 #include "base/Error.h"
+#include "document/ModelEdits.h"
 #include "document/ProjectValue.h"
 #include "look/Icons.h"
 #include "panels/JoinFields.h"
+#include "panels/NumberBox.h"
 #include "panels/PropertySpecs.h"
 #include "panels/ShippedNames.h"
 #include "panels/ZoneFields.h"
@@ -212,6 +214,7 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
         }
         facts->setText(lines.join(QLatin1Char('\n')));
     });
+    addModelSize(form);
     const auto addButton = [this, &form](const QString& iconName, const QString& text,
                                          const QString& help, void (PropertyPanel::*asked)()) {
         auto* button = new QPushButton(icon(iconName), text);
@@ -227,6 +230,30 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
               &PropertyPanel::replaceModelAsked);
     addButton(QStringLiteral("texture"), tr("Replace Texture…"),
               tr("Puts another picture on the model."), &PropertyPanel::replaceTextureAsked);
+}
+
+void PropertyPanel::addModelSize(QFormLayout& form) {
+    auto* edge = new NumberBox;
+    const double shown = shownPerStored(Unit::Length, lengthUnit_);
+    edge->setObjectName(QStringLiteral("modelSize"));
+    edge->setAccessibleName(tr("Longest edge"));
+    edge->setDecimals(unitDecimals(Unit::Length, lengthUnit_));
+    edge->setRange(leastLongestEdge.value() * shown, mostLongestEdge.value() * shown);
+    edge->setSuffix(unitSuffix(Unit::Length, lengthUnit_));
+    edge->setKeyboardTracking(false);
+    edge->setToolTip(tr("Makes the body larger or smaller, with what is marked on it."));
+    form.addRow(tr("Longest edge"), edge);
+    connect(edge, &QDoubleSpinBox::valueChanged, this,
+            [this, shown](double value) { resizeModel(*document_, Millimetres(value / shown)); });
+    connect(edge, &QDoubleSpinBox::editingFinished, this, [this] {
+        if (document_) {
+            document_->endMerge();
+        }
+    });
+    refreshers_.push_back([this, edge, shown] {
+        const QSignalBlocker quiet(edge);
+        edge->setValue(longestEdgeOf(document_->project().model->mesh) * shown);
+    });
 }
 
 void PropertyPanel::addFilmFacts(QFormLayout& form) {

@@ -46,6 +46,7 @@ private:
     QWidget* addHeading(QFormLayout& form, const QString& text);
     void addField(QFormLayout& form, const PropertySpec& spec);
     void addModelFacts(QFormLayout& form);
+    void addModelSize(QFormLayout& form);
     void addFilmFacts(QFormLayout& form);
     template <typename Mark>
     void addMarkFields(QFormLayout& form, const QString& heading, MarkFields& fields);

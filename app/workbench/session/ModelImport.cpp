@@ -26,8 +26,7 @@ void importInto(Document& document, const QString& path, const QString& texture,
     options.texture = texture;
     options.unitMillimetres = document.project().modelOrigin.unitMillimetres;
     if (pose == Pose::Kept) {
-        options.longestEdge =
-            Millimetres(double(boundingBox(document.project().model->mesh).sizes().maxCoeff()));
+        options.longestEdge = Millimetres(longestEdgeOf(document.project().model->mesh));
     }
     startImport(
         path, options, undoText, jobs, messages,
@@ -67,7 +66,7 @@ void logImport(const ImportedModel& imported, Messages& messages) {
 
 std::optional<double> doubtfulLength(const TriangleMesh& mesh) {
     constexpr double smallest = 5, largest = 3000; // mm, of what is dipped
-    const double longest = double(boundingBox(mesh).sizes().maxCoeff());
+    const double longest = longestEdgeOf(mesh);
     return longest < smallest || longest > largest ? std::optional(longest) : std::nullopt;
 }
 

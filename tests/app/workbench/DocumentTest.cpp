@@ -3,6 +3,7 @@
 #include "BoxProject.h"
 #include "disk/FileLock.h"
 #include "document/ImmersionEdits.h"
+#include "document/ModelEdits.h"
 #include "document/ProjectValue.h"
 #include "document/RecentProjects.h"
 #include "document/Recovery.h"
@@ -191,6 +192,23 @@ private slots:
         document.undoStack().undo();
         QCOMPARE(document.project().immersions.size(), std::size_t(1));
         QCOMPARE(document.project().immersions[0].rotation[0].value(), 30);
+    }
+
+    void theBodyCanBeMadeLargerWithWhatIsMarkedOnIt() {
+        Project project = boxProject();
+        ShareMark mark;
+        mark.place = {Millimetres(1), Millimetres(-2), Millimetres(3)};
+        project.share.marks = {mark};
+        const double edge = longestEdgeOf(project.model->mesh);
+        const double unit = project.modelOrigin.unitMillimetres;
+        Document document(project);
+        resizeModel(document, Millimetres(1.5 * edge));
+        resizeModel(document, Millimetres(2 * edge)); // the field is still being worked
+        QVERIFY(std::abs(longestEdgeOf(document.project().model->mesh) - 2 * edge) < 1e-4 * edge);
+        QVERIFY(std::abs(document.project().modelOrigin.unitMillimetres - 2 * unit) < 1e-6);
+        QVERIFY(std::abs(document.project().share.marks[0].place[1].value() + 4) < 1e-6);
+        document.undoStack().undo();
+        QCOMPARE(document.project(), project);
     }
 
     void freshnessTellsEachStep() {

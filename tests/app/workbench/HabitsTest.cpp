@@ -25,6 +25,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QTableWidget>
 #include <QTextBrowser>
 
@@ -291,6 +292,23 @@ private slots:
         QTest::mouseMove(map, map->rect().center()); // there is nothing to be read off
         QTest::qWait(50);
         QVERIFY(driver.find<QLabel>("reading")->text().isEmpty());
+    }
+
+    void howLargeTheBodyBecomesIsSaidBeforeItIsMade() {
+        NewProjectDialog dialog(model, workbench_->preferences());
+        auto* extent = dialog.findChild<QLabel*>(QStringLiteral("extent"));
+        const auto said = [&](const char* text) {
+            return extent->text().contains(QLatin1String(text));
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(said("The body is") && said("guess"), patience());
+        for (auto* choice : dialog.findChildren<QRadioButton*>()) {
+            if (!choice->isChecked()) {
+                choice->click();
+                break;
+            }
+        }
+        dialog.findChild<QDoubleSpinBox*>()->setValue(123);
+        QVERIFY2(said("123.00 mm") && !said("guess"), qPrintable(extent->text()));
     }
 
     void newProjectsBeginWithTheChosenPrinter() {

@@ -146,6 +146,7 @@ class ImportModelTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void aUnitIsGuessedByTheSizeThatIsDipped();
     void objWithMaterialFile();
     void objWithTwoMaterials();
     void objWithoutMaterialFileIsGreyAndSaysSo();
@@ -217,6 +218,13 @@ private:
     }
     QTemporaryDir folder_;
 };
+
+void ImportModelTest::aUnitIsGuessedByTheSizeThatIsDipped() {
+    QCOMPARE(guessedUnit(90), 1.0);
+    QCOMPARE(guessedUnit(0.09), 1000.0);
+    QCOMPARE(guessedUnit(1.72), 10.0);
+    QCOMPARE(guessedUnit(5000), 1.0); // none fits
+}
 
 void ImportModelTest::objWithMaterialFile() {
     write(QStringLiteral("paint.png"), png(quarters()));

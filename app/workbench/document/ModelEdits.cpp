@@ -1,0 +1,37 @@
+#include "document/ModelEdits.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+template <typename Mark>
+void scaleMarks(std::vector<Mark>& marks, double factor) {
+    for (Mark& mark : marks) {
+        for (Millimetres& coordinate : mark.place) {
+            coordinate = Millimetres(coordinate.value() * factor);
+        }
+    }
+}
+
+} // namespace
+
+void resizeModel(Document& document, Millimetres longestEdge) {
+    const TexturedMesh& model = *document.project().model;
+    const double factor =
+        std::clamp(longestEdge.value(), leastLongestEdge.value(), mostLongestEdge.value()) /
+        longestEdgeOf(model.mesh);
+    document.edit(QCoreApplication::translate("ModelEdits", "Change Size"),
+                  QStringLiteral("model.size"), [&](Project& project) {
+                      auto resized = std::make_shared<TexturedMesh>(model);
+                      scale(resized->mesh, factor);
+                      project.model = std::move(resized);
+                      project.modelOrigin.unitMillimetres *= factor;
+                      project.modelOrigin.sha256.clear();
+                      scaleMarks(project.share.marks, factor);
+                      scaleMarks(project.tolerance.marks, factor);
+                  });
+}
+
+} // namespace dipwright
