@@ -165,8 +165,8 @@
 <context>
     <name>CertaintyPanel</name>
     <message>
-        <source>%1 mm² off by up to %2</source>
-        <translation>%1 mm², bis zu %2 daneben</translation>
+        <source>%1 off by up to %2</source>
+        <translation>%1 bis zu %2 daneben</translation>
     </message>
 </context>
 <context>
@@ -2074,10 +2074,6 @@
         <translation>Farbe ohne genug Tinte</translation>
     </message>
     <message>
-        <source>%1 mm²</source>
-        <translation>%1 mm²</translation>
-    </message>
-    <message>
         <source>Air trapped</source>
         <translation>Eingeschlossene Luft</translation>
     </message>
@@ -2106,10 +2102,6 @@
         <translation>Davon durch markierten Film</translation>
     </message>
     <message>
-        <source>%1 mm² · %2</source>
-        <translation>%1 mm² · %2</translation>
-    </message>
-    <message>
         <source>Painted by %1 alone</source>
         <translation>Von %1 allein gefärbt</translation>
     </message>
@@ -2126,16 +2118,8 @@
         <translation>Breite der Überlappung</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Length of the join</source>
         <translation>Länge der Fuge</translation>
-    </message>
-    <message>
-        <source>Not reached at %1, %2, %3 mm</source>
-        <translation>Nicht erreicht bei %1, %2, %3 mm</translation>
     </message>
     <message>
         <source>Join</source>
@@ -2144,6 +2128,10 @@
     <message>
         <source>Smaller places not reached</source>
         <translation>Kleinere nicht erreichte Stellen</translation>
+    </message>
+    <message>
+        <source>Not reached at %1</source>
+        <translation>Nicht erreicht bei %1</translation>
     </message>
 </context>
 <context>
@@ -2629,6 +2617,14 @@
     <message>
         <source> %/s</source>
         <translation> %/s</translation>
+    </message>
+    <message>
+        <source>%1 in²</source>
+        <translation>%1 in²</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
     </message>
 </context>
 <context>
@@ -5696,10 +5692,6 @@ mm</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>−%1, +%2 mm²</source>
-        <translation>−%1, +%2 mm²</translation>
-    </message>
-    <message>
         <source>Off by</source>
         <translation>Abweichung</translation>
     </message>
@@ -5756,10 +5748,6 @@ mm</translation>
         <translation>Alles zusammen: 95 % des Bemalten landen innerhalb von %1 um ihren Ort, die Hälfte innerhalb von %2.</translation>
     </message>
     <message>
-        <source>%1 at %2, %3, %4 mm of the model, most by: %5</source>
-        <translation>%1 bei %2, %3, %4 mm des Modells, am meisten durch: %5</translation>
-    </message>
-    <message>
         <source>Tolerance of the sheet</source>
         <translation>Toleranz des Bogens</translation>
     </message>
@@ -5778,6 +5766,10 @@ mm</translation>
     <message>
         <source>These are the figures of the project as it was before the last changes.</source>
         <translation>Dies sind die Zahlen des Projekts, wie es vor den letzten Änderungen war.</translation>
+    </message>
+    <message>
+        <source>%1 at %2 of the model, most by: %3</source>
+        <translation>%1 bei %2 des Modells, am meisten durch: %3</translation>
     </message>
 </context>
 <context>

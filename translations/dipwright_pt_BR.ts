@@ -165,8 +165,8 @@
 <context>
     <name>CertaintyPanel</name>
     <message>
-        <source>%1 mm² off by up to %2</source>
-        <translation>%1 mm² com desvio de até %2</translation>
+        <source>%1 off by up to %2</source>
+        <translation>%1 desviados em até %2</translation>
     </message>
 </context>
 <context>
@@ -2074,10 +2074,6 @@
         <translation>Cor com tinta insuficiente</translation>
     </message>
     <message>
-        <source>%1 mm²</source>
-        <translation>%1 mm²</translation>
-    </message>
-    <message>
         <source>Air trapped</source>
         <translation>Ar preso</translation>
     </message>
@@ -2106,10 +2102,6 @@
         <translation>Disso, por filme marcado</translation>
     </message>
     <message>
-        <source>%1 mm² · %2</source>
-        <translation>%1 mm² · %2</translation>
-    </message>
-    <message>
         <source>Painted by %1 alone</source>
         <translation>Pintado só por %1</translation>
     </message>
@@ -2126,16 +2118,8 @@
         <translation>Largura da sobreposição</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Length of the join</source>
         <translation>Comprimento da junção</translation>
-    </message>
-    <message>
-        <source>Not reached at %1, %2, %3 mm</source>
-        <translation>Não alcançado em %1, %2, %3 mm</translation>
     </message>
     <message>
         <source>Join</source>
@@ -2144,6 +2128,10 @@
     <message>
         <source>Smaller places not reached</source>
         <translation>Lugares menores não alcançados</translation>
+    </message>
+    <message>
+        <source>Not reached at %1</source>
+        <translation>Não alcançado em %1</translation>
     </message>
 </context>
 <context>
@@ -2629,6 +2617,14 @@
     <message>
         <source> %/s</source>
         <translation> %/s</translation>
+    </message>
+    <message>
+        <source>%1 in²</source>
+        <translation>%1 pol²</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
     </message>
 </context>
 <context>
@@ -5696,10 +5692,6 @@ mm</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>−%1, +%2 mm²</source>
-        <translation>−%1, +%2 mm²</translation>
-    </message>
-    <message>
         <source>Off by</source>
         <translation>Desvio</translation>
     </message>
@@ -5756,10 +5748,6 @@ mm</translation>
         <translation>Tudo junto: 95 % do que é pintado cai a menos de %1 do lugar, metade a menos de %2.</translation>
     </message>
     <message>
-        <source>%1 at %2, %3, %4 mm of the model, most by: %5</source>
-        <translation>%1 em %2, %3, %4 mm do modelo, a maior parte por: %5</translation>
-    </message>
-    <message>
         <source>Tolerance of the sheet</source>
         <translation>Tolerância da folha</translation>
     </message>
@@ -5778,6 +5766,10 @@ mm</translation>
     <message>
         <source>These are the figures of the project as it was before the last changes.</source>
         <translation>Estes são os números do projeto como estava antes das últimas mudanças.</translation>
+    </message>
+    <message>
+        <source>%1 at %2 of the model, most by: %3</source>
+        <translation>%1 em %2 do modelo, mais por: %3</translation>
     </message>
 </context>
 <context>

@@ -48,8 +48,8 @@ QStringList cells(const Contribution& contribution, LengthUnit unit) {
             offBy(contribution.spread.median, unit),
             offBy(contribution.spread.percentile95, unit),
             offBy(contribution.spread.maximum, unit),
-            ToleranceDialog::tr("−%1, +%2 mm²")
-                .arg(number(contribution.lost, 0), number(contribution.gained, 0))};
+            QStringLiteral("−%1, +%2")
+                .arg(shownArea(contribution.lost, unit), shownArea(contribution.gained, unit))};
 }
 
 QTableWidget* table(const DipTolerances& tolerances, LengthUnit unit) {
@@ -103,10 +103,8 @@ QStringList dipSentences(const DipTolerances& tolerances, LengthUnit unit) {
         lines.append(sampledText(*tolerances.sampled, length));
     }
     for (const WorstPlace& worst : tolerances.worst) {
-        lines.append(ToleranceDialog::tr("%1 at %2, %3, %4 mm of the model, most by: %5")
-                         .arg(offBy(worst.spread, unit), number(double(worst.place.x()), 1),
-                              number(double(worst.place.y()), 1),
-                              number(double(worst.place.z()), 1),
+        lines.append(ToleranceDialog::tr("%1 at %2 of the model, most by: %3")
+                         .arg(offBy(worst.spread, unit), shownPlace(worst.place, unit),
                               contributorText(worst.contributor)));
     }
     return lines;

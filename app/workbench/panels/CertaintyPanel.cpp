@@ -40,15 +40,14 @@ QString colourOf(Advice advice) { // of the band beside the words; read on light
 
 // No line ends between a number and its unit.
 QString paragraph(QString text) {
-    static const QRegularExpression betweenNumberAndUnit(QStringLiteral("(?<=\\d) (?=[%m])"));
+    static const QRegularExpression betweenNumberAndUnit(QStringLiteral("(?<=\\d) (?=[%mi])"));
     text.replace(betweenNumberAndUnit, QString(QChar::Nbsp));
     return QStringLiteral("<p style='margin:4px 0'>%1</p>").arg(text.toHtmlEscaped());
 }
 
 QString placeHtml(const UncertainPlace& place, std::size_t number, LengthUnit unit) {
-    const QString words =
-        Text::tr("%1 mm² off by up to %2")
-            .arg(QLocale().toString(place.area, 'f', 0), shownLength(place.offBy, unit));
+    const QString words = Text::tr("%1 off by up to %2")
+                              .arg(shownArea(place.area, unit), shownLength(place.offBy, unit));
     return QStringLiteral("<li><a href='%1'>%2</a></li>")
         .arg(QString::number(number), words.toHtmlEscaped());
 }

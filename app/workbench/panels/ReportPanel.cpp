@@ -47,11 +47,11 @@ QString percent(double share) {
     return Text::tr("%1 %").arg(number(share * 100, 1));
 }
 
-QString shareHtml(const JobResult& result) {
+QString shareHtml(const JobResult& result, LengthUnit unit) {
     const BodyShare& share = *result.share;
     const auto area = [&](double squareMillimetres) {
-        return Text::tr("%1 mm² · %2")
-            .arg(number(squareMillimetres, 0), percent(squareMillimetres / share.areas.total()));
+        return QStringLiteral("%1 · %2").arg(shownArea(squareMillimetres, unit),
+                                             percent(squareMillimetres / share.areas.total()));
     };
     Table table;
     table.row(Text::tr("Painted by %1 alone").arg(result.immersions[0].immersion.name),
@@ -60,14 +60,12 @@ QString shareHtml(const JobResult& result) {
               area(share.areas.second));
     table.row(Text::tr("In the overlap, by both"), area(share.areas.both));
     table.row(Text::tr("Reached by neither"), area(share.areas.none));
-    table.row(Text::tr("Width of the overlap"), Text::tr("%1 mm").arg(number(share.overlap, 1)));
-    table.row(Text::tr("Length of the join"), Text::tr("%1 mm").arg(number(share.cost.length, 0)));
+    table.row(Text::tr("Width of the overlap"), shownLength(share.overlap, unit));
+    table.row(Text::tr("Length of the join"), shownLength(share.cost.length, unit));
     const std::size_t listed = std::min(share.unpainted.size(), mostPlaces);
     for (const UnpaintedPlace& place : std::span(share.unpainted).first(listed)) {
-        table.row(Text::tr("Not reached at %1, %2, %3 mm")
-                      .arg(number(double(place.place.x()), 1), number(double(place.place.y()), 1),
-                           number(double(place.place.z()), 1)),
-                  Text::tr("%1 mm²").arg(number(place.area, 0)));
+        table.row(Text::tr("Not reached at %1").arg(shownPlace(place.place, unit)),
+                  shownArea(place.area, unit));
     }
     if (listed < share.unpainted.size()) {
         table.row(Text::tr("Smaller places not reached"),
@@ -88,14 +86,14 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
     Table table;
     table.row(Text::tr("Body painted"), percent(result.coverage->share));
     const Coverage& coverage = *result.coverage;
-    table.row(Text::tr("Of that, by marked film"),
-              Text::tr("%1 mm² · %2")
-                  .arg(number(coverage.marked.any, 0),
-                       percent(coverage.paintedArea > 0 ? coverage.marked.any / coverage.paintedArea
-                                                        : 0)));
+    table.row(
+        Text::tr("Of that, by marked film"),
+        QStringLiteral("%1 · %2").arg(
+            shownArea(coverage.marked.any, unit),
+            percent(coverage.paintedArea > 0 ? coverage.marked.any / coverage.paintedArea : 0)));
     for (const solver::PointMark mark : filmMarks) {
         if (coverage.marked.of(mark) > 0) {
-            table.row(markText(mark), Text::tr("%1 mm²").arg(number(coverage.marked.of(mark), 0)));
+            table.row(markText(mark), shownArea(coverage.marked.of(mark), unit));
         }
     }
     table.row(Text::tr("Film points on the body"),
@@ -111,10 +109,8 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
                                             shownLength(result.readBack.percentile95, unit)));
     table.row(Text::tr("Film triangles across texture seams"),
               locale.toString(qulonglong(result.texture->seamTriangles)));
-    table.row(Text::tr("Colour short of ink"),
-              Text::tr("%1 mm²").arg(number(result.texture->shortfallArea, 0)));
-    table.row(Text::tr("Air trapped"),
-              Text::tr("%1 mm²").arg(number(result.coverage->trappedAirArea, 0)));
+    table.row(Text::tr("Colour short of ink"), shownArea(result.texture->shortfallArea, unit));
+    table.row(Text::tr("Air trapped"), shownArea(result.coverage->trappedAirArea, unit));
     table.row(Text::tr("Simulated in"), Text::tr("%1 s").arg(number(film.wallSeconds, 2)));
     table.row(Text::tr("Steps"), locale.toString(qlonglong(film.steps)));
     table.row(Text::tr("Steps without equilibrium"),
@@ -166,7 +162,7 @@ void ReportPanel::show() {
         html += QStringLiteral("<p><b>%1</b></p>").arg(note.toHtmlEscaped());
     }
     if (result_->share) {
-        html += shareHtml(*result_);
+        html += shareHtml(*result_, unit_);
     }
     if (!tolerances_.isEmpty()) {
         html += heading(tr("Tolerances"));

@@ -89,6 +89,24 @@ QString shownNumber(double value, Unit unit, LengthUnit length, int moreDecimals
            unitSuffix(unit, length);
 }
 
+QString shownArea(double squareMillimetres, LengthUnit length) {
+    const double side = shownPerStored(Unit::Length, length);
+    return length == LengthUnit::Inch
+               ? Text::tr("%1 in²").arg(QLocale().toString(squareMillimetres * side * side, 'f', 3))
+               : Text::tr("%1 mm²").arg(QLocale().toString(squareMillimetres, 'f', 0));
+}
+
+QString shownPlace(const Eigen::Vector3f& place, LengthUnit length) {
+    const int decimals = unitDecimals(Unit::Length, length) - 1;
+    const double side = shownPerStored(Unit::Length, length);
+    const auto coordinate = [&](float value) {
+        return QLocale().toString(double(value) * side, 'f', decimals);
+    };
+    return QStringLiteral("%1, %2, %3%4")
+        .arg(coordinate(place.x()), coordinate(place.y()), coordinate(place.z()),
+             unitSuffix(Unit::Length, length));
+}
+
 QString shownLength(double millimetres, LengthUnit length, int moreDecimals) {
     return shownNumber(millimetres, Unit::Length, length, moreDecimals);
 }

@@ -114,6 +114,15 @@ private slots:
         QCOMPARE(box.validate(both, end), QValidator::Invalid);
     }
 
+    void areasAndPlacesFollowTheUnitToo() {
+        QCOMPARE(shownArea(645.16, LengthUnit::Millimetre), QStringLiteral("645 mm²"));
+        QCOMPARE(shownArea(645.16, LengthUnit::Inch), QStringLiteral("1.000 in²"));
+        QCOMPARE(shownPlace({25.4f, -12.7f, 0}, LengthUnit::Millimetre),
+                 QStringLiteral("25.4, -12.7, 0.0 mm"));
+        QCOMPARE(shownPlace({25.4f, -12.7f, 0}, LengthUnit::Inch),
+                 QStringLiteral("1.000, -0.500, 0.000 in"));
+    }
+
     void aPressBesideTheHandleTakesItThere() {
         Timeline timeline;
         timeline.resize(600, 40);
