@@ -13,7 +13,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr int leastWidth = 390;                // all tabs can be seen, marked as stale too
+constexpr int leastWidth = 350;                // a window of 1024 pixels has room for all panels
 constexpr double proofPixelsPerMillimetre = 8; // the proof has no size of its own
 constexpr double sharesOpacity = 0.6;          // over the sheet, which is to be seen below
 

@@ -75,7 +75,7 @@ StartPage::StartPage(QWidget* parent)
       recentHint_(new QLabel(tr("Projects that you open or save appear here."))),
       samplesTitle_(makeTitle(tr("Samples"))) {
     setObjectName(QStringLiteral("startPage"));
-    setMinimumSize(400, 400); // less than it would like: it shares its place with the view
+    setMinimumSize(270, 400); // less than it would like: it shares its place with the view
     recent_->setContextMenuPolicy(Qt::ActionsContextMenu);
     auto* forget = new QAction(tr("Remove from this list"), recent_);
     connect(forget, &QAction::triggered, this, [this] {

@@ -294,6 +294,24 @@ private slots:
         QVERIFY(driver.find<QLabel>("reading")->text().isEmpty());
     }
 
+    void aScreenOf1024By700HasRoomForAllPages() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        auto* tree = driver.find<ProjectTree>("projectTree");
+        for (const ProjectPart part :
+             {ProjectPart::Model, ProjectPart::Film, ProjectPart::Process, ProjectPart::Immersion,
+              ProjectPart::Sheet, ProjectPart::Ink, ProjectPart::Tolerance}) {
+            tree->select({part, 0});
+            QTest::qWait(20); // layouts
+            const QSize least = window_->minimumSizeHint();
+            QVERIFY2(least.width() <= 1024 && least.height() <= 700,
+                     qPrintable(QStringLiteral("page %1: %2 × %3")
+                                    .arg(int(part))
+                                    .arg(least.width())
+                                    .arg(least.height())));
+        }
+    }
+
     void howLargeTheBodyBecomesIsSaidBeforeItIsMade() {
         NewProjectDialog dialog(model, workbench_->preferences());
         auto* extent = dialog.findChild<QLabel*>(QStringLiteral("extent"));
