@@ -1150,6 +1150,14 @@
         <source>The SHA-256 of the photos&apos; files, by which they can be known again.</source>
         <translation>Der SHA-256 der Fotodateien, an dem sie wiederzuerkennen sind.</translation>
     </message>
+    <message>
+        <source>Relaxation found</source>
+        <translation>Gefundene Relaxation</translation>
+    </message>
+    <message>
+        <source>The relaxation time that photos of a dipped part gave.</source>
+        <translation>Die Relaxationszeit, die Fotos eines getauchten Teils ergaben.</translation>
+    </message>
 </context>
 <context>
     <name>Profiles</name>
@@ -1313,12 +1321,12 @@
         <translation>Hier fehlt ein Wert; geben Sie %1 an</translation>
     </message>
     <message>
-        <source>%1 must be an array of at most %2 marks</source>
-        <translation>%1 muss ein Feld von höchstens %2 Marken sein</translation>
+        <source>%1 must be an array of at most %2 entries</source>
+        <translation>%1 muss eine Liste mit höchstens %2 Einträgen sein</translation>
     </message>
     <message>
-        <source>the sections are film, process, body, immersions[0], sheet, ink, share, cradle and tolerance</source>
-        <translation>die Abschnitte sind film, process, body, immersions[0], sheet, ink, share, cradle und tolerance</translation>
+        <source>the sections are film, process, body, immersions[0], sheet, ink, share, cradle, tolerance and as_built</source>
+        <translation>die Abschnitte sind film, process, body, immersions[0], sheet, ink, share, cradle, tolerance und as_built</translation>
     </message>
 </context>
 <context>
@@ -2037,6 +2045,26 @@
     <message>
         <source>What is off by how much in them. Another number draws others.</source>
         <translation>Was darin um wie viel abweicht. Eine andere Zahl zieht andere.</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Korrektur</translation>
+    </message>
+    <message>
+        <source>By what repeats</source>
+        <translation>Um das Wiederkehrende</translation>
+    </message>
+    <message>
+        <source>Takes off the sheet what the parts that the job keeps are off again and again.</source>
+        <translation>Nimmt vom Bogen, was an den Teilen, die der Auftrag behält, immer wieder daneben liegt.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>How much of it is taken off.</source>
+        <translation>Wie viel davon abgezogen wird.</translation>
     </message>
 </context>
 <context>
@@ -3277,6 +3305,145 @@
     </message>
 </context>
 <context>
+    <name>dipwright::FilmFit</name>
+    <message>
+        <source>The fit does not come to rest in %1 rounds; look for places that were mistaken for others, or fit fewer quantities</source>
+        <translation>Die Anpassung kommt in %1 Runden nicht zur Ruhe; suchen Sie nach verwechselten Stellen oder passen Sie weniger Größen an</translation>
+    </message>
+    <message>
+        <source>Fitted</source>
+        <translation>Angepasst</translation>
+    </message>
+    <message>
+        <source>The pairs tell nothing of the film; give more of them, all round the body</source>
+        <translation>Die Paare sagen nichts über den Film; geben Sie mehr davon an, rund um den Körper</translation>
+    </message>
+    <message>
+        <source>None of the printed places lies on the body in the simulation; are they of this job&apos;s sheet?</source>
+        <translation>Keine der gedruckten Stellen liegt in der Simulation auf dem Körper; sind sie vom Bogen dieses Auftrags?</translation>
+    </message>
+    <message>
+        <source>%1, dip %2</source>
+        <translation>%1, Tauchgang %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, was taken for %3; 95 %: %4 to %5</source>
+        <translation>%1: %2, angenommen war %3; 95 %: %4 bis %5</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are told together rather than each by itself: correlation %3</source>
+        <translation>%1 und %2 sind eher zusammen als jede für sich bestimmt: Korrelation %3</translation>
+    </message>
+    <message>
+        <source>%1 is not told by these pairs and stays as it was</source>
+        <translation>%1 ist durch diese Paare nicht bestimmt und bleibt, wie es war</translation>
+    </message>
+    <message>
+        <source>The print was off by %1 px or %2 mm and is by %3 px or %4 mm with what was found (root mean square)</source>
+        <translation>Der Druck lag %1 px oder %2 mm daneben und liegt mit dem Gefundenen %3 px oder %4 mm daneben (quadratisches Mittel)</translation>
+    </message>
+    <message>
+        <source>give pairs of places all round the body</source>
+        <translation>geben Sie Paare rund um den Körper an</translation>
+    </message>
+    <message>
+        <source>photograph places near the body&apos;s lowest point and others high on its sides, from more than one direction</source>
+        <translation>fotografieren Sie Stellen nahe dem tiefsten Punkt des Körpers und andere weit oben an seinen Seiten, aus mehr als einer Richtung</translation>
+    </message>
+    <message>
+        <source>measure growth by photos of the floating film, “inspect film”</source>
+        <translation>messen Sie das Wachstum durch Fotos des schwimmenden Films, „inspect film“</translation>
+    </message>
+    <message>
+        <source>measure it at the tank and leave it out of the fit</source>
+        <translation>messen Sie es am Becken und lassen Sie es aus der Anpassung</translation>
+    </message>
+    <message>
+        <source>The project&apos;s film does not grow, and so its growth cannot be fitted; measure it by photos of the floating film, “inspect film”</source>
+        <translation>Der Film des Projekts wächst nicht, also lässt sich sein Wachstum nicht anpassen; messen Sie es durch Fotos des schwimmenden Films, „inspect film“</translation>
+    </message>
+    <message>
+        <source>%1 changes nothing of this film and cannot be fitted</source>
+        <translation>%1 ändert an diesem Film nichts und lässt sich nicht anpassen</translation>
+    </message>
+    <message>
+        <source>%1 moves none of the places, so that the pairs do not tell it; %2</source>
+        <translation>%1 bewegt keine der Stellen, so dass die Paare es nicht bestimmen; %2</translation>
+    </message>
+    <message>
+        <source>The pairs cannot tell %1 from the camera&apos;s place (correlation %2); %3</source>
+        <translation>Die Paare können %1 nicht vom Platz der Kamera unterscheiden (Korrelation %2); %3</translation>
+    </message>
+    <message>
+        <source>give more pairs of the body itself, farther apart</source>
+        <translation>geben Sie mehr Paare des Körpers selbst an, weiter auseinander</translation>
+    </message>
+    <message>
+        <source>give pairs of the body itself, its edges, corners or holes, with --pairs</source>
+        <translation>geben Sie mit --pairs Paare des Körpers selbst an, seine Kanten, Ecken oder Löcher</translation>
+    </message>
+    <message>
+        <source>The pairs cannot tell %1 from %2 (correlation %3); fit one of the two alone, or %4</source>
+        <translation>Die Paare können %1 nicht von %2 unterscheiden (Korrelation %3); passen Sie nur eines von beiden an, oder %4</translation>
+    </message>
+    <message>
+        <source>The pairs do not tell %1 well enough; give more of them, or %2</source>
+        <translation>Die Paare bestimmen %1 nicht gut genug; geben Sie mehr davon an, oder %2</translation>
+    </message>
+    <message>
+        <source>Body along X</source>
+        <translation>Körper entlang X</translation>
+    </message>
+    <message>
+        <source>Body along Z</source>
+        <translation>Körper entlang Z</translation>
+    </message>
+    <message>
+        <source>Body about Y</source>
+        <translation>Körper um Y</translation>
+    </message>
+    <message>
+        <source>Swell along X</source>
+        <translation>Quellung entlang X</translation>
+    </message>
+    <message>
+        <source>Swell along Y</source>
+        <translation>Quellung entlang Y</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxation</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Wachstum</translation>
+    </message>
+    <message>
+        <source>Contact distance</source>
+        <translation>Kontaktabstand</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>“%1” is nothing that can be fitted; choose of %2</source>
+        <translation>„%1“ lässt sich nicht anpassen; wählen Sie aus %2</translation>
+    </message>
+    <message>
+        <source>There are fewer pairs on the body than tell %1 numbers of film and camera; give more, or fit fewer quantities</source>
+        <translation>Es sind weniger Paare auf dem Körper, als %1 Zahlen von Film und Kamera bestimmen; geben Sie mehr an oder passen Sie weniger Größen an</translation>
+    </message>
+    <message>
+        <source>No film and camera are found that fit the pairs; look for places that were mistaken for others</source>
+        <translation>Es finden sich kein Film und keine Kamera, die zu den Paaren passen; suchen Sie nach verwechselten Stellen</translation>
+    </message>
+    <message>
+        <source>A place is said to be of dip %1, and the project has %2</source>
+        <translation>Eine Stelle soll von Tauchgang %1 sein, und das Projekt hat %2</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::FilmReader</name>
     <message>
         <source>Body at %1, %2, %3</source>
@@ -4030,10 +4197,6 @@
         <translation>Die Paare sagen nicht, wie weit die Kamera weg war; geben Sie nähere und fernere Stellen an, und fotografieren Sie aus der Nähe</translation>
     </message>
     <message>
-        <source>Line %1 of the pairs is not the number of a photo, two numbers of pixels and three of millimetres, joined by commas</source>
-        <translation>Zeile %1 der Paare ist nicht die Nummer eines Fotos, zwei Zahlen in Pixeln und drei in Millimetern, mit Kommas getrennt</translation>
-    </message>
-    <message>
         <source>The first line of the pairs is not %1</source>
         <translation>Die erste Zeile der Paare ist nicht %1</translation>
     </message>
@@ -4064,6 +4227,18 @@
     <message>
         <source>Finding corners in photo %1</source>
         <translation>Ecken in Foto %1 werden gesucht</translation>
+    </message>
+    <message>
+        <source>Line %1 of the pairs is not %2</source>
+        <translation>Zeile %1 der Paare ist nicht: %2</translation>
+    </message>
+    <message>
+        <source>the number of a photo, two numbers of pixels and three of millimetres, joined by commas</source>
+        <translation>die Nummer eines Fotos, zwei Zahlen in Pixeln und drei in Millimetern, durch Kommas verbunden</translation>
+    </message>
+    <message>
+        <source>the number of a photo, two numbers of pixels, the number of a dip, and two and three of millimetres, joined by commas</source>
+        <translation>die Nummer eines Fotos, zwei Zahlen in Pixeln, die Nummer eines Tauchgangs und zwei und drei in Millimetern, durch Kommas verbunden</translation>
     </message>
 </context>
 <context>
@@ -5397,6 +5572,20 @@ mm</translation>
     <message>
         <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashes</source>
         <translation>%1 · Zeile %2 von %3, Spalte %4 von %5 · an den Strichen schneiden</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SheetCorrection</name>
+    <message numerus="yes">
+        <source>Red: off on the mean of %n part(s), %1 times as long</source>
+        <translation>
+            <numerusform>Rot: Abweichung an %n Teil, %1-mal so lang</numerusform>
+            <numerusform>Rot: Abweichung im Mittel von %n Teilen, %1-mal so lang</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Blue: what the next sheet is corrected by</source>
+        <translation>Blau: worum der nächste Bogen korrigiert wird</translation>
     </message>
 </context>
 <context>

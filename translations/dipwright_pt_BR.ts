@@ -1150,6 +1150,14 @@
         <source>The SHA-256 of the photos&apos; files, by which they can be known again.</source>
         <translation>O SHA-256 dos arquivos das fotos, pelo qual podem ser reconhecidas.</translation>
     </message>
+    <message>
+        <source>Relaxation found</source>
+        <translation>Relaxação encontrada</translation>
+    </message>
+    <message>
+        <source>The relaxation time that photos of a dipped part gave.</source>
+        <translation>O tempo de relaxação que fotos de uma peça imersa deram.</translation>
+    </message>
 </context>
 <context>
     <name>Profiles</name>
@@ -1313,12 +1321,12 @@
         <translation>Falta um valor, informe %1</translation>
     </message>
     <message>
-        <source>%1 must be an array of at most %2 marks</source>
-        <translation>%1 deve ser uma lista de no máximo %2 marcas</translation>
+        <source>%1 must be an array of at most %2 entries</source>
+        <translation>%1 deve ser uma lista de no máximo %2 itens</translation>
     </message>
     <message>
-        <source>the sections are film, process, body, immersions[0], sheet, ink, share, cradle and tolerance</source>
-        <translation>as seções são film, process, body, immersions[0], sheet, ink, share, cradle e tolerance</translation>
+        <source>the sections are film, process, body, immersions[0], sheet, ink, share, cradle, tolerance and as_built</source>
+        <translation>as seções são film, process, body, immersions[0], sheet, ink, share, cradle, tolerance e as_built</translation>
     </message>
 </context>
 <context>
@@ -2037,6 +2045,26 @@
     <message>
         <source>What is off by how much in them. Another number draws others.</source>
         <translation>O que desvia quanto nelas. Outro número sorteia outras.</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Correção</translation>
+    </message>
+    <message>
+        <source>By what repeats</source>
+        <translation>Pelo que se repete</translation>
+    </message>
+    <message>
+        <source>Takes off the sheet what the parts that the job keeps are off again and again.</source>
+        <translation>Tira da folha o desvio que se repete nas peças que o trabalho guarda.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Intensidade</translation>
+    </message>
+    <message>
+        <source>How much of it is taken off.</source>
+        <translation>Quanto disso é tirado.</translation>
     </message>
 </context>
 <context>
@@ -3277,6 +3305,145 @@
     </message>
 </context>
 <context>
+    <name>dipwright::FilmFit</name>
+    <message>
+        <source>The fit does not come to rest in %1 rounds; look for places that were mistaken for others, or fit fewer quantities</source>
+        <translation>O ajuste não se estabiliza em %1 rodadas; procure pontos confundidos com outros ou ajuste menos grandezas</translation>
+    </message>
+    <message>
+        <source>Fitted</source>
+        <translation>Ajustado</translation>
+    </message>
+    <message>
+        <source>The pairs tell nothing of the film; give more of them, all round the body</source>
+        <translation>Os pares não dizem nada do filme; dê mais deles, ao redor de todo o corpo</translation>
+    </message>
+    <message>
+        <source>None of the printed places lies on the body in the simulation; are they of this job&apos;s sheet?</source>
+        <translation>Nenhum dos pontos impressos fica sobre o corpo na simulação; eles são da folha deste trabalho?</translation>
+    </message>
+    <message>
+        <source>%1, dip %2</source>
+        <translation>%1, imersão %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, was taken for %3; 95 %: %4 to %5</source>
+        <translation>%1: %2, supunha-se %3; 95 %: %4 a %5</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are told together rather than each by itself: correlation %3</source>
+        <translation>%1 e %2 são determinados juntos e não cada um por si: correlação %3</translation>
+    </message>
+    <message>
+        <source>%1 is not told by these pairs and stays as it was</source>
+        <translation>%1 não é determinado por estes pares e fica como estava</translation>
+    </message>
+    <message>
+        <source>The print was off by %1 px or %2 mm and is by %3 px or %4 mm with what was found (root mean square)</source>
+        <translation>A impressão estava fora por %1 px ou %2 mm e fica fora por %3 px ou %4 mm com o que foi encontrado (valor quadrático médio)</translation>
+    </message>
+    <message>
+        <source>give pairs of places all round the body</source>
+        <translation>dê pares de pontos ao redor de todo o corpo</translation>
+    </message>
+    <message>
+        <source>photograph places near the body&apos;s lowest point and others high on its sides, from more than one direction</source>
+        <translation>fotografe pontos perto do ponto mais baixo do corpo e outros no alto dos lados, de mais de uma direção</translation>
+    </message>
+    <message>
+        <source>measure growth by photos of the floating film, “inspect film”</source>
+        <translation>meça o crescimento por fotos do filme flutuando, “inspect film”</translation>
+    </message>
+    <message>
+        <source>measure it at the tank and leave it out of the fit</source>
+        <translation>meça no tanque e deixe fora do ajuste</translation>
+    </message>
+    <message>
+        <source>The project&apos;s film does not grow, and so its growth cannot be fitted; measure it by photos of the floating film, “inspect film”</source>
+        <translation>O filme do projeto não cresce, e por isso seu crescimento não pode ser ajustado; meça-o por fotos do filme flutuando, “inspect film”</translation>
+    </message>
+    <message>
+        <source>%1 changes nothing of this film and cannot be fitted</source>
+        <translation>%1 não muda nada neste filme e não pode ser ajustado</translation>
+    </message>
+    <message>
+        <source>%1 moves none of the places, so that the pairs do not tell it; %2</source>
+        <translation>%1 não move nenhum dos pontos, de modo que os pares não o determinam; %2</translation>
+    </message>
+    <message>
+        <source>The pairs cannot tell %1 from the camera&apos;s place (correlation %2); %3</source>
+        <translation>Os pares não distinguem %1 do lugar da câmera (correlação %2); %3</translation>
+    </message>
+    <message>
+        <source>give more pairs of the body itself, farther apart</source>
+        <translation>dê mais pares do próprio corpo, mais afastados</translation>
+    </message>
+    <message>
+        <source>give pairs of the body itself, its edges, corners or holes, with --pairs</source>
+        <translation>dê pares do próprio corpo, suas arestas, cantos ou furos, com --pairs</translation>
+    </message>
+    <message>
+        <source>The pairs cannot tell %1 from %2 (correlation %3); fit one of the two alone, or %4</source>
+        <translation>Os pares não distinguem %1 de %2 (correlação %3); ajuste só um dos dois, ou %4</translation>
+    </message>
+    <message>
+        <source>The pairs do not tell %1 well enough; give more of them, or %2</source>
+        <translation>Os pares não determinam %1 bem o bastante; dê mais deles, ou %2</translation>
+    </message>
+    <message>
+        <source>Body along X</source>
+        <translation>Corpo ao longo de X</translation>
+    </message>
+    <message>
+        <source>Body along Z</source>
+        <translation>Corpo ao longo de Z</translation>
+    </message>
+    <message>
+        <source>Body about Y</source>
+        <translation>Corpo em torno de Y</translation>
+    </message>
+    <message>
+        <source>Swell along X</source>
+        <translation>Inchamento ao longo de X</translation>
+    </message>
+    <message>
+        <source>Swell along Y</source>
+        <translation>Inchamento ao longo de Y</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxação</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Crescimento</translation>
+    </message>
+    <message>
+        <source>Contact distance</source>
+        <translation>Distância de contato</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidade</translation>
+    </message>
+    <message>
+        <source>“%1” is nothing that can be fitted; choose of %2</source>
+        <translation>“%1” não pode ser ajustado; escolha entre %2</translation>
+    </message>
+    <message>
+        <source>There are fewer pairs on the body than tell %1 numbers of film and camera; give more, or fit fewer quantities</source>
+        <translation>Há menos pares no corpo do que os que determinam %1 números de filme e câmera; dê mais ou ajuste menos grandezas</translation>
+    </message>
+    <message>
+        <source>No film and camera are found that fit the pairs; look for places that were mistaken for others</source>
+        <translation>Não se encontram filme e câmera que combinem com os pares; procure pontos confundidos com outros</translation>
+    </message>
+    <message>
+        <source>A place is said to be of dip %1, and the project has %2</source>
+        <translation>Um ponto seria da imersão %1, e o projeto tem %2</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::FilmReader</name>
     <message>
         <source>Body at %1, %2, %3</source>
@@ -4030,10 +4197,6 @@
         <translation>Os pares não dizem a que distância estava a câmera; dê lugares mais próximos e mais distantes, e fotografe de mais perto</translation>
     </message>
     <message>
-        <source>Line %1 of the pairs is not the number of a photo, two numbers of pixels and three of millimetres, joined by commas</source>
-        <translation>A linha %1 dos pares não é o número de uma foto, dois números de pixels e três de milímetros, separados por vírgulas</translation>
-    </message>
-    <message>
         <source>The first line of the pairs is not %1</source>
         <translation>A primeira linha dos pares não é %1</translation>
     </message>
@@ -4064,6 +4227,18 @@
     <message>
         <source>Finding corners in photo %1</source>
         <translation>Procurando cantos na foto %1</translation>
+    </message>
+    <message>
+        <source>Line %1 of the pairs is not %2</source>
+        <translation>A linha %1 dos pares não é %2</translation>
+    </message>
+    <message>
+        <source>the number of a photo, two numbers of pixels and three of millimetres, joined by commas</source>
+        <translation>o número de uma foto, dois números em pixels e três em milímetros, separados por vírgulas</translation>
+    </message>
+    <message>
+        <source>the number of a photo, two numbers of pixels, the number of a dip, and two and three of millimetres, joined by commas</source>
+        <translation>o número de uma foto, dois números em pixels, o número de uma imersão, e dois e três em milímetros, separados por vírgulas</translation>
     </message>
 </context>
 <context>
@@ -5397,6 +5572,20 @@ mm</translation>
     <message>
         <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashes</source>
         <translation>%1 · linha %2 de %3, coluna %4 de %5 · corte nos tracejados</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SheetCorrection</name>
+    <message numerus="yes">
+        <source>Red: off on the mean of %n part(s), %1 times as long</source>
+        <translation>
+            <numerusform>Vermelho: desvio de %n peça, %1 vezes mais longo</numerusform>
+            <numerusform>Vermelho: desvio médio de %n peças, %1 vezes mais longo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Blue: what the next sheet is corrected by</source>
+        <translation>Azul: em quanto a próxima folha é corrigida</translation>
     </message>
 </context>
 <context>

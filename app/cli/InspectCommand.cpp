@@ -1,4 +1,6 @@
 #include "cli/Arguments.h"
+#include "cli/InspectBuilt.h"
+#include "cli/InspectFit.h"
 #include "cli/InspectPart.h"
 
 #include "import/ReadPhotos.h"
@@ -202,13 +204,15 @@ public:
 
     void declare(CommandSyntax& syntax) const override {
         syntax.addPositionalArgument(
-            QStringLiteral("film FILE… | part FILE…"),
+            QStringLiteral("film FILE… | part FILE… | fit FILE… | built FILE…"),
             QStringLiteral("Photos of the page of “calibrate film” floating on the water, with the "
                            "card of “calibrate card” beside it in each; or photos of a "
                            "dipped part."));
         syntax.addOption({outOption, QStringLiteral("Where the results go; made if missing."),
                           QStringLiteral("DIR")});
         declarePart(syntax);
+        declareFit(syntax);
+        declareBuilt(syntax);
         syntax.addOption({timeOption,
                           QStringLiteral("When a photo was made, in seconds since the film was "
                                          "laid on the water; once for each photo."),
@@ -254,17 +258,28 @@ public:
     void run(const QCommandLineParser& parser, Console& console) const override {
         QStringList files = parser.positionalArguments();
         const QString subject = files.isEmpty() ? QString() : files.takeFirst();
-        const bool isFilm = subject == QLatin1String("film");
-        if (files.isEmpty() || !(isFilm || subject == QLatin1String("part"))) {
-            throw UsageError(QStringLiteral("Say what to inspect, film or part, and the photos"),
-                             QStringLiteral("film FILE… | part FILE…"));
+        static const QStringList subjects{QStringLiteral("film"), QStringLiteral("part"),
+                                          QStringLiteral("fit"), QStringLiteral("built")};
+        if (files.isEmpty() || !subjects.contains(subject)) {
+            throw UsageError(
+                QStringLiteral("Say what to inspect, film, part, fit or built, and the photos"),
+                QStringLiteral("film FILE… | part FILE… | fit FILE… | built FILE…"));
         }
         if (parser.value(outOption).isEmpty()) {
             throw UsageError(QStringLiteral("Say where the results go with --out DIR"),
                              QStringLiteral("--out"));
         }
-        isFilm ? inspectFilm(files, parser, console)
-               : inspectPart(files, parser, lensOf(parser), console);
+        if (subject == QLatin1String("film")) {
+            inspectFilm(files, parser, console);
+        } else if (subject == QLatin1String("part")) {
+            inspectPart(files, parser, lensOf(parser), console);
+        } else if (subject == QLatin1String("fit")) {
+            inspectFit(files, parser, console);
+        } else {
+            inspectBuilt(
+                files, parser, lensOf(parser),
+                [&](const auto& taken) { return notesOf(parser, taken).date; }, console);
+        }
     }
 
 private:
@@ -295,6 +310,32 @@ private:
                parser.value(outOption), console);
     }
 
+    static void inspectFit(const QStringList& files, const QCommandLineParser& parser,
+                           Console& console) {
+        Target target = targetOf(parser);
+        notesOf(parser, {});
+        const FittedPart part = fitPart(files, parser, lensOf(parser), console);
+        const WatchNotes notes = notesOf(parser, part.taken);
+        const bool hasProfile = !target.profile.name.isEmpty();
+        if (hasProfile) { // refused before anything is written
+            target.profile = withFit(target.profile, part.fit, part.photos, notes);
+        }
+        writeFilmFit(part.fit, part.pairs, part.photos, notes, parser.value(outOption));
+        for (const QString& sentence : fitSentences(part.fit)) {
+            console.out() << sentence << '\n';
+        }
+        updateJob(part, parser, console);
+        save(target, console);
+    }
+
+    static void save(const Target& target, Console& console) {
+        if (!target.profile.name.isEmpty()) {
+            ProfileLibrary().save(target.profile, target.known);
+            console.out()
+                << QStringLiteral("The film profile %1 has them now\n").arg(target.profile.name);
+        }
+    }
+
     static void finish(const FilmWatch& watch, const WatchNotes& notes, Target target,
                        const QString& folder, Console& console) {
         const bool hasProfile = !target.profile.name.isEmpty();
@@ -314,11 +355,7 @@ private:
         for (const QString& sentence : watchSentences(watch)) {
             console.out() << sentence << '\n';
         }
-        if (hasProfile) {
-            ProfileLibrary().save(target.profile, target.known);
-            console.out()
-                << QStringLiteral("The film profile %1 has them now\n").arg(target.profile.name);
-        }
+        save(target, console);
     }
 };
 

@@ -3,36 +3,24 @@
 #include "cli/Arguments.h"
 #include "disk/SmallFile.h"
 #include "import/ReadPhotos.h"
+#include "inspection/BuiltPlaces.h"
 #include "inspection/FindPrint.h"
 #include "inspection/PartViewFiles.h"
 #include "pipeline/Pipeline.h"
 #include "project/ProjectStore.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dipwright::cli {
 namespace {
 
 const QString pairsOption = QStringLiteral("pairs");
+const QString placesOption = QStringLiteral("places");
 const QString projectOption = QStringLiteral("project");
 const QString keepOption = QStringLiteral("keep-camera");
 
 constexpr qint64 mostTableBytes = 4 << 20; // of pairs
-
-std::vector<PartPhoto> readPhotos(const QStringList& files, const Progress& progress) {
-    std::vector<PartPhoto> photos;
-    for (qsizetype i = 0; i < files.size(); ++i) {
-        progress(double(i) / double(files.size()), files[i]);
-        Photo photo = readPhotoFile(files[i], progress);
-        photos.push_back({files[i], photo.sha256, std::move(photo.picture)});
-        if (photos.back().picture.size() != photos.front().picture.size()) {
-            throw Error(QStringLiteral("The photos are of different sizes; take those of one "
-                                       "camera, held the same way"),
-                        files[i]);
-        }
-    }
-    return photos;
-}
 
 void tell(const std::vector<PlacePair>& pairs, const PartView& view, QTextStream& out) {
     const PartFigures& figures = view.figures;
@@ -55,7 +43,7 @@ void tell(const std::vector<PlacePair>& pairs, const PartView& view, QTextStream
 }
 
 // Where the print is meant to be, by the dips of the job.
-std::vector<PrintedCorner> cornersOf(Project& project, const QCommandLineParser& parser,
+std::vector<PrintedCorner> cornersOf(const Project& project, const QCommandLineParser& parser,
                                      const Progress& progress) {
     JobOptions options;
     applyFilmImage(options, parser);
@@ -64,36 +52,8 @@ std::vector<PrintedCorner> cornersOf(Project& project, const QCommandLineParser&
                                         "model has for its texture"),
                          QStringLiteral("--film-image"));
     }
-    options.estimatesCertainty = false;
-    project.sheet.resolution = DotsPerInch(72); // the sheets are not kept
-    const JobResult result = runJob(project, SolverRegistry(), options, nullptr, progress);
-    std::vector<std::shared_ptr<const LaidFilm>> dips;
-    for (const ImmersionResult& immersion : result.immersions) {
-        dips.push_back(immersion.laid);
-    }
-    return printedCorners(project, dips,
+    return printedCorners(project, dippedFilms(project, progress),
                           options.chessboard ? PartPrint::Chessboard : PartPrint::Texture);
-}
-
-FoundPrint search(const std::vector<PartPhoto>& photos, const std::vector<PlacePair>& clicked,
-                  const QCommandLineParser& parser, const std::optional<Lens>& lens,
-                  const Progress& progress) {
-    const QString path = parser.value(projectOption);
-    Project project = loadProject(path);
-    const auto corners = cornersOf(project, parser, progress.part(0.2, 0.7));
-    if (corners.empty()) {
-        throw Error(QStringLiteral("The model's texture has no chess squares to look for; print "
-                                   "and dip the chessboard and name it with --film-image "
-                                   "chessboard, or leave --project out"),
-                    path);
-    }
-    std::vector<QImage> pictures;
-    for (const PartPhoto& photo : photos) {
-        pictures.push_back(photo.picture);
-    }
-    return findPrint(pictures, project.model->mesh, corners, clicked,
-                     {parser.isSet(keepOption), lens}, progress.part(0.7, 1),
-                     parser.value(pairsOption));
 }
 
 void tellFound(const FoundPrint& print, QTextStream& out) {
@@ -116,47 +76,117 @@ void tellFound(const FoundPrint& print, QTextStream& out) {
 
 } // namespace
 
-void declarePart(CommandSyntax& syntax) {
-    syntax.addOption({pairsOption,
-                      QStringLiteral("Of “part”: a table of places in the photos and on the model "
-                                     "with the columns photo,x_px,y_px,x_mm,y_mm,z_mm."),
-                      QStringLiteral("FILE.csv")});
-    syntax.addOption({projectOption,
-                      QStringLiteral("Of “part”: the job that was dipped. The corners of its print "
-                                     "are then looked for in the photos, from the pairs on: of "
-                                     "chess squares in its texture, or of --film-image "
-                                     "chessboard."),
-                      QStringLiteral("JOB.dipw")});
-    declareFilmImage(syntax);
-    syntax.addOption(
-        {keepOption, QStringLiteral("Of “part” with --project: the camera stays as the pairs "
-                                    "alone have it, which are of the body itself, so that a "
-                                    "print that is shifted as a whole shows.")});
+std::vector<std::shared_ptr<const LaidFilm>> dippedFilms(Project project,
+                                                         const Progress& progress) {
+    JobOptions options;
+    options.estimatesCertainty = false;
+    project.sheet.resolution = DotsPerInch(72); // the sheets are not kept
+    const JobResult result = runJob(project, SolverRegistry(), options, nullptr, progress);
+    std::vector<std::shared_ptr<const LaidFilm>> dips;
+    for (const ImmersionResult& immersion : result.immersions) {
+        dips.push_back(immersion.laid);
+    }
+    return dips;
 }
 
-void inspectPart(const QStringList& files, const QCommandLineParser& parser,
-                 const std::optional<Lens>& lens, Console& console) {
-    constexpr qsizetype mostPhotos = 50;
+std::vector<PlacePair> partPairs(const QCommandLineParser& parser, int photos) {
     const QString path = parser.value(pairsOption);
     if (path.isEmpty()) {
         throw UsageError(QStringLiteral("Name the table of pairs with --pairs FILE.csv"),
                          QStringLiteral("--pairs"));
     }
+    return readPairs(readSmallFile(path, mostTableBytes), photos, path);
+}
+
+std::vector<PartPhoto> readPartPhotos(const QStringList& files, const Progress& progress) {
+    constexpr qsizetype mostPhotos = 50;
     if (files.size() > mostPhotos) {
         throw UsageError(QStringLiteral("Give %1 photos at most").arg(mostPhotos),
-                         QStringLiteral("part FILE…"));
+                         QStringLiteral("FILE…"));
     }
-    std::vector<PlacePair> pairs =
-        readPairs(readSmallFile(path, mostTableBytes), int(files.size()), path);
+    std::vector<PartPhoto> photos;
+    for (qsizetype i = 0; i < files.size(); ++i) {
+        progress(double(i) / double(files.size()), files[i]);
+        Photo photo = readPhotoFile(files[i], progress);
+        photos.push_back({files[i], photo.sha256, std::move(photo.picture), photo.taken});
+        if (photos.back().picture.size() != photos.front().picture.size()) {
+            throw Error(QStringLiteral("The photos are of different sizes; take those of one "
+                                       "camera, held the same way"),
+                        files[i]);
+        }
+    }
+    return photos;
+}
+
+FoundPrint searchPrint(const std::vector<PartPhoto>& photos, const std::vector<PlacePair>& clicked,
+                       const QCommandLineParser& parser, const std::optional<Lens>& lens,
+                       const Progress& progress) {
+    const QString path = parser.value(projectOption);
+    const Project project = loadProject(path);
+    const auto corners = cornersOf(project, parser, progress.part(0.2, 0.7));
+    if (corners.empty()) {
+        throw Error(QStringLiteral("The model's texture has no chess squares to look for; print "
+                                   "and dip the chessboard and name it with --film-image "
+                                   "chessboard, or leave --project out"),
+                    path);
+    }
+    std::vector<QImage> pictures;
+    for (const PartPhoto& photo : photos) {
+        pictures.push_back(photo.picture);
+    }
+    return findPrint(pictures, project.model->mesh, corners, clicked,
+                     {parser.isSet(keepOption), lens}, progress.part(0.7, 1),
+                     parser.value(pairsOption));
+}
+
+std::vector<PrintedPlace> placesOnPart(const std::vector<PartPhoto>& photos,
+                                       const std::vector<PlacePair>& clicked,
+                                       const QCommandLineParser& parser,
+                                       const std::optional<Lens>& lens, const Progress& progress) {
+    const QString path = parser.value(placesOption);
+    std::vector<PrintedPlace> places =
+        path.isEmpty() ? searchPrint(photos, clicked, parser, lens, progress).places
+                       : readPlaces(readSmallFile(path, mostTableBytes), int(photos.size()), path);
+    JobOptions options;
+    applyFilmImage(options, parser);
+    return options.chessboard ? places
+                              : onPrintedSheet(std::move(places),
+                                               loadProject(parser.value(projectOption)).asBuilt);
+}
+
+void declarePart(CommandSyntax& syntax) {
+    syntax.addOption(
+        {pairsOption,
+         QStringLiteral("Of “part” and “fit”: a table of places in the photos and on the model "
+                        "with the columns photo,x_px,y_px,x_mm,y_mm,z_mm."),
+         QStringLiteral("FILE.csv")});
+    syntax.addOption(
+        {projectOption,
+         QStringLiteral("Of “part” and “fit”: the job that was dipped. The corners of its print "
+                        "are then looked for in the photos, from the pairs on: of "
+                        "chess squares in its texture, or of --film-image "
+                        "chessboard."),
+         QStringLiteral("JOB.dipw")});
+    declareFilmImage(syntax);
+    syntax.addOption(
+        {keepOption,
+         QStringLiteral("Of “fit”, and of “part” with --project: the camera stays as the pairs "
+                        "alone have it, which are of the body itself, so that a "
+                        "print that is shifted as a whole shows.")});
+}
+
+void inspectPart(const QStringList& files, const QCommandLineParser& parser,
+                 const std::optional<Lens>& lens, Console& console) {
+    std::vector<PlacePair> pairs = partPairs(parser, int(files.size()));
     const Progress progress = console.progress();
-    const std::vector<PartPhoto> photos = readPhotos(files, progress.part(0, 0.2));
+    const std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.2));
     FoundPrint print;
     if (parser.isSet(projectOption)) {
-        print = search(photos, pairs, parser, lens, progress);
+        print = searchPrint(photos, pairs, parser, lens, progress);
         pairs = pairsOf(print.places);
     } else {
-        print.view =
-            fitPartCamera(pairs, int(photos.size()), photos.front().picture.size(), path, lens);
+        print.view = fitPartCamera(pairs, int(photos.size()), photos.front().picture.size(),
+                                   parser.value(pairsOption), lens);
     }
     writePartView(photos, pairs, print.view, print.places, parser.value(QStringLiteral("out")));
     progress(1, QStringLiteral("Done"));

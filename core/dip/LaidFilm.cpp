@@ -5,7 +5,15 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+
 namespace dipwright {
+
+namespace {
+
+constexpr float rounding = 1e-4f; // of weights
+
+} // namespace
 
 LaidFilm::LaidFilm(std::shared_ptr<const PosedBody> body, DippedFilm film, FilmContact contact)
     : body_(std::move(body)), film_(std::move(film)), contact_(std::move(contact)),
@@ -36,6 +44,31 @@ Eigen::Vector3f LaidFilm::weights(const FilmPlace& place) const {
     edges << restPosition(film_.grid, corners[1]) - a, restPosition(film_.grid, corners[2]) - a;
     const Eigen::Vector2f along = edges.inverse() * (place.rest - a);
     return {1 - along.sum(), along[0], along[1]};
+}
+
+std::optional<FilmPlace> LaidFilm::flat(const Eigen::Vector2f& rest) const {
+    const solver::FilmGrid& grid = film_.grid;
+    const double column = columnAt(grid, double(rest.x()) / grid.width + 0.5);
+    const double row = rowAt(grid, double(rest.y()) / grid.depth + 0.5);
+    if (!(column >= 0 && row >= 0 && column <= grid.columns - 1 && row <= grid.rows - 1)) {
+        return std::nullopt;
+    }
+    const int i = std::min(int(column), grid.columns - 2), j = std::min(int(row), grid.rows - 2);
+    const auto first = 2 * std::uint32_t(j * (grid.columns - 1) + i);
+    const FilmPlace one{rest, first};
+    return weights(one).minCoeff() >= -rounding ? one : FilmPlace{rest, first + 1};
+}
+
+std::optional<Eigen::Vector3f> LaidFilm::onBody(const FilmPlace& place) const {
+    const Eigen::Vector3f weights = this->weights(place);
+    if (!contact_.reaches(place.triangle, weights)) {
+        return std::nullopt;
+    }
+    Eigen::Vector3f lies = Eigen::Vector3f::Zero();
+    for (int corner = 0; corner < 3; ++corner) {
+        lies += weights[corner] * contact_.places[triangles_[place.triangle][std::size_t(corner)]];
+    }
+    return position(body_->model.mesh, body_->query.closest(lies).point);
 }
 
 std::shared_ptr<const LaidFilm> layFilm(std::shared_ptr<const PosedBody> body, DippedFilm film,

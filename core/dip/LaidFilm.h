@@ -47,8 +47,13 @@ public:
     // The place on the flat film of the film that covers `point` of the body; nothing where none
     // does.
     std::optional<FilmPlace> place(const SurfacePoint& point) const;
+    // The place of the flat film at `rest`, on the body or not; nothing beside the film.
+    std::optional<FilmPlace> flat(const Eigen::Vector2f& rest) const;
     // A place's barycentric weights in its film triangle, in the order of the corners.
     Eigen::Vector3f weights(const FilmPlace& place) const;
+    // Where the nearest of the body to a place lies, in the pose frame; nothing where it is not on
+    // the body.
+    std::optional<Eigen::Vector3f> onBody(const FilmPlace& place) const;
 
 private:
     std::shared_ptr<const PosedBody> body_;

@@ -146,7 +146,8 @@ FilmProfile withMeasurement(FilmProfile profile, const FilmWatch& watch, const W
                      growth.swellX.off,
                      growth.swellY.off,
                      growthKnown ? std::optional(film.growthRate) : std::nullopt,
-                     growthKnown ? std::optional(film.growthLimit) : std::nullopt};
+                     growthKnown ? std::optional(film.growthLimit) : std::nullopt,
+                     film.measured.relaxationTime};
     return film;
 }
 

@@ -62,9 +62,8 @@ double medianOf(std::vector<double> values) {
     return *middle;
 }
 
-// Square roots of Huber's weights of the points.
-Eigen::VectorXd huberRoots(const Eigen::VectorXd& residuals) {
-    const auto points = residuals.size() / 2;
+// Square roots of Huber's weights of the points, 1 for what is none.
+Eigen::VectorXd huberRoots(const Eigen::VectorXd& residuals, Eigen::Index points) {
     std::vector<double> lengths;
     for (Eigen::Index point = 0; point < points; ++point) {
         lengths.push_back(residuals.segment<2>(2 * point).norm());
@@ -117,10 +116,15 @@ LeastSquaresFit leastSquares(const Residuals& residuals, int count, Eigen::Vecto
 }
 
 LeastSquaresFit robustLeastSquares(const Residuals& residuals, int count, Eigen::VectorXd start) {
+    return robustLeastSquares(residuals, count, std::move(start), count / 2);
+}
+
+LeastSquaresFit robustLeastSquares(const Residuals& residuals, int count, Eigen::VectorXd start,
+                                   int points) {
     constexpr int rounds = 4;
     LeastSquaresFit fit = leastSquares(residuals, count, std::move(start));
     for (int round = 0; round < rounds && fit.converged; ++round) {
-        const Eigen::VectorXd roots = huberRoots(fit.residuals);
+        const Eigen::VectorXd roots = huberRoots(fit.residuals, points);
         if (roots.minCoeff() == 1) {
             break;
         }

@@ -25,7 +25,10 @@ struct LeastSquaresFit {
 LeastSquaresFit leastSquares(const Residuals& residuals, int count, Eigen::VectorXd start);
 
 // The same for points: residuals 2 i and 2 i + 1 are a point's, and one that lies out more than 2.5
-// times as far as most counts the less, by Huber's weights.
+// times as far as most counts the less, by Huber's weights. `points`: how many there are; residuals
+// past theirs count as they are. The covariance is that of the weighted residuals.
+LeastSquaresFit robustLeastSquares(const Residuals& residuals, int count, Eigen::VectorXd start,
+                                   int points);
 LeastSquaresFit robustLeastSquares(const Residuals& residuals, int count, Eigen::VectorXd start);
 
 // Derivatives of `residuals` by the parameters, by central differences.

@@ -22,9 +22,8 @@ struct Text {
 };
 
 constexpr double sure95 = 1.959964;
-constexpr int pairsForDistortion = 30; // for each of k1 and k2
-constexpr double leastDepth = 1e-3;    // of the pairs' extent over their thickness
-constexpr double mostFocalOff = 0.6;   // of the focal length, at 95 %
+constexpr double leastDepth = 1e-3;  // of the pairs' extent over their thickness
+constexpr double mostFocalOff = 0.6; // of the focal length, at 95 %
 
 struct Start {
     PartPose pose;

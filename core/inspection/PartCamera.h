@@ -52,9 +52,11 @@ struct PartView {
 
 // Least pairs of each photo.
 inline constexpr int leastPairs = 6;
+// From so many in all photos together on k1 is fitted, from twice as many k2.
+inline constexpr int pairsForDistortion = 30;
 
-// One camera for photos of one size. Its lens is `lens`, where it is known; else k1 is fitted where
-// there are at least 30 pairs, k2 where there are 60, and 0 with fewer. Throws Error where the
+// One camera for photos of one size. Its lens is `lens`, where it is known; else k1 and k2 are
+// fitted as far as there are pairs for them, and 0. Throws Error where the
 // pairs are too few or do not tell the camera: all in one plane, say, or of a mirrored photo.
 // `where` names them.
 PartView fitPartCamera(const std::vector<PlacePair>& pairs, int photos, QSize picture,

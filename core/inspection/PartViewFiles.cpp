@@ -28,27 +28,47 @@ constexpr int mostPhotos = 50;
 constexpr qsizetype mostPairs = 10'000;
 constexpr double mostPixel = 100'000, mostMillimetres = 100'000;
 const QByteArray columns = "photo,x_px,y_px,x_mm,y_mm,z_mm";
+const QByteArray placeColumns = "photo,x_px,y_px,dip,sheet_x_mm,sheet_y_mm,x_mm,y_mm,z_mm";
 
 QString photoName(std::size_t index) {
     return QStringLiteral("part-photo-%1.png").arg(index + 1);
 }
 
-PlacePair pairOf(const QByteArray& line, qsizetype number, int photos, const QString& where) {
-    const QList<QByteArray> cells = line.split(',');
-    std::array<double, 6> values{};
-    bool isGood = cells.size() == 6;
-    for (std::size_t i = 0; isGood && i < 6; ++i) {
-        values[i] = cells[qsizetype(i)].trimmed().toDouble(&isGood);
-        const double most = i == 0 ? photos : i < 3 ? mostPixel : mostMillimetres;
-        isGood = isGood && std::abs(values[i]) <= most;
+// The numbers of a table's lines: a whole one from 1 to `photos` first, pixels in the next two
+// columns, and millimetres after them. `kind`: what is wrong with a line.
+std::vector<std::vector<double>> numbersOf(const QByteArray& table, const QByteArray& header,
+                                           int photos, const QString& kind, const QString& where) {
+    const QByteArray mark = "\xef\xbb\xbf"; // that some spreadsheets begin with
+    const QList<QByteArray> lines =
+        (table.startsWith(mark) ? table.mid(mark.size()) : table).split('\n');
+    if (lines.first().trimmed() != header) {
+        throw Error(
+            Text::tr("The first line of the pairs is not %1").arg(QString::fromLatin1(header)),
+            where);
     }
-    if (!isGood || values[0] < 1 || values[0] != std::floor(values[0])) {
-        throw Error(Text::tr("Line %1 of the pairs is not the number of a photo, two numbers of "
-                             "pixels and three of millimetres, joined by commas")
-                        .arg(number),
-                    where);
+    const auto count = header.count(',') + 1;
+    std::vector<std::vector<double>> all;
+    for (qsizetype i = 1; i < lines.size(); ++i) {
+        if (lines[i].trimmed().isEmpty()) {
+            continue;
+        }
+        const QList<QByteArray> cells = lines[i].split(',');
+        bool isGood = cells.size() == count;
+        std::vector<double> values;
+        for (qsizetype cell = 0; isGood && cell < count; ++cell) {
+            values.push_back(cells[cell].trimmed().toDouble(&isGood));
+            const double most = cell == 0 ? photos : cell < 3 ? mostPixel : mostMillimetres;
+            isGood = isGood && std::abs(values.back()) <= most;
+        }
+        if (!isGood || values[0] < 1 || values[0] != std::floor(values[0])) {
+            throw Error(Text::tr("Line %1 of the pairs is not %2").arg(i + 1).arg(kind), where);
+        }
+        all.push_back(std::move(values));
+        if (qsizetype(all.size()) > mostPairs) {
+            throw Error(Text::tr("There are more than %1 pairs").arg(mostPairs), where);
+        }
     }
-    return {int(values[0]) - 1, {values[1], values[2]}, {values[3], values[4], values[5]}};
+    return all;
 }
 
 QJsonObject toJson(const PartFigures& figures) {
@@ -133,7 +153,7 @@ QByteArray figuresTable(const std::vector<PartPhoto>& photos, const std::vector<
 QByteArray placesTable(const std::vector<PrintedPlace>& places) {
     QByteArray table;
     QTextStream out(&table);
-    out << "photo,x_px,y_px,dip,sheet_x_mm,sheet_y_mm,x_mm,y_mm,z_mm\n";
+    out << placeColumns << "\n";
     const auto number = [](double value) { return QString::number(value, 'f', 4); };
     for (const PrintedPlace& place : places) {
         out << place.photo + 1 << ',' << number(place.pixel.x()) << ',' << number(place.pixel.y())
@@ -161,25 +181,30 @@ double enlargement(const PartView& view, QSize picture) {
 } // namespace
 
 std::vector<PlacePair> readPairs(const QByteArray& table, int photos, const QString& where) {
-    const QByteArray mark = "\xef\xbb\xbf"; // that some spreadsheets begin with
-    const QList<QByteArray> lines =
-        (table.startsWith(mark) ? table.mid(mark.size()) : table).split('\n');
-    if (lines.first().trimmed() != columns) {
-        throw Error(
-            Text::tr("The first line of the pairs is not %1").arg(QString::fromLatin1(columns)),
-            where);
-    }
     std::vector<PlacePair> pairs;
-    for (qsizetype i = 1; i < lines.size(); ++i) {
-        if (lines[i].trimmed().isEmpty()) {
-            continue;
-        }
-        pairs.push_back(pairOf(lines[i], i + 1, photos, where));
-        if (qsizetype(pairs.size()) > mostPairs) {
-            throw Error(Text::tr("There are more than %1 pairs").arg(mostPairs), where);
-        }
+    for (const std::vector<double>& v :
+         numbersOf(table, columns, photos,
+                   Text::tr("the number of a photo, two numbers of pixels and three of "
+                            "millimetres, joined by commas"),
+                   where)) {
+        pairs.push_back({int(v[0]) - 1, {v[1], v[2]}, {v[3], v[4], v[5]}});
     }
     return pairs;
+}
+
+std::vector<PrintedPlace> readPlaces(const QByteArray& table, int photos, const QString& where) {
+    const QString kind = Text::tr("the number of a photo, two numbers of pixels, the number of a "
+                                  "dip, and two and three of millimetres, joined by commas");
+    std::vector<PrintedPlace> places;
+    for (const std::vector<double>& v : numbersOf(table, placeColumns, photos, kind, where)) {
+        if (v[3] != 1 && v[3] != 2) {
+            throw Error(Text::tr("Line %1 of the pairs is not %2").arg(places.size() + 2).arg(kind),
+                        where);
+        }
+        places.push_back(
+            {int(v[0]) - 1, {v[1], v[2]}, int(v[3]) - 1, {v[4], v[5]}, {v[6], v[7], v[8]}});
+    }
+    return places;
 }
 
 QImage pairsPicture(const PartPhoto& photo, int index, const std::vector<PlacePair>& pairs,

@@ -5,8 +5,10 @@
 #include "inspection/PartCamera.h"
 #include "inspection/PrintedPlace.h"
 
+#include <QDateTime>
 #include <QImage>
 #include <QStringList>
+#include <optional>
 
 namespace dipwright {
 
@@ -14,9 +16,13 @@ namespace dipwright {
 // names. Throws Error, naming `where` and the line, for anything else.
 std::vector<PlacePair> readPairs(const QByteArray& table, int photos, const QString& where);
 
+// Of the bytes of part-places.csv, or of a table like it. Throws Error as readPairs() does.
+std::vector<PrintedPlace> readPlaces(const QByteArray& table, int photos, const QString& where);
+
 struct PartPhoto {
     QString where, sha256;
     QImage picture;
+    std::optional<QDateTime> taken = std::nullopt;
 };
 
 // The photo, with a line from where each of its places is expected to where it is seen, as in the

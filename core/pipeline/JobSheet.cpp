@@ -44,6 +44,12 @@ QJsonObject withoutLater(QJsonObject film, const QJsonObject& usual) {
             film.remove(name);
         }
     }
+    QJsonObject measured = film.value(QLatin1String("measured")).toObject();
+    const QLatin1String relaxation("relaxation_time_s");
+    if (measured.contains(relaxation) && measured.value(relaxation).isNull()) {
+        measured.remove(relaxation);
+        film.insert(QStringLiteral("measured"), measured);
+    }
     return film;
 }
 
@@ -69,6 +75,9 @@ QString jobHash(const Project& project, const Immersion& immersion, const QImage
     QJsonObject settings = withoutLater(toJson(anonymous));
     for (const char* key : {"model", "immersions", "name", "cradle", "tolerance"}) {
         settings.remove(QLatin1String(key));
+    }
+    if (!project.asBuilt.corrects) {
+        settings.remove(QStringLiteral("as_built"));
     }
     if (!isShared(project)) {
         settings.remove(QStringLiteral("share"));

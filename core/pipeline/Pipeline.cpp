@@ -1,6 +1,7 @@
 #include "pipeline/Pipeline.h"
 
 #include "base/Error.h"
+#include "correction/SheetCorrection.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobCradles.h"
 #include "pipeline/JobSheet.h"
@@ -205,6 +206,17 @@ void paint(ImmersionResult& now, const Run& run, std::size_t number, const BodyS
     }
 }
 
+// The film's picture with what repeats in the parts before taken off, where that is wanted.
+QImage printedImage(const QImage& filmImage, const SheetInputs& inputs, const Project& project,
+                    std::size_t number) {
+    if (!inputs.correction) {
+        return filmImage;
+    }
+    return correctedImage(filmImage, project.film.width, project.film.height,
+                          RepeatingError(*inputs.correction, int(number) + 1),
+                          inputs.correction->strength);
+}
+
 // The rest: what is measured of the film, its sheet, and the verdict on that.
 void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison& comparison) {
     const ImmersionResult* earlier = run.earlier(number);
@@ -213,7 +225,8 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
         measuring.run([&] { measure(now); });
     }
     if (!earlier || earlier->inputs != now.inputs) {
-        now.sheet = jobSheet(run.project, now.immersion, now.texture->image);
+        now.sheet = jobSheet(run.project, now.immersion,
+                             printedImage(now.texture->image, now.inputs, run.project, number));
     }
     measuring.wait();
     if (comparison.isWanted) {

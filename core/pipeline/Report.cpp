@@ -1,5 +1,7 @@
 #include "pipeline/Report.h"
 
+#include "correction/RepeatingError.h"
+
 #include "pipeline/JobTolerances.h"
 
 #include <QJsonArray>
@@ -241,7 +243,25 @@ QJsonObject cradleJson(const Cradle& cradle) {
 QJsonObject filmJson(const Project& project) {
     const auto word = [](bool measured) { return measured ? "measured" : "guessed"; };
     return {{"swell", word(hasMeasuredSwell(project.film, project.profiles))},
-            {"growth", word(hasMeasuredGrowth(project.film, project.profiles))}};
+            {"growth", word(hasMeasuredGrowth(project.film, project.profiles))},
+            {"relaxation", word(hasMeasuredRelaxation(project.film, project.profiles))}};
+}
+
+// What repeats in the parts before, and whether the sheets were corrected by it; a dip each.
+QJsonObject asBuiltJson(const JobResult& result) {
+    const AsBuilt& built = result.project.asBuilt;
+    QJsonArray dips;
+    for (std::size_t i = 0; i < result.immersions.size(); ++i) {
+        const RepeatingError error(built, int(i) + 1);
+        dips.append(QJsonObject{{"corrected", result.immersions[i].inputs.correction.has_value()},
+                                {"parts", error.parts()},
+                                {"places", qint64(error.places().size())},
+                                {"scatter_mm", error.scatter()},
+                                {"part_scatter_mm", error.partScatter()},
+                                {"repeating_mm", error.repeating()},
+                                {"reach_mm", error.reach()}});
+    }
+    return {{"strength", built.strength}, {"dips", dips}};
 }
 
 } // namespace
@@ -274,6 +294,9 @@ QJsonObject report(const Project& project, const JobResult& result) {
                      {"notes", QJsonArray::fromStringList(result.notes)}};
     if (result.share) {
         json["share"] = shareJson(*result.share);
+    }
+    if (!project.asBuilt.parts.empty()) {
+        json["as_built"] = asBuiltJson(result);
     }
     if (result.tolerances) {
         json["zones"] = zonesJson(result.tolerances->zones);

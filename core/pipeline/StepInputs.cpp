@@ -1,5 +1,7 @@
 #include "pipeline/StepInputs.h"
 
+#include "correction/SheetCorrection.h"
+
 namespace dipwright {
 
 BodyInputs bodyInputs(const Project& project, std::size_t number) {
@@ -45,6 +47,11 @@ TextureInputs textureInputs(const Project& project, const JobOptions& options, s
             options.filmImage};
 }
 
+bool isSheetCorrected(const Project& project, const JobOptions& options, std::size_t number) {
+    const bool isReversed = !options.chessboard && options.filmImage.isNull();
+    return isReversed && isCorrected(project.asBuilt, int(number) + 1);
+}
+
 SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::size_t number,
                         const QString& solver) {
     return {textureInputs(project, options, number, solver),
@@ -53,7 +60,9 @@ SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::
             project.immersions[number].name,
             project.sheet,
             project.profiles,
-            project.unknown};
+            project.unknown,
+            isSheetCorrected(project, options, number) ? std::optional(project.asBuilt)
+                                                       : std::nullopt};
 }
 
 } // namespace dipwright

@@ -62,7 +62,8 @@ struct SheetInputs {
     QString project, date, immersion; // names
     SheetSettings settings;
     ProjectProfiles profiles;
-    QJsonObject unknown; // keys of the project's file; the job's hash is of them too
+    QJsonObject unknown;               // keys of the project's file; the job's hash is of them too
+    std::optional<AsBuilt> correction; // none: it is printed as the film was made
     bool operator==(const SheetInputs&) const = default;
 };
 
@@ -78,6 +79,9 @@ TextureInputs textureInputs(const Project& project, const JobOptions& options, s
                             const QString& solver);
 // Whether the immersions of `project` share the body out between them.
 bool isShared(const Project& project);
+// Whether what repeats in the parts before it is taken off the sheet: never off a chessboard or a
+// picture of the user's, by which one may measure.
+bool isSheetCorrected(const Project& project, const JobOptions& options, std::size_t number);
 SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::size_t number,
                         const QString& solver);
 

@@ -127,6 +127,9 @@ void addMeasurement(std::vector<Field<FilmProfile>>& fields) {
     fields.push_back(numberOrNone<P>(
         "measured.growth_limit", 0, mostGrowth,
         [](auto& p) -> auto& { return p.measured.growthLimit; }));
+    fields.push_back(numberOrNone<P>(
+        "measured.relaxation_time_s", 0, 1e6,
+        [](auto& p) -> auto& { return p.measured.relaxationTime; }));
 }
 
 const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {

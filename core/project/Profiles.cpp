@@ -84,6 +84,12 @@ bool hasMeasuredGrowth(const FilmSettings& film, const ProjectProfiles& profiles
            film.growthLimit == known->measured.growthLimit;
 }
 
+bool hasMeasuredRelaxation(const FilmSettings& film, const ProjectProfiles& profiles) {
+    const auto& known = profiles.film;
+    return known && !known->measured.date.isEmpty() &&
+           film.relaxationTime.value() == known->measured.relaxationTime;
+}
+
 QString expiryWarning(const std::optional<FilmProfile>& film) {
     const QDate expiry = film ? QDate::fromString(film->expiry, Qt::ISODate) : QDate();
     if (!expiry.isValid() || QDate::currentDate() <= expiry) {

@@ -45,6 +45,7 @@ struct FilmMeasurement {
     double swellX = 0, swellY = 0;
     double swellOffX = 0, swellOffY = 0;
     std::optional<double> growthRate, growthLimit; // none: the photos did not tell
+    std::optional<double> relaxationTime;          // s; photos of a dipped part tell it
     bool operator==(const FilmMeasurement&) const = default;
 };
 
@@ -107,10 +108,11 @@ struct Project;
 // says of the film; a printer's resolution and ink limit; a tank's barriers.
 void applyProfile(Project& project, const Profile& profile);
 
-// Whether the film that is dipped has the swell, and the growth, that were measured. Else they are
-// guessed: none were, or somebody has changed them since.
+// Whether the film that is dipped has the swell, growth or relaxation that was measured. Else they
+// are guessed: none were, or somebody has changed them since.
 bool hasMeasuredSwell(const FilmSettings& film, const ProjectProfiles& profiles);
 bool hasMeasuredGrowth(const FilmSettings& film, const ProjectProfiles& profiles);
+bool hasMeasuredRelaxation(const FilmSettings& film, const ProjectProfiles& profiles);
 
 // A sentence where the film has expired by today, else empty.
 QString expiryWarning(const std::optional<FilmProfile>& film);

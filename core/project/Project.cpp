@@ -20,6 +20,8 @@ struct Text {
 constexpr int maximumImmersions = 2;
 constexpr const char* shareMarksPath = "share.marks";
 constexpr const char* zoneMarksPath = "tolerance.marks";
+constexpr const char* builtPartsPath = "as_built.parts";
+constexpr const char* builtPlacesPath = "as_built.places";
 
 // A list of things that have fields of their own. `path`: the list's.
 template <typename Item>
@@ -61,15 +63,16 @@ std::vector<Immersion> readImmersions(const QJsonValue& value, const QString& fi
 
 // A list that may be missing, of so many items at most.
 template <typename Item>
-std::vector<Item> readMarks(const QJsonObject& json, const std::vector<Field<Item>>& fields,
-                            const char* list, std::size_t most, const QString& file) {
+std::vector<Item> readEntries(const QJsonObject& json, const std::vector<Field<Item>>& fields,
+                              const char* list, std::size_t most, const QString& file) {
     const QString path = QString::fromLatin1(list);
     const QJsonValue value = valueAt(json, path, file);
     if (value.isUndefined()) {
         return {};
     }
     if (!value.isArray() || std::size_t(value.toArray().size()) > most) {
-        throw Error(Text::tr("%1 must be an array of at most %2 marks").arg(path).arg(most), file);
+        throw Error(Text::tr("%1 must be an array of at most %2 entries").arg(path).arg(most),
+                    file);
     }
     return readList(value.toArray(), fields, path, file);
 }
@@ -122,7 +125,7 @@ QJsonObject unknownPart(const QJsonObject& json) {
     for (const char* path : {"profiles.printer", "profiles.film", "profiles.tank"}) {
         removeAt(unknown, QLatin1String(path));
     }
-    for (const char* path : {shareMarksPath, zoneMarksPath}) {
+    for (const char* path : {shareMarksPath, zoneMarksPath, builtPartsPath, builtPlacesPath}) {
         removeAt(unknown, QString::fromLatin1(path));
     }
     QJsonArray immersions;
@@ -187,7 +190,7 @@ QStringList siblingPaths(const QString& path) {
     const QStringList siblings = siblingPaths(path);
     const QString hint = siblings.isEmpty()
                              ? Text::tr("the sections are film, process, body, immersions[0], "
-                                        "sheet, ink, share, cradle and tolerance")
+                                        "sheet, ink, share, cradle, tolerance and as_built")
                              : Text::tr("there are %1").arg(siblings.join(QStringLiteral(", ")));
     throw Error(Text::tr("There is no such setting, %1").arg(hint), path);
 }
@@ -266,6 +269,10 @@ QJsonObject toJson(const Project& project) {
              writeList(project.share.marks, shareMarkFields(), {}));
     insertAt(json, QString::fromLatin1(zoneMarksPath),
              writeList(project.tolerance.marks, zoneMarkFields(), {}));
+    insertAt(json, QString::fromLatin1(builtPartsPath),
+             writeList(project.asBuilt.parts, builtPartFields(), {}));
+    insertAt(json, QString::fromLatin1(builtPlacesPath),
+             writeList(project.asBuilt.places, builtPlaceFields(), {}));
     writeProfiles(project.profiles, json);
     return json;
 }
@@ -277,9 +284,13 @@ Project fromJson(const QJsonObject& json, const QString& where) {
     readFields(project, projectFields(), current, {}, where);
     project.immersions = readImmersions(current.value(QLatin1String("immersions")), where);
     project.share.marks =
-        readMarks(current, shareMarkFields(), shareMarksPath, mostShareMarks, where);
+        readEntries(current, shareMarkFields(), shareMarksPath, mostShareMarks, where);
     project.tolerance.marks =
-        readMarks(current, zoneMarkFields(), zoneMarksPath, mostZoneMarks, where);
+        readEntries(current, zoneMarkFields(), zoneMarksPath, mostZoneMarks, where);
+    project.asBuilt.parts =
+        readEntries(current, builtPartFields(), builtPartsPath, mostBuiltParts, where);
+    project.asBuilt.places =
+        readEntries(current, builtPlaceFields(), builtPlacesPath, mostBuiltPlaces, where);
     project.profiles = readProfiles(current, where);
     project.unknown = unknownPart(current);
     return project;

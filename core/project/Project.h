@@ -2,6 +2,7 @@
 // gives its file form.
 #pragma once
 
+#include "correction/AsBuilt.h"
 #include "cradle/CradleSettings.h"
 #include "dip/Dip.h"
 #include "model/TexturedMesh.h"
@@ -43,6 +44,7 @@ struct Project {
     ShareSettings share; // of two immersions
     CradleSettings cradle;
     ToleranceSettings tolerance;
+    AsBuilt asBuilt;
     ProjectProfiles profiles; // that it was made with, by content
     QJsonObject unknown;      // keys this version does not know; they survive a save
     std::map<QString, QByteArray> unknownEntries; // and so do the file's other entries, by name

@@ -265,6 +265,13 @@ void addToleranceFields(std::vector<Field<Project>>& fields) {
         [](auto& p, int part) -> auto& { return p.tolerance.limits[part]; }));
 }
 
+void addAsBuiltFields(std::vector<Field<Project>>& fields) {
+    fields.push_back(flag(
+        "as_built.correct", [](auto& p) -> auto& { return p.asBuilt.corrects; }));
+    fields.push_back(number(
+        "as_built.strength", 0, 1, [](auto& p) -> auto& { return p.asBuilt.strength; }));
+}
+
 } // namespace
 
 const std::vector<Field<Project>>& projectFields() {
@@ -281,6 +288,7 @@ const std::vector<Field<Project>>& projectFields() {
         addShareFields(all);
         addCradleFields(all);
         addToleranceFields(all);
+        addAsBuiltFields(all);
         return all;
     }();
     return fields;
@@ -325,6 +333,35 @@ const std::vector<Field<ZoneMark>>& zoneMarkFields() {
             [](auto& m) -> auto& { return m.extent; }),
         number<ZoneMark>(
             "radius_mm", 0, 1000, [](auto& m) -> auto& { return m.radius; })};
+    return fields;
+}
+
+const std::vector<Field<BuiltPart>>& builtPartFields() {
+    constexpr int longestHashes = 4096;
+    static const std::vector<Field<BuiltPart>> fields{
+        text<BuiltPart>(
+            "date", 10, [](auto& p) -> auto& { return p.date; }),
+        text<BuiltPart>(
+            "accepted_by", 100, [](auto& p) -> auto& { return p.acceptedBy; }),
+        text<BuiltPart>(
+            "photos", longestHashes, [](auto& p) -> auto& { return p.photos; }),
+        number<BuiltPart>(
+            "residual_mm", 0, 100, [](auto& p) -> auto& { return p.residual; })};
+    return fields;
+}
+
+const std::vector<Field<BuiltPlace>>& builtPlaceFields() {
+    static const std::vector<Field<BuiltPlace>> fields{
+        number<BuiltPlace>(
+            "part", 1, int(mostBuiltParts), [](auto& p) -> auto& { return p.part; }),
+        number<BuiltPlace>(
+            "dip", 1, 2, [](auto& p) -> auto& { return p.dip; }),
+        numbers<BuiltPlace>(
+            "sheet_mm", 2, -5000, 5000, [](auto& p, int part) -> auto& { return p.sheet[part]; }),
+        numbers<BuiltPlace>(
+            "model_mm", 3, -1e5, 1e5, [](auto& p, int part) -> auto& { return p.model[part]; }),
+        numbers<BuiltPlace>(
+            "off_mm", 2, -100, 100, [](auto& p, int part) -> auto& { return p.off[part]; })};
     return fields;
 }
 

@@ -9,26 +9,6 @@
 #include <limits>
 
 namespace dipwright {
-namespace {
-
-constexpr float rounding = 1e-4f; // of weights
-
-// The film triangle round a place of the flat film; nothing beside the film.
-std::optional<FilmPlace> flatPlace(const LaidFilm& laid, const Eigen::Vector2f& rest) {
-    const solver::FilmGrid& grid = laid.film().grid;
-    const double column = columnAt(grid, double(rest.x()) / grid.width + 0.5);
-    const double row = rowAt(grid, double(rest.y()) / grid.depth + 0.5);
-    if (!(column >= 0 && row >= 0 && column <= grid.columns - 1 && row <= grid.rows - 1)) {
-        return std::nullopt;
-    }
-    const int i = std::min(int(column), grid.columns - 2), j = std::min(int(row), grid.rows - 2);
-    const auto first = 2 * std::uint32_t(j * (grid.columns - 1) + i);
-    const FilmPlace one{rest, first};
-    return laid.weights(one).minCoeff() >= -rounding ? one : FilmPlace{rest, first + 1};
-}
-
-} // namespace
-
 ColourPlaces::ColourPlaces(const LaidFilm& nominal, const std::vector<SurfacePoint>& places,
                            const std::function<bool(const SurfacePoint&)>& isPainted)
     : nominal_(nominal), toModel_(nominal.body().modelToPose.inverse().cast<float>()),
@@ -81,7 +61,7 @@ Eigen::Vector3f ColourPlaces::shiftNear(std::size_t place, const Eigen::Vector2f
 
 std::optional<Eigen::Vector3f> ColourPlaces::shift(std::size_t place,
                                                    const Eigen::Vector2f& film) const {
-    const std::optional<FilmPlace> belongs = flatPlace(nominal_, film);
+    const std::optional<FilmPlace> belongs = nominal_.flat(film);
     if (!belongs || !nominal_.contact().reaches(belongs->triangle, nominal_.weights(*belongs))) {
         return std::nullopt;
     }

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
+#include "tolerance/ChangedDips.h"
 #include "tolerance/ColourShift.h"
 #include "tolerance/Draws.h"
 
@@ -20,7 +21,6 @@ struct Text {
 };
 
 constexpr double wantedPlaces = 40'000; // of the body, and pieces that it is cut into
-constexpr std::size_t dipsAtOnce = 16;  // in a batch, between two words of progress
 constexpr double deviations = 2;        // that a tolerance stands for
 constexpr double leastEffect = 1e-12;   // mm, degrees or shares: less is exact, and has no square
 constexpr std::size_t mostWorst = 5;
@@ -47,40 +47,20 @@ public:
     template <typename Done>
     void run(const std::vector<DipChange>& changes, const Progress& progress,
              const Done& done) const {
-        for (std::size_t first = 0; first < changes.size(); first += dipsAtOnce) {
-            progress(double(first) / double(changes.size()), Text::tr("Dipping off its place"));
-            const std::size_t last = std::min(first + dipsAtOnce, changes.size());
-            std::vector<ChangedDip> others;
-            std::vector<solver::BatchItem> dips(last - first);
-            for (std::size_t number = first; number < last; ++number) {
-                others.push_back(changed({dip_.model, dip_.immersion, setup_}, changes[number]));
-                dips[number - first].setup = others.back().setup;
-            }
-            simulateDips(dips, dip_.module, [&] { return progress.cancelSwitch.isCancelled(); });
-            for (std::size_t number = first; number < last; ++number) {
-                progress.cancelSwitch.throwIfCancelled();
-                done(number, touched(others[number - first], dips[number - first],
-                                     1 + of(changes[number], Freedom::Swell)));
-            }
+        std::vector<ChangedDip> others;
+        for (const DipChange& change : changes) {
+            others.push_back(changed({dip_.model, dip_.immersion, setup_}, change));
         }
+        const DippedBody body{dip_.model, dip_.immersion, dip_.process,
+                              std::shared_ptr<const PosedBody>(dip_.own, &dip_.own->body())};
+        layDips(body, others, dip_.module, progress,
+                [&](std::size_t number, std::shared_ptr<const LaidFilm> laid) {
+                    const double swell = 1 + of(changes[number], Freedom::Swell);
+                    done(number, places_.touched(*laid, swell));
+                });
     }
 
 private:
-    std::vector<Eigen::Vector2f> touched(const ChangedDip& other, const solver::BatchItem& dip,
-                                         double swell) const {
-        DippedFilm film = dippedFilm(dip, other.immersion);
-        if (!isStable(film, dip.setup.motion.travel)) {
-            throw Error(Text::tr("A film that lies off its place does not follow the body; give "
-                                 "the film smaller cells or more points"),
-                        dip_.immersion.name);
-        }
-        std::shared_ptr<const PosedBody> body(dip_.own, &dip_.own->body());
-        if (other.immersion.rotation != dip_.immersion.rotation) {
-            body = std::make_shared<const PosedBody>(posedBody(dip_.model, other.immersion));
-        }
-        return places_.touched(*layFilm(std::move(body), std::move(film), dip_.process), swell);
-    }
-
     const TolerancedDip& dip_;
     const ColourPlaces& places_;
     solver::DipSetup setup_;

@@ -139,6 +139,12 @@ PropertySection filmMeasurement() {
          .unit = Unit::Share,
          .absent = Text::tr("Not given"),
          .whenPresent = 0},
+        {.path = QStringLiteral("measured.relaxation_time_s"),
+         .label = Text::tr("Relaxation found"),
+         .help = Text::tr("The relaxation time that photos of a dipped part gave."),
+         .unit = Unit::Time,
+         .absent = Text::tr("Not given"),
+         .whenPresent = 0},
         {.path = QStringLiteral("measured.residual_mm"),
          .label = Text::tr("Residual"),
          .help = Text::tr("How far the corners in the photos lie from where these figures have "

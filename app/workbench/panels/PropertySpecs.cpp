@@ -363,7 +363,19 @@ std::vector<PropertySection> sheetProperties() {
         {.path = QStringLiteral("sheet.job_line"),
          .label = Text::tr("Job line"),
          .help = Text::tr("A line with project, immersion, date, film, scale and a check sum.")}};
-    return {page, extras};
+    PropertySection correction{Text::tr("Correction"), {}};
+    correction.specs = {
+        {.path = QStringLiteral("as_built.correct"),
+         .label = Text::tr("By what repeats"),
+         .help = Text::tr("Takes off the sheet what the parts that the job keeps are off again and "
+                          "again."),
+         .relevant = [](const Project& p) { return !p.asBuilt.parts.empty(); }},
+        {.path = QStringLiteral("as_built.strength"),
+         .label = Text::tr("Strength"),
+         .help = Text::tr("How much of it is taken off."),
+         .unit = Unit::Share,
+         .relevant = [](const Project& p) { return !p.asBuilt.parts.empty(); }}};
+    return {page, extras, correction};
 }
 
 std::vector<PropertySection> inkProperties() {

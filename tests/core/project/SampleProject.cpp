@@ -79,6 +79,15 @@ Project sampleProject() {
                      false,
                      false};
     project.ink = {false, 1.5};
+    project.asBuilt.corrects = true;
+    project.asBuilt.strength = 0.8;
+    project.asBuilt.parts = {
+        {QStringLiteral("2026-02-01"), QStringLiteral("Ada"), QStringLiteral("00ff"), 0.4}};
+    project.asBuilt.places = {{1,
+                               2,
+                               {Millimetres(10), Millimetres(-20.5)},
+                               {Millimetres(1), Millimetres(2), Millimetres(3)},
+                               {Millimetres(0.25), Millimetres(-0.5)}}};
     return project;
 }
 

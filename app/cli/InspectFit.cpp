@@ -1,0 +1,105 @@
+#include "cli/InspectFit.h"
+
+#include "cli/InspectPart.h"
+
+#include "disk/WholeFile.h"
+#include "pipeline/SolverChoice.h"
+#include "project/ProjectFile.h"
+#include "project/ProjectStore.h"
+
+namespace dipwright::cli {
+namespace {
+
+const QString placesOption = QStringLiteral("places");
+const QString fitOption = QStringLiteral("fit");
+const QString updateOption = QStringLiteral("update-job");
+const QString projectOption = QStringLiteral("project"); // of “part”, as are these
+const QString keepOption = QStringLiteral("keep-camera");
+const QString pairsOption = QStringLiteral("pairs");
+
+FitWish wishOf(const QCommandLineParser& parser, const std::optional<Lens>& lens) {
+    FitWish wish{{}, parser.isSet(keepOption), lens};
+    for (const QString& key : parser.value(fitOption).split(u',', Qt::SkipEmptyParts)) {
+        try {
+            wish.quantities.push_back(fitQuantityOf(key.trimmed()));
+        } catch (const Error& error) {
+            throw UsageError(error.message(), QStringLiteral("--fit"));
+        }
+    }
+    return wish;
+}
+
+FitPairs pairsOf(const std::vector<PartPhoto>& photos, const QCommandLineParser& parser,
+                 const std::optional<Lens>& lens, const Progress& progress) {
+    FitPairs pairs;
+    pairs.photos = int(photos.size());
+    pairs.picture = photos.front().picture.size();
+    pairs.body = partPairs(parser, pairs.photos);
+    pairs.where = parser.value(pairsOption);
+    pairs.printed = placesOnPart(photos, pairs.body, parser, lens, progress);
+    return pairs;
+}
+
+} // namespace
+
+void declareFit(CommandSyntax& syntax) {
+    syntax.addOption(
+        {placesOption,
+         QStringLiteral("Of “fit” and “built”: where the print is seen, a table like the "
+                        "part-places.csv of “part”; without it the print's corners "
+                        "are looked for."),
+         QStringLiteral("FILE.csv")});
+    syntax.addOption({fitOption,
+                      QStringLiteral("Of “fit”: what to find, joined by commas: shift_x, shift_z, "
+                                     "turn, swell_x, swell_y, relaxation, growth, "
+                                     "contact_distance, depth; without it the first six, as far "
+                                     "as the photos tell them."),
+                      QStringLiteral("LIST")});
+    syntax.addOption(
+        {updateOption,
+         QStringLiteral("Of “fit”: writes placement and depth into the job; of “built”: "
+                        "the part.")});
+}
+
+FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
+                   const std::optional<Lens>& lens, Console& console) {
+    const QString path = parser.value(projectOption);
+    if (path.isEmpty()) {
+        throw UsageError(QStringLiteral("Name the job that was dipped with --project JOB.dipw"),
+                         QStringLiteral("--project"));
+    }
+    const FitWish wish = wishOf(parser, lens);
+    const Project project = loadProject(path);
+    if (parser.isSet(updateOption)) {
+        checkWritable(path); // better now than after the work
+    }
+    const Progress progress = console.progress();
+    std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.1));
+    FittedPart part;
+    part.pairs = pairsOf(photos, parser, lens, progress.part(0.1, 0.3));
+    part.taken = photos.front().taken;
+    for (const PartPhoto& photo : photos) {
+        part.photos.push_back({photo.where, photo.sha256});
+    }
+    photos.clear();
+    const SolverRegistry registry;
+    SolverChoice solver = chooseSolver(project.process.solver, registry);
+    const auto field =
+        cachedDistanceField(project.model->mesh, project.fieldResolution, progress.part(0.3, 0.35));
+    part.fit = withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {
+        return fitFilm(project, *field, part.pairs, wish, module, progress.part(0.35, 1));
+    });
+    return part;
+}
+
+void updateJob(const FittedPart& part, const QCommandLineParser& parser, Console& console) {
+    if (!parser.isSet(updateOption)) {
+        return;
+    }
+    const QString path = parser.value(projectOption);
+    ProjectFile file(path);
+    file.save(withPlacement(loadProject(path), part.fit));
+    console.out() << QStringLiteral("%1 has placement and depth now\n").arg(path);
+}
+
+} // namespace dipwright::cli

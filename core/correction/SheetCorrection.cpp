@@ -1,0 +1,204 @@
+#include "correction/SheetCorrection.h"
+
+#include "parallel/ParallelFor.h"
+#include "texture/LinearLight.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::SheetCorrection)
+};
+
+constexpr double stepsInReach = 8; // so that what lies between them is off by a five hundredth
+
+// The error on a grid over the sheet, bilinear between.
+class DenseError {
+public:
+    DenseError(const RepeatingError& error, double width, double height)
+        : width_(width), height_(height), columns_(stepsOver(width, error.reach())),
+          rows_(stepsOver(height, error.reach())),
+          values_(std::size_t(columns_ + 1) * std::size_t(rows_ + 1)) {
+        parallelFor(std::size_t(0), values_.size(), [&](std::size_t number) {
+            const int column = int(number) % (columns_ + 1), row = int(number) / (columns_ + 1);
+            values_[number] = error.at(
+                {width * (double(column) / columns_ - 0.5), height * (double(row) / rows_ - 0.5)});
+        });
+    }
+
+    // Shares of the width and height, 0 … 1.
+    Eigen::Vector2d at(double right, double down) const {
+        const double x = std::clamp(right, 0.0, 1.0) * columns_;
+        const double y = std::clamp(down, 0.0, 1.0) * rows_;
+        const int column = std::min(int(x), columns_ - 1), row = std::min(int(y), rows_ - 1);
+        const double u = x - column, v = y - row;
+        return (1 - v) * ((1 - u) * value(column, row) + u * value(column + 1, row)) +
+               v * ((1 - u) * value(column, row + 1) + u * value(column + 1, row + 1));
+    }
+
+private:
+    static int stepsOver(double length, double reach) {
+        return std::clamp(int(std::ceil(length / (reach / stepsInReach))), 1, 500);
+    }
+    const Eigen::Vector2d& value(int column, int row) const {
+        return values_[std::size_t(row) * std::size_t(columns_ + 1) + std::size_t(column)];
+    }
+
+    double width_, height_;
+    int columns_, rows_;
+    std::vector<Eigen::Vector2d> values_;
+};
+
+// Colours of an image between its pixels, where there is nothing past its edges.
+class Between {
+public:
+    explicit Between(const QImage& image) : image_(image), light_(linearTable()) {}
+
+    // In pixels from the corner.
+    std::array<std::uint8_t, 4> at(double x, double y) const {
+        const int column = int(std::floor(x - 0.5)), row = int(std::floor(y - 0.5));
+        const double u = x - 0.5 - column, v = y - 0.5 - row;
+        Eigen::Array4d sum = Eigen::Array4d::Zero(); // light times alpha, and alpha
+        for (int corner = 0; corner < 4; ++corner) {
+            const bool right = corner % 2 != 0, down = corner / 2 != 0;
+            add(sum, column + int(right), row + int(down),
+                (right ? u : 1 - u) * (down ? v : 1 - v));
+        }
+        const int alpha = int(std::lround(sum[3]));
+        if (alpha <= 0) {
+            return {0, 0, 0, 0};
+        }
+        return {encodedByte(float(sum[0] / sum[3])), encodedByte(float(sum[1] / sum[3])),
+                encodedByte(float(sum[2] / sum[3])), std::uint8_t(std::min(alpha, 255))};
+    }
+
+private:
+    void add(Eigen::Array4d& sum, int column, int row, double share) const {
+        if (share == 0 || column < 0 || row < 0 || column >= image_.width() ||
+            row >= image_.height()) {
+            return;
+        }
+        const uchar* pixel = image_.constScanLine(row) + 4 * column;
+        const double weight = share * pixel[3];
+        for (int channel = 0; channel < 3; ++channel) {
+            sum[channel] += weight * double(light_[pixel[channel]]);
+        }
+        sum[3] += weight;
+    }
+
+    const QImage& image_;
+    const std::array<float, 256>& light_;
+};
+
+// On a picture of the sheet.
+void arrow(QPainter& painter, const QPointF& from, const QPointF& by, const QColor& colour,
+           double thickness) {
+    painter.setPen(QPen(colour, thickness, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(from, from + by);
+    const double length = std::hypot(by.x(), by.y());
+    if (length > 0) {
+        const double head = std::min(length / 3, 3 * thickness);
+        const QPointF back = -by / length * head, across(-back.y(), back.x());
+        painter.drawLine(from + by, from + by + back + across / 2);
+        painter.drawLine(from + by, from + by + back - across / 2);
+    }
+}
+
+} // namespace
+
+bool isCorrected(const AsBuilt& built, int dip) {
+    return built.corrects && built.strength > 0 &&
+           std::any_of(built.places.begin(), built.places.end(),
+                       [dip](const BuiltPlace& place) { return place.dip == dip; });
+}
+
+QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres height,
+                      const RepeatingError& error, double strength) {
+    const QImage from = filmImage.convertToFormat(QImage::Format_RGBA8888);
+    QImage to(from.size(), QImage::Format_RGBA8888);
+    to.setDotsPerMeterX(from.dotsPerMeterX());
+    to.setDotsPerMeterY(from.dotsPerMeterY());
+    const DenseError dense(error, width.value(), height.value());
+    const Between colours(from);
+    const Eigen::Array2d pixelsPerMillimetre(from.width() / width.value(),
+                                             from.height() / height.value());
+    uchar* const bits = to.bits();
+    const auto stride = to.bytesPerLine();
+    parallelFor(0, to.height(), [&](int row) {
+        uchar* pixel = bits + row * stride;
+        for (int column = 0; column < to.width(); ++column, pixel += 4) {
+            const Eigen::Array2d place(column + 0.5, row + 0.5);
+            const Eigen::Array2d by = dense.at(place.x() / to.width(), place.y() / to.height());
+            const Eigen::Array2d at = place + strength * by * pixelsPerMillimetre;
+            const std::array<std::uint8_t, 4> colour = colours.at(at.x(), at.y());
+            std::copy(colour.begin(), colour.end(), pixel);
+        }
+    });
+    return to;
+}
+
+Eigen::Vector2d printedAt(const Eigen::Vector2d& place, const RepeatingError& error,
+                          double strength) {
+    constexpr int rounds = 20; // each a tenth of the one before, of an error as smooth as it is
+    Eigen::Vector2d at = place;
+    for (int round = 0; round < rounds; ++round) {
+        at = place - strength * error.at(at);
+    }
+    return at;
+}
+
+QImage correctionPicture(const RepeatingError& error, Millimetres width, Millimetres height,
+                         double strength, int pixels) {
+    const double scale = 0.88 * pixels / height.value(); // pixels a millimetre of the sheet
+    const double unit = pixels / 100.0;
+    QImage picture(int(width.value() * scale + 8 * unit), pixels, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF sheet(4 * unit, 8 * unit, width.value() * scale, height.value() * scale);
+    painter.setPen(QPen(QColor(150, 155, 160), unit / 6));
+    painter.drawRect(sheet);
+    double longest = 1e-3;
+    for (const RepeatedPlace& place : error.places()) {
+        longest = std::max(longest, place.mean.norm());
+    }
+    const double times = std::pow(10, std::floor(std::log10(height.value() / 12 / longest)));
+    const auto placed = [&](const Eigen::Vector2d& place) {
+        return sheet.center() + scale * QPointF(place.x(), place.y());
+    };
+    constexpr int across = 15;
+    for (int i = 0; i < across * across * 2; ++i) {
+        const Eigen::Vector2d place(width.value() * ((i % across + 0.5) / across - 0.5),
+                                    height.value() * ((i / across + 0.5) / (2 * across) - 0.5));
+        const Eigen::Vector2d by = times * strength * error.at(place);
+        arrow(painter, placed(place), scale * QPointF(by.x(), by.y()), QColor(150, 175, 205),
+              unit / 7);
+    }
+    for (const RepeatedPlace& place : error.places()) {
+        const Eigen::Vector2d by = times * place.mean;
+        arrow(painter, placed(place.sheet), scale * QPointF(by.x(), by.y()), QColor(190, 40, 60),
+              unit / 5);
+        painter.drawEllipse(placed(place.sheet), unit / 4, unit / 4);
+    }
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPixelSize(std::max(8, int(1.8 * unit)));
+    painter.setFont(font);
+    painter.setPen(QColor(40, 44, 50));
+    painter.drawText(
+        QPointF(4 * unit, 4 * unit),
+        Text::tr("Red: off on the mean of %n part(s), %1 times as long", nullptr, error.parts())
+            .arg(QLocale().toString(times, 'f', 0)));
+    painter.drawText(QPointF(4 * unit, 6.8 * unit),
+                     Text::tr("Blue: what the next sheet is corrected by"));
+    return picture;
+}
+
+} // namespace dipwright

@@ -1,0 +1,340 @@
+#include "inspection/FilmFit.h"
+
+#include "base/Error.h"
+#include "inspection/FitAdvice.h"
+#include "inspection/JointFit.h"
+#include "inspection/SimulatedPlaces.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::FilmFit)
+};
+
+constexpr int mostRounds = 16;
+constexpr double movesOn = 0.05;    // of its interval, by which an unknown may move at the end
+constexpr double worse = 1.02;      // as much more is off as makes a round go back half its way
+constexpr double surelyUnknown = 6; // times what counts as known, before the end
+
+std::vector<FitUnknown> unknownsOf(const Project& project, const FittedDips& dips,
+                                   const std::vector<PrintedPlace>& printed, const FitWish& wish,
+                                   const QString& where) {
+    std::vector<FitQuantity> quantities = wish.quantities;
+    std::sort(quantities.begin(), quantities.end());
+    quantities.erase(std::unique(quantities.begin(), quantities.end()), quantities.end());
+    const bool isNamed = !quantities.empty();
+    if (!isNamed) {
+        quantities = usualQuantities();
+    }
+    std::vector<FitUnknown> unknowns;
+    for (const FitQuantity quantity : quantities) {
+        if (!dips.matters(quantity)) {
+            if (isNamed) {
+                throw Error(notInThisFilm(quantity), where);
+            }
+            continue;
+        }
+        for (int dip = 0; dip < (isOfDip(quantity) ? int(project.immersions.size()) : 1); ++dip) {
+            const bool hasPlaces =
+                !isOfDip(quantity) ||
+                std::any_of(printed.begin(), printed.end(),
+                            [dip](const PrintedPlace& place) { return place.dip == dip; });
+            if (hasPlaces) {
+                unknowns.push_back({quantity, dip});
+            }
+        }
+    }
+    return unknowns;
+}
+
+PartView firstCamera(const FitPairs& pairs, const std::optional<Lens>& lens) {
+    if (!pairs.body.empty()) {
+        return fitPartCamera(pairs.body, pairs.photos, pairs.picture, pairs.where, lens);
+    }
+    std::vector<PlacePair> meant;
+    for (const PrintedPlace& place : pairs.printed) {
+        meant.push_back({place.photo, place.pixel, place.model});
+    }
+    return fitPartCamera(meant, pairs.photos, pairs.picture, pairs.where, lens);
+}
+
+// Of an unknown's 95 % over what counts as known; the worst one that is free.
+std::pair<std::size_t, double> leastKnown(const JointSolution& solution,
+                                          const std::vector<FitUnknown>& unknowns,
+                                          const std::vector<bool>& isFree) {
+    std::pair<std::size_t, double> worst{0, 0};
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        const double off = solution.off[Eigen::Index(i)] / fitScale(unknowns[i].quantity).mostOff;
+        if (isFree[i] && off > worst.second) {
+            worst = {i, off};
+        }
+    }
+    return worst;
+}
+
+// The search: rounds of dips, and between them a fit that takes the places to move linearly.
+class Search {
+public:
+    Search(const Project& project, const DistanceField& field, const FitPairs& pairs,
+           const FitWish& wish, const solver::SolverModule& module)
+        : pairs_(pairs), wish_(wish), seen_{pairs.printed, pairs.body, pairs.picture},
+          camera_(firstCamera(pairs, wish.lens)),
+          places_(project, field, pairs.printed, module, pairs.where),
+          unknowns_(unknownsOf(project, places_.dips(), pairs.printed, wish, pairs.where)),
+          isFree_(unknowns_.size(), true),
+          centre_(Eigen::VectorXd::Zero(Eigen::Index(unknowns_.size()))) {
+        for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+            centre_[Eigen::Index(i)] = places_.dips().within(unknowns_[i].quantity, 0);
+        }
+    }
+
+    void run(const Progress& progress) {
+        while (!isDone()) {
+            if (rounds_ == mostRounds) {
+                throw Error(Text::tr("The fit does not come to rest in %1 rounds; look for places "
+                                     "that were mistaken for others, or fit fewer quantities")
+                                .arg(mostRounds),
+                            pairs_.where);
+            }
+            step(progress.part(double(rounds_) / mostRounds, double(rounds_ + 1) / mostRounds));
+            ++rounds_;
+        }
+        progress(1, Text::tr("Fitted"));
+    }
+
+    const JointSolution& before() const { return *before_; }
+    const JointSolution& after() const { return solution_; }
+    const PlacesNear& near() const { return near_; }
+    const SimulatedPlaces& places() const { return places_; }
+    const std::vector<FitUnknown>& unknowns() const { return unknowns_; }
+    const std::vector<bool>& isFree() const { return isFree_; }
+    int rounds() const { return rounds_; }
+
+private:
+    JointSolution solve(const std::vector<bool>& isFree) const {
+        const CameraFit camera = wish_.holdsCamera ? CameraFit::Held
+                                 : wish_.lens      ? CameraFit::KnownLens
+                                                   : CameraFit::Whole;
+        return fitJointly(near_, seen_, camera_, isFree, camera, pairs_.where);
+    }
+
+    void step(const Progress& progress) {
+        near_ = places_.near(unknowns_, centre_, isFree_, progress);
+        keepOut();
+        const JointSolution held = solve(std::vector<bool>(unknowns_.size(), false));
+        if (!before_) {
+            before_ = held;
+        } else if (held.pixels > worse * pixels_ && settled_.size() == centre_.size()) {
+            centre_ = (centre_ + settled_) / 2; // too far
+            return;
+        }
+        pixels_ = held.pixels;
+        settled_ = centre_;
+        solution_ = solve(isFree_);
+        while (leavesOut(std::min(1.0, 2 / std::max(solution_.pixels, 1e-9)), surelyUnknown)) {
+            solution_ = solve(isFree_);
+        }
+        if (moves()) {
+            return;
+        }
+        isDone_ = !leavesOut(1, 1);
+        if (std::none_of(isFree_.begin(), isFree_.end(), [](bool is) { return is; })) {
+            throw Error(Text::tr("The pairs tell nothing of the film; give more of them, all round "
+                                 "the body"),
+                        pairs_.where);
+        }
+        if (!isDone_) { // from what has come out, without what is not known
+            solution_ = solve(isFree_);
+            moves();
+        }
+    }
+
+    bool isDone() const { return isDone_; }
+
+    // A place that was off the body once is left out for good: else the rounds would be compared by
+    // other places each time.
+    void keepOut() {
+        isOut_.resize(near_.places.size(), false);
+        for (std::size_t i = 0; i < isOut_.size(); ++i) {
+            if (isOut_[i]) {
+                near_.places[i].reset();
+            } else if (!near_.places[i]) {
+                isOut_[i] = true;
+                settled_.resize(0);
+            }
+        }
+        if (std::none_of(near_.places.begin(), near_.places.end(),
+                         [](const auto& place) { return place.has_value(); })) {
+            throw Error(Text::tr("None of the printed places lies on the body in the simulation; "
+                                 "are they of this job's sheet?"),
+                        pairs_.where);
+        }
+    }
+
+    // Leaves the unknown out that is known the least, if it is not known. `share`: of its interval,
+    // where that is not to count whole. Throws where it was named.
+    bool leavesOut(double share, double limit) {
+        const auto [worst, off] = leastKnown(solution_, unknowns_, isFree_);
+        if (!(off * share > limit)) {
+            return false;
+        }
+        if (!wish_.quantities.empty()) {
+            throw Error(
+                whyUnknown(solution_, unknowns_, isFree_, worst, near_, !pairs_.body.empty()),
+                pairs_.where);
+        }
+        isFree_[worst] = false;
+        centre_[Eigen::Index(worst)] = near_.centre[Eigen::Index(worst)] =
+            places_.dips().within(unknowns_[worst].quantity, 0);
+        settled_.resize(0);
+        return true;
+    }
+
+    // Goes to what was found, not too far at once. Whether that is any way.
+    bool moves() {
+        bool isMoved = settled_.size() == 0;
+        for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+            const auto at = Eigen::Index(i);
+            const FitScale scale = fitScale(unknowns_[i].quantity);
+            const double way =
+                std::clamp(solution_.unknowns[at] - near_.centre[at], -scale.most, scale.most);
+            const double to = places_.dips().within(unknowns_[i].quantity, near_.centre[at] + way);
+            isMoved = isMoved || std::abs(to - centre_[at]) >
+                                     std::max(scale.least, movesOn * solution_.off[at]);
+            centre_[at] = to;
+        }
+        return isMoved;
+    }
+
+    const FitPairs& pairs_;
+    const FitWish& wish_;
+    SeenPlaces seen_;
+    PartView camera_;
+    SimulatedPlaces places_;
+    std::vector<FitUnknown> unknowns_;
+    std::vector<bool> isFree_;
+    Eigen::VectorXd centre_;  // where the next dips are
+    Eigen::VectorXd settled_; // where the last ones were that were no worse; empty: none count
+    PlacesNear near_;
+    std::vector<bool> isOut_; // a printed place each
+    std::optional<JointSolution> before_;
+    JointSolution solution_;
+    double pixels_ = 0;
+    int rounds_ = 0;
+    bool isDone_ = false;
+};
+
+double rootMeanSquare(const std::vector<double>& values) {
+    const double sum = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+    return std::sqrt(sum / double(std::max<std::size_t>(values.size(), 1)));
+}
+
+// mm across the line of sight that a pixel is where a place lies.
+double perPixel(const PartView& view, const FitPairs& pairs, const PrintedPlace& place,
+                const Eigen::Vector3d& lies) {
+    const PartPose& pose = view.photos[std::size_t(place.photo)];
+    const double half = std::hypot(pairs.picture.width(), pairs.picture.height()) / 2;
+    return (pose.turn * lies + pose.shift).z() / view.focalLength.value / half;
+}
+
+void tellOff(FilmFit& fit, const Search& search, const FitPairs& pairs) {
+    std::vector<double> before, after, beforeMm, afterMm;
+    for (std::size_t i = 0; i < pairs.printed.size(); ++i) {
+        FitOff& off = fit.off.emplace_back();
+        const std::optional<Eigen::Vector3d>& lies = search.near().places[i];
+        off.isOnBody = lies.has_value();
+        if (!off.isOnBody) {
+            continue;
+        }
+        const double scale = perPixel(fit.view, pairs, pairs.printed[i], *lies);
+        off.before = search.before().seenOff[i];
+        off.after = search.after().seenOff[i];
+        off.millimetres = off.after.norm() * scale;
+        before.push_back(off.before.norm());
+        after.push_back(off.after.norm());
+        beforeMm.push_back(off.before.norm() * scale);
+        afterMm.push_back(off.millimetres);
+    }
+    fit.beforePixels = rootMeanSquare(before);
+    fit.afterPixels = rootMeanSquare(after);
+    fit.beforeMillimetres = rootMeanSquare(beforeMm);
+    fit.afterMillimetres = rootMeanSquare(afterMm);
+}
+
+void apply(FilmFit& fit, const FittedQuantity& found, const FittedDips& dips,
+           const std::vector<FitUnknown>& unknowns, const std::vector<double>& values) {
+    const auto dip = std::size_t(found.unknown.dip);
+    switch (found.unknown.quantity) {
+    case FitQuantity::ShiftX:
+    case FitQuantity::ShiftZ:
+    case FitQuantity::Turn:
+        fit.immersions[dip] = dips.dip(found.unknown.dip, unknowns, values).immersion;
+        break;
+    case FitQuantity::SwellX:
+        fit.film.swellX = found.after;
+        break;
+    case FitQuantity::SwellY:
+        fit.film.swellY = found.after;
+        break;
+    case FitQuantity::Relaxation:
+        fit.film.relaxationTime = Seconds(found.after);
+        break;
+    case FitQuantity::Growth:
+        fit.film.growthRate = found.after;
+        break;
+    case FitQuantity::ContactDistance:
+        fit.film.contactDistance = Millimetres(found.after);
+        break;
+    case FitQuantity::Depth:
+        fit.depth = Millimetres(found.after);
+        break;
+    }
+}
+
+} // namespace
+
+FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPairs& pairs,
+                const FitWish& wish, const solver::SolverModule& module, const Progress& progress) {
+    Search search(project, field, pairs, wish, module);
+    search.run(progress);
+    const JointSolution& solution = search.after();
+    FilmFit fit;
+    fit.correlation = solution.correlation;
+    fit.view = solution.view;
+    fit.dips = search.places().dipsDone();
+    fit.rounds = search.rounds();
+    fit.film = project.film;
+    fit.immersions = project.immersions;
+    fit.depth = project.process.depth;
+    tellOff(fit, search, pairs);
+    const FittedDips& dips = search.places().dips();
+    std::vector<FitUnknown> unknowns; // those that were fitted
+    std::vector<double> values;
+    for (std::size_t i = 0; i < search.unknowns().size(); ++i) {
+        const FitUnknown& unknown = search.unknowns()[i];
+        const double value = solution.unknowns[Eigen::Index(i)];
+        const double off = solution.off[Eigen::Index(i)];
+        if (!search.isFree()[i]) {
+            fit.left.push_back(unknown);
+            continue;
+        }
+        unknowns.push_back(unknown);
+        values.push_back(value);
+        fit.quantities.push_back({unknown, dips.before(unknown), dips.told(unknown, value),
+                                  dips.told(unknown, value - off),
+                                  dips.told(unknown, value + off)});
+    }
+    for (const FittedQuantity& found : fit.quantities) {
+        apply(fit, found, dips, unknowns, values);
+    }
+    return fit;
+}
+
+} // namespace dipwright

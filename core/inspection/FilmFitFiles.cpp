@@ -1,0 +1,257 @@
+#include "inspection/FilmFitFiles.h"
+
+#include "disk/ResultFolder.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLocale>
+#include <QTextStream>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::FilmFit)
+};
+
+const QString jsonName = QStringLiteral("fit.json");
+const QString tableName = QStringLiteral("fit-places.csv");
+constexpr double strong = 0.9; // correlation that a reader is told of
+
+// Elastic film has no finite time.
+QJsonValue numberOrNull(double value) {
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue();
+}
+
+QJsonArray quantitiesJson(const FilmFit& fit) {
+    QJsonArray all;
+    for (std::size_t row = 0; row < fit.quantities.size(); ++row) {
+        const FittedQuantity& one = fit.quantities[row];
+        QJsonArray correlations;
+        for (Eigen::Index column = 0; column < fit.correlation.cols(); ++column) {
+            correlations.append(fit.correlation(Eigen::Index(row), column));
+        }
+        all.append(QJsonObject{{"quantity", fitQuantityKey(one.unknown.quantity)},
+                               {"dip", one.unknown.dip + 1},
+                               {"unit", fitQuantityUnit(one.unknown.quantity)},
+                               {"before", numberOrNull(one.before)},
+                               {"after", one.after},
+                               {"low", one.low},
+                               {"high", one.high},
+                               {"correlation", correlations}});
+    }
+    return all;
+}
+
+QByteArray jsonOf(const FilmFit& fit, const FitPairs& pairs, const std::vector<FittedPhoto>& photos,
+                  const WatchNotes& notes) {
+    QJsonArray left, list;
+    for (const FitUnknown& unknown : fit.left) {
+        left.append(fitQuantityKey(unknown.quantity));
+    }
+    for (const FittedPhoto& photo : photos) {
+        list.append(
+            QJsonObject{{"file", QFileInfo(photo.where).fileName()}, {"sha256", photo.sha256}});
+    }
+    const auto used = std::count_if(fit.off.begin(), fit.off.end(),
+                                    [](const FitOff& off) { return off.isOnBody; });
+    return QJsonDocument(
+               QJsonObject{{"version", 1},
+                           {"date", notes.date},
+                           {"lot", notes.lot},
+                           {"water_temperature_c", notes.waterTemperature
+                                                       ? QJsonValue(*notes.waterTemperature)
+                                                       : QJsonValue()},
+                           {"quantities", quantitiesJson(fit)},
+                           {"not_told", left},
+                           {"places", qint64(fit.off.size())},
+                           {"places_used", qint64(used)},
+                           {"places_of_the_body", qint64(pairs.body.size())},
+                           {"rms_px", QJsonArray{fit.beforePixels, fit.afterPixels}},
+                           {"rms_mm", QJsonArray{fit.beforeMillimetres, fit.afterMillimetres}},
+                           {"rounds", fit.rounds},
+                           {"dips", fit.dips},
+                           {"photos", list}})
+        .toJson();
+}
+
+QByteArray tableOf(const FilmFit& fit, const FitPairs& pairs) {
+    QByteArray table;
+    QTextStream out(&table);
+    out << "photo,x_px,y_px,dip,sheet_x_mm,sheet_y_mm,used,before_x_px,before_y_px,after_x_px,"
+           "after_y_px,after_mm\n";
+    for (std::size_t i = 0; i < fit.off.size(); ++i) {
+        const PrintedPlace& place = pairs.printed[i];
+        const FitOff& off = fit.off[i];
+        const auto number = [](double value) { return QString::number(value, 'f', 4); };
+        out << place.photo + 1 << ',' << number(place.pixel.x()) << ',' << number(place.pixel.y())
+            << ',' << place.dip + 1 << ',' << number(place.sheet.x()) << ','
+            << number(place.sheet.y()) << ',' << int(off.isOnBody);
+        for (const double value :
+             {off.before.x(), off.before.y(), off.after.x(), off.after.y(), off.millimetres}) {
+            out << ',' << number(value);
+        }
+        out << '\n';
+    }
+    out.flush();
+    return table;
+}
+
+int decimalsOf(FitQuantity quantity) {
+    switch (quantity) {
+    case FitQuantity::SwellX:
+    case FitQuantity::SwellY:
+        return 4;
+    case FitQuantity::Growth:
+        return 6;
+    default:
+        return 2;
+    }
+}
+
+QString sentenceOf(const FittedQuantity& found) {
+    const FitQuantity quantity = found.unknown.quantity;
+    const auto number = [&](double value) {
+        return std::isfinite(value) ? QLocale().toString(value, 'f', decimalsOf(quantity))
+                                    : QStringLiteral("∞");
+    };
+    const QString unit = fitQuantityUnit(quantity);
+    const QString name =
+        found.unknown.dip > 0
+            ? Text::tr("%1, dip %2").arg(fitQuantityText(quantity)).arg(found.unknown.dip + 1)
+            : fitQuantityText(quantity);
+    return Text::tr("%1: %2, was taken for %3; 95 %: %4 to %5")
+        .arg(name, unit.isEmpty() ? number(found.after) : number(found.after) + u' ' + unit,
+             number(found.before), number(found.low), number(found.high));
+}
+
+const FittedQuantity* found(const FilmFit& fit, FitQuantity quantity) {
+    const auto at =
+        std::find_if(fit.quantities.begin(), fit.quantities.end(),
+                     [&](const FittedQuantity& one) { return one.unknown.quantity == quantity; });
+    return at == fit.quantities.end() ? nullptr : &*at;
+}
+
+// To what photos tell: more digits would say that they were known.
+QString digits(double value, int decimals) {
+    return QString::number(value, 'f', decimals);
+}
+
+} // namespace
+
+void writeFilmFit(const FilmFit& fit, const FitPairs& pairs, const std::vector<FittedPhoto>& photos,
+                  const WatchNotes& notes, const QString& folder) {
+    ResultFolder files(folder, {jsonName, tableName});
+    files.write(jsonName, jsonOf(fit, pairs, photos, notes));
+    files.write(tableName, tableOf(fit, pairs));
+    files.commit();
+}
+
+QStringList fitSentences(const FilmFit& fit) {
+    QStringList sentences;
+    for (const FittedQuantity& one : fit.quantities) {
+        sentences << sentenceOf(one);
+    }
+    for (Eigen::Index row = 0; row < fit.correlation.rows(); ++row) {
+        for (Eigen::Index column = 0; column < row; ++column) {
+            const double correlation = fit.correlation(row, column);
+            if (std::abs(correlation) > strong) {
+                sentences << Text::tr("%1 and %2 are told together rather than each by itself: "
+                                      "correlation %3")
+                                 .arg(fitQuantityText(
+                                          fit.quantities[std::size_t(row)].unknown.quantity),
+                                      fitQuantityText(
+                                          fit.quantities[std::size_t(column)].unknown.quantity),
+                                      QLocale().toString(correlation, 'f', 2));
+            }
+        }
+    }
+    for (const FitUnknown& unknown : fit.left) {
+        sentences << Text::tr("%1 is not told by these pairs and stays as it was")
+                         .arg(fitQuantityText(unknown.quantity));
+    }
+    const auto number = [](double value, int decimals) {
+        return QLocale().toString(value, 'f', decimals);
+    };
+    sentences << Text::tr("The print was off by %1 px or %2 mm and is by %3 px or %4 mm with what "
+                          "was found (root mean square)")
+                     .arg(number(fit.beforePixels, 2), number(fit.beforeMillimetres, 3),
+                          number(fit.afterPixels, 2), number(fit.afterMillimetres, 3));
+    return sentences;
+}
+
+FilmProfile withFit(FilmProfile profile, const FilmFit& fit, const std::vector<FittedPhoto>& photos,
+                    const WatchNotes& notes) {
+    Profile result = profile;
+    const FittedQuantity* swellX = found(fit, FitQuantity::SwellX);
+    const FittedQuantity* swellY = found(fit, FitQuantity::SwellY);
+    const FittedQuantity* growth = found(fit, FitQuantity::Growth);
+    setByPath(result, QStringLiteral("swell"),
+              digits(swellX ? swellX->after : profile.swellX, 5) + u'x' +
+                  digits(swellY ? swellY->after : profile.swellY, 5));
+    if (growth) {
+        setByPath(result, QStringLiteral("growth_per_s"), digits(growth->after, 7));
+    }
+    if (const FittedQuantity* relaxation = found(fit, FitQuantity::Relaxation)) {
+        setByPath(result, QStringLiteral("relaxation_time_s"), digits(relaxation->after, 3));
+    }
+    if (const FittedQuantity* contact = found(fit, FitQuantity::ContactDistance)) {
+        setByPath(result, QStringLiteral("contact_distance_mm"), digits(contact->after, 3));
+    }
+    auto& film = std::get<FilmProfile>(result);
+    if (!notes.lot.isEmpty()) {
+        film.lot = notes.lot;
+    }
+    QStringList hashes;
+    for (const FittedPhoto& photo : photos) {
+        hashes << photo.sha256;
+    }
+    FilmMeasurement& measured = film.measured;
+    measured.date = notes.date;
+    measured.waterTemperature = notes.waterTemperature;
+    measured.photos = hashes.join(u' ');
+    measured.residual = fit.afterMillimetres;
+    if (swellX && swellY) {
+        measured.swellX = film.swellX;
+        measured.swellY = film.swellY;
+        measured.swellOffX = (swellX->high - swellX->low) / 2;
+        measured.swellOffY = (swellY->high - swellY->low) / 2;
+    }
+    if (growth) {
+        measured.growthRate = film.growthRate;
+        measured.growthLimit = film.growthLimit;
+    }
+    if (found(fit, FitQuantity::Relaxation)) {
+        measured.relaxationTime = film.relaxationTime.value();
+    }
+    return film;
+}
+
+Project withPlacement(Project project, const FilmFit& fit) {
+    for (std::size_t dip = 0; dip < project.immersions.size(); ++dip) {
+        const Immersion& was = project.immersions[dip];
+        const Immersion& is = fit.immersions[dip];
+        const QString path = QStringLiteral("immersions[%1].").arg(dip);
+        if (is.offset != was.offset) {
+            setByPath(project, path + QStringLiteral("offset_mm"),
+                      digits(is.offset[0].value(), 3) + u'x' + digits(is.offset[1].value(), 3));
+        }
+        if (is.rotation != was.rotation) {
+            setByPath(project, path + QStringLiteral("rotation_deg"),
+                      digits(is.rotation[0].value(), 3) + u'x' + digits(is.rotation[1].value(), 3) +
+                          u'x' + digits(is.rotation[2].value(), 3));
+        }
+    }
+    if (fit.depth && fit.depth != project.process.depth) {
+        setByPath(project, QStringLiteral("process.depth_mm"), digits(fit.depth->value(), 3));
+    }
+    return project;
+}
+
+} // namespace dipwright

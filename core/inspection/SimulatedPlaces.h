@@ -1,0 +1,43 @@
+// Where printed places lie on the body in a dip and in dips near it. Private to this folder.
+#pragma once
+
+#include "base/Progress.h"
+#include "geometry/DistanceField.h"
+#include "inspection/JointFit.h"
+
+namespace dipwright {
+
+class SimulatedPlaces {
+public:
+    // Keeps references. Throws Error where a place names a dip that there is not.
+    SimulatedPlaces(const Project& project, const DistanceField& field,
+                    const std::vector<PrintedPlace>& printed, const solver::SolverModule& module,
+                    const QString& where);
+
+    const FittedDips& dips() const { return dips_; }
+    // Simulated at `centre`, and with each unknown moved by its step to either side. Those that
+    // are not free are not moved. All cores. Throws Error, Cancelled.
+    PlacesNear near(const std::vector<FitUnknown>& unknowns, const Eigen::VectorXd& centre,
+                    const std::vector<bool>& isFree, const Progress& progress);
+    int dipsDone() const { return dipsDone_; }
+
+private:
+    // A place each of those that the dip printed, in model coordinates, mm.
+    using Places = std::vector<std::optional<Eigen::Vector3d>>;
+    struct Tried {
+        int dip = 0;
+        std::vector<double> values; // an unknown each
+    };
+    std::vector<Places> simulate(const std::vector<FitUnknown>& unknowns,
+                                 const std::vector<Tried>& tried, const Progress& progress);
+    Places placesOn(const LaidFilm& laid, int dip) const;
+
+    const Project& project_;
+    const std::vector<PrintedPlace>& printed_;
+    const solver::SolverModule& module_;
+    std::vector<std::shared_ptr<const PosedBody>> bodies_; // a dip each
+    FittedDips dips_;
+    int dipsDone_ = 0;
+};
+
+} // namespace dipwright

@@ -1,0 +1,141 @@
+// What film and dip were, and how a part came out, by the command line: a job, photos of a dipped
+// part, and tables of what is seen in them.
+#include "../../core/inspection/PhotographedPart.h"
+#include "CliProcess.h"
+#include "TestFiles.h"
+#include "project/ProjectStore.h"
+
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+const Hidden hidden{1.03, 1.03, std::numeric_limits<double>::infinity(), 1.2, -0.8, 0};
+
+QByteArray joined(const std::vector<double>& numbers) {
+    QByteArray line;
+    for (const double number : numbers) {
+        line += (line.isEmpty() ? "" : ",") + QByteArray::number(number, 'f', 5);
+    }
+    return line + "\n";
+}
+
+} // namespace
+
+class InspectDippedTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        QVERIFY(folder_.isValid());
+        qputenv("DIPWRIGHT_PROFILE_PATH", path("profiles").toLocal8Bit());
+        const SolverRegistry registry{QStringList{DIPWRIGHT_PLUGINS}};
+        const PhotographedPart part(eggToFit(1, 2.6), hidden, 2.6, registry);
+        const TrueCamera camera({{20, -35}, {140, -30}}, {0, 0, 0}, 280, 3.4, 2000);
+        const FitPairs pairs = part.pairs(camera, 2, 16, 12, 0.3, 1);
+        saveProject(part.project(), path("job.dipw"));
+        QByteArray body("photo,x_px,y_px,x_mm,y_mm,z_mm\n");
+        for (const PlacePair& pair : pairs.body) {
+            body += joined({pair.photo + 1.0, pair.pixel.x(), pair.pixel.y(), pair.model.x(),
+                            pair.model.y(), pair.model.z()});
+        }
+        QByteArray places("photo,x_px,y_px,dip,sheet_x_mm,sheet_y_mm,x_mm,y_mm,z_mm\n");
+        for (const PrintedPlace& place : pairs.printed) {
+            places +=
+                joined({place.photo + 1.0, place.pixel.x(), place.pixel.y(), 1, place.sheet.x(),
+                        place.sheet.y(), place.model.x(), place.model.y(), place.model.z()});
+        }
+        writeFile(path("pairs.csv"), body);
+        writeFile(path("places.csv"), places);
+        QImage photo(pairs.picture, QImage::Format_Grayscale8);
+        photo.fill(128);
+        QVERIFY(photo.save(path("1.png")) && photo.save(path("2.png")));
+    }
+
+    void refusalsAreASentence() {
+        QCOMPARE(cli({"inspect", "fit", path("1.png"), "--out", path("no")}).exitCode, 2);
+        QCOMPARE(cli(words("fit", {"--fit", "weather"})).exitCode, 2);
+        const Outcome depth = cli(words("fit", {"--fit", "depth"}));
+        QCOMPARE(depth.exitCode, 1);
+        QCOMPARE(depth.errorLines().size(), 1);
+        QVERIFY(depth.err.contains("moves none of the places"));
+        QCOMPARE(cli(words("built", {})).exitCode, 2); // nobody has accepted it
+        QVERIFY(!QFileInfo::exists(path("out")));
+    }
+
+    void aPartIsKeptAndTheNextSheetCorrected() {
+        const Outcome outcome = cli(words("built", {"--accepted-by", "Ada", "--correct", "1",
+                                                    "--date", "2026-11-22", "--update-job"}));
+        QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+        qInfo("%s", outcome.out.constData());
+        QVERIFY(!QImage(path("out/correction-1.png")).isNull());
+        const AsBuilt built = loadProject(path("job.dipw")).asBuilt;
+        QCOMPARE(built.parts.size(), std::size_t(1));
+        QCOMPARE(built.parts.front().acceptedBy, QStringLiteral("Ada"));
+        QCOMPARE(built.parts.front().photos.size(), 2 * 64 + 1);
+        QVERIFY(std::abs(built.parts.front().residual - std::hypot(1.2, 0.8) / 1.03) < 0.1);
+        QVERIFY(built.corrects);
+
+        const QByteArray off = sheetOf("off", {"--set", "as_built.correct=false"});
+        const QByteArray never =
+            sheetOf("never", {"--set", "as_built.correct=false", "--set", "as_built.strength=0.5"});
+        const QByteArray on = sheetOf("on", {});
+        QVERIFY(!off.isEmpty() && off == never);
+        QVERIFY(on != off);
+        const QJsonObject report =
+            QJsonDocument::fromJson(bytesOf(path("on/report.json"))).object();
+        const QJsonObject dip =
+            report.value("as_built").toObject().value("dips").toArray().at(0).toObject();
+        QCOMPARE(dip.value("corrected").toBool(), true);
+        QCOMPARE(dip.value("parts").toInt(), 1);
+    }
+
+    void whereTheBodyWasGoesIntoTheJob() {
+        const Outcome outcome = cli(words(
+            "fit", {"--fit", "shift_x,shift_z", "--update-job", "--profile", "Fitted", "--set"}));
+        QCOMPARE(outcome.exitCode, 2); // --set is none of its options
+        const Outcome fitted =
+            cli(words("fit", {"--fit", "shift_x,shift_z,swell_x,swell_y", "--film-image",
+                              "chessboard", "--update-job", "--profile", "Fitted"}));
+        QVERIFY2(fitted.exitCode == 0, fitted.err.constData());
+        qInfo("%s", fitted.out.constData());
+        const Immersion immersion = loadProject(path("job.dipw")).immersions.front();
+        QVERIFY(std::abs(immersion.offset[0].value() - hidden.shiftX) < 0.1);
+        QVERIFY(std::abs(immersion.offset[1].value() - hidden.shiftZ) < 0.1);
+        QVERIFY(bytesOf(path("out/fit.json")).contains("\"correlation\""));
+        QVERIFY(bytesOf(path("out/fit-places.csv")).count('\n') > 20);
+        QVERIFY(cli({"profile", "show", "film", "Fitted"}).out.contains("\"swell_off\""));
+    }
+
+private:
+    QString path(const QString& name) const { return folder_.filePath(name); }
+    QStringList words(const QString& subject, const QStringList& more) const {
+        return QStringList{"inspect",          subject,           path("1.png"),
+                           path("2.png"),      "--project",       path("job.dipw"),
+                           "--pairs",          path("pairs.csv"), "--places",
+                           path("places.csv"), "--out",           path("out")} +
+               more;
+    }
+    QByteArray sheetOf(const QString& name, const QStringList& more) const {
+        const Outcome outcome =
+            cli(QStringList{"run", path("job.dipw"), "--out", path(name), "--no-certainty"} + more);
+        return outcome.exitCode == 0 ? bytesOf(path(name + "/immersion-1/sheet.png"))
+                                     : QByteArray();
+    }
+
+    QTemporaryDir folder_;
+};
+
+QTEST_MAIN(InspectDippedTest)
+#include "InspectDippedTest.moc"

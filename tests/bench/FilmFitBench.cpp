@@ -1,0 +1,81 @@
+// How exactly a fit to photos of a dipped part finds what was hidden, as docs/inspection.md has it:
+// eggs of several heights, dipped with film of other cells than the fit's, 16 corners of the print
+// and 24 places of the body in two photos, each a pixel off.
+//
+//     film_fit_bench [CELL]      cells of the fit, mm; those of the truth are three quarters of it
+#include "../core/inspection/PhotographedPart.h"
+#include "base/Error.h"
+
+#include <QGuiApplication>
+#include <QTextStream>
+
+#include <cmath>
+
+using namespace dipwright;
+
+namespace {
+
+double offOf(const FilmFit& fit, FitQuantity quantity, double truth, bool isShare) {
+    for (const FittedQuantity& one : fit.quantities) {
+        if (one.unknown.quantity == quantity) {
+            return isShare ? 100 * (one.after / truth - 1) : one.after - truth;
+        }
+    }
+    return std::nan("");
+}
+
+bool holds(const FilmFit& fit, FitQuantity quantity, double truth) {
+    for (const FittedQuantity& one : fit.quantities) {
+        if (one.unknown.quantity == quantity) {
+            return one.low <= truth && truth <= one.high;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const QGuiApplication application(argc, argv);
+    QTextStream out(stdout);
+    const double cell = argc > 1 ? std::atof(argv[1]) : 1.5;
+    const SolverRegistry registry{QStringList{DIPWRIGHT_PLUGINS}};
+    const solver::SolverModule& module = registry.module(QStringLiteral("pbd-cpu"));
+    const test::TrueCamera camera({{20, -35}, {140, -30}}, {0, 0, 0}, 280, 3.4, 4000);
+    out << "height, hidden relaxation s, noise px | off: swell X %, Y %, relaxation %, shift X mm, "
+           "Z mm, turn deg | of 6 intervals hold | mm before, after | rounds, dips\n";
+    for (const double height : {1.0, 1.3, 1.6}) {
+        for (const test::Hidden& hidden : {test::Hidden{1.062, 1.045, 4, 1.3, -0.9, 1.6},
+                                           test::Hidden{1.01, 1.02, 1.5, -0.8, 0.6, -2},
+                                           test::Hidden{1.09, 1.08, 10, 0.4, 1.5, 0.8}}) {
+            const test::PhotographedPart part(test::eggToFit(height, cell), hidden, 0.75 * cell,
+                                              registry);
+            for (const double noise : {0.0, 1.0}) {
+                out << height << ", " << hidden.relaxation << ", " << noise << " | ";
+                try {
+                    const FilmFit fit =
+                        fitFilm(part.project(), part.field(),
+                                part.pairs(camera, 2, 8, 12, noise, 1), {}, module, {});
+                    int held = 0;
+                    const auto tell = [&](FitQuantity quantity, double truth, bool isShare) {
+                        out << QString::number(offOf(fit, quantity, truth, isShare), 'f', 2) << ' ';
+                        held += holds(fit, quantity, truth);
+                    };
+                    tell(FitQuantity::SwellX, hidden.swellX, true);
+                    tell(FitQuantity::SwellY, hidden.swellY, true);
+                    tell(FitQuantity::Relaxation, hidden.relaxation, true);
+                    tell(FitQuantity::ShiftX, hidden.shiftX, false);
+                    tell(FitQuantity::ShiftZ, hidden.shiftZ, false);
+                    tell(FitQuantity::Turn, hidden.turn, false);
+                    out << "| " << held << " | " << QString::number(fit.beforeMillimetres, 'f', 3)
+                        << ' ' << QString::number(fit.afterMillimetres, 'f', 3) << " | "
+                        << fit.rounds << ' ' << fit.dips << '\n';
+                } catch (const Error& error) {
+                    out << error.message() << '\n';
+                }
+                out.flush();
+            }
+        }
+    }
+    return 0;
+}

@@ -1,0 +1,207 @@
+// The film's numbers found from photos of a part that was dipped with others than it was believed.
+#include "PhotographedPart.h"
+#include "base/Error.h"
+#include "inspection/JointFit.h"
+#include "inspection/SimulatedPlaces.h"
+
+#include <QStandardPaths>
+#include <QtTest>
+#include <numeric>
+#include <random>
+
+using namespace dipwright;
+
+namespace {
+
+const test::Hidden hidden{1.062, 1.045, 4, 1.3, -0.9, 1.6};
+
+const SolverRegistry& registry() {
+    static const SolverRegistry plugins{QStringList{DIPWRIGHT_PLUGINS}};
+    return plugins;
+}
+
+const solver::SolverModule& solverModule() {
+    return registry().module(QStringLiteral("pbd-cpu"));
+}
+
+test::TrueCamera camera() {
+    return {{{20, -35}, {140, -30}}, {0, 0, 0}, 280, 3.4, 4000};
+}
+
+const FittedQuantity& found(const FilmFit& fit, FitQuantity quantity) {
+    for (const FittedQuantity& one : fit.quantities) {
+        if (one.unknown.quantity == quantity) {
+            return one;
+        }
+    }
+    throw Error(fitQuantityKey(quantity) + QStringLiteral(" was not fitted"), {});
+}
+
+void tell(const FilmFit& fit) {
+    for (const FittedQuantity& one : fit.quantities) {
+        qInfo("%s: %.5f -> %.5f (%.5f to %.5f)", qPrintable(fitQuantityKey(one.unknown.quantity)),
+              one.before, one.after, one.low, one.high);
+    }
+    qInfo("%.3f px, %.3f mm -> %.3f px, %.3f mm; %d rounds, %d dips", fit.beforePixels,
+          fit.beforeMillimetres, fit.afterPixels, fit.afterMillimetres, fit.rounds, fit.dips);
+    for (const FitUnknown& one : fit.left) {
+        qInfo("left: %s", qPrintable(fitQuantityKey(one.quantity)));
+    }
+}
+
+FitWish wanted() {
+    return {{FitQuantity::ShiftX, FitQuantity::ShiftZ, FitQuantity::Turn, FitQuantity::SwellX,
+             FitQuantity::SwellY, FitQuantity::Relaxation},
+            false,
+            {}};
+}
+
+#define VERIFY_NEAR(value, wanted, allowed)                                                        \
+    QVERIFY2(std::abs((value) - (wanted)) <= (allowed),                                            \
+             qPrintable(QStringLiteral("%1, not %2").arg(value).arg(wanted)))
+
+} // namespace
+
+class FilmFitTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        part_ = std::make_unique<test::PhotographedPart>(test::eggToFit(1.3, 2), hidden, 1.5,
+                                                         registry());
+    }
+
+    // Perfect pairs: what is left is what other film points make of it.
+    void whatWasHiddenIsFound() {
+        const FilmFit fitted = fit(part_->pairs(camera(), 2, 16, 12, 0.0, 1), wanted());
+        tell(fitted);
+        VERIFY_NEAR(found(fitted, FitQuantity::SwellX).after, hidden.swellX, 0.001);
+        VERIFY_NEAR(found(fitted, FitQuantity::SwellY).after, hidden.swellY, 0.001);
+        VERIFY_NEAR(found(fitted, FitQuantity::Relaxation).after / hidden.relaxation, 1, 0.05);
+        VERIFY_NEAR(found(fitted, FitQuantity::ShiftX).after, hidden.shiftX, 0.05);
+        VERIFY_NEAR(found(fitted, FitQuantity::ShiftZ).after, hidden.shiftZ, 0.05);
+        VERIFY_NEAR(found(fitted, FitQuantity::Turn).after, hidden.turn, 0.1);
+        QVERIFY(fitted.beforeMillimetres > 0.5);
+        QVERIFY(fitted.afterMillimetres < 0.03);
+        QCOMPARE(fitted.film.swellX, found(fitted, FitQuantity::SwellX).after);
+        VERIFY_NEAR(fitted.immersions.front().rotation[1].value(), hidden.turn, 0.1);
+    }
+
+    void sixteenCornersEachAPixelOffAreEnough() {
+        const FilmFit fitted = fit(part_->pairs(camera(), 2, 8, 12, 1.0, 1));
+        tell(fitted);
+        VERIFY_NEAR(found(fitted, FitQuantity::SwellX).after / hidden.swellX, 1, 0.003);
+        VERIFY_NEAR(found(fitted, FitQuantity::SwellY).after / hidden.swellY, 1, 0.003);
+        VERIFY_NEAR(found(fitted, FitQuantity::Relaxation).after / hidden.relaxation, 1, 0.1);
+        VERIFY_NEAR(found(fitted, FitQuantity::ShiftX).after, hidden.shiftX, 0.2);
+        VERIFY_NEAR(found(fitted, FitQuantity::ShiftZ).after, hidden.shiftZ, 0.2);
+        QVERIFY(found(fitted, FitQuantity::Relaxation).low < hidden.relaxation);
+        QVERIFY(found(fitted, FitQuantity::Relaxation).high > hidden.relaxation);
+    }
+
+    // 200 photos of one part, whose film is the fit's own, so that nothing but their noise is off:
+    // the dips near it are simulated once, and film and camera fitted to each photo.
+    void intervalsHoldTheTruthAsOftenAsTheySay() {
+        constexpr int photos = 200;
+        const FitPairs perfect = part_->pairs(camera(), 2, 8, 12, 0, 1);
+        SimulatedPlaces places(part_->project(), part_->field(), perfect.printed, solverModule(),
+                               perfect.where);
+        std::vector<FitUnknown> unknowns;
+        for (const FitQuantity quantity : usualQuantities()) {
+            unknowns.push_back({quantity, 0});
+        }
+        Eigen::VectorXd centre(6);
+        centre << 1.3, -0.9, 1.6, 3.1, 1.5, -1.2;
+        const std::vector<bool> free(unknowns.size(), true);
+        const PlacesNear near = places.near(unknowns, centre, free, {});
+        std::mt19937 random{7};
+        std::normal_distribution<double> off(0, 1);
+        std::array<int, 6> held{};
+        for (int photo = 0; photo < photos; ++photo) {
+            FitPairs noisy = perfect;
+            for (std::size_t i = 0; i < noisy.printed.size(); ++i) {
+                if (near.places[i]) {
+                    noisy.printed[i].pixel = camera().seen(noisy.printed[i].photo, *near.places[i]);
+                    noisy.printed[i].pixel += Eigen::Vector2d(off(random), off(random));
+                }
+            }
+            for (PlacePair& pair : noisy.body) {
+                pair.pixel += Eigen::Vector2d(off(random), off(random));
+            }
+            const PartView start =
+                fitPartCamera(noisy.body, noisy.photos, noisy.picture, noisy.where);
+            const JointSolution solution =
+                fitJointly(near, {noisy.printed, noisy.body, noisy.picture}, start, free,
+                           CameraFit::Whole, noisy.where);
+            for (std::size_t i = 0; i < held.size(); ++i) {
+                const auto at = Eigen::Index(i);
+                held[i] += std::abs(solution.unknowns[at] - centre[at]) <= solution.off[at];
+            }
+        }
+        for (std::size_t i = 0; i < held.size(); ++i) {
+            qInfo("%s: held in %.1f %%", qPrintable(fitQuantityKey(unknowns[i].quantity)),
+                  100.0 * held[i] / photos);
+        }
+        const double share = std::accumulate(held.begin(), held.end(), 0) / (6.0 * photos);
+        qInfo("together in %.1f %%", 100 * share);
+        QVERIFY(share > 0.93 && share < 0.97);
+    }
+
+    void whatPairsCannotTellApartIsRefused() {
+        const FitPairs good = part_->pairs(camera(), 1, 16, 12, 0.5, 1);
+        // A ball looks the same from all round: who only knows its print may as well have walked
+        // round it.
+        FitPairs printAlone = good;
+        printAlone.body.clear();
+        QVERIFY(errorOf(printAlone, {FitQuantity::Turn}).contains(QStringLiteral("camera")));
+        QVERIFY(errorOf(good, {FitQuantity::Depth}).contains(QStringLiteral("moves none")));
+        QVERIFY(errorOf(good, {FitQuantity::Growth}).contains(QStringLiteral("does not grow")));
+        // Round the lowest point film has been drawn out by next to nothing.
+        FitPairs low = good;
+        std::erase_if(low.printed,
+                      [](const PrintedPlace& place) { return place.sheet.norm() > 21; });
+        QVERIFY(low.printed.size() >= 4);
+        qInfo() << errorOf(low, wanted().quantities);
+        QVERIFY(errorOf(low, wanted().quantities).contains(QStringLiteral("Relaxation")));
+        FitPairs few = good;
+        few.printed.resize(1);
+        few.body.resize(6);
+        QVERIFY(!errorOf(few, wanted().quantities).isEmpty());
+        FitPairs stranger = good;
+        for (PrintedPlace& place : stranger.printed) {
+            place.sheet = {500, 500};
+        }
+        QVERIFY(errorOf(stranger, {}).contains(QStringLiteral("None of the printed places")));
+        stranger.printed.front().dip = 1;
+        QVERIFY(errorOf(stranger, {}).contains(QStringLiteral("dip 2")));
+    }
+
+    void canBeCancelled() {
+        Progress progress;
+        progress.cancelSwitch.cancel();
+        const FitPairs pairs = part_->pairs(camera(), 1, 16, 12, 0.5, 1);
+        QVERIFY_EXCEPTION_THROWN(
+            fitFilm(part_->project(), part_->field(), pairs, {}, solverModule(), progress),
+            Cancelled);
+    }
+
+private:
+    FilmFit fit(const FitPairs& pairs, const FitWish& wish = {}) const {
+        return fitFilm(part_->project(), part_->field(), pairs, wish, solverModule(), {});
+    }
+
+    QString errorOf(const FitPairs& pairs, const std::vector<FitQuantity>& quantities) const {
+        try {
+            fit(pairs, {quantities, false, {}});
+        } catch (const Error& error) {
+            return error.message();
+        }
+        return {};
+    }
+
+    std::unique_ptr<test::PhotographedPart> part_;
+};
+
+QTEST_MAIN(FilmFitTest)
+#include "FilmFitTest.moc"
