@@ -22,6 +22,8 @@ constexpr const char* shareMarksPath = "share.marks";
 constexpr const char* zoneMarksPath = "tolerance.marks";
 constexpr const char* builtPartsPath = "as_built.parts";
 constexpr const char* builtPlacesPath = "as_built.places";
+constexpr const char* photosPath = "inspection.photos";
+constexpr const char* pairsPath = "inspection.pairs";
 
 // A list of things that have fields of their own. `path`: the list's.
 template <typename Item>
@@ -125,7 +127,8 @@ QJsonObject unknownPart(const QJsonObject& json) {
     for (const char* path : {"profiles.printer", "profiles.film", "profiles.tank"}) {
         removeAt(unknown, QLatin1String(path));
     }
-    for (const char* path : {shareMarksPath, zoneMarksPath, builtPartsPath, builtPlacesPath}) {
+    for (const char* path :
+         {shareMarksPath, zoneMarksPath, builtPartsPath, builtPlacesPath, photosPath, pairsPath}) {
         removeAt(unknown, QString::fromLatin1(path));
     }
     QJsonArray immersions;
@@ -190,7 +193,8 @@ QStringList siblingPaths(const QString& path) {
     const QStringList siblings = siblingPaths(path);
     const QString hint = siblings.isEmpty()
                              ? Text::tr("the sections are film, process, body, immersions[0], "
-                                        "sheet, ink, share, cradle, tolerance and as_built")
+                                        "sheet, ink, share, cradle, tolerance, as_built and "
+                                        "inspection")
                              : Text::tr("there are %1").arg(siblings.join(QStringLiteral(", ")));
     throw Error(Text::tr("There is no such setting, %1").arg(hint), path);
 }
@@ -273,6 +277,10 @@ QJsonObject toJson(const Project& project) {
              writeList(project.asBuilt.parts, builtPartFields(), {}));
     insertAt(json, QString::fromLatin1(builtPlacesPath),
              writeList(project.asBuilt.places, builtPlaceFields(), {}));
+    insertAt(json, QString::fromLatin1(photosPath),
+             writeList(project.inspection.photos, inspectedPhotoFields(), {}));
+    insertAt(json, QString::fromLatin1(pairsPath),
+             writeList(project.inspection.pairs, clickedPairFields(), {}));
     writeProfiles(project.profiles, json);
     return json;
 }
@@ -291,6 +299,16 @@ Project fromJson(const QJsonObject& json, const QString& where) {
         readEntries(current, builtPartFields(), builtPartsPath, mostBuiltParts, where);
     project.asBuilt.places =
         readEntries(current, builtPlaceFields(), builtPlacesPath, mostBuiltPlaces, where);
+    project.inspection.photos =
+        readEntries(current, inspectedPhotoFields(), photosPath, mostInspectedPhotos, where);
+    project.inspection.pairs =
+        readEntries(current, clickedPairFields(), pairsPath, mostClickedPairs, where);
+    for (const ClickedPair& pair : project.inspection.pairs) {
+        if (std::size_t(pair.photo) >= project.inspection.photos.size()) {
+            throw Error(Text::tr("inspection.pairs names a photo that inspection.photos has not"),
+                        where);
+        }
+    }
     project.profiles = readProfiles(current, where);
     project.unknown = unknownPart(current);
     return project;

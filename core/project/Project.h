@@ -6,6 +6,7 @@
 #include "cradle/CradleSettings.h"
 #include "dip/Dip.h"
 #include "model/TexturedMesh.h"
+#include "project/InspectedPart.h"
 #include "project/Profiles.h"
 #include "share/ShareSettings.h"
 #include "sheet/Sheet.h"
@@ -45,6 +46,7 @@ struct Project {
     CradleSettings cradle;
     ToleranceSettings tolerance;
     AsBuilt asBuilt;
+    InspectedPart inspection;
     ProjectProfiles profiles; // that it was made with, by content
     QJsonObject unknown;      // keys this version does not know; they survive a save
     std::map<QString, QByteArray> unknownEntries; // and so do the file's other entries, by name

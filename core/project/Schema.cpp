@@ -272,6 +272,13 @@ void addAsBuiltFields(std::vector<Field<Project>>& fields) {
         "as_built.strength", 0, 1, [](auto& p) -> auto& { return p.asBuilt.strength; }));
 }
 
+void addInspectionFields(std::vector<Field<Project>>& fields) {
+    fields.push_back(flag(
+        "inspection.chessboard", [](auto& p) -> auto& { return p.inspection.chessboard; }));
+    fields.push_back(flag(
+        "inspection.keep_camera", [](auto& p) -> auto& { return p.inspection.keepsCamera; }));
+}
+
 } // namespace
 
 const std::vector<Field<Project>>& projectFields() {
@@ -289,6 +296,7 @@ const std::vector<Field<Project>>& projectFields() {
         addCradleFields(all);
         addToleranceFields(all);
         addAsBuiltFields(all);
+        addInspectionFields(all);
         return all;
     }();
     return fields;
@@ -362,6 +370,26 @@ const std::vector<Field<BuiltPlace>>& builtPlaceFields() {
             "model_mm", 3, -1e5, 1e5, [](auto& p, int part) -> auto& { return p.model[part]; }),
         numbers<BuiltPlace>(
             "off_mm", 2, -100, 100, [](auto& p, int part) -> auto& { return p.off[part]; })};
+    return fields;
+}
+
+const std::vector<Field<InspectedPhoto>>& inspectedPhotoFields() {
+    static const std::vector<Field<InspectedPhoto>> fields{
+        text<InspectedPhoto>(
+            "file", 4096, [](auto& p) -> auto& { return p.file; }),
+        text<InspectedPhoto>(
+            "sha256", 64, [](auto& p) -> auto& { return p.sha256; })};
+    return fields;
+}
+
+const std::vector<Field<ClickedPair>>& clickedPairFields() {
+    static const std::vector<Field<ClickedPair>> fields{
+        number<ClickedPair>(
+            "photo", 0, double(mostInspectedPhotos - 1), [](auto& p) -> auto& { return p.photo; }),
+        numbers<ClickedPair>(
+            "pixel", 2, 0, 1e5, [](auto& p, int part) -> auto& { return p.pixel[part]; }),
+        numbers<ClickedPair>(
+            "place_mm", 3, -1e5, 1e5, [](auto& p, int part) -> auto& { return p.place[part]; })};
     return fields;
 }
 

@@ -49,6 +49,9 @@ Document::Document(Project project, const QString& path, const FileVersion& vers
     undoStack_.setUndoLimit(undoLimit);
     if (!path_.isEmpty()) {
         untrusted_ = {project_.modelOrigin.source, project_.modelOrigin.texture};
+        for (const InspectedPhoto& photo : project_.inspection.photos) {
+            untrusted_.append(photo.file);
+        }
     }
     connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::fileChanged);
 }

@@ -3,6 +3,9 @@
 #include "dialogs/PreferencesDialog.h"
 #include "document/RecentProjects.h"
 #include "look/Theme.h"
+#ifdef DIPWRIGHT_INSPECTION
+#include "inspect/InspectionController.h"
+#endif
 #include "main/StatusLine.h"
 #include "main/WindowMenus.h"
 #include "main/Workbench.h"
@@ -55,9 +58,10 @@ MainWindow::MainWindow(Workbench& workbench)
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
     connectActions();
-    connectMenus();
     connectPanels();
     connectSession();
+    addInspection(); // told of a document after its session, and in the menus
+    connectMenus();
     layout_.restore();
     applyPreferences();
     showDocument();
@@ -72,6 +76,19 @@ MainWindow::~MainWindow() {
         document()->undoStack().disconnect(this);
     }
 }
+
+#ifdef DIPWRIGHT_INSPECTION
+void MainWindow::addInspection() {
+    inspection_ = new InspectionController(*parts_.view, scene_, session_, jobs_,
+                                           workbench_.registry(), messages_, *this);
+    inspection_->setParent(this);
+    layout_.addInspection(inspection_->pages());
+    connect(&documents_, &DocumentSession::documentChanged, inspection_,
+            &InspectionController::showDocument);
+}
+#else
+void MainWindow::addInspection() {}
+#endif
 
 void MainWindow::connectActions() {
     const auto on = [this](const QAction* action, auto what) {

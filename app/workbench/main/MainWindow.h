@@ -24,6 +24,7 @@
 
 namespace dipwright {
 
+class InspectionController;
 class StatusLine;
 
 class MainWindow : public QMainWindow {
@@ -46,6 +47,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void addInspection();
     void connectActions();
     void connectMenus();
     void connectPanels();
@@ -86,6 +88,7 @@ private:
     ProfileController profiles_;
     ViewController viewActions_;
     HelpController help_;
+    InspectionController* inspection_ = nullptr; // a child; null in a build without
 };
 
 } // namespace dipwright

@@ -101,9 +101,20 @@ QDockWidget* WindowLayout::addDock(Qt::DockWidgetArea area, const char* name, co
     return dock;
 }
 
+void WindowLayout::addInspection(QWidget* pages) {
+    parts_.inspectionDock =
+        addDock(Qt::RightDockWidgetArea, "inspectionDock", tr("Inspection"), pages);
+    window_.tabifyDockWidget(parts_.resultsDock, parts_.inspectionDock);
+    parts_.inspectionDock->hide();
+}
+
 QList<QAction*> WindowLayout::dockToggles() const {
-    return {parts_.projectDock->toggleViewAction(), parts_.resultsDock->toggleViewAction(),
-            parts_.logDock->toggleViewAction()};
+    QList<QAction*> toggles{parts_.projectDock->toggleViewAction(),
+                            parts_.resultsDock->toggleViewAction()};
+    if (parts_.inspectionDock) {
+        toggles << parts_.inspectionDock->toggleViewAction();
+    }
+    return toggles << parts_.logDock->toggleViewAction();
 }
 
 void WindowLayout::sizeDocks() {
@@ -130,6 +141,12 @@ void WindowLayout::showProject(bool shown) {
     for (QDockWidget* dock : {parts_.projectDock, parts_.resultsDock}) {
         dock->setVisible(shown);
         dock->toggleViewAction()->setEnabled(shown);
+    }
+    if (parts_.inspectionDock) {
+        parts_.inspectionDock->toggleViewAction()->setEnabled(shown);
+        if (!shown) {
+            parts_.inspectionDock->hide();
+        }
     }
     if (shown && !QSettings().contains(stateKey)) {
         sizeDocks();

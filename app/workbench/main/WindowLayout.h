@@ -37,6 +37,7 @@ struct WindowParts {
     ResultsPanel* results;
     LogPanel* log;
     QDockWidget *projectDock, *resultsDock, *logDock;
+    QDockWidget* inspectionDock; // null in a build without
 };
 
 class WindowLayout : public QObject {
@@ -47,6 +48,8 @@ public:
     WindowLayout(QMainWindow& window, const SolverRegistry& registry);
 
     const WindowParts& parts() const { return parts_; }
+    // Behind the results, hidden at first. Before restore().
+    void addInspection(QWidget* pages);
     QList<QAction*> dockToggles() const;
 
     // Once the window is complete: how it was when the last one was closed.

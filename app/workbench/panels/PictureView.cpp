@@ -104,6 +104,18 @@ QRectF PictureView::shownRect() const {
     return {corner, size_ * pixelsPerMillimetre_};
 }
 
+QPointF PictureView::pictureAt(QPointF inWidget) const {
+    return (inWidget - shownRect().topLeft()) / pixelsPerMillimetre_;
+}
+
+QPointF PictureView::widgetAt(QPointF millimetres) const {
+    return shownRect().topLeft() + millimetres * pixelsPerMillimetre_;
+}
+
+bool PictureView::contains(QPointF millimetres) const {
+    return !picture_.isNull() && QRectF(QPointF(), size_).contains(millimetres);
+}
+
 const QImage& PictureView::shrunk(QSize pixels) {
     if (shrunk_.size() != pixels) {
         shrunk_ = picture_.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -150,6 +162,7 @@ void PictureView::paintEvent(QPaintEvent*) {
             painter.drawLine(place + QPointF(0, 3), place + QPointF(0, 10));
         }
     }
+    paintOver(painter);
     if (hasFocus()) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
         painter.setBrush(Qt::NoBrush);
@@ -181,8 +194,8 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
         update();
         return;
     }
-    const QPointF place = (event->position() - shownRect().topLeft()) / pixelsPerMillimetre_;
-    if (!picture_.isNull() && QRectF(QPointF(), size_).contains(place)) {
+    const QPointF place = pictureAt(event->position());
+    if (contains(place)) {
         emit hovered(place);
     } else {
         emit hoverLeft();

@@ -6,6 +6,8 @@
 #include <QWidget>
 #include <optional>
 
+class QPainter;
+
 namespace dipwright {
 
 class PictureView : public QWidget {
@@ -39,6 +41,12 @@ signals:
     void zoomChanged();
 
 protected:
+    // What lies over the picture, in the widget's coordinates.
+    virtual void paintOver(QPainter&) {}
+    QPointF pictureAt(QPointF inWidget) const; // in the picture's millimetres
+    QPointF widgetAt(QPointF millimetres) const;
+    bool contains(QPointF millimetres) const;
+
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;

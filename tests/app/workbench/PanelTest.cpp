@@ -57,6 +57,8 @@ private slots:
             QStringLiteral("model.source"),   QStringLiteral("model.texture_source"),
             QStringLiteral("model.unit_mm"),  QStringLiteral("model.sha256"),
             QStringLiteral("process.solver"), // a list of its own
+            QStringLiteral("inspection.chessboard"), // a page of its own
+            QStringLiteral("inspection.keep_camera"),
         };
         for (const auto& field : projectFields()) {
             QVERIFY2(shown.contains(field.path) || elsewhere.contains(field.path),

@@ -69,6 +69,11 @@ Project sampleProject() {
                              {Degrees(0), Degrees(45), Degrees(0.5)},
                              {Millimetres(1), Millimetres(-2)}};
     project.immersions[1].name = QStringLiteral("Bottom");
+    project.inspection.photos = {{QStringLiteral("front.jpg"), QStringLiteral("abc")},
+                                 {QStringLiteral("back.jpg"), {}}};
+    project.inspection.pairs = {
+        {1, {1200.5, 88.25}, {Millimetres(1), Millimetres(-2.5), Millimetres(3)}}};
+    project.inspection.chessboard = project.inspection.keepsCamera = true;
     project.sheet = {QStringLiteral("A3"),
                      true,
                      Millimetres(220),

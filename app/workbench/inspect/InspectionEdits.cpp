@@ -1,0 +1,72 @@
+#include "inspect/InspectionEdits.h"
+
+#include <QCoreApplication>
+#include <QPointF>
+
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(InspectionEdits)
+};
+
+} // namespace
+
+void addInspectedPhotos(Document& document, const std::vector<InspectedPhoto>& added) {
+    document.edit(Text::tr("Add Photos"), {}, [&](Project& project) {
+        std::vector<InspectedPhoto>& photos = project.inspection.photos;
+        for (const InspectedPhoto& one : added) {
+            const bool isThere =
+                std::any_of(photos.begin(), photos.end(),
+                            [&](const InspectedPhoto& photo) { return photo.file == one.file; });
+            if (!isThere && photos.size() < mostInspectedPhotos) {
+                photos.push_back(one);
+            }
+        }
+    });
+}
+
+void removeInspectedPhoto(Document& document, std::size_t photo) {
+    document.edit(Text::tr("Remove Photo"), {}, [&](Project& project) {
+        InspectedPart& part = project.inspection;
+        if (photo >= part.photos.size()) {
+            return;
+        }
+        part.photos.erase(part.photos.begin() + std::ptrdiff_t(photo));
+        std::erase_if(part.pairs,
+                      [&](const ClickedPair& pair) { return std::size_t(pair.photo) == photo; });
+        for (ClickedPair& pair : part.pairs) {
+            pair.photo -= std::size_t(pair.photo) > photo;
+        }
+    });
+}
+
+void addClickedPair(Document& document, const ClickedPair& pair) {
+    document.edit(Text::tr("Add Pair of Places"), {}, [&](Project& project) {
+        if (project.inspection.pairs.size() < mostClickedPairs) {
+            project.inspection.pairs.push_back(pair);
+        }
+    });
+}
+
+void moveClickedPair(Document& document, std::size_t pair, QPointF pixel) {
+    document.edit(Text::tr("Move Place in Photo"), QStringLiteral("inspection.pair"),
+                  [&](Project& project) {
+                      if (pair < project.inspection.pairs.size()) {
+                          project.inspection.pairs[pair].pixel = {pixel.x(), pixel.y()};
+                      }
+                  });
+}
+
+void removeClickedPair(Document& document, std::size_t pair) {
+    document.edit(Text::tr("Remove Pair of Places"), {}, [&](Project& project) {
+        std::vector<ClickedPair>& pairs = project.inspection.pairs;
+        if (pair < pairs.size()) {
+            pairs.erase(pairs.begin() + std::ptrdiff_t(pair));
+        }
+    });
+}
+
+} // namespace dipwright

@@ -1,0 +1,18 @@
+// What the user does with the photos of a dipped part and the places in them, each as one step to
+// undo.
+#pragma once
+
+#include "document/Document.h"
+
+namespace dipwright {
+
+// Those past mostInspectedPhotos are left out, and those that the project has already.
+void addInspectedPhotos(Document& document, const std::vector<InspectedPhoto>& photos);
+// With its pairs.
+void removeInspectedPhoto(Document& document, std::size_t photo);
+void addClickedPair(Document& document, const ClickedPair& pair);
+// Of one drag, until Document::endMerge(), as one step.
+void moveClickedPair(Document& document, std::size_t pair, QPointF pixel);
+void removeClickedPair(Document& document, std::size_t pair);
+
+} // namespace dipwright

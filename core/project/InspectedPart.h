@@ -1,0 +1,39 @@
+// Photos of a dipped part and the places that the user has found in them, as in the project file's
+// "inspection".
+#pragma once
+
+#include "base/Units.h"
+
+#include <QString>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace dipwright {
+
+struct InspectedPhoto {
+    QString file;   // which the project does not contain
+    QString sha256; // of the file, hex; empty: it was never read
+    bool operator==(const InspectedPhoto&) const = default;
+};
+
+struct ClickedPair {
+    int photo = 0;                      // index of the photo
+    std::array<double, 2> pixel{};      // from the picture's upper left corner
+    std::array<Millimetres, 3> place{}; // model coordinates
+    bool operator==(const ClickedPair&) const = default;
+};
+
+inline constexpr std::size_t mostInspectedPhotos = 50;
+inline constexpr std::size_t mostClickedPairs = 1000;
+
+struct InspectedPart {
+    std::vector<InspectedPhoto> photos;
+    std::vector<ClickedPair> pairs;
+    bool chessboard = false;  // dipped into the job's chessboard, not its texture
+    bool keepsCamera = false; // the pairs are of the body itself
+    bool operator==(const InspectedPart&) const = default;
+};
+
+} // namespace dipwright
