@@ -201,6 +201,30 @@ private slots:
                      QByteArray::number(z) + "\n";
         }
         writeFile(path("pairs.csv"), table);
+        // Photos that cannot be read get one sentence, and nothing is written.
+        QImage vast(12'000, 9'000, QImage::Format_Grayscale8);
+        vast.fill(128);
+        for (const QByteArray& bytes :
+             {bytesOf(photos_.first()).left(4000), QByteArray("once upon a time"), QByteArray(),
+              encoded(vast, "JPEG")}) {
+            writeFile(path("bad-part.jpg"), bytes);
+            const Outcome bad = cli({"inspect", "part", path("bad-part.jpg"), "--pairs",
+                                     path("pairs.csv"), "--out", path("part")});
+            qInfo("%s", bad.err.constData());
+            QCOMPARE(bad.exitCode, 1);
+            QCOMPARE(bad.errorLines().size(), 1);
+            QVERIFY(!QFileInfo::exists(path("part")));
+        }
+        // Deep ones and those in cyan, magenta, yellow and black are read.
+        writeFile(path("deep-part.png"),
+                  encoded(QImage(photos_.first()).convertToFormat(QImage::Format_RGBX64), "PNG"));
+        writeCmykTiff(QImage(photos_.first()), path("cmyk-part.tiff"));
+        for (const char* photo : {"deep-part.png", "cmyk-part.tiff"}) {
+            QCOMPARE(cli({"inspect", "part", path(QString::fromLatin1(photo)), "--pairs",
+                          path("pairs.csv"), "--out", path("other-part")})
+                         .exitCode,
+                     0);
+        }
         const QStringList arguments{"inspect", "part", photos_.first(), "--out", path("part")};
         QCOMPARE(cli(arguments).exitCode, 2); // no pairs
         const Outcome outcome = cli(arguments + QStringList{"--pairs", path("pairs.csv")});
