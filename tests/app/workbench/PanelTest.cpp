@@ -54,9 +54,9 @@ private slots:
             shown.insert(spec.path);
         }
         const QSet<QString> elsewhere{
-            QStringLiteral("model.source"),   QStringLiteral("model.texture_source"),
-            QStringLiteral("model.unit_mm"),  QStringLiteral("model.sha256"),
-            QStringLiteral("process.solver"), // a list of its own
+            QStringLiteral("model.source"),           QStringLiteral("model.texture_source"),
+            QStringLiteral("model.unit_mm"),          QStringLiteral("model.sha256"),
+            QStringLiteral("process.solver"),        // a list of its own
             QStringLiteral("inspection.chessboard"), // a page of its own
             QStringLiteral("inspection.keep_camera"),
         };
