@@ -374,6 +374,29 @@
     </message>
 </context>
 <context>
+    <name>InspectionEdits</name>
+    <message>
+        <source>Add Photos</source>
+        <translation>Fotos hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove Photo</source>
+        <translation>Foto entfernen</translation>
+    </message>
+    <message>
+        <source>Add Pair of Places</source>
+        <translation>Stellenpaar hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move Place in Photo</source>
+        <translation>Stelle im Foto verschieben</translation>
+    </message>
+    <message>
+        <source>Remove Pair of Places</source>
+        <translation>Stellenpaar entfernen</translation>
+    </message>
+</context>
+<context>
     <name>MarkEdits</name>
     <message>
         <source>Mark for the Join</source>
@@ -1325,8 +1348,12 @@
         <translation>%1 muss eine Liste mit höchstens %2 Einträgen sein</translation>
     </message>
     <message>
-        <source>the sections are film, process, body, immersions[0], sheet, ink, share, cradle, tolerance and as_built</source>
-        <translation>die Abschnitte sind film, process, body, immersions[0], sheet, ink, share, cradle, tolerance und as_built</translation>
+        <source>the sections are film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built and inspection</source>
+        <translation>die Abschnitte sind film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built und inspection</translation>
+    </message>
+    <message>
+        <source>inspection.pairs names a photo that inspection.photos has not</source>
+        <translation>inspection.pairs nennt ein Foto, das inspection.photos nicht hat</translation>
     </message>
 </context>
 <context>
@@ -3444,6 +3471,93 @@
     </message>
 </context>
 <context>
+    <name>dipwright::FilmPage</name>
+    <message>
+        <source>Unevenness of the film</source>
+        <translation>Ungleichmäßigkeit des Films</translation>
+    </message>
+    <message>
+        <source>Where the film has grown more and less is shown here.</source>
+        <translation>Hier wird gezeigt, wo der Film mehr und wo er weniger gewachsen ist.</translation>
+    </message>
+    <message>
+        <source>Photos of the film</source>
+        <translation>Fotos des Films</translation>
+    </message>
+    <message>
+        <source>Photo</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Seconds since it was laid</source>
+        <translation>Sekunden seit dem Auflegen</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source> °C</source>
+        <translation> °C</translation>
+    </message>
+    <message>
+        <source>Add photos of the film&apos;s chessboard floating on the water with the card beside it, or drop them here. The guide says how they are made.</source>
+        <translation>Fügen Sie Fotos vom Schachbrett des Films hinzu, das auf dem Wasser schwimmt, mit der Karte daneben, oder legen Sie sie hier ab. Das Handbuch sagt, wie sie gemacht werden.</translation>
+    </message>
+    <message>
+        <source>Dip begins after</source>
+        <translation>Tauchen beginnt nach</translation>
+    </message>
+    <message>
+        <source>Lot</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>Add &amp;Photos…</source>
+        <translation>&amp;Fotos hinzufügen …</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>&amp;Save to Profile…</source>
+        <translation>Im Profil &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Photos of the Film</source>
+        <translation>Fotos des Films</translation>
+    </message>
+    <message>
+        <source>Photos (%1)</source>
+        <translation>Fotos (%1)</translation>
+    </message>
+    <message>
+        <source>Seconds since the film was laid on the water</source>
+        <translation>Sekunden, seit der Film auf das Wasser gelegt wurde</translation>
+    </message>
+    <message>
+        <source>when the dip begins</source>
+        <translation>bei Beginn des Tauchens</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::FilmReader</name>
     <message>
         <source>Body at %1, %2, %3</source>
@@ -3859,6 +3973,105 @@
     </message>
 </context>
 <context>
+    <name>dipwright::InspectionController</name>
+    <message>
+        <source>The photos are of different sizes; take those of one camera, held the same way</source>
+        <translation>Die Fotos sind verschieden groß; nehmen Sie solche einer Kamera, gleich gehalten</translation>
+    </message>
+    <message>
+        <source>The model&apos;s texture has no chess squares to look for; dip the chessboard, or measure the pairs alone</source>
+        <translation>Die Textur des Modells hat keine Schachfelder, die sich suchen ließen; tauchen Sie das Schachbrett oder messen Sie nur die Paare</translation>
+    </message>
+    <message>
+        <source>Dipped Part</source>
+        <translation>Getauchtes Teil</translation>
+    </message>
+    <message>
+        <source>Film on the Water</source>
+        <translation>Film auf dem Wasser</translation>
+    </message>
+    <message>
+        <source>Choose What Was Dipped</source>
+        <translation>Wählen, was getaucht wurde</translation>
+    </message>
+    <message>
+        <source>Choose What Pairs Are Of</source>
+        <translation>Wählen, wovon die Paare sind</translation>
+    </message>
+    <message>
+        <source>Reading photos</source>
+        <translation>Fotos werden gelesen</translation>
+    </message>
+    <message>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>No photos yet</source>
+        <translation>Noch keine Fotos</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>The project names a photo outside itself:</source>
+        <translation>Das Projekt nennt ein Foto außerhalb seiner selbst:</translation>
+    </message>
+    <message>
+        <source>The photo %1 is another one than its places were clicked in.</source>
+        <translation>Das Foto %1 ist ein anderes als das, in dem seine Stellen angeklickt wurden.</translation>
+    </message>
+    <message>
+        <source>Finding corners</source>
+        <translation>Ecken werden gesucht</translation>
+    </message>
+    <message>
+        <source>Measuring pairs</source>
+        <translation>Paare werden gemessen</translation>
+    </message>
+    <message>
+        <source>Export Residuals to a Folder</source>
+        <translation>Abweichungen in einen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Export Residuals</source>
+        <translation>Abweichungen exportieren</translation>
+    </message>
+    <message>
+        <source>Wrote the residuals to %1</source>
+        <translation>Abweichungen nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Measuring the film</source>
+        <translation>Film wird gemessen</translation>
+    </message>
+    <message>
+        <source>Save to Profile</source>
+        <translation>Im Profil speichern</translation>
+    </message>
+    <message>
+        <source>Name of the film profile, an old or a new one</source>
+        <translation>Name des Filmprofils, ein vorhandener oder neuer</translation>
+    </message>
+    <message>
+        <source>The film profile %1 has what was measured</source>
+        <translation>Das Filmprofil %1 hat die Messung übernommen</translation>
+    </message>
+    <message>
+        <source>Export Film Watch to a Folder</source>
+        <translation>Filmbeobachtung in einen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Export Film Watch</source>
+        <translation>Filmbeobachtung exportieren</translation>
+    </message>
+    <message>
+        <source>Wrote the film watch to %1</source>
+        <translation>Filmbeobachtung nach %1 geschrieben</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::JoinFields</name>
     <message>
         <source>The whole face</source>
@@ -4218,7 +4431,7 @@
     </message>
     <message>
         <source>In photo %1 black and white are swapped: the film was laid with its ink down, or turned by a square</source>
-        <translation>In Foto %1 sind Schwarz und Weiß vertauscht: Die Folie lag mit der Farbe nach unten oder um ein Feld verschoben</translation>
+        <translation>In Foto %1 sind Schwarz und Weiß vertauscht: Der Film lag mit der Farbe nach unten oder um ein Feld verschoben</translation>
     </message>
     <message>
         <source>Of %1 corners that photo %2 should show, %3 were found: is this the job&apos;s part and print, sharp and whole, and were its places given rightly?</source>
@@ -4239,6 +4452,192 @@
     <message>
         <source>the number of a photo, two numbers of pixels, the number of a dip, and two and three of millimetres, joined by commas</source>
         <translation>die Nummer eines Fotos, zwei Zahlen in Pixeln, die Nummer eines Tauchgangs und zwei und drei in Millimetern, durch Kommas verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PartPage</name>
+    <message>
+        <source>%1 ± %2 px</source>
+        <translation>%1 ± %2 px</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Photo of the dipped part</source>
+        <translation>Foto des getauchten Teils</translation>
+    </message>
+    <message>
+        <source>How far the print lies off</source>
+        <translation>Wie weit der Druck daneben liegt</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>R ± σ</source>
+        <translation>R ± σ</translation>
+    </message>
+    <message>
+        <source>Of diagonal</source>
+        <translation>Der Diagonale</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
+        <source>Mean distance in the photo and its deviation</source>
+        <translation>Mittlerer Abstand im Foto und seine Streuung</translation>
+    </message>
+    <message>
+        <source>The mean over the photo&apos;s diagonal, as in the paper&apos;s Table II</source>
+        <translation>Das Mittel geteilt durch die Diagonale des Fotos, wie in Tabelle II der Arbeit</translation>
+    </message>
+    <message>
+        <source>On the body, across the line of sight: 95 % are nearer</source>
+        <translation>Auf dem Körper, quer zur Blickrichtung: 95 % liegen näher</translation>
+    </message>
+    <message>
+        <source>On the body, the farthest</source>
+        <translation>Auf dem Körper, die weiteste</translation>
+    </message>
+    <message>
+        <source>Add &amp;Photos…</source>
+        <translation>&amp;Fotos hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Photo</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Remove this photo and its pairs</source>
+        <translation>Dieses Foto und seine Paare entfernen</translation>
+    </message>
+    <message>
+        <source>Remove Photo</source>
+        <translation>Foto entfernen</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>Ganzes Bild</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Photos of the Dipped Part</source>
+        <translation>Fotos des getauchten Teils</translation>
+    </message>
+    <message>
+        <source>Photos (%1)</source>
+        <translation>Fotos (%1)</translation>
+    </message>
+    <message>
+        <source>Dipped into the c&amp;hessboard of 17 mm</source>
+        <translation>In das Sc&amp;hachbrett von 17 mm getaucht</translation>
+    </message>
+    <message>
+        <source>Look for the corners of the built-in chessboard; else for those of chess squares in the model&apos;s texture</source>
+        <translation>Sucht die Ecken des eingebauten Schachbretts, sonst die von Schachfeldern in der Textur des Modells</translation>
+    </message>
+    <message>
+        <source>The pairs are places of the body &amp;itself</source>
+        <translation>Die Paare s&amp;ind Stellen des Körpers selbst</translation>
+    </message>
+    <message>
+        <source>Tips and edges, not places of the print: the camera stays as these pairs have it, so that a print that is shifted as a whole shows</source>
+        <translation>Spitzen und Kanten, nicht Stellen des Drucks: Die Kamera bleibt, wie diese Paare sie haben, sodass ein im Ganzen verschobener Druck sichtbar wird</translation>
+    </message>
+    <message>
+        <source>Measure &amp;Pairs</source>
+        <translation>&amp;Paare messen</translation>
+    </message>
+    <message>
+        <source>Fit the camera to the pairs and say how far they are off</source>
+        <translation>Die Kamera an die Paare anpassen und sagen, wie weit sie daneben liegen</translation>
+    </message>
+    <message>
+        <source>&amp;Find Corners</source>
+        <translation>Ecken &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Find the corners of the print in all photos and hold them against the simulated film</source>
+        <translation>Die Ecken des Drucks in allen Fotos suchen und mit dem simulierten Film vergleichen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Pair</source>
+        <translation>Paar &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Write table, places and photos with residuals to a folder</source>
+        <translation>Tabelle, Stellen und Fotos mit Abweichungen in einen Ordner schreiben</translation>
+    </message>
+    <message>
+        <source>Photo %1</source>
+        <translation>Foto %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Add photos of the dipped part, or drop them here: sharp, whole, of one camera, from near enough that the part fills the picture.</source>
+        <translation>Fügen Sie Fotos des getauchten Teils hinzu oder legen Sie sie hier ab: scharf, ganz, von einer Kamera, so nah, dass das Teil das Bild füllt.</translation>
+    </message>
+    <message>
+        <source>Now click the same place on the body in the 3D view.</source>
+        <translation>Klicken Sie nun dieselbe Stelle auf dem Körper in der 3D-Ansicht an.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 corners found.</source>
+        <translation>%1 von %2 Ecken gefunden.</translation>
+    </message>
+    <message>
+        <source>The camera follows the print: a shift or turn of all of it does not show.</source>
+        <translation>Die Kamera folgt dem Druck: Eine Verschiebung oder Drehung im Ganzen zeigt sich nicht.</translation>
+    </message>
+    <message>
+        <source>The camera is that of the pairs.</source>
+        <translation>Die Kamera ist die der Paare.</translation>
+    </message>
+    <message>
+        <source>Click a place in the photo, then the same place on the body: %1 of %2 pairs, spread over several faces.</source>
+        <translation>Klicken Sie eine Stelle im Foto an, dann dieselbe auf dem Körper: %1 von %2 Paaren, über mehrere Flächen verteilt.</translation>
+    </message>
+    <message>
+        <source>%1 pairs. Drag a place to correct it; Delete removes it. Then find the corners, or measure the pairs alone.</source>
+        <translation>%1 Paare. Ziehen Sie eine Stelle, um sie zu berichtigen; Entf löscht sie. Dann suchen Sie die Ecken oder messen nur die Paare.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PhotoView</name>
+    <message>
+        <source>Lines: residuals, %1 times as long</source>
+        <translation>Linien: Abweichungen, %1-fach</translation>
     </message>
 </context>
 <context>
@@ -6522,6 +6921,10 @@ mm</translation>
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Inspection</source>
+        <translation>Prüfung</translation>
     </message>
 </context>
 <context>

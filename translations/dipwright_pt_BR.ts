@@ -374,6 +374,29 @@
     </message>
 </context>
 <context>
+    <name>InspectionEdits</name>
+    <message>
+        <source>Add Photos</source>
+        <translation>Adicionar fotos</translation>
+    </message>
+    <message>
+        <source>Remove Photo</source>
+        <translation>Remover foto</translation>
+    </message>
+    <message>
+        <source>Add Pair of Places</source>
+        <translation>Adicionar par de pontos</translation>
+    </message>
+    <message>
+        <source>Move Place in Photo</source>
+        <translation>Mover ponto na foto</translation>
+    </message>
+    <message>
+        <source>Remove Pair of Places</source>
+        <translation>Remover par de pontos</translation>
+    </message>
+</context>
+<context>
     <name>MarkEdits</name>
     <message>
         <source>Mark for the Join</source>
@@ -1325,8 +1348,12 @@
         <translation>%1 deve ser uma lista de no máximo %2 itens</translation>
     </message>
     <message>
-        <source>the sections are film, process, body, immersions[0], sheet, ink, share, cradle, tolerance and as_built</source>
-        <translation>as seções são film, process, body, immersions[0], sheet, ink, share, cradle, tolerance e as_built</translation>
+        <source>the sections are film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built and inspection</source>
+        <translation>as seções são film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built e inspection</translation>
+    </message>
+    <message>
+        <source>inspection.pairs names a photo that inspection.photos has not</source>
+        <translation>inspection.pairs nomeia uma foto que inspection.photos não tem</translation>
     </message>
 </context>
 <context>
@@ -3444,6 +3471,93 @@
     </message>
 </context>
 <context>
+    <name>dipwright::FilmPage</name>
+    <message>
+        <source>Unevenness of the film</source>
+        <translation>Irregularidade do filme</translation>
+    </message>
+    <message>
+        <source>Where the film has grown more and less is shown here.</source>
+        <translation>Aqui se mostra onde o filme cresceu mais e onde cresceu menos.</translation>
+    </message>
+    <message>
+        <source>Photos of the film</source>
+        <translation>Fotos do filme</translation>
+    </message>
+    <message>
+        <source>Photo</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Seconds since it was laid</source>
+        <translation>Segundos desde que foi posto</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>não medida</translation>
+    </message>
+    <message>
+        <source> °C</source>
+        <translation> °C</translation>
+    </message>
+    <message>
+        <source>Add photos of the film&apos;s chessboard floating on the water with the card beside it, or drop them here. The guide says how they are made.</source>
+        <translation>Adicione fotos do tabuleiro do filme flutuando na água com o cartão ao lado, ou solte-as aqui. O guia diz como são feitas.</translation>
+    </message>
+    <message>
+        <source>Dip begins after</source>
+        <translation>O mergulho começa após</translation>
+    </message>
+    <message>
+        <source>Lot</source>
+        <translation>Lote</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>Água</translation>
+    </message>
+    <message>
+        <source>Add &amp;Photos…</source>
+        <translation>Adicionar &amp;fotos…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Remover</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Medir</translation>
+    </message>
+    <message>
+        <source>&amp;Save to Profile…</source>
+        <translation>&amp;Salvar no perfil…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportar…</translation>
+    </message>
+    <message>
+        <source>Photos of the Film</source>
+        <translation>Fotos do filme</translation>
+    </message>
+    <message>
+        <source>Photos (%1)</source>
+        <translation>Fotos (%1)</translation>
+    </message>
+    <message>
+        <source>Seconds since the film was laid on the water</source>
+        <translation>Segundos desde que o filme foi posto na água</translation>
+    </message>
+    <message>
+        <source>when the dip begins</source>
+        <translation>no início do mergulho</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::FilmReader</name>
     <message>
         <source>Body at %1, %2, %3</source>
@@ -3859,6 +3973,105 @@
     </message>
 </context>
 <context>
+    <name>dipwright::InspectionController</name>
+    <message>
+        <source>The photos are of different sizes; take those of one camera, held the same way</source>
+        <translation>As fotos têm tamanhos diferentes; use as de uma só câmera, segurada do mesmo modo</translation>
+    </message>
+    <message>
+        <source>The model&apos;s texture has no chess squares to look for; dip the chessboard, or measure the pairs alone</source>
+        <translation>A textura do modelo não tem quadrados de xadrez a procurar; mergulhe o tabuleiro ou meça só os pares</translation>
+    </message>
+    <message>
+        <source>Dipped Part</source>
+        <translation>Peça mergulhada</translation>
+    </message>
+    <message>
+        <source>Film on the Water</source>
+        <translation>Filme na água</translation>
+    </message>
+    <message>
+        <source>Choose What Was Dipped</source>
+        <translation>Escolher o que foi mergulhado</translation>
+    </message>
+    <message>
+        <source>Choose What Pairs Are Of</source>
+        <translation>Escolher de que são os pares</translation>
+    </message>
+    <message>
+        <source>Reading photos</source>
+        <translation>Lendo fotos</translation>
+    </message>
+    <message>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>No photos yet</source>
+        <translation>Ainda não há fotos</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Lendo %1</translation>
+    </message>
+    <message>
+        <source>The project names a photo outside itself:</source>
+        <translation>O projeto nomeia uma foto fora dele:</translation>
+    </message>
+    <message>
+        <source>The photo %1 is another one than its places were clicked in.</source>
+        <translation>A foto %1 não é aquela em que seus pontos foram clicados.</translation>
+    </message>
+    <message>
+        <source>Finding corners</source>
+        <translation>Procurando cantos</translation>
+    </message>
+    <message>
+        <source>Measuring pairs</source>
+        <translation>Medindo pares</translation>
+    </message>
+    <message>
+        <source>Export Residuals to a Folder</source>
+        <translation>Exportar desvios para uma pasta</translation>
+    </message>
+    <message>
+        <source>Export Residuals</source>
+        <translation>Exportar desvios</translation>
+    </message>
+    <message>
+        <source>Wrote the residuals to %1</source>
+        <translation>Desvios gravados em %1</translation>
+    </message>
+    <message>
+        <source>Measuring the film</source>
+        <translation>Medindo o filme</translation>
+    </message>
+    <message>
+        <source>Save to Profile</source>
+        <translation>Salvar no perfil</translation>
+    </message>
+    <message>
+        <source>Name of the film profile, an old or a new one</source>
+        <translation>Nome do perfil de filme, existente ou novo</translation>
+    </message>
+    <message>
+        <source>The film profile %1 has what was measured</source>
+        <translation>O perfil de filme %1 recebeu a medição</translation>
+    </message>
+    <message>
+        <source>Export Film Watch to a Folder</source>
+        <translation>Exportar observação do filme para uma pasta</translation>
+    </message>
+    <message>
+        <source>Export Film Watch</source>
+        <translation>Exportar observação do filme</translation>
+    </message>
+    <message>
+        <source>Wrote the film watch to %1</source>
+        <translation>Observação do filme gravada em %1</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::JoinFields</name>
     <message>
         <source>The whole face</source>
@@ -4239,6 +4452,192 @@
     <message>
         <source>the number of a photo, two numbers of pixels, the number of a dip, and two and three of millimetres, joined by commas</source>
         <translation>o número de uma foto, dois números em pixels, o número de uma imersão, e dois e três em milímetros, separados por vírgulas</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PartPage</name>
+    <message>
+        <source>%1 ± %2 px</source>
+        <translation>%1 ± %2 px</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Photo of the dipped part</source>
+        <translation>Foto da peça mergulhada</translation>
+    </message>
+    <message>
+        <source>How far the print lies off</source>
+        <translation>Quanto a impressão se desvia</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>R ± σ</source>
+        <translation>R ± σ</translation>
+    </message>
+    <message>
+        <source>Of diagonal</source>
+        <translation>Da diagonal</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>Pior</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Pontos</translation>
+    </message>
+    <message>
+        <source>Mean distance in the photo and its deviation</source>
+        <translation>Distância média na foto e seu desvio</translation>
+    </message>
+    <message>
+        <source>The mean over the photo&apos;s diagonal, as in the paper&apos;s Table II</source>
+        <translation>A média dividida pela diagonal da foto, como na Tabela II do artigo</translation>
+    </message>
+    <message>
+        <source>On the body, across the line of sight: 95 % are nearer</source>
+        <translation>No corpo, transversal à linha de visão: 95 % estão mais perto</translation>
+    </message>
+    <message>
+        <source>On the body, the farthest</source>
+        <translation>No corpo, a mais distante</translation>
+    </message>
+    <message>
+        <source>Add &amp;Photos…</source>
+        <translation>Adicionar &amp;fotos…</translation>
+    </message>
+    <message>
+        <source>Photo</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Remove this photo and its pairs</source>
+        <translation>Remover esta foto e seus pares</translation>
+    </message>
+    <message>
+        <source>Remove Photo</source>
+        <translation>Remover foto</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>Imagem inteira</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Ampliar</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Reduzir</translation>
+    </message>
+    <message>
+        <source>Photos of the Dipped Part</source>
+        <translation>Fotos da peça mergulhada</translation>
+    </message>
+    <message>
+        <source>Photos (%1)</source>
+        <translation>Fotos (%1)</translation>
+    </message>
+    <message>
+        <source>Dipped into the c&amp;hessboard of 17 mm</source>
+        <translation>Mergulhada no &amp;tabuleiro de 17 mm</translation>
+    </message>
+    <message>
+        <source>Look for the corners of the built-in chessboard; else for those of chess squares in the model&apos;s texture</source>
+        <translation>Procura os cantos do tabuleiro embutido; senão, os de quadrados de xadrez na textura do modelo</translation>
+    </message>
+    <message>
+        <source>The pairs are places of the body &amp;itself</source>
+        <translation>Os pares são pontos do próprio &amp;corpo</translation>
+    </message>
+    <message>
+        <source>Tips and edges, not places of the print: the camera stays as these pairs have it, so that a print that is shifted as a whole shows</source>
+        <translation>Pontas e arestas, não pontos da impressão: a câmera fica como estes pares a dão, de modo que uma impressão toda deslocada aparece</translation>
+    </message>
+    <message>
+        <source>Measure &amp;Pairs</source>
+        <translation>Medir &amp;pares</translation>
+    </message>
+    <message>
+        <source>Fit the camera to the pairs and say how far they are off</source>
+        <translation>Ajustar a câmera aos pares e dizer quanto se desviam</translation>
+    </message>
+    <message>
+        <source>&amp;Find Corners</source>
+        <translation>Pro&amp;curar cantos</translation>
+    </message>
+    <message>
+        <source>Find the corners of the print in all photos and hold them against the simulated film</source>
+        <translation>Procurar os cantos da impressão em todas as fotos e compará-los com o filme simulado</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Pair</source>
+        <translation>&amp;Remover par</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportar…</translation>
+    </message>
+    <message>
+        <source>Write table, places and photos with residuals to a folder</source>
+        <translation>Gravar tabela, pontos e fotos com desvios numa pasta</translation>
+    </message>
+    <message>
+        <source>Photo %1</source>
+        <translation>Foto %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todas</translation>
+    </message>
+    <message>
+        <source>Add photos of the dipped part, or drop them here: sharp, whole, of one camera, from near enough that the part fills the picture.</source>
+        <translation>Adicione fotos da peça mergulhada ou solte-as aqui: nítidas, inteiras, de uma só câmera, de perto o bastante para a peça encher a imagem.</translation>
+    </message>
+    <message>
+        <source>Now click the same place on the body in the 3D view.</source>
+        <translation>Agora clique o mesmo ponto no corpo, na vista 3D.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 corners found.</source>
+        <translation>%1 de %2 cantos encontrados.</translation>
+    </message>
+    <message>
+        <source>The camera follows the print: a shift or turn of all of it does not show.</source>
+        <translation>A câmera segue a impressão: um deslocamento ou giro do todo não aparece.</translation>
+    </message>
+    <message>
+        <source>The camera is that of the pairs.</source>
+        <translation>A câmera é a dos pares.</translation>
+    </message>
+    <message>
+        <source>Click a place in the photo, then the same place on the body: %1 of %2 pairs, spread over several faces.</source>
+        <translation>Clique um ponto na foto e depois o mesmo no corpo: %1 de %2 pares, espalhados por várias faces.</translation>
+    </message>
+    <message>
+        <source>%1 pairs. Drag a place to correct it; Delete removes it. Then find the corners, or measure the pairs alone.</source>
+        <translation>%1 pares. Arraste um ponto para corrigi-lo; Delete o remove. Depois procure os cantos ou meça só os pares.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PhotoView</name>
+    <message>
+        <source>Lines: residuals, %1 times as long</source>
+        <translation>Linhas: desvios, %1 vezes</translation>
     </message>
 </context>
 <context>
@@ -6522,6 +6921,10 @@ mm</translation>
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Remover</translation>
+    </message>
+    <message>
+        <source>Inspection</source>
+        <translation>Inspeção</translation>
     </message>
 </context>
 <context>
