@@ -5631,6 +5631,10 @@
         <source>The photo cannot be read; check its name and permissions</source>
         <translation>Das Foto kann nicht gelesen werden; prüfen Sie Namen und Rechte</translation>
     </message>
+    <message>
+        <source>The photo is cut off in the middle; copy it from the camera again</source>
+        <translation>Das Foto ist mittendrin abgeschnitten; kopieren Sie es noch einmal von der Kamera</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ReaderProcess</name>

@@ -5631,6 +5631,10 @@
         <source>The photo cannot be read; check its name and permissions</source>
         <translation>A foto não pode ser lida; verifique o nome e as permissões</translation>
     </message>
+    <message>
+        <source>The photo is cut off in the middle; copy it from the camera again</source>
+        <translation>A foto está cortada no meio; copie-a de novo da câmera</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ReaderProcess</name>
