@@ -24,8 +24,7 @@ constexpr double stepsInReach = 8; // so that what lies between them is off by a
 class DenseError {
 public:
     DenseError(const RepeatingError& error, double width, double height)
-        : width_(width), height_(height), columns_(stepsOver(width, error.reach())),
-          rows_(stepsOver(height, error.reach())),
+        : columns_(stepsOver(width, error.reach())), rows_(stepsOver(height, error.reach())),
           values_(std::size_t(columns_ + 1) * std::size_t(rows_ + 1)) {
         parallelFor(std::size_t(0), values_.size(), [&](std::size_t number) {
             const int column = int(number) % (columns_ + 1), row = int(number) / (columns_ + 1);
@@ -52,7 +51,6 @@ private:
         return values_[std::size_t(row) * std::size_t(columns_ + 1) + std::size_t(column)];
     }
 
-    double width_, height_;
     int columns_, rows_;
     std::vector<Eigen::Vector2d> values_;
 };
