@@ -34,6 +34,11 @@ using Degrees = Quantity<struct DegreesUnit>;
 using DotsPerInch = Quantity<struct DotsPerInchUnit>;
 
 inline constexpr double millimetresPerInch = 25.4;
+// In which lengths are told to the user; they are kept in millimetres.
+enum class LengthUnit { Millimetre, Inch };
+constexpr double millimetresIn(LengthUnit unit) {
+    return unit == LengthUnit::Inch ? millimetresPerInch : 1;
+}
 inline constexpr double pi = 3.14159265358979323846;
 constexpr double radians(Degrees angle) {
     return angle.value() * pi / 180;

@@ -56,13 +56,13 @@ Project withHalfSpacing(Project project) {
     return project;
 }
 
-QImage map(const LaidFilm& own, const LaidFilm& finer) {
+std::vector<float> pointMoves(const LaidFilm& own, const LaidFilm& finer) {
     std::vector<float> distances = sheetMoves(own, finer, own.contact().surface);
     for (float& distance : distances) {
         distance = distance == paintedByOne ? std::numeric_limits<float>::quiet_NaN()
                                             : std::max(distance, 0.f);
     }
-    return certaintyMap(own, distances, certainHalfSpacing, mapEdge);
+    return distances;
 }
 
 ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
@@ -88,7 +88,8 @@ ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
         changes(*own, *laid(withHalfStep(project), progress.part(ownDone, halfStepDone)));
     const auto finer = laid(withHalfSpacing(project), progress.part(halfStepDone, 1));
     std::tie(result.halfSpacing, result.unmarkedHalfSpacing) = changes(*own, *finer);
-    result.map = map(*own, *finer);
+    result.moves = pointMoves(*own, *finer);
+    result.laid = own;
     return result;
 }
 
@@ -101,6 +102,10 @@ QJsonObject toJson(const SheetChange& change) {
 }
 
 } // namespace
+
+QImage mapOf(const ImmersionCertainty& certainty, LengthUnit unit) {
+    return certaintyMap(*certainty.laid, certainty.moves, certainHalfSpacing, mapEdge, unit);
+}
 
 bool isCertain(const ImmersionCertainty& certainty) {
     return isCertain(certainty.halfStep, certainHalfStep) &&
@@ -147,7 +152,7 @@ void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const 
     ResultFolder results(folder, names);
     for (std::size_t number = 0; number < certainty.size(); ++number) {
         const QString& name = names[qsizetype(number)];
-        results.write(name, pngBytes(certainty[number].map, name));
+        results.write(name, pngBytes(mapOf(certainty[number]), name));
     }
     results.commit();
 }

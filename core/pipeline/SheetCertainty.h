@@ -1,6 +1,7 @@
 // How certain a job's sheets are: how far they move when the same dips are computed more finely.
 #pragma once
 
+#include "base/Units.h"
 #include "certainty/SheetChange.h"
 #include "project/Project.h"
 #include "solver/SolverRegistry.h"
@@ -17,9 +18,13 @@ struct ImmersionCertainty {
     // The same over what no mark of the film lies on (solver::PointMark): where it neither tore nor
     // was let go of.
     SheetChange unmarkedHalfStep, unmarkedHalfSpacing;
-    QImage map;        // where the film moves in the latter: certaintyMap() in Results.h
-    QStringList notes; // sentences for the user, where another solver took over
+    std::shared_ptr<const LaidFilm> laid; // as the project has it
+    std::vector<float> moves; // of its points in the latter, mm; NaN: paints in one dip only
+    QStringList notes;        // sentences for the user, where another solver took over
 };
+
+// Where the film moves: certaintyMap() in Results.h.
+QImage mapOf(const ImmersionCertainty& certainty, LengthUnit unit = LengthUnit::Millimetre);
 
 // False where nothing is painted.
 bool isCertain(const ImmersionCertainty& certainty);

@@ -169,14 +169,19 @@ private:
     Hatch hatch_;
 };
 
+QString unitSign(LengthUnit unit) {
+    return unit == LengthUnit::Inch ? Text::tr("in") : Text::tr("mm");
+}
+
 // What a map is of, in words and colours.
 struct MapSubject {
     QString title, explanation;
     QString unit;    // under the scale
     QString summary; // under the map
     Scale scale;
-    bool goesOn = false;    // there are values past the scale's upper end
-    std::uint8_t marks = 0; // solver::PointMark bits that are hatched somewhere
+    LengthUnit length = LengthUnit::Millimetre; // of the rules along the film
+    bool goesOn = false;                        // there are values past the scale's upper end
+    std::uint8_t marks = 0;                     // solver::PointMark bits that are hatched somewhere
 };
 
 // The picture's parts, all measured in hundredths of its height.
@@ -249,13 +254,14 @@ private:
         drawRule(painter, grid_.depth, false);
     }
 
-    // Millimetres along the film's lower or left edge, from its upper left corner.
-    void drawRule(QPainter& painter, double length, bool across) const {
+    // Lengths along the film's lower or left edge, from its upper left corner.
+    void drawRule(QPainter& painter, double millimetres, bool across) const {
+        const double length = millimetres / millimetresIn(subject_.length);
         const double step = niceStep(length);
         const int ticks = int(std::floor(length * 1.0001 / step));
         for (int number = 0; number <= ticks; ++number) {
-            const double mm = number * step;
-            const double share = mm / length;
+            const double value = number * step;
+            const double share = value / length;
             const QPointF end = across
                                     ? QPointF(plot_.left() + share * plot_.width(), plot_.bottom())
                                     : QPointF(plot_.left(), plot_.top() + share * plot_.height());
@@ -266,11 +272,11 @@ private:
                                       : QRectF(end.x() - 11.2, end.y() - 1, 10, 2);
             const int flags =
                 across ? Qt::AlignHCenter | Qt::AlignTop : Qt::AlignRight | Qt::AlignVCenter;
-            letter(painter, box, flags, QLocale().toString(mm), 1.5, paleInk);
+            letter(painter, box, flags, QLocale().toString(value), 1.5, paleInk);
         }
         if (across) {
             letter(painter, QRectF(plot_.right() + 1, plot_.bottom() + 1.1, 6, 2),
-                   Qt::AlignLeft | Qt::AlignTop, Text::tr("mm"), 1.5, paleInk);
+                   Qt::AlignLeft | Qt::AlignTop, unitSign(subject_.length), 1.5, paleInk);
         }
     }
 
@@ -363,6 +369,7 @@ MapSubject stretchSubject(const FilmValues& values) {
                 .arg(rounded(stretch.minimum), rounded(stretch.mean), rounded(stretch.percentile95),
                      rounded(stretch.maximum)),
             scale,
+            LengthUnit::Millimetre,
             stretch.maximum > scale.high};
 }
 
@@ -373,14 +380,13 @@ MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling
         Text::tr("stretch\nmm per mm"),
         Text::tr("On the body: compressed by over 1 % on %1 % of the film · smallest stretch %2")
             .arg(QLocale().toString(100 * wrinkling.share, 'f', 1), rounded(wrinkling.least)),
-        compressionScale(distribution(values.paintedValues()).minimum),
-        false};
+        compressionScale(distribution(values.paintedValues()).minimum)};
 }
 
 // From 0 up to what all but a few points keep below, but to a few times `limit` at most: a few
-// places that are far off do not take the colours from the others.
-Scale changeScale(std::vector<float> values, double limit) {
-    constexpr double least = 0.02; // mm; noise is not blown up to a picture
+// places that are far off do not take the colours from the others. `least`: noise is not blown up
+// to a picture.
+Scale changeScale(std::vector<float> values, double limit, double least) {
     constexpr double outliers = 0.01;
     constexpr double mostLimits = 4;
     std::sort(values.begin(), values.end());
@@ -396,30 +402,67 @@ Scale changeScale(std::vector<float> values, double limit) {
     return scale;
 }
 
-MapSubject certaintySubject(const FilmValues& values, double limit, std::uint8_t marks) {
-    const std::vector<float> painted = values.paintedValues();
-    const Scale scale = changeScale(painted, limit);
-    return {Text::tr("Certainty of the sheet"),
-            Text::tr("How far the ink may be off for numerical reasons; ink side up"),
-            Text::tr("change\nmm"),
-            Text::tr(
-                "A certain place is off by %1 mm at most · magenta: paints in one of the dips only")
-                .arg(QLocale().toString(limit)),
-            scale,
-            false,
-            marks};
+// Distances over the film, as they are told.
+struct ToldDistances {
+    ToldDistances(const LaidFilm& laid, std::vector<float> millimetres, double limitMillimetres,
+                  LengthUnit wanted)
+        : unit(wanted),
+          limit(wanted == LengthUnit::Inch ? twoDigits(limitMillimetres / millimetresPerInch)
+                                           : limitMillimetres),
+          values(laid, told(std::move(millimetres), wanted)), marks(values.showMarks(laid)),
+          painted(values.paintedValues()),
+          scale(changeScale(painted, limit, 0.02 / millimetresIn(wanted))) {}
+
+    QString text(double value, int decimals) const {
+        const int more = unit == LengthUnit::Inch ? 1 : 0; // about as fine as in millimetres
+        return Text::tr("%1 %2", "a number and its unit")
+            .arg(QLocale().toString(value, 'f', decimals + more), unitSign(unit));
+    }
+
+    LengthUnit unit;
+    double limit;
+    FilmValues values;
+    std::uint8_t marks;
+    std::vector<float> painted;
+    Scale scale;
+
+private:
+    // The scale's steps are as large, which are to be read.
+    static double twoDigits(double value) {
+        const double decade = std::pow(10, std::floor(std::log10(value)) - 1);
+        return std::round(value / decade) * decade;
+    }
+    static std::vector<float> told(std::vector<float> millimetres, LengthUnit wanted) {
+        for (float& distance : millimetres) {
+            distance = float(distance / millimetresIn(wanted));
+        }
+        return millimetres;
+    }
+};
+
+MapSubject certaintySubject(const ToldDistances& told) {
+    return {
+        Text::tr("Certainty of the sheet"),
+        Text::tr("How far the ink may be off for numerical reasons; ink side up"),
+        Text::tr("change\n%1").arg(unitSign(told.unit)),
+        Text::tr("A certain place is off by %1 at most · magenta: paints in one of the dips only")
+            .arg(told.text(told.limit, 2)),
+        told.scale,
+        told.unit,
+        false,
+        told.marks};
 }
 
-MapSubject toleranceSubject(const FilmValues& values, double limit, std::uint8_t marks) {
-    const std::vector<float> painted = values.paintedValues();
+MapSubject toleranceSubject(const ToldDistances& told) {
     return {Text::tr("Tolerance of the sheet"),
             Text::tr("How far the ink may land off its place on the body; ink side up"),
-            Text::tr("off by\n± mm"),
-            Text::tr("On the body: 95 % within ±%1 mm")
-                .arg(QLocale().toString(distribution(painted).percentile95, 'f', 2)),
-            changeScale(painted, limit),
+            Text::tr("off by\n± %1").arg(unitSign(told.unit)),
+            Text::tr("On the body: 95 % within ±%1")
+                .arg(told.text(distribution(told.painted).percentile95, 2)),
+            told.scale,
+            told.unit,
             false,
-            marks};
+            told.marks};
 }
 
 } // namespace
@@ -436,19 +479,15 @@ QImage wrinklingMap(const LaidFilm& laid, int longEdge) {
 }
 
 QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, double limit,
-                    int longEdge) {
-    FilmValues values(laid, changes);
-    const std::uint8_t marks = values.showMarks(laid);
-    const MapSubject subject = certaintySubject(values, limit, marks);
-    return FilmMap(laid.film().grid, values, subject, longEdge).draw();
+                    int longEdge, LengthUnit unit) {
+    const ToldDistances told(laid, changes, limit, unit);
+    return FilmMap(laid.film().grid, told.values, certaintySubject(told), longEdge).draw();
 }
 
 QImage toleranceMap(const LaidFilm& laid, const std::vector<float>& spread, double limit,
-                    int longEdge) {
-    FilmValues values(laid, spread);
-    const std::uint8_t marks = values.showMarks(laid);
-    const MapSubject subject = toleranceSubject(values, limit, marks);
-    return FilmMap(laid.film().grid, values, subject, longEdge).draw();
+                    int longEdge, LengthUnit unit) {
+    const ToldDistances told(laid, spread, limit, unit);
+    return FilmMap(laid.film().grid, told.values, toleranceSubject(told), longEdge).draw();
 }
 
 } // namespace dipwright

@@ -27,17 +27,17 @@ QImage stretchMap(const LaidFilm& laid, int longEdge);
 // film, drawn like stretchMap(); white where nothing is compressed.
 QImage wrinklingMap(const LaidFilm& laid, int longEdge);
 
-// How far the sheet moves when it is computed more finely: `changes` in mm, one of each film point,
-// NaN where it paints in one of the dips only; over the flat film, drawn like stretchMap(). Marked
-// film on the body is hatched. The colours go up to a few times `limit`, mm, what a place of a
-// certain sheet changes by at most; what is past them has a colour of its own.
+// How far the sheet moves when it is computed more finely: `changes` in mm, told in `unit`, one of
+// each film point, NaN where it paints in one of the dips only; over the flat film, drawn like
+// stretchMap(). Marked film on the body is hatched. The colours go up to a few times `limit`, mm,
+// what a place of a certain sheet changes by at most; what is past them has a colour of its own.
 QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, double limit,
-                    int longEdge);
+                    int longEdge, LengthUnit unit = LengthUnit::Millimetre);
 
-// How far colours may land off their places: `spread` in mm, one of each film point; over the flat
-// film, drawn like certaintyMap(), the colours up to a few times `limit`.
+// How far colours may land off their places: `spread` in mm, told in `unit`, one of each film
+// point; over the flat film, drawn like certaintyMap(), the colours up to a few times `limit`, mm.
 QImage toleranceMap(const LaidFilm& laid, const std::vector<float>& spread, double limit,
-                    int longEdge);
+                    int longEdge, LengthUnit unit = LengthUnit::Millimetre);
 
 // Colour maps of even lightness steps, made in OKLab: "lagoon" (dark blue over green to yellow),
 // "dusk" (blue over grey to yellow, the same to readers with any colour vision), both light at 1;

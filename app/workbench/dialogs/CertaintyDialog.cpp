@@ -77,7 +77,8 @@ QWidget* page(const ImmersionCertainty& certainty, LengthUnit unit) {
     QLabel* verdict = sentence(certaintyVerdict(certainty, unit));
     verdict->setObjectName(QStringLiteral("verdict"));
     auto* picture = new PicturePanel(CertaintyDialog::tr("Certainty of the sheet"), {});
-    picture->setPicture(certainty.map, QSizeF(certainty.map.size()) / mapPixelsPerMillimetre);
+    const QImage map = mapOf(certainty, unit);
+    picture->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->addWidget(verdict);

@@ -118,7 +118,7 @@ QWidget* page(const ImmersionResult& immersion, const DipTolerances& tolerances,
     column->addWidget(table(tolerances, unit), 1);
     column->addWidget(sentences(dipSentences(tolerances, unit)));
     auto* picture = new PicturePanel(ToleranceDialog::tr("Tolerance of the sheet"), {});
-    const QImage map = toleranceMap(*immersion.laid, tolerances.filmPoints, limit, mapEdge);
+    const QImage map = toleranceMap(*immersion.laid, tolerances.filmPoints, limit, mapEdge, unit);
     picture->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
     auto* views = new QTabWidget;
     views->setDocumentMode(true);

@@ -1,6 +1,5 @@
 #include "jobs/DipJob.h"
 
-#include "results/Results.h"
 #include "sheet/SheetLayout.h"
 
 #include <QCoreApplication>
@@ -15,14 +14,6 @@ constexpr std::size_t mostFrames = 240;
 constexpr double previewResolution = 150; // dpi
 constexpr double longestPreview = 2800;   // pixels
 constexpr double dipDone = 0.95;
-constexpr int mapEdge = 1600; // pixels
-
-QImage certaintyMapOf(const ImmersionResult& result) {
-    const CertaintyEstimate* estimate = result.certainty.get();
-    return estimate && estimate->failure.isEmpty()
-               ? certaintyMap(*result.laid, estimate->pointsOffBy, certainOffBy, mapEdge)
-               : QImage();
-}
 
 } // namespace
 
@@ -71,7 +62,6 @@ void DipJob::process(const Progress& progress) {
         progress(dipDone, QCoreApplication::translate("DipJob", "Preparing the views"));
         outcome_.readings.push_back(std::make_shared<FilmReading>(immersion.laid));
         outcome_.sheets.push_back(sheetPreview(immersion.sheet));
-        outcome_.certaintyMaps.push_back(certaintyMapOf(immersion));
     }
 }
 

@@ -25,7 +25,6 @@ struct DipOutcome {
     std::shared_ptr<const JobResult> result;
     std::vector<std::shared_ptr<const FilmReading>> readings; // an immersion each
     std::vector<SheetPreview> sheets;
-    std::vector<QImage> certaintyMaps; // null where nothing was compared
 };
 
 class DipJob : public Job {

@@ -1,6 +1,7 @@
 #include "panels/CertaintyPanel.h"
 
 #include "panels/PicturePanel.h"
+#include "results/Results.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -21,6 +22,7 @@ struct Text {
 };
 
 constexpr double mapPixelsPerMillimetre = 5; // the map has no size of its own
+constexpr int mapEdge = 1600;                // pixels
 constexpr int shownPlaces = 5;
 constexpr double mostText = 0.5; // of the height; longer ones are scrolled
 
@@ -94,7 +96,7 @@ CertaintyPanel::CertaintyPanel(QWidget* parent)
 }
 
 void CertaintyPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, LengthUnit unit) {
-    const bool isThere = outcome.result && immersion < outcome.certaintyMaps.size();
+    const bool isThere = outcome.result && immersion < outcome.result->immersions.size();
     text_->setVisible(isThere);
     map_->clear();
     if (!isThere) {
@@ -104,8 +106,10 @@ void CertaintyPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion
     places_ = result.verdict.places;
     text_->setHtml(html(result, unit));
     fitText();
-    const QImage& map = outcome.certaintyMaps[immersion];
-    if (!map.isNull()) {
+    const CertaintyEstimate* estimate = result.certainty.get();
+    if (estimate && estimate->failure.isEmpty()) {
+        const QImage map =
+            certaintyMap(*result.laid, estimate->pointsOffBy, certainOffBy, mapEdge, unit);
         map_->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
     }
 }

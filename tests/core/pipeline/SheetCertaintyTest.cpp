@@ -68,7 +68,7 @@ private slots:
     }
 
     void theMapIsPaleWhereThereIsNoBody() {
-        const QImage& map = coarse_[0].map;
+        const QImage map = mapOf(coarse_[0]);
         QVERIFY(map.height() >= 1000);
         // In the film's corner, and in its middle, which is not pale.
         const QColor corner = map.pixelColor(map.width() / 6, map.height() / 6);

@@ -155,6 +155,7 @@ private slots:
     void stretchMapShowsWhereFilmStretched();
     void stretchMapFitsWideFilm();
     void wordsOfOtherLanguagesStayOnTheMap();
+    void aMapIsToldInInchesToo();
     void wrinklingIsToldFromThinning();
     void farPlacesDoNotTakeTheColoursFromTheOthers();
     void markedFilmIsHatchedOnTheMap();
@@ -319,6 +320,18 @@ void ResultsTest::wordsOfOtherLanguagesStayOnTheMap() {
     for (int y = 0; y < map.height(); ++y) {
         QCOMPARE(map.pixel(map.width() - 1, y), map.pixel(0, 0));
     }
+}
+
+void ResultsTest::aMapIsToldInInchesToo() {
+    std::vector<float> changes(dip_.film.positions.size());
+    for (std::size_t point = 0; point < changes.size(); ++point) {
+        changes[point] = 0.5f * float(point) / float(changes.size());
+    }
+    const QImage millimetres = certaintyMap(*dip_.laid, changes, 0.3, 1000);
+    const QImage inches = certaintyMap(*dip_.laid, changes, 0.3, 1000, LengthUnit::Inch);
+    keep(inches, "certainty-inches.png");
+    QCOMPARE(inches.size(), millimetres.size());
+    QVERIFY(inches != millimetres);
 }
 
 void ResultsTest::stretchMapFitsWideFilm() {
