@@ -27,6 +27,22 @@ Eigen::AlignedBox2d footprint(const TexturedMesh& model, const Immersion& immers
     return box;
 }
 
+Eigen::AlignedBox2d centred(double width, double depth) {
+    const Eigen::Vector2d half(width / 2, depth / 2);
+    return {-half, half};
+}
+
+// Of the floating film.
+Eigen::AlignedBox2d filmOutline(const FilmSettings& settings) {
+    const solver::FilmGrid film = filmGrid(settings);
+    return centred(film.width, film.depth);
+}
+
+QString beside() {
+    return Text::tr("The body does not meet the film; move it over the film or choose a larger "
+                    "film");
+}
+
 // `query`: of the project's mesh.
 void checkImmersion(const Project& project, const Immersion& immersion, const SurfaceQuery& query,
                     QStringList& warnings) {
@@ -34,16 +50,12 @@ void checkImmersion(const Project& project, const Immersion& immersion, const Su
     const solver::FilmGrid grid = filmUnderBody(
         project.film, undersideOf(mesh, query, poseTransform(mesh, immersion), project.process),
         immersion.offset);
-    const Eigen::Vector2d half(grid.width / 2, grid.depth / 2);
-    const Eigen::AlignedBox2d film(-half, half);
     const Eigen::AlignedBox2d body = footprint(*project.model, immersion);
-    if (!film.intersects(body)) {
-        throw Error(Text::tr("The body does not meet the film; move it over the film or choose a "
-                             "larger film"),
-                    immersion.name);
+    if (!filmOutline(project.film).intersects(body)) {
+        throw Error(beside(), immersion.name);
     }
-    if (!film.contains(body)) {
-        warnings.append(Text::tr("%1: the body reaches past the film's edge").arg(immersion.name));
+    if (const QString wrong = misplacement(project, immersion); !wrong.isEmpty()) {
+        warnings.append(Text::tr("%1: %2").arg(immersion.name, wrong));
     }
     if (body.sizes().maxCoeff() < grid.leastSpacingX()) {
         throw Error(
@@ -82,6 +94,24 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
         warnings.append(expiry);
     }
     return warnings;
+}
+
+QString misplacement(const Project& project, const Immersion& immersion) {
+    const Eigen::AlignedBox2d body = footprint(*project.model, immersion);
+    const std::optional<TankProfile>& tank = project.profiles.tank;
+    if (tank && !centred(tank->width.value(), tank->length.value()).contains(body)) {
+        return Text::tr("The body reaches past the edge of the tank “%1”; move or turn it")
+            .arg(tank->name);
+    }
+    const Eigen::AlignedBox2d film = filmOutline(project.film);
+    if (!film.intersects(body)) {
+        return beside();
+    }
+    if (!film.contains(body)) {
+        return Text::tr("The body reaches past the film's edge; move or turn it, or choose a "
+                        "larger film");
+    }
+    return {};
 }
 
 } // namespace dipwright

@@ -15,6 +15,7 @@
 #include "panels/StartPage.h"
 #include "panels/StretchPanel.h"
 #include "panels/Timeline.h"
+#include "pipeline/ValidateJob.h"
 #include "view/ViewTheme.h"
 
 #include <QAction>
@@ -165,6 +166,10 @@ void MainWindow::connectSession() {
     connect(&session_, &DipSession::immersionChanged, this, [this](std::size_t immersion) {
         parts_.tree->select({ProjectPart::Immersion, immersion});
         updateActions();
+        warnOfPlace();
+    });
+    connect(status_, &StatusLine::warningClicked, this, [this] {
+        parts_.tree->select({ProjectPart::Immersion, session_.immersion()});
     });
     connect(&playback_, &DipPlayback::momentShown, &measure_, &MeasureTool::show);
     connect(parts_.results, &ResultsPanel::placeChosen, this, [this](const Eigen::Vector2f& rest) {
@@ -196,6 +201,7 @@ void MainWindow::showDocument() {
     tolerances_.showDocument();
     if (shown) {
         connect(shown, &Document::projectChanged, this, &MainWindow::updateActions);
+        connect(shown, &Document::projectChanged, this, &MainWindow::warnOfPlace);
         connect(shown, &Document::fileChanged, this, &MainWindow::updateTitle);
         connect(&shown->undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateActions);
         parts_.tree->select({ProjectPart::Immersion, 0});
@@ -203,6 +209,15 @@ void MainWindow::showDocument() {
         parts_.startPage->refresh();
     }
     updateTitle();
+    warnOfPlace();
+}
+
+void MainWindow::warnOfPlace() {
+    const Document* shown = document();
+    status_->setWarning(
+        shown && shown->project().model
+            ? misplacement(shown->project(), shown->project().immersions[session_.immersion()])
+            : QString());
 }
 
 void MainWindow::applyPreferences() {

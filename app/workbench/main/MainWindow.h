@@ -54,6 +54,7 @@ private:
     void connectSession();
 
     void showDocument();
+    void warnOfPlace();
     void applyPreferences();
     void askPreferences();
     void updateTitle();

@@ -1,6 +1,7 @@
 #include "main/StatusLine.h"
 
 #include "jobs/JobRunner.h"
+#include "look/Icons.h"
 
 #include <QAction>
 #include <QLabel>
@@ -18,11 +19,18 @@ constexpr std::chrono::seconds answerTime{15}; // from Cancel until its end
 } // namespace
 
 StatusLine::StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel)
-    : QObject(&bar), reading_(new QLabel), job_(new QLabel), progress_(new QProgressBar),
-      cancel_(new QToolButton) {
+    : QObject(&bar), reading_(new QLabel), warning_(new QToolButton), job_(new QLabel),
+      progress_(new QProgressBar), cancel_(new QToolButton) {
     reading_->setObjectName(QStringLiteral("reading"));
     reading_->setAccessibleName(tr("Value under the cursor"));
     reading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    warning_->setObjectName(QStringLiteral("placeWarning"));
+    warning_->setAccessibleName(tr("Warning"));
+    warning_->setIcon(icon(QStringLiteral("warning")));
+    warning_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    warning_->setAutoRaise(true);
+    connect(warning_, &QToolButton::clicked, this, &StatusLine::warningClicked);
+    warning_->hide();
     progress_->setObjectName(QStringLiteral("progress"));
     progress_->setAccessibleName(tr("Progress"));
     progress_->setRange(0, progressSteps);
@@ -31,6 +39,7 @@ StatusLine::StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel)
     cancel_->setDefaultAction(&cancel);
     cancel_->setAutoRaise(true);
     bar.addWidget(reading_, 1);
+    bar.addPermanentWidget(warning_);
     bar.addPermanentWidget(job_);
     bar.addPermanentWidget(progress_);
     bar.addPermanentWidget(cancel_);
@@ -57,6 +66,13 @@ StatusLine::StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel)
 
 void StatusLine::setReading(const QString& text) {
     reading_->setText(text);
+}
+
+void StatusLine::setWarning(const QString& text) {
+    // The whole of it where the bar is too narrow.
+    warning_->setText(text.section(QLatin1Char(';'), 0, 0));
+    warning_->setToolTip(text);
+    warning_->setVisible(!text.isEmpty());
 }
 
 void StatusLine::setJob(const QString& text) {

@@ -21,12 +21,18 @@ public:
     StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel); // the bar's child
 
     void setReading(const QString& text);
+    // What is wrong with the body's place; stays until it is set anew; empty: nothing.
+    void setWarning(const QString& text);
     void setJob(const QString& text);
+
+signals:
+    void warningClicked();
 
 private:
     void showJob(bool shown);
 
     QLabel* reading_;
+    QToolButton* warning_;
     QLabel* job_;
     QProgressBar* progress_;
     QToolButton* cancel_;

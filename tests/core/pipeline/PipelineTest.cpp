@@ -306,6 +306,25 @@ private slots:
                  qPrintable(notes.back()));
     }
 
+    void aBodyThatLiesAmissIsToldOf() {
+        Project job = job_; // a ball of 30 on a film of 90
+        const auto said = [&job](double x, double z) {
+            job.immersions[0].offset = {Millimetres(x), Millimetres(z)};
+            return misplacement(job, job.immersions[0]);
+        };
+        QCOMPARE(said(0, 0), QString());
+        QCOMPARE(said(29, -29), QString());
+        QVERIFY(said(31, 0).contains("past the film's edge"));
+        QVERIFY(validateJob(job, *registry_).join('\n').contains("past the film's edge"));
+        QVERIFY(said(0, 61).contains("does not meet the film"));
+        TankProfile bath;
+        bath.name = QStringLiteral("Bath");
+        bath.width = Millimetres(80);
+        job.profiles.tank = bath;
+        QVERIFY(said(26, 0).contains("past the edge of the tank “Bath”"));
+        QCOMPARE(said(0, 26), QString());
+    }
+
     void withoutAModelThereIsNoJob() {
         Project job = job_;
         job.model = nullptr;
