@@ -184,7 +184,8 @@ std::vector<PropertySection> filmSections() {
          .help = Text::tr("How much the wetted film has grown over the printed one, across and "
                           "down."),
          .unit = Unit::Ratio,
-         .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
+         .parts = {Text::tr("W", "width"), Text::tr("H", "height")},
+         .linked = true},
         {.path = QStringLiteral("relaxation_time_s"),
          .label = Text::tr("Relaxation"),
          .help = Text::tr("How fast the film forgets its stretch while it floats."),

@@ -1,5 +1,6 @@
 #include "panels/PropertyField.h"
 
+#include "look/Icons.h"
 #include "panels/NumberBox.h"
 
 #include <QCheckBox>
@@ -10,6 +11,8 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 namespace dipwright {
@@ -70,6 +73,9 @@ public:
             boxes_.push_back(box);
         }
         stored_.resize(boxes_.size());
+        if (spec.linked) {
+            addLink(*row);
+        }
     }
 
     void show(const QJsonValue& value) override {
@@ -85,9 +91,32 @@ public:
             stored_[part] = own.toDouble(spec().whenPresent);
             boxes_[part]->setValue(stored_[part] * factor_);
         }
+        if (link_ && !isOneNumber()) {
+            link_->setChecked(false);
+        }
     }
 
 private:
+    bool isOneNumber() const {
+        return std::all_of(stored_.begin(), stored_.end(),
+                           [this](double value) { return value == stored_.front(); });
+    }
+    void addLink(QHBoxLayout& row) {
+        link_ = new QToolButton(this);
+        link_->setIcon(icon(QStringLiteral("link")));
+        link_->setCheckable(true);
+        link_->setChecked(true);
+        link_->setAutoRaise(true);
+        link_->setAccessibleName(spec().label + QLatin1Char(' ') + PropertyField::tr("linked"));
+        link_->setToolTip(PropertyField::tr("Linked: typing one number sets the others as well"));
+        connect(link_, &QToolButton::clicked, this, [this](bool linked) {
+            if (linked && !isOneNumber()) {
+                changed(0);
+                emit left();
+            }
+        });
+        row.addWidget(link_);
+    }
     void addAbsentTick(QHBoxLayout& row) {
         absent_ = new QCheckBox(spec().absent, this);
         adopt(absent_, spec().label + QLatin1Char(' ') + spec().absent, {});
@@ -103,6 +132,9 @@ private:
             emit edited(asJson(stored_[0]));
             return;
         }
+        if (link_ && link_->isChecked()) {
+            std::fill(stored_.begin(), stored_.end(), stored_[std::size_t(part)]);
+        }
         QJsonArray parts;
         for (const double value : stored_) {
             parts.append(asJson(value));
@@ -114,6 +146,7 @@ private:
     double factor_;
     bool whole_, nullable_;
     QCheckBox* absent_ = nullptr;
+    QToolButton* link_ = nullptr; // null: the parts have nothing to do with each other
     std::vector<QDoubleSpinBox*> boxes_;
     std::vector<double> stored_; // what is shown may have fewer digits
     QJsonValue shown_;

@@ -23,6 +23,9 @@ struct PropertySpec {
     QString absent = {};               // what no value means, where there may be none: "Elastic"
     double whenPresent = 1;            // the value when the user asks for one
     std::function<bool(const Project&)> relevant = {}; // empty: always shown
+    // Of several parts that usually are one number: typing one of them sets all, as long as the
+    // user does not unlink them.
+    bool linked = false;
 };
 
 class PropertyField : public QWidget {

@@ -99,7 +99,8 @@ std::vector<PropertySection> filmProperties() {
                           "down. Measure it: it is the first number to calibrate, and the sheet is "
                           "printed smaller by it."),
          .unit = Unit::Ratio,
-         .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
+         .parts = {Text::tr("W", "width"), Text::tr("H", "height")},
+         .linked = true},
         {.path = QStringLiteral("film.relaxation_time_s"),
          .label = Text::tr("Relaxation"),
          .help = Text::tr("How fast stress in the floating film decays. An elastic film remembers "
