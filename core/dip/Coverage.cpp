@@ -1,6 +1,5 @@
 #include "dip/Coverage.h"
 
-#include "dip/TrappedAir.h"
 #include "dip/TrianglePieces.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
@@ -65,7 +64,7 @@ Coverage coverage(const LaidFilm& laid) {
         result.marked.add(cover.marked);
     }
     result.share = result.paintedArea / surfaceArea(mesh);
-    result.trappedAirArea = trappedAirArea(laid.body());
+    result.trappedAir = trappedAir(laid.body());
     return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/Progress.h"
 #include "dip/FilmMarks.h"
+#include "dip/TrappedAir.h"
 
 namespace dipwright {
 
@@ -10,10 +11,10 @@ struct Coverage {
     std::vector<std::uint8_t> covered; // a body triangle each: 1 where at least half is painted
     // A body triangle each: the solver::PointMark bits of at least half of what is painted of it.
     std::vector<std::uint8_t> marks;
-    double paintedArea = 0;    // mm²
-    MarkedArea marked;         // of that
-    double share = 0;          // of the body's surface, 0 … 1
-    double trappedAirArea = 0; // mm² that film cannot reach because air is caught there
+    double paintedArea = 0; // mm²
+    MarkedArea marked;      // of that
+    double share = 0;       // of the body's surface, 0 … 1
+    TrappedAir trappedAir;  // film cannot reach where it is
 };
 
 // Of one dip. By samples of every body triangle, a few for each film cell's area. All cores,

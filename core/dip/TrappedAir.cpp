@@ -143,20 +143,26 @@ std::vector<std::uint8_t> openAir(const SpaceGrid& grid) {
 
 } // namespace
 
-double trappedAirArea(const PosedBody& body, int resolution) {
+TrappedAir trappedAir(const PosedBody& body, int resolution) {
     const TriangleMesh& mesh = body.model.mesh;
     const SpaceGrid grid(mesh, body.query, resolution);
     const std::vector<std::uint8_t> open = openAir(grid);
-    double trapped = 0;
+    const double bottom = boundingBox(mesh).min().y();
+    TrappedAir trapped;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         const double area = triangleArea(mesh, triangle);
         const int pieces = 1 + int(std::sqrt(area) / grid.spacing());
         const Eigen::Vector3f offset = grid.spacing() * triangleNormal(mesh, triangle);
         int caught = 0;
         forEachPiece(std::uint32_t(triangle), pieces, [&](const SurfacePoint& middle) {
-            caught += !open[grid.index(grid.nearestCell(position(mesh, middle) + offset))];
+            const Eigen::Vector3f place = position(mesh, middle);
+            if (!open[grid.index(grid.nearestCell(place + offset))]) {
+                const double height = double(place.y()) - bottom;
+                trapped.height = std::min(trapped.height.value_or(height), height);
+                ++caught;
+            }
         });
-        trapped += area * caught / (pieces * pieces);
+        trapped.area += area * caught / (pieces * pieces);
     }
     return trapped;
 }

@@ -146,7 +146,7 @@ QJsonObject immersionJson(const ImmersionResult& result) {
         {"adhered", adhered},
         {"coverage", result.coverage->share},
         {"painted_area_mm2", result.coverage->paintedArea},
-        {"trapped_air_area_mm2", result.coverage->trappedAirArea},
+        {"trapped_air_area_mm2", result.coverage->trappedAir.area},
         {"stretch", toJson(distribution(painted.constraints))},
         {"area_stretch", toJson(distribution(painted.areas))},
         {"wrinkling", QJsonObject{{"film_area_mm2", wrinkling.area},

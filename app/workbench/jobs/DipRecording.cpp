@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dipwright {
 
@@ -41,6 +42,12 @@ void DipRecording::add(const FilmFrame& frame) {
     if (added_ == 0) { // nobody reads the film yet
         grid_ = frame.grid;
         film_ = thinFilm(grid_, mostPoints_);
+        heldAt_.assign(grid_.pointCount(), std::numeric_limits<float>::quiet_NaN());
+    }
+    for (std::size_t point = 0; point < heldAt_.size(); ++point) {
+        if (std::isnan(heldAt_[point]) && frame.states[point] != solver::PointState::Free) {
+            heldAt_[point] = float(frame.descent);
+        }
     }
     auto recorded = std::make_shared<RecordedFrame>();
     recorded->descent = frame.descent;
@@ -83,6 +90,18 @@ std::size_t DipRecording::size() const {
 std::shared_ptr<const RecordedFrame> DipRecording::frame(std::size_t number) const {
     const std::lock_guard lock(mutex_);
     return number < frames_.size() ? frames_[number] : nullptr;
+}
+
+float DipRecording::heldAt(std::size_t point) const {
+    return point < heldAt_.size() ? heldAt_[point] : std::numeric_limits<float>::quiet_NaN();
+}
+
+std::size_t DipRecording::frameAt(double descent) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(frames_.begin(), frames_.end(), [descent](const auto& frame) {
+        return frame->descent >= descent;
+    });
+    return std::size_t(found - frames_.begin()) - (found == frames_.end() && !frames_.empty());
 }
 
 std::shared_ptr<const RecordedFrame> DipRecording::latest() const {

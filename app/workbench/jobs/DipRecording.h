@@ -36,6 +36,10 @@ public:
     std::size_t size() const;
     std::shared_ptr<const RecordedFrame> frame(std::size_t number) const;
     std::shared_ptr<const RecordedFrame> latest() const; // null: none yet
+    // Of the first frame that showed the film's point held, mm; NaN: none did. Not while it is
+    // written.
+    float heldAt(std::size_t point) const;
+    std::size_t frameAt(double descent) const; // the first one that far down, or the last
 
 private:
     void thinOut();
@@ -46,6 +50,7 @@ private:
     ThinnedFilm film_;
     mutable std::mutex mutex_;
     std::vector<std::shared_ptr<const RecordedFrame>> frames_;
+    std::vector<float> heldAt_; // a point of the film each
     std::size_t added_ = 0;
     std::size_t keepEvery_ = 1;
 };

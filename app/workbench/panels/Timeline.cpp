@@ -3,10 +3,15 @@
 #include "look/Icons.h"
 
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QLabel>
+#include <QPainter>
 #include <QProxyStyle>
 #include <QSlider>
+#include <QStyleOptionSlider>
 #include <QToolButton>
+#include <QToolTip>
+#include <cstdlib>
 
 namespace dipwright {
 
@@ -26,11 +31,68 @@ public:
     }
 };
 
+constexpr int markHeight = 5; // pixels, at the slider's lower edge
+constexpr int markReach = 4;  // pixels to each side of a mark that belong to it
+
 } // namespace
+
+// A slider with ticks at the moments that are worth a look, each told of under the cursor.
+class MarkedSlider : public QSlider {
+public:
+    MarkedSlider() : QSlider(Qt::Horizontal) {}
+
+    void setMarks(const std::vector<TimelineMark>& marks) {
+        marks_ = marks;
+        QStringList texts;
+        for (const TimelineMark& mark : marks) {
+            texts.append(mark.text);
+        }
+        setAccessibleDescription(texts.join(QStringLiteral("; ")));
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent* event) override {
+        QSlider::paintEvent(event);
+        QPainter painter(this);
+        for (const TimelineMark& mark : marks_) {
+            painter.fillRect(QRect(placeOf(mark) - 1, height() - markHeight, 3, markHeight),
+                             mark.colour);
+        }
+    }
+    bool event(QEvent* event) override {
+        if (event->type() == QEvent::ToolTip) {
+            auto& help = static_cast<QHelpEvent&>(*event);
+            QStringList texts;
+            for (const TimelineMark& mark : marks_) {
+                if (std::abs(placeOf(mark) - help.pos().x()) <= markReach) {
+                    texts.append(mark.text);
+                }
+            }
+            if (!texts.isEmpty()) {
+                QToolTip::showText(help.globalPos(), texts.join(QLatin1Char('\n')), this);
+                return true;
+            }
+        }
+        return QSlider::event(event);
+    }
+
+private:
+    // Where the handle's middle is at the mark's position.
+    int placeOf(const TimelineMark& mark) const {
+        QStyleOptionSlider option;
+        initStyleOption(&option);
+        const int handle = style()->pixelMetric(QStyle::PM_SliderLength, &option, this);
+        return handle / 2 + QStyle::sliderPositionFromValue(minimum(), maximum(), mark.position,
+                                                            width() - handle);
+    }
+
+    std::vector<TimelineMark> marks_;
+};
 
 Timeline::Timeline(QWidget* parent)
     : QWidget(parent), playButton_(new QToolButton), startButton_(new QToolButton),
-      endButton_(new QToolButton), slider_(new QSlider(Qt::Horizontal)), depth_(new QLabel) {
+      endButton_(new QToolButton), slider_(new MarkedSlider), depth_(new QLabel) {
     const auto makeButton = [](QToolButton* button, const QString& iconName, const QString& text) {
         button->setIcon(icon(iconName));
         button->setToolTip(text);
@@ -73,8 +135,13 @@ void Timeline::setFrames(int frames) {
     const QSignalBlocker quiet(slider_);
     slider_->setRange(0, frames);
     slider_->setValue(frames);
+    slider_->setMarks({});
     slider_->setPageStep(std::max(1, frames / 10));
     setEnabled(frames > 0);
+}
+
+void Timeline::setMarks(const std::vector<TimelineMark>& marks) {
+    slider_->setMarks(marks);
 }
 
 int Timeline::frames() const {

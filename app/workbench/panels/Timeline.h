@@ -3,15 +3,24 @@
 
 #include "panels/Units.h"
 
+#include <QColor>
 #include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
 class QLabel;
-class QSlider;
 class QToolButton;
 
 namespace dipwright {
+
+// A moment that is worth a look, at a position of the timeline.
+struct TimelineMark {
+    int position = 0;
+    QColor colour;
+    QString text;
+};
+
+class MarkedSlider;
 
 class Timeline : public QWidget {
     Q_OBJECT
@@ -21,6 +30,7 @@ public:
 
     // Position 0 is before the dip, `frames` is its end; 0 frames: nothing recorded.
     void setFrames(int frames);
+    void setMarks(const std::vector<TimelineMark>& marks); // until the frames are set again
     int frames() const;
     int position() const;
     void setPosition(int position); // emits positionChanged when it differs
@@ -38,7 +48,7 @@ private:
     QToolButton* playButton_;
     QToolButton* startButton_;
     QToolButton* endButton_;
-    QSlider* slider_;
+    MarkedSlider* slider_;
     QLabel* depth_;
     QTimer timer_;
     QElapsedTimer clock_;

@@ -1,13 +1,41 @@
 #include "view/DipPlayback.h"
 
+#include "jobs/DipMoments.h"
 #include "panels/Timeline.h"
+#include "results/Results.h"
 
+#include <QCoreApplication>
 #include <QSignalBlocker>
 #include <algorithm>
 
 namespace dipwright {
 
 namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(DipPlayback)
+};
+
+QString textOf(DipEvent event) {
+    return event == DipEvent::FirstContact ? Text::tr("First contact")
+           : event == DipEvent::AirCaught  ? Text::tr("Air is caught under the body")
+           : event == DipEvent::Torn       ? Text::tr("Film tears")
+                                           : Text::tr("Film is let go of at an overhang");
+}
+
+QColor colourOf(DipEvent event) {
+    switch (event) {
+    case DipEvent::FirstContact:
+        return QColor(0x2e, 0x8b, 0x57);
+    case DipEvent::AirCaught:
+        return QColor(0x3a, 0x8f, 0xd0);
+    case DipEvent::Torn:
+        return markColour(solver::PointMark::Torn);
+    case DipEvent::LetGo:
+        break;
+    }
+    return markColour(solver::PointMark::LetGo);
+}
 
 constexpr int liveInterval = 33;           // ms between pictures of a running dip
 constexpr std::size_t coarsePoints = 6000; // of the moving film, without a GPU
@@ -77,9 +105,22 @@ void DipPlayback::showResults() {
     scene_.setResult(reading ? session_.outcome().result : nullptr, reading);
     const QSignalBlocker quiet(&timeline_);
     timeline_.setFrames(recording ? int(recording->size()) : 0);
+    if (recording && reading) {
+        showMarks(*recording, session_.outcome().result->immersions[session_.immersion()]);
+    }
     const bool fresh = session_.document()->isFresh(JobStep::Dip, session_.immersion());
     timeline_.setPosition(fresh ? timeline_.frames() : 0);
     showMoment(timeline_.position());
+}
+
+void DipPlayback::showMarks(const DipRecording& recording, const ImmersionResult& result) {
+    std::vector<TimelineMark> marks;
+    for (const DipMoment& moment : dipMoments(recording, result)) {
+        const QString depth = shownLength(std::max(0.0, moment.descent - startHeight), unit_);
+        marks.push_back({int(recording.frameAt(moment.descent)) + 1, colourOf(moment.event),
+                         Text::tr("%1 (%2 deep)").arg(textOf(moment.event), depth)});
+    }
+    timeline_.setMarks(marks);
 }
 
 // Position 0 is before the dip, the last one its end with the whole film.

@@ -32,6 +32,7 @@ private:
     void showResults();
     void begin();
     void showLiveFrame();
+    void showMarks(const DipRecording& recording, const ImmersionResult& result);
     void showMoment(int position);
     void showDepth();
 

@@ -9,6 +9,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
+#include <cmath>
 
 using namespace dipwright;
 
@@ -64,8 +65,10 @@ void endWhileHanging() {
 
 const solver::FilmGrid recordedGrid{8, 8, 100, 100};
 
-FilmFrame frameAt(std::vector<float>& positions, double descent) {
-    return {recordedGrid, positions, {}, descent, std::int64_t(descent)};
+const std::vector<solver::PointState> freeFilm(64, solver::PointState::Free);
+FilmFrame frameAt(std::vector<float>& positions, double descent,
+                  std::span<const solver::PointState> states = freeFilm) {
+    return {recordedGrid, positions, states, descent, std::int64_t(descent)};
 }
 
 } // namespace
@@ -206,6 +209,23 @@ private slots:
         for (std::size_t number = 1; number < recording.size(); ++number) {
             QVERIFY(recording.frame(number)->descent > recording.frame(number - 1)->descent);
         }
+    }
+
+    void whenFilmWasHeldIsRemembered() {
+        std::vector<float> positions(8 * 8 * 3, 0);
+        std::vector<solver::PointState> states = freeFilm;
+        DipRecording recording({}, 1000, 50);
+        recording.add(frameAt(positions, 1, states));
+        states[5] = solver::PointState::Adhered;
+        recording.add(frameAt(positions, 2.5, states));
+        states[9] = solver::PointState::Trapped;
+        recording.add(frameAt(positions, 4, states));
+        QVERIFY(std::isnan(recording.heldAt(0)));
+        QCOMPARE(recording.heldAt(5), 2.5f);
+        QCOMPARE(recording.heldAt(9), 4.0f);
+        QCOMPARE(recording.frameAt(2.5), std::size_t(1));
+        QCOMPARE(recording.frameAt(2.6), std::size_t(2));
+        QCOMPARE(recording.frameAt(99), std::size_t(2));
     }
 };
 

@@ -23,6 +23,7 @@
 #include <QSlider>
 #include <QTest>
 #include <QTextBrowser>
+#include <QToolButton>
 
 using namespace dipwright;
 
@@ -38,6 +39,15 @@ std::vector<PropertySpec> allSpecs() {
         }
     }
     return all;
+}
+
+PropertySpec specOf(const QString& path) {
+    for (const PropertySpec& spec : allSpecs()) {
+        if (spec.path == path) {
+            return spec;
+        }
+    }
+    return {};
 }
 
 } // namespace
@@ -67,12 +77,7 @@ private slots:
     }
 
     void aFieldTellsWhatWasTyped() {
-        PropertySpec spec;
-        for (const PropertySpec& candidate : allSpecs()) {
-            if (candidate.path == QLatin1String("film.size_mm")) {
-                spec = candidate;
-            }
-        }
+        const PropertySpec spec = specOf(QStringLiteral("film.size_mm"));
         const std::unique_ptr<PropertyField> field(
             PropertyField::make(spec, valueRule(spec.path), LengthUnit::Inch, nullptr));
         QSignalSpy edited(field.get(), &PropertyField::edited);
@@ -86,6 +91,28 @@ private slots:
         const QJsonArray told = edited[0][0].toJsonValue().toArray();
         QCOMPARE(told.at(0).toDouble(), 279.4);
         QCOMPARE(told.at(1).toDouble(), 297.0); // not rounded by being shown in inches
+    }
+
+    void widthAndHeightAreOneNumberUnlessUnlinked() {
+        const PropertySpec spec = specOf(QStringLiteral("film.swell"));
+        const std::unique_ptr<PropertyField> field(
+            PropertyField::make(spec, valueRule(spec.path), LengthUnit::Millimetre, nullptr));
+        QSignalSpy edited(field.get(), &PropertyField::edited);
+        const auto boxes = field->findChildren<QDoubleSpinBox*>();
+        auto* link = field->findChild<QToolButton*>();
+        QVERIFY(link && link->isChecked());
+        field->show(QJsonArray{1, 1});
+        boxes[1]->setValue(1.06);
+        QCOMPARE(edited.takeFirst()[0].toJsonValue(), QJsonValue(QJsonArray{1.06, 1.06}));
+        field->show(QJsonArray{1.06, 1.06});
+        link->click();
+        boxes[0]->setValue(1.03);
+        QCOMPARE(edited.takeFirst()[0].toJsonValue(), QJsonValue(QJsonArray{1.03, 1.06}));
+        field->show(QJsonArray{1.03, 1.06});
+        link->click(); // the first number holds for both
+        QCOMPARE(edited.takeFirst()[0].toJsonValue(), QJsonValue(QJsonArray{1.03, 1.03}));
+        field->show(QJsonArray{1.1, 1.2}); // measured, say
+        QVERIFY(!link->isChecked());
     }
 
     void aCommaOrAPointIsTheDecimalSign_data() {
@@ -133,6 +160,30 @@ private slots:
         auto* slider = timeline.findChild<QSlider*>();
         QTest::mouseClick(slider, Qt::LeftButton, {}, {slider->width() / 4, slider->height() / 2});
         QVERIFY2(std::abs(timeline.position() - 25) <= 4, QByteArray::number(timeline.position()));
+    }
+
+    void momentsAreMarkedWhereTheHandleWillBe() {
+        Timeline timeline;
+        timeline.resize(600, 40);
+        timeline.show();
+        timeline.setFrames(100);
+        timeline.setPosition(0);
+        auto* slider = timeline.findChild<QSlider*>();
+        const QImage before = slider->grab().toImage();
+        const QColor colour(200, 30, 160);
+        timeline.setMarks({{40, colour, QStringLiteral("Film tears")}});
+        const QImage after = slider->grab().toImage();
+        int found = 0;
+        for (int x = 0; x < after.width(); ++x) {
+            found += after.pixelColor(x, after.height() - 2) == colour ? x : 0;
+        }
+        QVERIFY2(found > 0, "no mark"); // three pixels wide
+        QTest::mouseClick(slider, Qt::LeftButton, {}, {found / 3, slider->height() / 2});
+        QVERIFY2(std::abs(timeline.position() - 40) <= 1, QByteArray::number(timeline.position()));
+        QCOMPARE(slider->accessibleDescription(), QStringLiteral("Film tears"));
+        timeline.setFrames(100);
+        timeline.setPosition(0);
+        QCOMPARE(slider->grab().toImage(), before);
     }
 
     void undoIsTheProjectsWhereNothingIsBeingTyped() {
@@ -280,7 +331,7 @@ private slots:
         const auto text = [&](const MarkedArea& marked) {
             coverage->marked = marked;
             result->immersions[0].coverage = std::make_shared<const Coverage>(*coverage);
-            panel.setOutcome({std::make_shared<const JobResult>(*result), {}, {}, {QImage()}}, 0,
+            panel.setOutcome({std::make_shared<const JobResult>(*result), {}, {}}, 0,
                              LengthUnit::Millimetre);
             return panel.findChild<QTextBrowser*>(QStringLiteral("verdict"))->toPlainText();
         };
@@ -305,7 +356,7 @@ private slots:
         CertaintyPanel panel;
         panel.resize(320, 1400);
         panel.show();
-        panel.setOutcome({result, {}, {}, {QImage()}}, 0, LengthUnit::Millimetre);
+        panel.setOutcome({result, {}, {}}, 0, LengthUnit::Millimetre);
         const auto* text = panel.findChild<QTextBrowser*>(QStringLiteral("verdict"));
         QTRY_COMPARE(text->verticalScrollBar()->maximum(), 0); // there is room for all of them
         QCOMPARE(text->horizontalScrollBar()->maximum(), 0);

@@ -218,7 +218,7 @@ void FilmContactTest::coverageOfABoxIsItsBottom() {
     const double bottom = size.x() * size.z();
     QVERIFY(std::abs(cover.paintedArea - bottom) < 0.01 * bottom);
     QVERIFY(std::abs(cover.share - bottom / surfaceArea(box.body.model.mesh)) < 0.005);
-    QCOMPARE(cover.trappedAirArea, 0.0);
+    QCOMPARE(cover.trappedAir.area, 0.0);
     for (std::size_t triangle = 0; triangle < cover.covered.size(); ++triangle) {
         const bool down = triangleNormal(box.body.model.mesh, triangle).y() < -0.5f;
         QCOMPARE(bool(cover.covered[triangle]), down);

@@ -53,10 +53,13 @@ TriangleMesh cup() {
 }
 constexpr double pitArea = pi * 27 * 27 + 2 * pi * 27 * 37;
 
-double trapped(const TriangleMesh& mesh, const std::array<double, 3>& degrees = {0, 0, 0}) {
+TrappedAir airIn(const TriangleMesh& mesh, const std::array<double, 3>& degrees) {
     Immersion immersion;
     immersion.rotation = {Degrees(degrees[0]), Degrees(degrees[1]), Degrees(degrees[2])};
-    return trappedAirArea(posedBody(test::plainModel(mesh, Qt::red), immersion));
+    return trappedAir(posedBody(test::plainModel(mesh, Qt::red), immersion));
+}
+double trapped(const TriangleMesh& mesh, const std::array<double, 3>& degrees = {0, 0, 0}) {
+    return airIn(mesh, degrees).area;
 }
 
 } // namespace
@@ -68,6 +71,7 @@ private Q_SLOTS:
     void convexBodiesTrapNothing();
     void cupWithItsMouthUpTrapsNothing();
     void cupWithItsMouthDownTrapsAllItsInside();
+    void itIsCaughtAtTheMouth();
     void cupOnItsSideTrapsTheUpperHalf();
     void thinWallsHoldAirToo();
     void archLetsTheAirGo();
@@ -87,6 +91,18 @@ void TrappedAirTest::cupWithItsMouthUpTrapsNothing() {
 void TrappedAirTest::cupWithItsMouthDownTrapsAllItsInside() {
     const double area = trapped(cup(), {180, 0, 0});
     QVERIFY2(std::abs(area - pitArea) < 0.05 * pitArea, qPrintable(QString::number(area)));
+}
+
+void TrappedAirTest::itIsCaughtAtTheMouth() {
+    QCOMPARE(airIn(cup(), {0, 0, 0}).height, std::nullopt);
+    const std::optional<double> upsideDown = airIn(cup(), {180, 0, 0}).height;
+    QVERIFY2(upsideDown && *upsideDown < 2, qPrintable(QString::number(upsideDown.value_or(-1))));
+    // On a stand of 20 under its base the same cup is upside down with its mouth 20 up.
+    TriangleMesh raised = cup();
+    append(raised, boxMesh({4, 60, 4}), {0, 30, 0});
+    const std::optional<double> height = airIn(raised, {180, 0, 0}).height;
+    QVERIFY2(height && std::abs(*height - 20) < 2,
+             qPrintable(QString::number(height.value_or(-1))));
 }
 
 void TrappedAirTest::cupOnItsSideTrapsTheUpperHalf() {

@@ -190,7 +190,7 @@ void PrintedBodyTest::sphereIsPaintedToItsOverhangAndInPlace() {
     const double end = (1 + std::sin(radians(Degrees(20)))) / 2;
     QVERIFY2(cover.share > end - 0.06 && cover.share < end + 0.005,
              qPrintable(QString::number(cover.share)));
-    QCOMPARE(cover.trappedAirArea, 0.0);
+    QCOMPARE(cover.trappedAir.area, 0.0);
 }
 
 void PrintedBodyTest::sphereComesOutInPlaceOnAFilmThatGrows() {
