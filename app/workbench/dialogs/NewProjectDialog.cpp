@@ -2,6 +2,7 @@
 
 #include "look/Icons.h"
 #include "model/ModelFormats.h"
+#include "panels/FilmMeasured.h"
 #include "panels/NumberBox.h"
 #include "panels/Units.h"
 #include "project/FilmSizes.h"
@@ -60,7 +61,8 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
       model_(new QLineEdit(model)), texture_(new QLineEdit),
       byUnit_(new QRadioButton(tr("One unit of the file is"))), unit_(new QComboBox),
       byEdge_(new QRadioButton(tr("The longest edge is"))), edge_(new NumberBox),
-      film_(new QComboBox), template_(new QComboBox), extent_(new QLabel) {
+      film_(new QComboBox), filmProfile_(new QComboBox), template_(new QComboBox),
+      extent_(new QLabel) {
     setWindowTitle(tr("New Project"));
     setObjectName(QStringLiteral("newProjectDialog"));
     setMinimumWidth(540);
@@ -75,6 +77,11 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
     }
     film_->setCurrentText(preferences.filmPreset);
     film_->setToolTip(tr("The size in which the film comes and is printed."));
+    addFilmProfiles(*filmProfile_, preferences.filmProfile);
+    filmProfile_->setObjectName(QStringLiteral("filmProfile"));
+    filmProfile_->setMinimumContentsLength(30);
+    filmProfile_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    filmProfile_->setToolTip(tr("What is known of the film: how it swells, grows and tears."));
     template_->addItem(tr("One dip"), int(Template::One));
     template_->addItem(tr("Two dips: bottom and top"), int(Template::TopAndBottom));
     template_->addItem(tr("Two dips: left and right"), int(Template::LeftAndRight));
@@ -88,6 +95,7 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
     form->addRow(tr("Te&xture"),
                  makeFileRow(texture_, tr("Choose a Texture"), pictureFileFilter()));
     form->addRow(tr("Size"), makeSizeRow());
+    form->addRow(tr("Film &profile"), filmProfile_);
     form->addRow(tr("&Film"), film_);
     form->addRow(tr("&Begin with"), template_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
@@ -239,16 +247,18 @@ ImportOptions NewProjectDialog::importOptions() const {
 }
 
 std::function<void(Project&)> NewProjectDialog::completion() const {
-    return [film = film_->currentText(), printer = printerProfile_,
+    return [film = film_->currentText(), filmProfile = filmProfile_->currentData().toString(),
+            printer = printerProfile_,
             chosen = Template(template_->currentData().toInt())](Project& project) {
-        const QSizeF size = filmSize(film);
-        resizeFilm(project.film, Millimetres(size.width()), Millimetres(size.height()));
         const ProfileLibrary profiles;
-        for (const ProfileEntry& entry : profiles.profiles(ProfileKind::Printer)) {
-            if (entry.name == printer) {
-                applyProfile(project, profiles.profile(ProfileKind::Printer, printer));
+        for (const auto& [kind, name] : {std::pair(ProfileKind::Film, filmProfile),
+                                         std::pair(ProfileKind::Printer, printer)}) {
+            if (const auto profile = profiles.found(kind, name)) {
+                applyProfile(project, *profile);
             }
         }
+        const QSizeF size = filmSize(film); // whatever the profile's is
+        resizeFilm(project.film, Millimetres(size.width()), Millimetres(size.height()));
         switch (chosen) {
         case Template::One:
             break;

@@ -46,7 +46,8 @@ private:
     QComboBox* unit_;
     QRadioButton* byEdge_;
     QDoubleSpinBox* edge_;
-    QComboBox* film_;
+    QComboBox* film_; // its size
+    QComboBox* filmProfile_;
     QComboBox* template_;
     QLabel* extent_;
     QPushButton* create_;

@@ -2,6 +2,7 @@
 
 #include "dialogs/SolverPage.h"
 #include "look/Languages.h"
+#include "panels/FilmMeasured.h"
 #include "panels/ShippedNames.h"
 #include "project/FilmSizes.h"
 #include "project/ProfileLibrary.h"
@@ -26,7 +27,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const Solve
                                      const QList<QAction*>& actions, QWidget* parent)
     : QDialog(parent), preferences_(preferences), language_(new QComboBox), unit_(new QComboBox),
       theme_(new QComboBox), navigation_(new QComboBox), film_(new QComboBox),
-      printer_(new QComboBox), autosave_(new QSpinBox),
+      filmProfile_(new QComboBox), printer_(new QComboBox), autosave_(new QSpinBox),
       live_(new QCheckBox(tr("Run again after each change"))), shortcuts_(new QTreeWidget),
       clash_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
@@ -59,6 +60,9 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     film_->addItems(filmSizeNames());
     film_->setCurrentText(preferences_.filmPreset);
     film_->setToolTip(tr("The film that is proposed when a project is made."));
+    filmProfile_->setObjectName(QStringLiteral("defaultFilm"));
+    addFilmProfiles(*filmProfile_, preferences_.filmProfile);
+    filmProfile_->setToolTip(tr("The film profile that is proposed when a project is made."));
     printer_->setObjectName(QStringLiteral("defaultPrinter"));
     printer_->addItem(tr("None"), QString());
     for (const ProfileEntry& entry : ProfileLibrary().profiles(ProfileKind::Printer)) {
@@ -92,6 +96,7 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     form->addRow(tr("T&heme"), theme_);
     form->addRow(tr("&Navigation"), navigation_);
     form->addRow(tr("&Film of new projects"), film_);
+    form->addRow(tr("Film p&rofile of new projects"), filmProfile_);
     form->addRow(tr("&Printer of new projects"), printer_);
     form->addRow(tr("&Recovery copy after"), autosave_);
     form->addRow(QString(), live_);
@@ -173,6 +178,7 @@ Preferences PreferencesDialog::preferences() const {
     chosen.theme = ThemeChoice(theme_->currentIndex());
     chosen.navigation = NavigationChoice(navigation_->currentIndex());
     chosen.filmPreset = film_->currentText();
+    chosen.filmProfile = filmProfile_->currentData().toString();
     chosen.printerProfile = printer_->currentData().toString();
     chosen.autosaveSeconds = autosave_->value();
     chosen.liveUpdate = live_->isChecked();

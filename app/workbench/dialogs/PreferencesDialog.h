@@ -37,7 +37,8 @@ private:
     QComboBox* unit_;
     QComboBox* theme_;
     QComboBox* navigation_;
-    QComboBox* film_;
+    QComboBox* film_; // its size
+    QComboBox* filmProfile_;
     QComboBox* printer_;
     QSpinBox* autosave_;
     QCheckBox* live_;

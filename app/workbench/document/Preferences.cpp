@@ -22,6 +22,7 @@ Preferences loadPreferences() {
         3600);
     preferences.filmPreset =
         settings.value(QStringLiteral("filmPreset"), standard.filmPreset).toString();
+    preferences.filmProfile = settings.value(QStringLiteral("filmProfile")).toString();
     preferences.printerProfile = settings.value(QStringLiteral("printerProfile")).toString();
     preferences.liveUpdate =
         settings.value(QStringLiteral("liveUpdate"), standard.liveUpdate).toBool();
@@ -42,6 +43,7 @@ void savePreferences(const Preferences& preferences) {
     settings.setValue(QStringLiteral("language"), preferences.language);
     settings.setValue(QStringLiteral("autosaveSeconds"), preferences.autosaveSeconds);
     settings.setValue(QStringLiteral("filmPreset"), preferences.filmPreset);
+    settings.setValue(QStringLiteral("filmProfile"), preferences.filmProfile);
     settings.setValue(QStringLiteral("printerProfile"), preferences.printerProfile);
     settings.setValue(QStringLiteral("liveUpdate"), preferences.liveUpdate);
     settings.remove(QStringLiteral("shortcuts"));

@@ -1,13 +1,14 @@
 // What the user has chosen for the program, not for a project.
 #pragma once
 
+#include "base/Units.h"
+
 #include <QKeySequence>
 #include <QMap>
 #include <QString>
 
 namespace dipwright {
 
-enum class LengthUnit { Millimetre, Inch };
 enum class ThemeChoice { System, Light, Dark };
 enum class NavigationChoice { Turntable, Trackball };
 
@@ -18,6 +19,7 @@ struct Preferences {
     NavigationChoice navigation = NavigationChoice::Turntable;
     int autosaveSeconds = 20;
     QString filmPreset = QStringLiteral("A4"); // of new projects
+    QString filmProfile;                       // of new projects; empty: none
     QString printerProfile;                    // of new projects; empty: none
     bool liveUpdate = true; // simulate again after each change, once there is a result
     QMap<QString, QKeySequence> shortcuts; // by the action's name, where not the default

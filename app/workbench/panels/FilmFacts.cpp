@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "dip/FilmUnderBody.h"
+#include "panels/FilmMeasured.h"
 #include "panels/Units.h"
 
 #include <QCoreApplication>
@@ -52,6 +53,7 @@ QString FilmFacts::text(const Project& project, const JobResult* result, LengthU
         }
         lines.append(line);
     }
+    lines.append(measuredText(project));
     return lines.join(QLatin1Char('\n'));
 }
 

@@ -1,4 +1,5 @@
-// How fine the film of each immersion will be, and about how long its dip will take.
+// How fine the film of each immersion will be, about how long its dip will take, and what of it was
+// measured.
 #pragma once
 
 #include "document/Preferences.h"
@@ -11,8 +12,9 @@ namespace dipwright {
 
 class FilmFacts {
 public:
-    // A line an immersion. The time is told from `result`, the last run's, which may be null: work
-    // grows with the points and with the steps, which grow as the cells get smaller.
+    // A line an immersion, and one on what was measured. The time is told from `result`, the last
+    // run's, which may be null: work grows with the points and with the steps, which grow as the
+    // cells get smaller.
     QString text(const Project& project, const JobResult* result, LengthUnit unit);
 
 private:

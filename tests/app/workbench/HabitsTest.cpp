@@ -28,6 +28,7 @@
 #include <QRadioButton>
 #include <QTableWidget>
 #include <QTextBrowser>
+#include <QToolButton>
 
 using namespace dipwright;
 using test::PluginFolder;
@@ -310,6 +311,34 @@ private slots:
                                     .arg(least.width())
                                     .arg(least.height())));
         }
+    }
+
+    void aBodyDraggedOffItsFilmIsSaidAtOnce() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        auto* warning = driver.find<QToolButton>("placeWarning");
+        QVERIFY(!warning->isVisible());
+        Document& document = *window_->document();
+        document.edit(QStringLiteral("Move"), {},
+                      [](Project& project) { project.immersions[0].offset[0] = Millimetres(80); });
+        QVERIFY(warning->isVisible());
+        QVERIFY2(warning->text().contains(QLatin1String("past the film's edge")),
+                 qPrintable(warning->text()));
+        document.undoStack().undo();
+        QVERIFY(!warning->isVisible());
+    }
+
+    void theFilmOfANewProjectIsChosenAndMarked() {
+        NewProjectDialog dialog(model, workbench_->preferences());
+        auto* films = dialog.findChild<QComboBox*>(QStringLiteral("filmProfile"));
+        QVERIFY(films->count() > 1);
+        QVERIFY2(films->itemText(1).contains(QLatin1String("not measured")),
+                 qPrintable(films->itemText(1)));
+        films->setCurrentIndex(1);
+        Project project;
+        dialog.completion()(project);
+        QVERIFY(project.profiles.film);
+        QCOMPARE(project.profiles.film->name, films->currentData().toString());
     }
 
     void howLargeTheBodyBecomesIsSaidBeforeItIsMade() {
