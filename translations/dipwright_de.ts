@@ -329,6 +329,29 @@
     </message>
 </context>
 <context>
+    <name>DipPlayback</name>
+    <message>
+        <source>%1 (%2 deep)</source>
+        <translation>%1 (%2 tief)</translation>
+    </message>
+    <message>
+        <source>First contact</source>
+        <translation>Erste Berührung</translation>
+    </message>
+    <message>
+        <source>Air is caught under the body</source>
+        <translation>Luft wird unter dem Körper gefangen</translation>
+    </message>
+    <message>
+        <source>Film tears</source>
+        <translation>Film reißt</translation>
+    </message>
+    <message>
+        <source>Film is let go of at an overhang</source>
+        <translation>Film löst sich an einem Überhang</translation>
+    </message>
+</context>
+<context>
     <name>FileLock</name>
     <message>
         <source>%1 on %2, process %3</source>
@@ -352,6 +375,45 @@
     <message>
         <source>%1, about %2 s</source>
         <translation>%1, etwa %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>FilmMeasured</name>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>measured on %1</source>
+        <translation>gemessen am %1</translation>
+    </message>
+    <message>
+        <source>swell</source>
+        <translation>Quellung</translation>
+    </message>
+    <message>
+        <source>growth</source>
+        <translation>Wachstum</translation>
+    </message>
+    <message>
+        <source>relaxation</source>
+        <translation>Relaxation</translation>
+    </message>
+    <message>
+        <source>%1 measured on %2</source>
+        <translation>%1 gemessen am %2</translation>
+    </message>
+    <message>
+        <source>%1 not measured</source>
+        <translation>%1 nicht gemessen</translation>
+    </message>
+    <message>
+        <source>None: a film that was not measured</source>
+        <translation>Keines: ein Film, der nicht gemessen wurde</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -626,10 +688,6 @@
         <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film oder wählen Sie einen größeren Film</translation>
     </message>
     <message>
-        <source>%1: the body reaches past the film&apos;s edge</source>
-        <translation>%1: Der Körper reicht über den Rand des Films hinaus</translation>
-    </message>
-    <message>
         <source>The CPU takes over from %1: %2</source>
         <translation>Die CPU übernimmt für %1: %2</translation>
     </message>
@@ -716,6 +774,18 @@
     <message>
         <source>Writing the tolerances of %1</source>
         <translation>Schreibe die Toleranzen von %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The body reaches past the edge of the tank “%1”; move or turn it</source>
+        <translation>Der Körper ragt über den Rand des Beckens „%1“ hinaus; verschieben oder drehen Sie ihn</translation>
+    </message>
+    <message>
+        <source>The body reaches past the film&apos;s edge; move or turn it, or choose a larger film</source>
+        <translation>Der Körper ragt über den Rand des Films hinaus; verschieben oder drehen Sie ihn, oder wählen Sie einen größeren Film</translation>
     </message>
 </context>
 <context>
@@ -4379,6 +4449,14 @@
         <source>the unit is a guess by its size.</source>
         <translation>die Einheit ist nach seiner Größe geraten.</translation>
     </message>
+    <message>
+        <source>What is known of the film: how it swells, grows and tears.</source>
+        <translation>Was vom Film bekannt ist: wie er quillt, wächst und reißt.</translation>
+    </message>
+    <message>
+        <source>Film &amp;profile</source>
+        <translation>Film&amp;profil</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::NoticeBar</name>
@@ -4800,6 +4878,14 @@
     <message>
         <source>%1 stands for both “%2” and “%3”. Change one of them.</source>
         <translation>%1 steht für „%2“ und für „%3“. Ändern Sie eines davon.</translation>
+    </message>
+    <message>
+        <source>The film profile that is proposed when a project is made.</source>
+        <translation>Das Filmprofil, das für ein neues Projekt vorgeschlagen wird.</translation>
+    </message>
+    <message>
+        <source>Film p&amp;rofile of new projects</source>
+        <translation>Filmp&amp;rofil neuer Projekte</translation>
     </message>
 </context>
 <context>
@@ -5441,6 +5527,14 @@
         <source>%1 to %2%3</source>
         <translation>%1 bis %2%3</translation>
     </message>
+    <message>
+        <source>linked</source>
+        <translation>verknüpft</translation>
+    </message>
+    <message>
+        <source>Linked: typing one number sets the others as well</source>
+        <translation>Verknüpft: eine eingegebene Zahl gilt auch für die anderen</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PropertyPanel</name>
@@ -5764,22 +5858,12 @@ mm je mm</translation>
         <translation>Verlässlichkeit des Bogens</translation>
     </message>
     <message>
-        <source>change
-mm</source>
-        <translation>Änderung
-mm</translation>
-    </message>
-    <message>
         <source>How far the ink may be off for numerical reasons; ink side up</source>
         <translation>Wie weit die Farbe aus numerischen Gründen daneben liegen kann; Farbseite oben</translation>
     </message>
     <message>
         <source>more</source>
         <translation>mehr</translation>
-    </message>
-    <message>
-        <source>A certain place is off by %1 mm at most · magenta: paints in one of the dips only</source>
-        <translation>Eine sichere Stelle liegt höchstens %1 mm daneben · magenta: bemalt nur in einem der Tauchvorgänge</translation>
     </message>
     <message>
         <source>%1: %2 mm², %3 %</source>
@@ -5822,14 +5906,33 @@ mm</translation>
         <translation>Wie weit die Farbe neben ihrem Ort auf dem Körper landen kann; Farbseite oben</translation>
     </message>
     <message>
-        <source>off by
-± mm</source>
-        <translation>daneben um
-± mm</translation>
+        <source>in</source>
+        <translation>in</translation>
     </message>
     <message>
-        <source>On the body: 95 % within ±%1 mm</source>
-        <translation>Auf dem Körper: 95 % innerhalb von ±%1 mm</translation>
+        <source>%1 %2</source>
+        <comment>a number and its unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>change
+%1</source>
+        <translation>Änderung
+%1</translation>
+    </message>
+    <message>
+        <source>A certain place is off by %1 at most · magenta: paints in one of the dips only</source>
+        <translation>Eine sichere Stelle weicht höchstens %1 ab · Magenta: nur in einem der Tauchvorgänge bemalt</translation>
+    </message>
+    <message>
+        <source>off by
+± %1</source>
+        <translation>daneben um
+± %1</translation>
+    </message>
+    <message>
+        <source>On the body: 95 % within ±%1</source>
+        <translation>Auf dem Körper: 95 % innerhalb ±%1</translation>
     </message>
 </context>
 <context>
@@ -6092,6 +6195,10 @@ mm</translation>
     <message>
         <source>It does not stop. Save your work; closing the window ends it.</source>
         <translation>Es hält nicht an. Speichern Sie Ihre Arbeit; wird das Fenster geschlossen, endet es.</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
     </message>
 </context>
 <context>

@@ -329,6 +329,29 @@
     </message>
 </context>
 <context>
+    <name>DipPlayback</name>
+    <message>
+        <source>%1 (%2 deep)</source>
+        <translation>%1 (a %2 de profundidade)</translation>
+    </message>
+    <message>
+        <source>First contact</source>
+        <translation>Primeiro contato</translation>
+    </message>
+    <message>
+        <source>Air is caught under the body</source>
+        <translation>O ar fica preso sob o corpo</translation>
+    </message>
+    <message>
+        <source>Film tears</source>
+        <translation>O filme rasga</translation>
+    </message>
+    <message>
+        <source>Film is let go of at an overhang</source>
+        <translation>O filme se solta em uma saliência</translation>
+    </message>
+</context>
+<context>
     <name>FileLock</name>
     <message>
         <source>%1 on %2, process %3</source>
@@ -352,6 +375,45 @@
     <message>
         <source>%1, about %2 s</source>
         <translation>%1, cerca de %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>FilmMeasured</name>
+    <message>
+        <source>not measured</source>
+        <translation>não medido</translation>
+    </message>
+    <message>
+        <source>measured on %1</source>
+        <translation>medido em %1</translation>
+    </message>
+    <message>
+        <source>swell</source>
+        <translation>inchamento</translation>
+    </message>
+    <message>
+        <source>growth</source>
+        <translation>crescimento</translation>
+    </message>
+    <message>
+        <source>relaxation</source>
+        <translation>relaxação</translation>
+    </message>
+    <message>
+        <source>%1 measured on %2</source>
+        <translation>%1: medido em %2</translation>
+    </message>
+    <message>
+        <source>%1 not measured</source>
+        <translation>%1: não medido</translation>
+    </message>
+    <message>
+        <source>None: a film that was not measured</source>
+        <translation>Nenhum: um filme que não foi medido</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -626,10 +688,6 @@
         <translation>O corpo não encontra o filme; mova-o sobre o filme ou escolha um filme maior</translation>
     </message>
     <message>
-        <source>%1: the body reaches past the film&apos;s edge</source>
-        <translation>%1: o corpo ultrapassa a borda do filme</translation>
-    </message>
-    <message>
         <source>The CPU takes over from %1: %2</source>
         <translation>A CPU assume o lugar de %1: %2</translation>
     </message>
@@ -716,6 +774,18 @@
     <message>
         <source>Writing the tolerances of %1</source>
         <translation>Gravando as tolerâncias de %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The body reaches past the edge of the tank “%1”; move or turn it</source>
+        <translation>O corpo ultrapassa a borda do tanque “%1”; mova-o ou gire-o</translation>
+    </message>
+    <message>
+        <source>The body reaches past the film&apos;s edge; move or turn it, or choose a larger film</source>
+        <translation>O corpo ultrapassa a borda do filme; mova-o ou gire-o, ou escolha um filme maior</translation>
     </message>
 </context>
 <context>
@@ -4379,6 +4449,14 @@
         <source>the unit is a guess by its size.</source>
         <translation>a unidade é suposta pelo tamanho.</translation>
     </message>
+    <message>
+        <source>What is known of the film: how it swells, grows and tears.</source>
+        <translation>O que se sabe do filme: como incha, cresce e rasga.</translation>
+    </message>
+    <message>
+        <source>Film &amp;profile</source>
+        <translation>&amp;Perfil do filme</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::NoticeBar</name>
@@ -4800,6 +4878,14 @@
     <message>
         <source>%1 stands for both “%2” and “%3”. Change one of them.</source>
         <translation>%1 vale para “%2” e para “%3”. Mude um deles.</translation>
+    </message>
+    <message>
+        <source>The film profile that is proposed when a project is made.</source>
+        <translation>O perfil de filme proposto quando um projeto é criado.</translation>
+    </message>
+    <message>
+        <source>Film p&amp;rofile of new projects</source>
+        <translation>Pe&amp;rfil de filme de novos projetos</translation>
     </message>
 </context>
 <context>
@@ -5441,6 +5527,14 @@
         <source>%1 to %2%3</source>
         <translation>%1 a %2%3</translation>
     </message>
+    <message>
+        <source>linked</source>
+        <translation>vinculado</translation>
+    </message>
+    <message>
+        <source>Linked: typing one number sets the others as well</source>
+        <translation>Vinculado: digitar um número define também os outros</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PropertyPanel</name>
@@ -5764,22 +5858,12 @@ mm por mm</translation>
         <translation>Confiabilidade da folha</translation>
     </message>
     <message>
-        <source>change
-mm</source>
-        <translation>mudança
-mm</translation>
-    </message>
-    <message>
         <source>How far the ink may be off for numerical reasons; ink side up</source>
         <translation>Quanto a tinta pode desviar por razões numéricas; lado da tinta para cima</translation>
     </message>
     <message>
         <source>more</source>
         <translation>mais</translation>
-    </message>
-    <message>
-        <source>A certain place is off by %1 mm at most · magenta: paints in one of the dips only</source>
-        <translation>Um ponto seguro se desvia no máximo %1 mm · magenta: pinta só em um dos mergulhos</translation>
     </message>
     <message>
         <source>%1: %2 mm², %3 %</source>
@@ -5822,14 +5906,33 @@ mm</translation>
         <translation>Quanto a tinta pode cair fora do lugar no corpo; lado da tinta para cima</translation>
     </message>
     <message>
-        <source>off by
-± mm</source>
-        <translation>desvio
-± mm</translation>
+        <source>in</source>
+        <translation>pol</translation>
     </message>
     <message>
-        <source>On the body: 95 % within ±%1 mm</source>
-        <translation>No corpo: 95 % dentro de ±%1 mm</translation>
+        <source>%1 %2</source>
+        <comment>a number and its unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>change
+%1</source>
+        <translation>mudança
+%1</translation>
+    </message>
+    <message>
+        <source>A certain place is off by %1 at most · magenta: paints in one of the dips only</source>
+        <translation>Um lugar certo desvia no máximo %1 · magenta: pinta em apenas uma das imersões</translation>
+    </message>
+    <message>
+        <source>off by
+± %1</source>
+        <translation>desvio
+± %1</translation>
+    </message>
+    <message>
+        <source>On the body: 95 % within ±%1</source>
+        <translation>No corpo: 95 % dentro de ±%1</translation>
     </message>
 </context>
 <context>
@@ -6092,6 +6195,10 @@ mm</translation>
     <message>
         <source>It does not stop. Save your work; closing the window ends it.</source>
         <translation>Não para. Salve seu trabalho; fechar a janela encerra isso.</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Aviso</translation>
     </message>
 </context>
 <context>
