@@ -3726,6 +3726,57 @@
     </message>
 </context>
 <context>
+    <name>dipwright::GuidePictures</name>
+    <message>
+        <source>film.pdf
+printed on the film</source>
+        <translation>film.pdf
+auf den Film gedruckt</translation>
+    </message>
+    <message>
+        <source>card.pdf
+printed on stiff, waterproof card</source>
+        <translation>card.pdf
+auf steife, wasserfeste Karte gedruckt</translation>
+    </message>
+    <message>
+        <source>The rulers of both must measure 100 mm</source>
+        <translation>Die Lineale beider müssen 100 mm messen</translation>
+    </message>
+    <message>
+        <source>The film, its ink side up, as for a dip</source>
+        <translation>Der Film, Farbe nach oben, wie zum Tauchen</translation>
+    </message>
+    <message>
+        <source>The card beside it, flat</source>
+        <translation>Die Karte daneben, flach</translation>
+    </message>
+    <message>
+        <source>Both prints at one height: that is how millimetres are known</source>
+        <translation>Beide Drucke auf einer Höhe: daher sind Millimeter bekannt</translation>
+    </message>
+    <message>
+        <source>Note the time when the film is laid</source>
+        <translation>Notieren, wann der Film aufgelegt wird</translation>
+    </message>
+    <message>
+        <source>From above, both whole, no glare</source>
+        <translation>Von oben, beide ganz, ohne Spiegelung</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>One photo tells the swell, three or more the growth</source>
+        <translation>Ein Foto zeigt die Quellung, drei oder mehr das Wachstum</translation>
+    </message>
+    <message>
+        <source>from before the dip begins until the film grows no more</source>
+        <translation>von der Zeit vor dem Tauchen, bis der Film nicht mehr wächst</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::GuideWindow</name>
     <message>
         <source>User Guide</source>

@@ -3726,6 +3726,57 @@
     </message>
 </context>
 <context>
+    <name>dipwright::GuidePictures</name>
+    <message>
+        <source>film.pdf
+printed on the film</source>
+        <translation>film.pdf
+impresso no filme</translation>
+    </message>
+    <message>
+        <source>card.pdf
+printed on stiff, waterproof card</source>
+        <translation>card.pdf
+impresso em cartão rígido e impermeável</translation>
+    </message>
+    <message>
+        <source>The rulers of both must measure 100 mm</source>
+        <translation>As réguas dos dois devem medir 100 mm</translation>
+    </message>
+    <message>
+        <source>The film, its ink side up, as for a dip</source>
+        <translation>O filme, tinta para cima, como para a imersão</translation>
+    </message>
+    <message>
+        <source>The card beside it, flat</source>
+        <translation>O cartão ao lado, plano</translation>
+    </message>
+    <message>
+        <source>Both prints at one height: that is how millimetres are known</source>
+        <translation>As duas impressões à mesma altura: daí se conhecem os milímetros</translation>
+    </message>
+    <message>
+        <source>Note the time when the film is laid</source>
+        <translation>Anote a hora em que o filme é posto</translation>
+    </message>
+    <message>
+        <source>From above, both whole, no glare</source>
+        <translation>De cima, os dois inteiros, sem reflexo</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>One photo tells the swell, three or more the growth</source>
+        <translation>Uma foto mostra o inchamento; três ou mais, o crescimento</translation>
+    </message>
+    <message>
+        <source>from before the dip begins until the film grows no more</source>
+        <translation>de antes da imersão até o filme não crescer mais</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::GuideWindow</name>
     <message>
         <source>User Guide</source>

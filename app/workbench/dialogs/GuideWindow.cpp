@@ -1,5 +1,7 @@
 #include "dialogs/GuideWindow.h"
 
+#include "dialogs/GuidePictures.h"
+
 #include <QFile>
 #include <QListWidget>
 #include <QLocale>
@@ -50,6 +52,11 @@ GuideWindow::GuideWindow(QWidget* parent) : QWidget(parent, Qt::Window) {
         QUrl(QStringLiteral("../../docs/pictures/workbench.png")), // as the file itself names it
         QImage(QStringLiteral(":/guide/workbench.png"))
             .scaledToWidth(pictureWidth, Qt::SmoothTransformation));
+    for (const QString& name : guidePictures()) {
+        text->document()->addResource(QTextDocument::ImageResource,
+                                      QUrl(QStringLiteral("../../docs/pictures/%1.png").arg(name)),
+                                      guidePicture(name, pictureWidth));
+    }
     for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next()) {
         if (block.blockFormat().headingLevel() == 2) {
             auto* item = new QListWidgetItem(block.text(), contents);

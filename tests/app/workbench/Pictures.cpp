@@ -2,6 +2,7 @@
 #include "WindowDriver.h"
 #include "base/Error.h"
 #include "dialogs/CalibrationDialog.h"
+#include "dialogs/GuidePictures.h"
 #include "dialogs/GuideWindow.h"
 #include "dialogs/NewProjectDialog.h"
 #include "dialogs/PreferencesDialog.h"
@@ -42,7 +43,11 @@ public:
         if (auto* view = widget.findChild<DipView*>()) {
             view->picture();
         }
-        widget.grab().save(QStringLiteral("%1/%2%3.png").arg(folder_, prefix_, name));
+        keep(widget.grab().toImage(), name);
+    }
+
+    void keep(const QImage& picture, const QString& name) const {
+        picture.save(QStringLiteral("%1/%2%3.png").arg(folder_, prefix_, name));
     }
 
 private:
@@ -239,6 +244,9 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
     GuideWindow guide;
     guide.show();
     camera.take(guide, QStringLiteral("guide"));
+    for (const QString& name : guidePictures()) {
+        camera.keep(guidePicture(name, 1160), name);
+    }
     WindowDriver(window).trigger("tour");
     camera.take(window, QStringLiteral("tour"));
     window.findChild<QWidget*>(QStringLiteral("tour"))->close();
