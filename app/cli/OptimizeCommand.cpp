@@ -1,7 +1,8 @@
 #include "cli/Arguments.h"
 
+#include "disk/SmallFile.h"
 #include "disk/WholeFile.h"
-#include "pipeline/PoseSearch.h"
+#include "pipeline/JobSearch.h"
 #include "pipeline/SolverChoice.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
@@ -11,32 +12,137 @@ namespace {
 
 const QString immersionsOption = QStringLiteral("immersions");
 const QString candidatesOption = QStringLiteral("candidates");
+const QString directionsOption = QStringLiteral("directions");
+const QString refinedOption = QStringLiteral("refined");
+const QString confirmedOption = QStringLiteral("confirmed");
+const QString seedOption = QStringLiteral("seed");
+const QString weightOption = QStringLiteral("weight");
+const QString limitOption = QStringLiteral("limit");
+const QString shardOption = QStringLiteral("shard");
+const QString outOption = QStringLiteral("out");
+const QString mergeOption = QStringLiteral("merge");
 const QString solverOption = QStringLiteral("solver");
-constexpr int shownPoses = 5;
+constexpr std::size_t shownPoses = 5;
+constexpr int mostParts = 1000;
+constexpr qint64 mostPartBytes = 2'000'000'000;
 
 QString plain(double number) {
     return QString::number(number, 'g', 6);
 }
 
 QString poseText(const Immersion& immersion) {
-    return QStringLiteral("(%1°, %2°, %3°)")
-        .arg(plain(immersion.rotation[0].value()), plain(immersion.rotation[1].value()),
-             plain(immersion.rotation[2].value()));
+    QString text =
+        QStringLiteral("(%1°, %2°, %3°)")
+            .arg(plain(immersion.rotation[0].value()), plain(immersion.rotation[1].value()),
+                 plain(immersion.rotation[2].value()));
+    if (immersion.offset != std::array<Millimetres, 2>{}) {
+        text += QStringLiteral(" at %1, %2 mm")
+                    .arg(plain(immersion.offset[0].value()), plain(immersion.offset[1].value()));
+    }
+    return text;
 }
 
-void printRanking(const std::vector<RankedPoses>& ranking, QTextStream& out) {
-    out << "Rank  painted  quality  turned about X, Y, Z\n";
-    for (std::size_t rank = 0; rank < ranking.size() && rank < shownPoses; ++rank) {
-        QStringList poses;
-        for (const Immersion& immersion : ranking[rank].immersions) {
-            poses.append(poseText(immersion));
-        }
-        out << QStringLiteral("%1  %2 %  %3 %  %4\n")
-                   .arg(rank + 1, 4)
-                   .arg(100 * ranking[rank].coverage, 5, 'f', 1)
-                   .arg(100 * ranking[rank].quality, 5, 'f', 1)
-                   .arg(poses.join(QStringLiteral(" and ")));
+QString posesText(const RankedPoses& ranked) {
+    QStringList poses;
+    for (const Immersion& immersion : ranked.immersions) {
+        poses.append(poseText(immersion));
     }
+    return poses.join(QStringLiteral(" and "));
+}
+
+// A measure a column: painted is what a user calls coverage.
+void printRow(const QString& name, const RankedPoses& ranked, QTextStream& out) {
+    out << QStringLiteral("%1  %2").arg(name, 7).arg(100 * ranked.objective, 9, 'f', 2);
+    for (const Measure measure : allMeasures()) {
+        out << QStringLiteral("  %1").arg(measureText(measure, ranked.measures[measure]), 9);
+    }
+    out << "  " << posesText(ranked) << (ranked.limitsMissed > 0 ? "  misses a limit" : "")
+        << (ranked.isConfirmed ? "" : "  coarse") << '\n';
+}
+
+void printRanking(const SearchResult& result, const SearchSettings& settings, QTextStream& out) {
+    out << "   Rank  objective    quality    painted    stretch    certain   wrinkled       torn"
+           "        air       join  film used  turned about X, Y, Z\n";
+    const std::size_t shown = std::min(result.ranking.size(), shownPoses);
+    for (std::size_t rank = 0; rank < shown; ++rank) {
+        printRow(QString::number(rank + 1), result.ranking[rank], out);
+    }
+    if (result.current) {
+        printRow(QStringLiteral("now"), *result.current, out);
+    }
+    const auto reasons = [&](const RankedPoses& one, const RankedPoses& other) {
+        return reasonText(differences(one, other, settings, result.equator));
+    };
+    for (std::size_t rank = 1; rank < shown; ++rank) {
+        out << QStringLiteral("%1 against 1: %2\n")
+                   .arg(rank + 1)
+                   .arg(reasons(result.ranking[rank], result.ranking.front()));
+    }
+    if (result.current) {
+        out << QStringLiteral("1 against now: %1\n")
+                   .arg(reasons(result.ranking.front(), *result.current));
+    }
+    if (!result.isComplete) {
+        out << "Stopped before the end: the best so far; the project is as it was\n";
+    }
+}
+
+// --weight and --limit: NAME=NUMBER each.
+template <typename Set>
+void applyPairs(const QCommandLineParser& parser, const QString& option, SearchSettings& settings,
+                const Set& set) {
+    const QString where = QStringLiteral("--%1").arg(option);
+    for (const QString& text : parser.values(option)) {
+        const auto equals = text.indexOf(QLatin1Char('='));
+        bool isNumber = false;
+        const double value = text.mid(equals + 1).toDouble(&isNumber);
+        if (equals < 1 || !isNumber) {
+            throw UsageError(QStringLiteral("Give it as NAME=NUMBER, as in coverage=0.9"), where);
+        }
+        try {
+            set(settings, text.left(equals), value);
+        } catch (const Error& error) {
+            throw UsageError(error.sentence(), where);
+        }
+    }
+}
+
+SearchSettings settingsOf(const QCommandLineParser& parser) {
+    if (!parser.isSet(immersionsOption)) {
+        throw UsageError(QStringLiteral("Say how many dips to plan with --immersions 1 or 2"),
+                         QStringLiteral("--immersions"));
+    }
+    SearchSettings settings;
+    settings.immersions = wholeNumberOption(parser, immersionsOption, 1, 2);
+    settings.simulated = wholeNumberOption(parser, candidatesOption, 6, 2000);
+    settings.directions = wholeNumberOption(parser, directionsOption, 6, 20'000);
+    settings.refined = wholeNumberOption(parser, refinedOption, 0, 50);
+    settings.confirmed = wholeNumberOption(parser, confirmedOption, 0, 20);
+    settings.seed = wholeNumberOption(parser, seedOption, 0, 1'000'000);
+    applyPairs(parser, weightOption, settings, setWeight);
+    applyPairs(parser, limitOption, settings, setLimit);
+    try {
+        requireValid(settings);
+    } catch (const Error& error) {
+        throw UsageError(error.sentence(), QStringLiteral("--weight"));
+    }
+    return settings;
+}
+
+// "3/8": the number of the part and how many there are.
+std::array<int, 2> shardOf(const QCommandLineParser& parser) {
+    const QStringList parts = parser.value(shardOption).split(QLatin1Char('/'));
+    bool isNumber = false, isCount = false;
+    const int number = parts.value(0).toInt(&isNumber);
+    const int count = parts.value(1).toInt(&isCount);
+    if (parts.size() != 2 || !isNumber || !isCount || number < 1 || number > count ||
+        count > mostParts) {
+        throw UsageError(QStringLiteral("Give it as NUMBER/COUNT, from 1/COUNT to COUNT/COUNT, "
+                                        "and no more than %1 of them")
+                             .arg(mostParts),
+                         QStringLiteral("--shard"));
+    }
+    return {number, count};
 }
 
 class OptimizeCommand : public Command {
@@ -47,13 +153,50 @@ public:
     }
 
     void declare(CommandSyntax& syntax) const override {
+        const SearchSettings usual;
+        const auto count = [&](const QString& option, const QString& description, int value) {
+            syntax.addOption({option, description, QStringLiteral("N"), QString::number(value)});
+        };
         declareProject(syntax);
         syntax.addOption(
             {immersionsOption, QStringLiteral("Dips to plan, 1 or 2."), QStringLiteral("1|2")});
-        syntax.addOption(
-            {candidatesOption,
-             QStringLiteral("Poses to try on a coarse film, 6 to 2000; 48 without it."),
-             QStringLiteral("N"), QString::number(PoseSearchOptions().candidates)});
+        count(candidatesOption,
+              QStringLiteral("Poses to try on a coarse film, 6 to 2000; %1 without it.")
+                  .arg(usual.simulated),
+              usual.simulated);
+        count(directionsOption,
+              QStringLiteral("Directions to judge by the body's shape first, 6 to 20000; %1 "
+                             "without it.")
+                  .arg(usual.directions),
+              usual.directions);
+        count(refinedOption,
+              QStringLiteral("Of the best, how many to refine, 0 to 50; %1 without it.")
+                  .arg(usual.refined),
+              usual.refined);
+        count(confirmedOption,
+              QStringLiteral("Of the best, how many to dip with the project's own film, 0 to 20; "
+                             "%1 without it.")
+                  .arg(usual.confirmed),
+              usual.confirmed);
+        count(seedOption, QStringLiteral("Other directions with every number, 0 to 1000000."),
+              usual.seed);
+        syntax.addOption({weightOption,
+                          QStringLiteral("How much a measure, or zone_a, zone_b, zone_c, counts; "
+                                         "repeatable."),
+                          QStringLiteral("NAME=WEIGHT")});
+        syntax.addOption({limitOption,
+                          QStringLiteral("The least or the most that is wanted of a measure; "
+                                         "repeatable."),
+                          QStringLiteral("NAME=VALUE")});
+        syntax.addOption({shardOption,
+                          QStringLiteral("Dips only part K of N of the poses, into --out."),
+                          QStringLiteral("K/N")});
+        syntax.addOption({outOption, QStringLiteral("The file for the part of --shard."),
+                          QStringLiteral("FILE")});
+        syntax.addOption({mergeOption,
+                          QStringLiteral("Takes the poses dipped by --shard from this file; "
+                                         "repeatable, once a part."),
+                          QStringLiteral("FILE")});
         syntax.addOption({solverOption,
                           QStringLiteral("The solver plugin, in place of the project's choice."),
                           QStringLiteral("ID")});
@@ -62,30 +205,72 @@ public:
 
     void run(const QCommandLineParser& parser, Console& console) const override {
         const ThreadLimit threads = threadLimit(parser);
-        if (!parser.isSet(immersionsOption)) {
-            throw UsageError(QStringLiteral("Say how many dips to plan with --immersions 1 or 2"),
-                             QStringLiteral("--immersions"));
+        const SearchSettings settings = settingsOf(parser);
+        if (parser.isSet(shardOption)) {
+            makePart(parser, settings, console);
+        } else {
+            search(parser, settings, console);
         }
-        PoseSearchOptions options;
-        options.immersions = wholeNumberOption(parser, immersionsOption, 1, 2);
-        options.candidates = wholeNumberOption(parser, candidatesOption, 6, 2000);
+    }
+
+private:
+    static SolverChoice solverOf(const QCommandLineParser& parser, const Project& project,
+                                 const SolverRegistry& registry) {
+        return chooseSolver(parser.isSet(solverOption) ? parser.value(solverOption)
+                                                       : project.process.solver,
+                            registry);
+    }
+
+    static void makePart(const QCommandLineParser& parser, const SearchSettings& settings,
+                         Console& console) {
+        const auto [number, count] = shardOf(parser);
+        const QString out = parser.value(outOption);
+        if (out.isEmpty() || parser.isSet(mergeOption)) {
+            throw UsageError(QStringLiteral("Name the file for the part with --out, without "
+                                            "--merge"),
+                             QStringLiteral("--shard"));
+        }
+        const Project project = projectArgument(parser);
+        checkWritable(out);
+        const SolverRegistry registry;
+        SolverChoice solver = solverOf(parser, project, registry);
+        const SearchPart part =
+            withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {
+                return searchPart(searchSubject(project), settings, module, number, count,
+                                  console.progress());
+            });
+        printWarnings(solver.notes, console.out());
+        writeWhole(out, [&](QIODevice& device) { device.write(partFile(part)); });
+    }
+
+    static void search(const QCommandLineParser& parser, const SearchSettings& settings,
+                       Console& console) {
+        if (parser.isSet(outOption)) {
+            throw UsageError(QStringLiteral("It goes with --shard only"), QStringLiteral("--out"));
+        }
         const QString path = positionalArgument(parser, QStringLiteral("JOB.dipw"));
         ProjectFile file(path);
         const Project project = projectArgument(parser);
         checkWritable(path); // better now than after the work
+        std::vector<SearchPart> parts;
+        for (const QString& name : parser.values(mergeOption)) {
+            parts.push_back(partFromFile(readSmallFile(name, mostPartBytes), name));
+        }
         const SolverRegistry registry;
-        SolverChoice solver = chooseSolver(parser.isSet(solverOption) ? parser.value(solverOption)
-                                                                      : project.process.solver,
-                                           registry);
-        const std::vector<RankedPoses> ranking =
+        SolverChoice solver = solverOf(parser, project, registry);
+        const SearchResult result =
             withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {
-                return searchPoses(project, module, options, console.progress());
+                return searchPoses(searchSubject(project), settings, module, parts, {},
+                                   console.progress());
             });
         printWarnings(solver.notes, console.out());
-        printRanking(ranking, console.out());
+        printRanking(result, settings, console.out());
+        if (!result.isComplete) {
+            throw Cancelled();
+        }
         // Into the file as it is: what --set changed was for the search alone.
         Project stored = loadProject(path);
-        stored.immersions = ranking.front().immersions;
+        stored.immersions = result.ranking.front().immersions;
         file.save(stored);
     }
 };

@@ -9,8 +9,8 @@
 // it is checked fully, by more than it says.
 
 #include "base/Error.h"
+#include "pipeline/JobSearch.h"
 #include "pipeline/Pipeline.h"
-#include "pipeline/PoseSearch.h"
 #include "pipeline/SheetCertainty.h"
 #include "project/ProjectStore.h"
 
@@ -67,10 +67,11 @@ Project withOptions(Project job, const Options& options) {
 }
 
 Project inFoundPoses(Project job, const SolverRegistry& registry) {
-    PoseSearchOptions search;
+    SearchSettings search;
     search.immersions = 2;
     const solver::SolverModule& module = registry.module(job.process.solver);
-    job.immersions = searchPoses(job, module, search, {}).front().immersions;
+    job.immersions =
+        searchPoses(searchSubject(job), search, module, {}, {}, {}).ranking.front().immersions;
     for (Immersion& immersion : job.immersions) {
         immersion.name = QStringLiteral("found");
     }

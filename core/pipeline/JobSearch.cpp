@@ -1,0 +1,37 @@
+#include "pipeline/JobSearch.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QJsonDocument>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(PoseSearch)
+};
+
+// Of all that the dips of a search depend on; its poses are not among that.
+QByteArray identityOf(const Project& project) {
+    const QJsonObject whole = toJson(project);
+    QJsonObject counting;
+    for (const char* key : {"model", "film", "process", "body", "tolerance"}) {
+        counting[QLatin1String(key)] = whole[QLatin1String(key)];
+    }
+    return QCryptographicHash::hash(QJsonDocument(counting).toJson(QJsonDocument::Compact),
+                                    QCryptographicHash::Sha256);
+}
+
+} // namespace
+
+SearchSubject searchSubject(const Project& project) {
+    if (!project.model) {
+        throw Error(Text::tr("The project has no model, import one first"), project.name);
+    }
+    return {project.name,    identityOf(project),     project.model,           project.film,
+            project.process, project.fieldResolution, project.tolerance.marks, project.immersions};
+}
+
+} // namespace dipwright

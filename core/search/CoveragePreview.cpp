@@ -1,0 +1,181 @@
+#include "search/CoveragePreview.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dipwright {
+namespace {
+
+constexpr double fewestTriangles = 6000;
+constexpr int heightCells = 160;     // along the longer side of the body's shadow
+constexpr float wallSlope = 0.25f;   // faces that turn down by less (−n.y) stand upright
+constexpr float cellsOfSlack = 1.5f; // that a face may lie above the lowest of its cell, …
+constexpr float steepestSlack = 4;   // … times its slope, at most
+
+// The lowest of a body over each cell of the water.
+class HeightField {
+public:
+    explicit HeightField(const std::vector<Eigen::Vector3f>& places) {
+        Eigen::AlignedBox2f box;
+        for (const Eigen::Vector3f& place : places) {
+            box.extend(Eigen::Vector2f(place.x(), place.z()));
+        }
+        cell_ = std::max(box.sizes().maxCoeff(), 1e-6f) / float(heightCells);
+        corner_ = box.min();
+        columns_ = int(box.sizes().x() / cell_) + 1;
+        rows_ = int(box.sizes().y() / cell_) + 1;
+        lowest_.assign(std::size_t(columns_) * std::size_t(rows_),
+                       std::numeric_limits<float>::infinity());
+    }
+
+    float cell() const { return cell_; }
+    float lowestAt(const Eigen::Vector3f& place) const { return lowest_[index(place)]; }
+
+    void add(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
+        for (const Eigen::Vector3f* place : {&a, &b, &c}) {
+            lower(index(*place), place->y());
+        }
+        const float area = (b.x() - a.x()) * (c.z() - a.z()) - (b.z() - a.z()) * (c.x() - a.x());
+        if (!(std::abs(area) > 1e-12f)) {
+            return; // seen from its edge: its corners say it all
+        }
+        const auto [left, right] = std::minmax({a.x(), b.x(), c.x()});
+        const auto [top, bottom] = std::minmax({a.z(), b.z(), c.z()});
+        for (int row = rowOf(top); row <= rowOf(bottom); ++row) {
+            for (int column = columnOf(left); column <= columnOf(right); ++column) {
+                const float x = corner_.x() + (float(column) + 0.5f) * cell_;
+                const float z = corner_.y() + (float(row) + 0.5f) * cell_;
+                const float ofB =
+                    ((x - a.x()) * (c.z() - a.z()) - (z - a.z()) * (c.x() - a.x())) / area;
+                const float ofC =
+                    ((b.x() - a.x()) * (z - a.z()) - (b.z() - a.z()) * (x - a.x())) / area;
+                if (ofB >= 0 && ofC >= 0 && ofB + ofC <= 1) {
+                    lower(std::size_t(row * columns_ + column),
+                          a.y() + ofB * (b.y() - a.y()) + ofC * (c.y() - a.y()));
+                }
+            }
+        }
+    }
+
+private:
+    int columnOf(float x) const {
+        return std::clamp(int((x - corner_.x()) / cell_), 0, columns_ - 1);
+    }
+    int rowOf(float z) const { return std::clamp(int((z - corner_.y()) / cell_), 0, rows_ - 1); }
+    std::size_t index(const Eigen::Vector3f& place) const {
+        return std::size_t(rowOf(place.z()) * columns_ + columnOf(place.x()));
+    }
+    void lower(std::size_t at, float height) { lowest_[at] = std::min(lowest_[at], height); }
+
+    Eigen::Vector2f corner_;
+    float cell_ = 0;
+    int columns_ = 0, rows_ = 0;
+    std::vector<float> lowest_;
+};
+
+bool isSeenFromBelow(const HeightField& heights, const Eigen::Vector3f& place, float up) {
+    const float slope = std::sqrt(std::max(1 - up * up, 0.f)) / -up;
+    const float slack = cellsOfSlack * heights.cell() * std::min(0.5f + slope, steepestSlack);
+    return place.y() <= heights.lowestAt(place) + slack;
+}
+
+// Marks 2 all that hangs together with what is marked 1 over triangles for which `holds`.
+template <typename Holds>
+void spread(std::vector<std::uint8_t>& covered, const std::vector<std::uint32_t>& opposite,
+            const Holds& holds) {
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t triangle = 0; triangle < covered.size(); ++triangle) {
+        if (covered[triangle] != 0) {
+            open.push_back(triangle);
+        }
+    }
+    while (!open.empty()) {
+        const std::uint32_t triangle = open.back();
+        open.pop_back();
+        for (std::uint32_t edge = 3 * triangle; edge < 3 * triangle + 3; ++edge) {
+            const std::uint32_t next = opposite[edge] == noEdge ? triangle : opposite[edge] / 3;
+            if (covered[next] == 0 && holds(next)) {
+                covered[next] = 1;
+                open.push_back(next);
+            }
+        }
+    }
+}
+
+} // namespace
+
+CoveragePreview::CoveragePreview(const TriangleMesh& model)
+    : model_(model), fine_(model, edgeForTriangles(model, fewestTriangles)),
+      opposite_(oppositeEdges(fine_.mesh())) {
+    for (std::size_t triangle = 0; triangle < mesh().triangles.size(); ++triangle) {
+        areas_.push_back(float(triangleArea(mesh(), triangle)));
+        normals_.push_back(triangleNormal(mesh(), triangle));
+        area_ += double(areas_.back());
+    }
+}
+
+PreviewedCoverage CoveragePreview::at(const Immersion& immersion, const FilmSettings& film,
+                                      const ProcessSettings& process) const {
+    const Eigen::Isometry3f pose = poseTransform(model_, immersion).cast<float>();
+    std::vector<Eigen::Vector3f> places;
+    places.reserve(mesh().positions.size());
+    for (const Eigen::Vector3f& position : mesh().positions) {
+        places.push_back(pose * position);
+    }
+    HeightField heights(places);
+    for (const auto& corners : mesh().triangles) {
+        heights.add(places[corners[0]], places[corners[1]], places[corners[2]]);
+    }
+    const Eigen::Vector3f upward = pose.linear().row(1).transpose();
+    const auto steepest = float(std::sin(radians(process.overhang)));
+    const float deepest =
+        process.depth ? float(process.depth->value()) : std::numeric_limits<float>::infinity();
+    const solver::FilmGrid grid = filmGrid(film);
+    const Eigen::Vector2f reach(float(grid.width / 2), float(grid.depth / 2));
+    const Eigen::Vector2f offset(float(immersion.offset[0].value()),
+                                 float(immersion.offset[1].value()));
+    const auto middle = [&](std::uint32_t triangle) -> Eigen::Vector3f {
+        const auto& corners = mesh().triangles[triangle];
+        return (places[corners[0]] + places[corners[1]] + places[corners[2]]) / 3;
+    };
+    // Under water, over the sheet, and not turned up too far.
+    const auto canHold = [&](std::uint32_t triangle, const Eigen::Vector3f& place) {
+        const Eigen::Vector2f onWater = Eigen::Vector2f(place.x(), place.z()) + offset;
+        return normals_[triangle].dot(upward) <= steepest && place.y() <= deepest &&
+               (onWater.cwiseAbs().array() <= reach.array()).all();
+    };
+    PreviewedCoverage result;
+    result.covered.assign(areas_.size(), 0);
+    for (std::uint32_t triangle = 0; triangle < areas_.size(); ++triangle) {
+        const float up = normals_[triangle].dot(upward);
+        if (up < -wallSlope) {
+            const Eigen::Vector3f place = middle(triangle);
+            result.covered[triangle] =
+                canHold(triangle, place) && isSeenFromBelow(heights, place, up);
+        }
+    }
+    spread(result.covered, opposite_, [&](std::uint32_t triangle) {
+        return normals_[triangle].dot(upward) >= -wallSlope && canHold(triangle, middle(triangle));
+    });
+    for (std::uint32_t triangle = 0; triangle < areas_.size(); ++triangle) {
+        result.share += result.covered[triangle] != 0 ? double(areas_[triangle]) / area_ : 0;
+    }
+    return result;
+}
+
+std::vector<std::uint8_t> CoveragePreview::ofModel(const PreviewedCoverage& coverage) const {
+    std::vector<float> painted(model_.triangles.size(), 0.f), whole(painted);
+    for (std::size_t triangle = 0; triangle < areas_.size(); ++triangle) {
+        const std::uint32_t coarse = fine_.middle(triangle).triangle;
+        whole[coarse] += areas_[triangle];
+        painted[coarse] += coverage.covered[triangle] != 0 ? areas_[triangle] : 0;
+    }
+    std::vector<std::uint8_t> covered;
+    for (std::size_t triangle = 0; triangle < whole.size(); ++triangle) {
+        covered.push_back(whole[triangle] > 0 && 2 * painted[triangle] >= whole[triangle] ? 1 : 0);
+    }
+    return covered;
+}
+
+} // namespace dipwright

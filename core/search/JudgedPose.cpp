@@ -1,0 +1,184 @@
+#include "search/JudgedPose.h"
+
+#include "dip/TrappedAir.h"
+#include "geometry/SurfaceSamples.h"
+#include "tolerance/Zones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace dipwright {
+namespace {
+
+constexpr double samplesOfBody = 6000;
+constexpr double stretchUnits = 4096;
+constexpr double keptBelow = 0.99; // share of what is painted that the largest stretch leaves out
+constexpr double gatheredBelow = 0.9; // λ2 of film that is pushed together so that it may fold
+constexpr double markedWorth = 0.5;   // of film with marks, against film without
+constexpr int airCells = 48;          // along the body's longest edge
+constexpr double linkedSamples = 2;   // places within so many times their spacing are neighbours
+
+std::uint16_t units(float stretch) {
+    return std::uint16_t(std::clamp(std::lround(double(stretch) * stretchUnits), 1L, 65535L));
+}
+
+bool isMarked(const PaintedSample& sample, solver::PointMark mark) {
+    return solver::has(sample.marks, mark);
+}
+
+// The share of the sheet within the box round the film that paints.
+double filmUsedBy(const LaidFilm& laid) {
+    const DippedFilm& film = laid.film();
+    Eigen::AlignedBox2f box;
+    for (std::size_t point = 0; point < film.positions.size(); ++point) {
+        if (laid.painted().points[point] != 0) {
+            box.extend(restPosition(film.grid, point));
+        }
+    }
+    return box.isEmpty() ? 0 : double(box.volume()) / (film.grid.width * film.grid.depth);
+}
+
+// Of two dips that paint a place, the one whose film is worth more there.
+double worth(const PaintedSample& sample) {
+    if (sample.larger == 0) {
+        return -1;
+    }
+    const double quality =
+        printQuality(sample.larger / stretchUnits, sample.smaller / stretchUnits);
+    return sample.marks != 0 ? markedWorth * quality : quality;
+}
+
+double percentile(std::vector<std::uint16_t>& values, double share) {
+    if (values.empty()) {
+        return 1;
+    }
+    const auto nth = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+    std::nth_element(values.begin(), nth, values.end());
+    return *nth / stretchUnits;
+}
+
+} // namespace
+
+JudgedBody::JudgedBody(std::shared_ptr<const TexturedMesh> model,
+                       const std::vector<ZoneMark>& marks,
+                       const std::array<double, zoneCount>& zoneWeights)
+    : model_(std::move(model)), area_(surfaceArea(model_->mesh)) {
+    samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
+    equator_ = std::sqrt(pi * area_);
+    joinReach_ = linkedSamples * std::sqrt(area_ / samplesOfBody);
+    if (marks.empty()) {
+        weights_.assign(samples_.size(), float(zoneWeights.back() > 0 ? zoneWeights.back() : 1));
+    } else {
+        ZonedBody zoned(model_);
+        zoned.setMarks(marks);
+        for (const SurfacePoint& sample : samples_) {
+            weights_.push_back(float(zoneWeights[std::size_t(zoned.at(sample))]));
+        }
+    }
+    linkNeighbours();
+}
+
+void JudgedBody::linkNeighbours() {
+    std::map<std::array<int, 3>, std::vector<std::uint32_t>> cells;
+    std::vector<Eigen::Vector3f> places, normals;
+    const auto cellOf = [&](const Eigen::Vector3f& place) {
+        std::array<int, 3> cell{};
+        for (int axis = 0; axis < 3; ++axis) {
+            cell[std::size_t(axis)] = int(std::floor(double(place[axis]) / joinReach_));
+        }
+        return cell;
+    };
+    for (std::uint32_t index = 0; index < samples_.size(); ++index) {
+        places.push_back(position(model_->mesh, samples_[index]));
+        normals.push_back(triangleNormal(model_->mesh, samples_[index].triangle));
+        const std::array<int, 3> cell = cellOf(places.back());
+        for (int near = 0; near < 27; ++near) {
+            const auto found = cells.find(
+                {cell[0] + near % 3 - 1, cell[1] + near / 3 % 3 - 1, cell[2] + near / 9 - 1});
+            if (found == cells.end()) {
+                continue;
+            }
+            for (const std::uint32_t other : found->second) {
+                if (double((places[other] - places[index]).norm()) <= joinReach_ &&
+                    normals[other].dot(normals[index]) > 0) { // not through a thin wall
+                    links_.push_back({other, index});
+                }
+            }
+        }
+        cells[cell].push_back(index);
+    }
+}
+
+// Of n places a mm², each linked to all within r, a line crosses 2/3·n²·r³ links a mm (Cauchy and
+// Crofton; docs/pose-search.md, "The join").
+double JudgedBody::joinLength(const std::vector<std::uint8_t>& painters) const {
+    std::size_t crossings = 0;
+    for (const auto& [one, other] : links_) {
+        crossings += painters[one] + painters[other] == 3; // 1 and 2
+    }
+    const double density = double(samples_.size()) / area_;
+    return double(crossings) / (2.0 / 3 * density * density * std::pow(joinReach_, 3));
+}
+
+JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) const {
+    JudgedPose pose;
+    pose.immersion = immersion;
+    pose.samples.resize(samples_.size());
+    for (std::size_t index = 0; index < samples_.size(); ++index) {
+        if (const std::optional<FilmPlace> place = laid.place(samples_[index])) {
+            const PrincipalStretch& stretch = laid.stretches()[place->triangle];
+            pose.samples[index] = {units(stretch.larger), units(stretch.smaller),
+                                   laid.marks(place->triangle)};
+        }
+    }
+    pose.trappedAir = trappedAirArea(laid.body(), airCells) / area_;
+    pose.filmUsed = filmUsedBy(laid);
+    return pose;
+}
+
+PoseMeasures JudgedBody::measures(const std::vector<const JudgedPose*>& dips) const {
+    std::vector<std::uint8_t> painters(samples_.size(), 0); // 1, 2 …; 0: none
+    std::vector<std::uint16_t> stretches;
+    double quality = 0, weights = 0;
+    std::size_t certain = 0, wrinkled = 0, torn = 0;
+    for (std::size_t index = 0; index < samples_.size(); ++index) {
+        weights += double(weights_[index]);
+        const PaintedSample* best = nullptr;
+        for (std::size_t dip = 0; dip < dips.size(); ++dip) {
+            if (dips[dip]->samples.empty() || dips[dip]->samples[index].larger == 0) {
+                continue;
+            }
+            const PaintedSample& sample = dips[dip]->samples[index];
+            if (!best || worth(sample) > worth(*best)) {
+                best = &sample;
+                painters[index] = std::uint8_t(dip + 1);
+            }
+        }
+        if (best) {
+            quality += double(weights_[index]) *
+                       printQuality(best->larger / stretchUnits, best->smaller / stretchUnits);
+            stretches.push_back(best->larger);
+            certain += best->marks == 0;
+            wrinkled += best->smaller < gatheredBelow * stretchUnits;
+            torn += isMarked(*best, solver::PointMark::Torn);
+        }
+    }
+    const auto painted = double(std::max<std::size_t>(stretches.size(), 1));
+    PoseMeasures measures;
+    measures[Measure::Quality] = quality / std::max(weights, 1e-12);
+    measures[Measure::Coverage] = double(stretches.size()) / double(samples_.size());
+    measures[Measure::Certain] = double(certain) / painted;
+    measures[Measure::Wrinkled] = double(wrinkled) / painted;
+    measures[Measure::Torn] = double(torn) / painted;
+    measures[Measure::Stretch] = percentile(stretches, keptBelow);
+    for (const JudgedPose* dip : dips) {
+        measures[Measure::TrappedAir] += dip->trappedAir;
+        measures[Measure::FilmUsed] += dip->filmUsed / double(dips.size());
+    }
+    measures[Measure::TrappedAir] = std::min(measures[Measure::TrappedAir], 1.0);
+    measures[Measure::Join] = dips.size() == 2 ? joinLength(painters) : 0;
+    return measures;
+}
+
+} // namespace dipwright

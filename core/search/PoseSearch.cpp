@@ -1,0 +1,535 @@
+#include "search/PoseSearch.h"
+
+#include "base/Error.h"
+#include "parallel/ParallelFor.h"
+#include "search/JudgedPose.h"
+#include "search/PoseCandidates.h"
+#include "search/PoseDips.h"
+#include "tolerance/Zones.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QDataStream>
+#include <QIODevice>
+#include <QStringList>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(PoseSearch)
+};
+
+constexpr std::size_t keptPoses = 24;
+constexpr std::size_t comparedPairs = 1000; // the best, of which the distinct ones are ranked
+constexpr double distinct = 5;              // degrees between poses of a ranking
+constexpr std::array<double, 3> tilts{10, 5, 2.5};       // degrees, a round of refinement each
+constexpr double turn = 5;                               // degrees about the vertical, in the last
+constexpr double shift = 0.05;                           // of the film's sides, in the last
+constexpr double fieldShare = 0.05, geometryShare = 0.1; // of the time
+
+using Judged = std::shared_ptr<const JudgedPose>;
+
+// Dips that are ranked together.
+struct Entry {
+    std::vector<Judged> dips;
+    RankedPoses ranked;
+};
+
+bool isBetter(const Entry& one, const Entry& other) {
+    if (one.ranked.limitsMissed != other.ranked.limitsMissed) {
+        return one.ranked.limitsMissed < other.ranked.limitsMissed;
+    }
+    return one.ranked.objective > other.ranked.objective;
+}
+
+bool isDistinct(const Immersion& one, const Immersion& other) {
+    return downOf(one).dot(downOf(other)) < std::cos(radians(Degrees(distinct)));
+}
+
+bool isDistinct(const Entry& one, const Entry& other) {
+    // Pairs are alike where each dip of one is like a dip of the other.
+    return std::any_of(one.dips.begin(), one.dips.end(), [&](const Judged& dip) {
+        return std::all_of(other.dips.begin(), other.dips.end(), [&](const Judged& like) {
+            return isDistinct(dip->immersion, like->immersion);
+        });
+    });
+}
+
+// The poses to try next to one: tilted about the film's axes, and in the last round also turned
+// and moved.
+std::vector<Immersion> neighbours(const Immersion& immersion, std::size_t round,
+                                  const FilmSettings& film) {
+    std::vector<Immersion> result;
+    const auto turned = [&](const Eigen::Vector3d& axis, double degrees) {
+        Immersion next = immersion;
+        next.rotation =
+            rotationAngles(Eigen::AngleAxisd(radians(Degrees(degrees)), axis).toRotationMatrix() *
+                               rotationMatrix(immersion.rotation),
+                           immersion.rotation);
+        result.push_back(next);
+    };
+    for (const double side : {-1.0, 1.0}) {
+        turned(Eigen::Vector3d::UnitX(), side * tilts[round]);
+        turned(Eigen::Vector3d::UnitZ(), side * tilts[round]);
+    }
+    if (round + 1 < tilts.size()) {
+        return result;
+    }
+    for (const double side : {-1.0, 1.0}) {
+        turned(Eigen::Vector3d::UnitY(), side * turn);
+        Immersion next = immersion;
+        next.offset[0] = next.offset[0] + film.width * (side * shift);
+        result.push_back(next);
+        next = immersion;
+        next.offset[1] = next.offset[1] + film.height * (side * shift);
+        result.push_back(next);
+    }
+    return result;
+}
+
+std::vector<float> zoneWeights(const SearchSubject& subject, const CoveragePreview& preview,
+                               const SearchSettings& settings) {
+    std::vector<float> weights(preview.areas().size(), 1.f);
+    if (!subject.marks.empty()) {
+        ZonedBody zoned(subject.model);
+        zoned.setMarks(subject.marks);
+        for (std::size_t triangle = 0; triangle < weights.size(); ++triangle) {
+            weights[triangle] =
+                float(settings.zoneWeights[std::size_t(zoned.at(preview.middle(triangle)))]);
+        }
+    }
+    return weights;
+}
+
+// What all parts of a search have in common.
+QByteArray searchKey(const SearchSubject& subject, const SearchSettings& settings) {
+    QByteArray text;
+    QDataStream out(&text, QIODevice::WriteOnly);
+    out.setVersion(QDataStream::Qt_6_0);
+    out << subject.identity << settings.immersions << settings.directions << settings.simulated
+        << settings.seed;
+    for (const double weight : settings.zoneWeights) {
+        out << weight;
+    }
+    return QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex();
+}
+
+class Search {
+public:
+    Search(const SearchSubject& subject, const SearchSettings& settings,
+           const solver::SolverModule& module, const Progress& progress)
+        : subject_(subject), settings_(settings), module_(module), progress_(progress),
+          body_(subject.model, subject.marks, settings.zoneWeights),
+          coarse_(subject, body_, module, PoseDips::Film::Coarse, progress.part(0, fieldShare)) {
+        progress_(fieldShare, Text::tr("Judging directions by the body's shape"));
+        const CoveragePreview preview(subject.model->mesh);
+        candidates_ = poseCandidates(preview, zoneWeights(subject, preview, settings), subject.film,
+                                     subject.process, settings, progress);
+        const int each = settings.immersions;
+        const int rounds = int(tilts.size());
+        wanted_ = int(candidates_.chosen.size() + subject.immersions.size()) +
+                  settings.refined * each * (4 * rounds + 6) + each * (settings.confirmed + 1);
+        result_.equator = body_.equator();
+    }
+
+    // Every count-th of the first dips.
+    std::vector<Judged> part(int number, int count) {
+        std::vector<Immersion> immersions;
+        for (std::size_t at = std::size_t(number - 1); at < candidates_.chosen.size();
+             at += std::size_t(count)) {
+            immersions.push_back(candidates_.all[candidates_.chosen[at]].immersion);
+        }
+        wanted_ = int(immersions.size());
+        return dipped(coarse_, immersions);
+    }
+
+    // Puts what other processes have dipped in the place of the first dips.
+    void take(const std::vector<SearchPart>& parts, const QByteArray& key) {
+        std::vector<const SearchPart*> ordered(parts.size(), nullptr);
+        for (const SearchPart& part : parts) {
+            if (part.key != key) {
+                throw Error(Text::tr("This part belongs to another search; make all parts from the "
+                                     "same project with the same options"),
+                            Text::tr("part %1 of %2").arg(part.number).arg(part.count));
+            }
+            if (part.count != int(parts.size()) || ordered[std::size_t(part.number - 1)]) {
+                throw Error(Text::tr("Hand over each of the %1 parts once; there are %2")
+                                .arg(part.count)
+                                .arg(parts.size()),
+                            Text::tr("part %1 of %2").arg(part.number).arg(part.count));
+            }
+            ordered[std::size_t(part.number - 1)] = &part;
+        }
+        for (std::size_t at = 0; at < candidates_.chosen.size(); ++at) {
+            const SearchPart& part = *ordered[at % ordered.size()];
+            const std::size_t place = at / ordered.size();
+            const Immersion& wanted = candidates_.all[candidates_.chosen[at]].immersion;
+            if (place >= part.poses.size() ||
+                part.poses[place]->immersion.rotation != wanted.rotation ||
+                (!part.poses[place]->samples.empty() &&
+                 part.poses[place]->samples.size() != body_.places())) {
+                throw Error(Text::tr("This part does not hold the dips that are its share; make it "
+                                     "again"),
+                            Text::tr("part %1 of %2").arg(part.number).arg(part.count));
+            }
+            poses_.push_back(part.poses[place]);
+        }
+        done_ = int(poses_.size());
+    }
+
+    SearchResult run(const SearchWatch& watch) {
+        watch_ = &watch;
+        try {
+            simulate();
+            refine();
+            confirm();
+        } catch (const Cancelled&) {
+            if (!isRefining_) {
+                rankFirstDips();
+            }
+            if (result_.ranking.empty()) {
+                throw;
+            }
+            result_.isComplete = false;
+        }
+        return std::move(result_);
+    }
+
+private:
+    Entry entry(std::vector<Judged> dips, bool isConfirmed) const {
+        std::vector<const JudgedPose*> judged;
+        Entry entry;
+        for (const Judged& dip : dips) {
+            judged.push_back(dip.get());
+            entry.ranked.immersions.push_back(dip->immersion);
+        }
+        entry.ranked.measures = body_.measures(judged);
+        entry.ranked.objective = objective(entry.ranked.measures, settings_, body_.equator());
+        entry.ranked.limitsMissed = limitsMissed(entry.ranked.measures, settings_);
+        entry.ranked.isConfirmed = isConfirmed;
+        entry.dips = std::move(dips);
+        return entry;
+    }
+
+    std::vector<Judged> dipped(const PoseDips& dips, const std::vector<Immersion>& immersions) {
+        const int before = done_;
+        return dips.dip(immersions, [&](std::size_t done) {
+            done_ = before + int(done);
+            tell();
+        });
+    }
+
+    void tell() {
+        using Seconds = std::chrono::duration<double>;
+        const double share = std::min(double(done_) / std::max(wanted_, 1), 1.0);
+        progress_(geometryShare + (1 - geometryShare) * share, Text::tr("Trying poses"));
+        if (watch_ && *watch_) {
+            const double spent = Seconds(std::chrono::steady_clock::now() - begin_).count();
+            std::optional<double> left;
+            if (const int made = done_ - taken_; made > 0) {
+                left = spent * (wanted_ - done_) / made;
+            }
+            (*watch_)({done_, wanted_, left, result_});
+        }
+    }
+
+    // The job's own poses and the first dips, ranked whenever there are twice as many.
+    void simulate() {
+        constexpr std::size_t atOnce = 16;
+        taken_ = done_;
+        begin_ = std::chrono::steady_clock::now();
+        own_ = dipped(coarse_, subject_.immersions);
+        std::size_t rankAt = atOnce;
+        while (poses_.size() < candidates_.chosen.size()) {
+            std::vector<Immersion> immersions;
+            const std::size_t until = std::min(poses_.size() + atOnce, candidates_.chosen.size());
+            for (std::size_t at = poses_.size(); at < until; ++at) {
+                immersions.push_back(candidates_.all[candidates_.chosen[at]].immersion);
+            }
+            const std::vector<Judged> judged = dipped(coarse_, immersions);
+            poses_.insert(poses_.end(), judged.begin(), judged.end());
+            if (poses_.size() >= rankAt) {
+                rankFirstDips();
+                rankAt = 2 * poses_.size();
+            }
+        }
+        rankFirstDips();
+        if (result_.ranking.empty()) {
+            throw Error(Text::tr("No pose paints anything; choose a larger film"), subject_.name);
+        }
+        isRefining_ = true;
+    }
+
+    void rankFirstDips() {
+        best_.clear();
+        objectives_.assign(poses_.size(), -1);
+        std::vector<Judged> pool = poses_;
+        if (own_.size() == std::size_t(settings_.immersions)) {
+            pool.insert(pool.end(), own_.begin(), own_.end());
+        }
+        std::vector<Entry> all = settings_.immersions == 1 ? singles(pool) : pairs(pool);
+        std::stable_sort(all.begin(), all.end(), isBetter);
+        for (Entry& each : all) {
+            if (best_.size() == keptPoses) {
+                break;
+            }
+            if (each.ranked.measures[Measure::Coverage] > 0 &&
+                std::all_of(best_.begin(), best_.end(),
+                            [&](const Entry& other) { return isDistinct(each, other); })) {
+                best_.push_back(std::move(each));
+            }
+        }
+        current_ = own_.empty() ? std::nullopt : std::optional(entry(own_, false));
+        rank();
+    }
+
+    std::vector<Entry> singles(const std::vector<Judged>& pool) {
+        std::vector<Entry> all(pool.size());
+        parallelFor(std::size_t(0), pool.size(),
+                    [&](std::size_t index) { all[index] = entry({pool[index]}, false); });
+        for (std::size_t index = 0; index < objectives_.size(); ++index) {
+            objectives_[index] = all[index].ranked.objective;
+        }
+        return all;
+    }
+
+    // The best of all pairs.
+    std::vector<Entry> pairs(const std::vector<Judged>& pool) {
+        struct Pair {
+            std::uint32_t first, second;
+            double limitsMissed = 0, objective = 0;
+        };
+        std::vector<Pair> all;
+        for (std::uint32_t first = 0; first < pool.size(); ++first) {
+            for (std::uint32_t second = first + 1; second < pool.size(); ++second) {
+                all.push_back({first, second, 0, 0});
+            }
+        }
+        parallelFor(std::size_t(0), all.size(), [&](std::size_t index) {
+            Pair& pair = all[index];
+            const RankedPoses ranked = entry({pool[pair.first], pool[pair.second]}, false).ranked;
+            pair.limitsMissed = ranked.limitsMissed;
+            pair.objective = ranked.objective;
+        });
+        for (const Pair& pair : all) {
+            for (const std::size_t member : {pair.first, pair.second}) {
+                if (member < objectives_.size()) {
+                    objectives_[member] = std::max(objectives_[member], pair.objective);
+                }
+            }
+        }
+        std::stable_sort(all.begin(), all.end(), [](const Pair& one, const Pair& other) {
+            return one.limitsMissed != other.limitsMissed ? one.limitsMissed < other.limitsMissed
+                                                          : one.objective > other.objective;
+        });
+        std::vector<Entry> entries;
+        for (std::size_t index = 0; index < std::min(all.size(), comparedPairs); ++index) {
+            entries.push_back(entry({pool[all[index].first], pool[all[index].second]}, false));
+        }
+        return entries;
+    }
+
+    // Each of the best, one dip after the other, moves to the best pose next to it.
+    void refine() {
+        const std::size_t count = std::min(best_.size(), std::size_t(settings_.refined));
+        for (std::size_t round = 0; round < tilts.size() && count > 0; ++round) {
+            for (std::size_t member = 0; member < std::size_t(settings_.immersions); ++member) {
+                refineMember(count, round, member);
+            }
+        }
+    }
+
+    void refineMember(std::size_t count, std::size_t round, std::size_t member) {
+        std::vector<Immersion> trials;
+        std::vector<std::size_t> owner;
+        for (std::size_t index = 0; index < count; ++index) {
+            for (const Immersion& trial :
+                 neighbours(best_[index].dips[member]->immersion, round, subject_.film)) {
+                trials.push_back(trial);
+                owner.push_back(index);
+            }
+        }
+        const std::vector<Judged> judged = dipped(coarse_, trials);
+        const std::vector<Entry> before(best_.begin(), best_.begin() + std::ptrdiff_t(count));
+        for (std::size_t trial = 0; trial < trials.size(); ++trial) {
+            std::vector<Judged> dips = before[owner[trial]].dips;
+            dips[member] = judged[trial];
+            Entry tried = entry(std::move(dips), false);
+            if (isBetter(tried, best_[owner[trial]])) {
+                best_[owner[trial]] = std::move(tried);
+            }
+        }
+        rank();
+    }
+
+    // The best with the job's own film, and its own poses for comparison.
+    void confirm() {
+        if (settings_.confirmed == 0) {
+            return;
+        }
+        const std::vector<Entry> ordered = ranked();
+        const std::size_t count = std::min(ordered.size(), std::size_t(settings_.confirmed));
+        std::vector<Immersion> immersions = subject_.immersions;
+        for (std::size_t index = 0; index < count; ++index) {
+            for (const Judged& dip : ordered[index].dips) {
+                immersions.push_back(dip->immersion);
+            }
+        }
+        const PoseDips own(subject_, body_, module_, PoseDips::Film::Own, progress_.silent());
+        const std::vector<Judged> judged = dipped(own, immersions);
+        auto next = judged.begin();
+        if (!subject_.immersions.empty()) {
+            next += std::ptrdiff_t(subject_.immersions.size());
+            current_ = entry({judged.begin(), next}, true);
+        }
+        best_ = ordered;
+        for (std::size_t index = 0; index < count; ++index) {
+            const auto end = next + settings_.immersions;
+            best_[index] = entry({next, end}, true);
+            next = end;
+        }
+        rank();
+    }
+
+    // The best first: those that are confirmed, and then those that are not.
+    std::vector<Entry> ranked() const {
+        std::vector<Entry> all = best_;
+        std::stable_sort(all.begin(), all.end(), [](const Entry& one, const Entry& other) {
+            if (one.ranked.isConfirmed != other.ranked.isConfirmed) {
+                return one.ranked.isConfirmed;
+            }
+            return isBetter(one, other);
+        });
+        std::vector<Entry> kept;
+        for (Entry& each : all) {
+            if (std::all_of(kept.begin(), kept.end(),
+                            [&](const Entry& other) { return isDistinct(each, other); })) {
+                kept.push_back(std::move(each));
+            }
+        }
+        return kept;
+    }
+
+    void rank() {
+        result_.ranking.clear();
+        for (Entry& each : ranked()) {
+            nameImmersions(each.ranked.immersions);
+            result_.ranking.push_back(std::move(each.ranked));
+        }
+        result_.current.reset();
+        if (current_ && current_->ranked.measures[Measure::Coverage] > 0) {
+            result_.current = current_->ranked;
+            nameImmersions(result_.current->immersions);
+        }
+        fillDirections();
+    }
+
+    void fillDirections() {
+        result_.directions.clear();
+        std::vector<std::optional<double>> objectives(candidates_.all.size());
+        for (std::size_t at = 0; at < objectives_.size(); ++at) {
+            if (objectives_[at] >= 0) {
+                objectives[candidates_.chosen[at]] = objectives_[at];
+            }
+        }
+        for (const PoseCandidate& candidate : candidates_.all) {
+            result_.directions.push_back(
+                {candidate.down, candidate.coverage, objectives[candidate.like]});
+        }
+    }
+
+    // The job's own names, where there are as many.
+    void nameImmersions(std::vector<Immersion>& immersions) const {
+        for (std::size_t index = 0; index < immersions.size(); ++index) {
+            immersions[index].name = subject_.immersions.size() == immersions.size()
+                                         ? subject_.immersions[index].name
+                                         : Text::tr("Immersion %1").arg(index + 1);
+        }
+    }
+
+    const SearchSubject& subject_;
+    const SearchSettings& settings_;
+    const solver::SolverModule& module_;
+    const Progress& progress_;
+    const SearchWatch* watch_ = nullptr;
+    JudgedBody body_;
+    PoseDips coarse_;
+    PoseCandidates candidates_;
+    std::vector<Judged> own_;        // the job's own poses
+    std::vector<Judged> poses_;      // of candidates_.chosen, as far as they are dipped
+    std::vector<double> objectives_; // of each, the best it takes part in; −1: none
+    std::vector<Entry> best_;
+    std::optional<Entry> current_;
+    SearchResult result_;
+    bool isRefining_ = false; // the first dips are all ranked
+    int done_ = 0, wanted_ = 0, taken_ = 0;
+    std::chrono::steady_clock::time_point begin_;
+};
+
+} // namespace
+
+SearchResult searchPoses(const SearchSubject& subject, const SearchSettings& settings,
+                         const solver::SolverModule& module, const std::vector<SearchPart>& parts,
+                         const SearchWatch& watch, const Progress& progress) {
+    requireValid(settings);
+    Search search(subject, settings, module, progress);
+    if (!parts.empty()) {
+        search.take(parts, searchKey(subject, settings));
+    }
+    return search.run(watch);
+}
+
+SearchPart searchPart(const SearchSubject& subject, const SearchSettings& settings,
+                      const solver::SolverModule& module, int number, int count,
+                      const Progress& progress) {
+    requireValid(settings);
+    SearchPart part;
+    part.key = searchKey(subject, settings);
+    part.number = number;
+    part.count = count;
+    part.poses = Search(subject, settings, module, progress).part(number, count);
+    return part;
+}
+
+std::vector<MeasureDifference> differences(const RankedPoses& poses, const RankedPoses& others,
+                                           const SearchSettings& settings, double equator) {
+    std::vector<std::pair<double, MeasureDifference>> found;
+    const double whole = objective(others.measures, settings, equator);
+    for (const Measure measure : allMeasures()) {
+        const double more = poses.measures[measure] - others.measures[measure];
+        if (measureText(measure, poses.measures[measure]) !=
+            measureText(measure, others.measures[measure])) {
+            PoseMeasures changed = others.measures;
+            changed[measure] = poses.measures[measure];
+            const double counts = std::abs(objective(changed, settings, equator) - whole);
+            found.push_back({counts, {measure, more, (more > 0) == isMoreBetter(measure)}});
+        }
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& one, const auto& other) { return one.first > other.first; });
+    std::vector<MeasureDifference> result;
+    for (const auto& [counts, difference] : found) {
+        result.push_back(difference);
+    }
+    return result;
+}
+
+QString reasonText(const std::vector<MeasureDifference>& differences) {
+    if (differences.empty()) {
+        return Text::tr("the same");
+    }
+    QStringList reasons;
+    for (const MeasureDifference& difference : differences) {
+        reasons.append(QStringLiteral("%1%2 %3").arg(
+            difference.more < 0 ? QStringLiteral("−") : QStringLiteral("+"),
+            measureText(difference.measure, std::abs(difference.more)),
+            measureName(difference.measure).toLower()));
+    }
+    return reasons.join(QStringLiteral(", "));
+}
+
+} // namespace dipwright

@@ -1,0 +1,208 @@
+#include "search/SearchSettings.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(PoseSearch)
+};
+
+// Film drawn out as far as it commonly tears shows nothing of its picture (process.tear_stretch).
+constexpr double goodStretch = 1.2, uselessStretch = 4;
+constexpr double longestJoin = 2; // equators: a join as long as this is as bad as can be
+constexpr double mostWeight = 100, mostZoneWeight = 1000;
+constexpr double leastLimitScale = 0.01; // what a limit of 0 is missed by is reckoned against
+
+// 1 at `good`, 0 at `bad`, linear between.
+double ramp(double value, double good, double bad) {
+    return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
+}
+
+double goodness(Measure measure, double value, double equator) {
+    switch (measure) {
+    case Measure::Quality:
+    case Measure::Coverage:
+    case Measure::Certain:
+        return value;
+    case Measure::Stretch:
+        return ramp(value, goodStretch, uselessStretch);
+    case Measure::Join:
+        return ramp(value, 0, longestJoin * equator);
+    case Measure::Wrinkled:
+    case Measure::Torn:
+    case Measure::TrappedAir:
+    case Measure::FilmUsed:
+        break;
+    }
+    return 1 - value;
+}
+
+void require(double value, double least, double most, const QString& where) {
+    if (!(value >= least && value <= most)) {
+        throw Error(Text::tr("Choose a number from %1 to %2").arg(least).arg(most), where);
+    }
+}
+
+double greatestLimit(Measure measure) {
+    switch (measure) {
+    case Measure::Stretch:
+        return 100;
+    case Measure::Join:
+        return 1e6;
+    default:
+        return 1;
+    }
+}
+
+Measure measureOf(const QString& key) {
+    QStringList keys;
+    for (const Measure measure : allMeasures()) {
+        if (measureKey(measure) == key) {
+            return measure;
+        }
+        keys.append(measureKey(measure));
+    }
+    throw Error(Text::tr("There is no measure of this name; choose one of %1")
+                    .arg(keys.join(QStringLiteral(", "))),
+                key);
+}
+
+} // namespace
+
+const std::array<Measure, measureCount>& allMeasures() {
+    static constexpr std::array<Measure, measureCount> all{
+        Measure::Quality,    Measure::Coverage, Measure::Stretch,
+        Measure::Certain,    Measure::Wrinkled, Measure::Torn,
+        Measure::TrappedAir, Measure::Join,     Measure::FilmUsed};
+    return all;
+}
+
+QString measureKey(Measure measure) {
+    static const std::array<const char*, measureCount> keys{"quality",     "coverage", "stretch",
+                                                            "certain",     "wrinkled", "torn",
+                                                            "trapped_air", "join",     "film_used"};
+    return QString::fromLatin1(keys[std::size_t(measure)]);
+}
+
+QString measureName(Measure measure) {
+    switch (measure) {
+    case Measure::Quality:
+        return Text::tr("Quality");
+    case Measure::Coverage:
+        return Text::tr("Coverage");
+    case Measure::Stretch:
+        return Text::tr("Largest stretch");
+    case Measure::Certain:
+        return Text::tr("Certain");
+    case Measure::Wrinkled:
+        return Text::tr("Wrinkled");
+    case Measure::Torn:
+        return Text::tr("Torn");
+    case Measure::TrappedAir:
+        return Text::tr("Trapped air");
+    case Measure::Join:
+        return Text::tr("Join");
+    case Measure::FilmUsed:
+        return Text::tr("Film used");
+    }
+    return {};
+}
+
+QString measureText(Measure measure, double value) {
+    switch (measure) {
+    case Measure::Stretch:
+        return QString::number(value, 'f', 2);
+    case Measure::Join:
+        return QStringLiteral("%1 mm").arg(value, 0, 'f', 0);
+    default:
+        return QStringLiteral("%1 %").arg(100 * value, 0, 'f', 1);
+    }
+}
+
+bool isMoreBetter(Measure measure) {
+    return measure == Measure::Quality || measure == Measure::Coverage ||
+           measure == Measure::Certain;
+}
+
+void requireValid(const SearchSettings& settings) {
+    require(settings.immersions, 1, 2, QStringLiteral("immersions"));
+    require(settings.directions, 6, 20'000, QStringLiteral("directions"));
+    require(settings.simulated, 6, 2000, QStringLiteral("candidates"));
+    require(settings.refined, 0, 50, QStringLiteral("refined"));
+    require(settings.confirmed, 0, 20, QStringLiteral("confirmed"));
+    require(settings.seed, 0, 1'000'000, QStringLiteral("seed"));
+    double sum = 0;
+    for (const Measure measure : allMeasures()) {
+        require(settings.weights[measure], 0, mostWeight, measureKey(measure));
+        const bool counts = settings.immersions == 2 || measure != Measure::Join;
+        sum += counts ? settings.weights[measure] : 0;
+        if (const std::optional<double>& limit = settings.limits[measure]) {
+            require(*limit, 0, greatestLimit(measure), measureKey(measure));
+        }
+    }
+    double zones = 0;
+    for (const double weight : settings.zoneWeights) {
+        require(weight, 0, mostZoneWeight, Text::tr("weight of a zone"));
+        zones += weight;
+    }
+    if (!(sum > 0) || !(zones > 0)) {
+        throw Error(Text::tr("All weights are 0; give one of them more"),
+                    QStringLiteral("weights"));
+    }
+}
+
+void setWeight(SearchSettings& settings, const QString& key, double value) {
+    static const QStringList zones{QStringLiteral("zone_a"), QStringLiteral("zone_b"),
+                                   QStringLiteral("zone_c")};
+    if (const auto zone = zones.indexOf(key); zone >= 0) {
+        require(value, 0, mostZoneWeight, key);
+        settings.zoneWeights[std::size_t(zone)] = value;
+        return;
+    }
+    const Measure measure = measureOf(key);
+    require(value, 0, mostWeight, key);
+    settings.weights[measure] = value;
+}
+
+void setLimit(SearchSettings& settings, const QString& key, double value) {
+    const Measure measure = measureOf(key);
+    require(value, 0, greatestLimit(measure), key);
+    settings.limits[measure] = value;
+}
+
+double printQuality(double larger, double smaller) {
+    return ramp(larger, 1.2, 2.5) * ramp(smaller, 0.7, 0.2);
+}
+
+double objective(const PoseMeasures& measures, const SearchSettings& settings, double equator) {
+    double sum = 0, weights = 0;
+    for (const Measure measure : allMeasures()) {
+        if (measure != Measure::Join || settings.immersions == 2) {
+            const double weight = settings.weights[measure];
+            sum += weight * goodness(measure, measures[measure], equator);
+            weights += weight;
+        }
+    }
+    return sum / weights;
+}
+
+double limitsMissed(const PoseMeasures& measures, const SearchSettings& settings) {
+    double missed = 0;
+    for (const Measure measure : allMeasures()) {
+        if (const std::optional<double>& limit = settings.limits[measure]) {
+            const double over =
+                isMoreBetter(measure) ? *limit - measures[measure] : measures[measure] - *limit;
+            missed += std::max(over, 0.0) / std::max(*limit, leastLimitScale);
+        }
+    }
+    return missed;
+}
+
+} // namespace dipwright

@@ -1,0 +1,76 @@
+// What the user weighs when poses are searched, and how much is tried (docs/pose-search.md).
+#pragma once
+
+#include "tolerance/ToleranceSettings.h"
+
+#include <QString>
+
+#include <array>
+#include <optional>
+
+namespace dipwright {
+
+// What a pose, or a pair of them, is judged by. Shares are 0 … 1.
+enum class Measure : std::uint8_t {
+    Quality,    // printQuality() over the body, by the weight of its zones; 0 where none is painted
+    Coverage,   // share of the surface that is painted
+    Stretch,    // λ1 that all but a hundredth of what is painted keeps below
+    Certain,    // share of what is painted that lies on film without marks (dip/FilmMarks.h)
+    Wrinkled,   // share of what is painted where the film is pushed together (gatheredBelow)
+    Torn,       // share of what is painted that lies on film that tore
+    TrappedAir, // share of the surface that film cannot reach because air is caught there
+    Join,       // mm of the line between two dips' shares; 0 of one dip
+    FilmUsed,   // share of the sheet within the box round what paints; of two dips the mean
+};
+inline constexpr std::size_t measureCount = 9;
+const std::array<Measure, measureCount>& allMeasures();
+
+template <typename Value>
+struct PerMeasure {
+    std::array<Value, measureCount> values{};
+    Value& operator[](Measure measure) { return values[std::size_t(measure)]; }
+    const Value& operator[](Measure measure) const { return values[std::size_t(measure)]; }
+    bool operator==(const PerMeasure&) const = default;
+};
+using PoseMeasures = PerMeasure<double>;
+
+QString measureKey(Measure measure);  // "quality", "trapped_air": on the command line
+QString measureName(Measure measure); // for the user: "Quality", "Trapped air"
+// "93.1 %", "1.84", "212 mm"
+QString measureText(Measure measure, double value);
+bool isMoreBetter(Measure measure);
+
+struct SearchSettings {
+    int immersions = 1;    // 1 or 2
+    int directions = 2000; // judged by their geometry, 6 … 20,000
+    int simulated = 96;    // of those, each by one coarse dip, 6 … 2000
+    int refined = 6;       // of the best, in angle, turn and offset, 0 … 50
+    int confirmed = 3;     // of the best, with the film and the field of the job, 0 … 20
+    int seed = 1;          // of the directions, 0 … 1,000,000
+    // 0 … 100 each, not all of them 0 (docs/pose-search.md, "The objective").
+    PerMeasure<double> weights{{1, 0.5, 0.1, 0.5, 0.1, 0.5, 0.5, 0.1, 0.05}};
+    std::array<double, zoneCount> zoneWeights{4, 2, 1}; // of a place's quality, 0 … 1000
+    // The least that is wanted of a measure of which more is better, the most of any other. What
+    // does not keep them comes after all that does.
+    PerMeasure<std::optional<double>> limits;
+    bool operator==(const SearchSettings&) const = default;
+};
+
+// Throws Error that names the setting and its limits.
+void requireValid(const SearchSettings& settings);
+// Sets the weight or the limit of a measure, or the weight of zone A, B or C, by key. Throws Error
+// where there is none or the value is out of range.
+void setWeight(SearchSettings& settings, const QString& key, double value);
+void setLimit(SearchSettings& settings, const QString& key, double value);
+
+// How well film that is stretched by λ1 ≥ λ2 shows its picture: 1 up to λ1 = 1.2 and down to
+// λ2 = 0.7, falling to 0 at 2.5 and at 0.2.
+double printQuality(double larger, double smaller);
+
+// 0 … 1: the mean of how good each measure is, by the weights. The join counts for two dips only,
+// against `equator`, mm: the girth of a ball with the body's surface.
+double objective(const PoseMeasures& measures, const SearchSettings& settings, double equator);
+// How far the limits are missed, each as a share of the limit, together; 0: all are kept.
+double limitsMissed(const PoseMeasures& measures, const SearchSettings& settings);
+
+} // namespace dipwright

@@ -1,0 +1,21 @@
+// What poses are searched for.
+#pragma once
+
+#include "dip/Dip.h"
+#include "tolerance/ToleranceSettings.h"
+
+namespace dipwright {
+
+struct SearchSubject {
+    QString name;
+    QByteArray
+        identity; // the same for the same model, film, process and zones; ties parts together
+    std::shared_ptr<const TexturedMesh> model; // never null
+    FilmSettings film;
+    ProcessSettings process;
+    int fieldResolution = 128;
+    std::vector<ZoneMark> marks;       // zones that matter more
+    std::vector<Immersion> immersions; // the job's own poses
+};
+
+} // namespace dipwright

@@ -1,0 +1,124 @@
+// Coverage by the body's shape alone, against what is plain to see and against dips.
+#include "search/CoveragePreview.h"
+#include "SearchSubjects.h"
+#include "dip/Coverage.h"
+#include "solver/SolverRegistry.h"
+
+#include <QStandardPaths>
+#include <QtTest>
+
+#include <cmath>
+
+using namespace dipwright;
+
+namespace {
+
+Immersion turned(double x, double z) {
+    Immersion immersion;
+    immersion.rotation[0] = Degrees(x);
+    immersion.rotation[2] = Degrees(z);
+    return immersion;
+}
+
+double previewed(const SearchSubject& subject, const Immersion& immersion) {
+    return CoveragePreview(subject.model->mesh).at(immersion, subject.film, subject.process).share;
+}
+
+} // namespace
+
+class CoveragePreviewTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        registry_ = std::make_unique<SolverRegistry>(QStringList{DIPWRIGHT_PLUGINS});
+    }
+
+    void aBallIsPaintedUpToTheOverhang() {
+        const SearchSubject subject = subjectOf(sphereMesh(20, 60, 80));
+        const double wanted = (1 + std::sin(radians(subject.process.overhang))) / 2;
+        QVERIFY(std::abs(previewed(subject, turned(0, 0)) - wanted) < 0.02);
+        QVERIFY(std::abs(previewed(subject, turned(40, 20)) - wanted) < 0.02);
+    }
+
+    void aCubeIsPaintedOnFiveSidesOrThree() {
+        const SearchSubject subject = subjectOf(boxMesh({30, 30, 30}));
+        QVERIFY(std::abs(previewed(subject, turned(0, 0)) - 5.0 / 6) < 0.01);
+        QVERIFY(std::abs(previewed(subject, turned(45, 35.26)) - 0.5) < 0.01); // on its corner
+    }
+
+    void whatIsBesideTheSheetOrAboveTheWaterStaysBare() {
+        SearchSubject subject = subjectOf(boxMesh({30, 30, 30}));
+        Immersion beside;
+        beside.offset[0] = Millimetres(50);
+        QVERIFY(previewed(subject, beside) < 0.5);
+        subject.process.depth = Millimetres(15);
+        QVERIFY(std::abs(previewed(subject, turned(0, 0)) - (1 + 4 * 0.5) / 6) < 0.03);
+    }
+
+    void whatIsHiddenFromBelowStaysBare() {
+        // Two plates one over the other: the upper one's underside and walls are not reached, as
+        // nothing leads there.
+        TriangleMesh plates = boxMesh({30, 4, 30});
+        TriangleMesh upper = boxMesh({20, 4, 20});
+        const auto first = std::uint32_t(plates.positions.size());
+        for (const Eigen::Vector3f& place : upper.positions) {
+            plates.positions.emplace_back(place + Eigen::Vector3f(0, 20, 0));
+        }
+        for (const auto& corners : upper.triangles) {
+            plates.triangles.push_back(
+                {corners[0] + first, corners[1] + first, corners[2] + first});
+        }
+        const double lower = 30 * 30 + 4 * 30 * 4;
+        const double share = previewed(subjectOf(plates), turned(0, 0));
+        QVERIFY(std::abs(share - lower / surfaceArea(plates)) < 0.01);
+    }
+
+    void trianglesOfTheModelAreToldApart() {
+        const SearchSubject subject = subjectOf(boxMesh({30, 30, 30}));
+        const CoveragePreview preview(subject.model->mesh);
+        const auto covered =
+            preview.ofModel(preview.at(turned(0, 0), subject.film, subject.process));
+        QCOMPARE(covered.size(), subject.model->mesh.triangles.size());
+        for (std::size_t triangle = 0; triangle < covered.size(); ++triangle) {
+            const bool isTop = triangleNormal(subject.model->mesh, triangle).y() > 0.5f;
+            QCOMPARE(covered[triangle] != 0, !isTop);
+        }
+    }
+
+    void dipsPaintAboutAsMuch_data() {
+        QTest::addColumn<int>("body");
+        QTest::addColumn<double>("about");
+        QTest::newRow("ball") << 0 << 0.0;
+        QTest::newRow("egg, tilted") << 1 << 50.0;
+        QTest::newRow("ring, flat") << 2 << 0.0;
+        QTest::newRow("tetrahedron, tilted") << 3 << 70.0;
+        QTest::newRow("cylinder, tilted") << 4 << 40.0;
+    }
+    void dipsPaintAboutAsMuch() {
+        QFETCH(int, body);
+        QFETCH(double, about);
+        const std::array<TriangleMesh, 5> meshes{
+            sphereMesh(20, 40, 60), ellipsoidMesh({15, 25, 12}, 40, 60), torusMesh(18, 6, 60, 24),
+            tetrahedronMesh(40), cylinderMesh(10, 40, 60)};
+        const SearchSubject subject = subjectOf(meshes[std::size_t(body)]);
+        const Immersion immersion = turned(about, about / 2);
+        const auto posed = std::make_shared<const PosedBody>(posedBody(*subject.model, immersion));
+        const auto field = cachedDistanceField(subject.model->mesh, subject.fieldResolution, {});
+        const auto laid = layFilm(posed,
+                                  simulateDip(*posed, *field, immersion, subject.film,
+                                              subject.process, registry_->module("auto"), {}, {}),
+                                  subject.process);
+        const double dipped = coverage(*laid).share;
+        const double share = previewed(subject, immersion);
+        QVERIFY2(std::abs(share - dipped) < 0.08,
+                 qPrintable(QStringLiteral("previewed %1, dipped %2").arg(share).arg(dipped)));
+    }
+
+private:
+    std::unique_ptr<SolverRegistry> registry_;
+};
+
+QTEST_GUILESS_MAIN(CoveragePreviewTest)
+#include "CoveragePreviewTest.moc"

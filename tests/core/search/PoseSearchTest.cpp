@@ -1,0 +1,241 @@
+// The pose search, on bodies whose best poses are plain to see.
+#include "search/PoseSearch.h"
+#include "SearchSubjects.h"
+#include "base/Error.h"
+#include "parallel/Threads.h"
+#include "solver/SolverRegistry.h"
+
+#include <QStandardPaths>
+#include <QtTest>
+
+#include <cmath>
+
+using namespace dipwright;
+
+namespace {
+
+// The body's direction that points down in this immersion.
+Eigen::Vector3d downOf(const Immersion& immersion) {
+    return rotationMatrix(immersion.rotation).transpose() * -Eigen::Vector3d::UnitY();
+}
+
+// By the sides of the box alone, as they are.
+SearchSettings sidesOnly(int immersions) {
+    SearchSettings settings;
+    settings.immersions = immersions;
+    settings.directions = settings.simulated = 6;
+    settings.refined = settings.confirmed = 0;
+    return settings;
+}
+
+void compare(const SearchResult& one, const SearchResult& other) {
+    QCOMPARE(one.ranking.size(), other.ranking.size());
+    for (std::size_t rank = 0; rank < one.ranking.size(); ++rank) {
+        QCOMPARE(one.ranking[rank].objective, other.ranking[rank].objective);
+        QVERIFY(one.ranking[rank].measures == other.ranking[rank].measures);
+        QVERIFY(one.ranking[rank].immersions == other.ranking[rank].immersions);
+    }
+}
+
+} // namespace
+
+class PoseSearchTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        registry_ = std::make_unique<SolverRegistry>(QStringList{DIPWRIGHT_PLUGINS});
+        board_ = subjectOf(boxMesh({6, 40, 40})); // its broad faces towards ±X
+    }
+
+    void oneDipGoesInEdgeFirst() {
+        const auto ranking = search(board_, sidesOnly(1)).ranking;
+        QVERIFY(!ranking.empty());
+        QCOMPARE(ranking[0].immersions.size(), 1U);
+        // So that film rolls on to both broad faces.
+        QVERIFY(std::abs(downOf(ranking[0].immersions[0]).x()) < 0.02);
+        QVERIFY(ranking[0].measures[Measure::Coverage] > 0.6);
+    }
+
+    void twoDipsPaintBothBroadFaces() {
+        const RankedPoses best = search(board_, sidesOnly(2)).ranking.front();
+        QCOMPARE(best.immersions.size(), 2U);
+        const Eigen::Vector3d first = downOf(best.immersions[0]);
+        const Eigen::Vector3d second = downOf(best.immersions[1]);
+        QVERIFY2(first.dot(second) < -0.98, "from opposite sides");
+        QVERIFY(std::abs(first.x()) > 0.99);
+        QVERIFY(best.measures[Measure::Coverage] > 0.8);
+        QVERIFY(best.measures[Measure::Join] > 0);
+        QVERIFY(best.immersions[0].name != best.immersions[1].name);
+    }
+
+    void theRankingFallsAndIsTheSameEveryTimeForAnyNumberOfThreads() {
+        SearchSettings settings;
+        settings.directions = 300;
+        settings.simulated = 8;
+        settings.refined = settings.confirmed = 1;
+        const SearchResult once = search(board_, settings);
+        for (std::size_t rank = 2; rank < once.ranking.size(); ++rank) {
+            QVERIFY(once.ranking[rank].objective <= once.ranking[rank - 1].objective);
+        }
+        QVERIFY(once.ranking[0].isConfirmed && !once.ranking[1].isConfirmed);
+        QVERIFY(once.isComplete);
+        compare(search(board_, settings), once);
+        const ThreadLimit one(1);
+        compare(search(board_, settings), once);
+    }
+
+    void partsMakeTheSameRanking() {
+        SearchSettings settings;
+        settings.immersions = 2;
+        settings.directions = 300;
+        settings.simulated = 8;
+        settings.refined = 0;
+        settings.confirmed = 1;
+        const auto part = [&](int number) {
+            const SearchPart made = searchPart(board_, settings, module(), number, 3, {});
+            return partFromFile(partFile(made), QStringLiteral("part"));
+        };
+        const SearchResult merged =
+            searchPoses(board_, settings, module(), {part(3), part(1), part(2)}, {}, {});
+        compare(merged, search(board_, settings));
+    }
+
+    void partsThatDoNotBelongAreRefused() {
+        SearchSettings settings = sidesOnly(1);
+        const SearchPart one = searchPart(board_, settings, module(), 1, 2, {});
+        QVERIFY_EXCEPTION_THROWN(searchPoses(board_, settings, module(), {one}, {}, {}), Error);
+        QVERIFY_EXCEPTION_THROWN(searchPoses(board_, settings, module(), {one, one}, {}, {}),
+                                 Error);
+        const SearchPart two = searchPart(board_, settings, module(), 2, 2, {});
+        settings.seed = 2;
+        QVERIFY_EXCEPTION_THROWN(searchPoses(board_, settings, module(), {one, two}, {}, {}),
+                                 Error);
+        const QByteArray file = partFile(one);
+        QVERIFY_EXCEPTION_THROWN(partFromFile(file.left(file.size() / 2), "half"), Error);
+        QVERIFY_EXCEPTION_THROWN(partFromFile(file + "more", "more"), Error);
+        QVERIFY_EXCEPTION_THROWN(partFromFile("no part", "other"), Error);
+    }
+
+    void alikePosesAreDippedOnce() {
+        SearchSettings settings = sidesOnly(1);
+        settings.simulated = 40;
+        settings.directions = 300;
+        int wanted = 0;
+        searchPoses(subjectOf(sphereMesh(15, 40, 60)), settings, module(), {},
+                    [&](const SearchState& state) { wanted = state.wanted; }, {});
+        QVERIFY2(wanted <= 6, qPrintable(QString::number(wanted))); // a ball has one pose
+    }
+
+    void aBodyOfRevolutionIsRankedAlikeHoweverItIsTurned() {
+        SearchSettings settings;
+        settings.directions = 600;
+        settings.simulated = 12;
+        settings.refined = 1;
+        settings.confirmed = 0;
+        TriangleMesh body = coneMesh(0.5, 40, 64);
+        const RankedPoses straight = search(subjectOf(body), settings).ranking.front();
+        for (const double angle : {17.0, 140.0}) {
+            Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
+            turn.rotate(Eigen::AngleAxisd(radians(Degrees(angle)), Eigen::Vector3d::UnitY()));
+            const RankedPoses turned =
+                search(subjectOf(transformed(body, turn)), settings).ranking.front();
+            QVERIFY(std::abs(turned.objective - straight.objective) < 0.01);
+            QVERIFY(std::abs(downOf(turned.immersions[0]).y() -
+                             downOf(straight.immersions[0]).y()) < 0.1);
+        }
+    }
+
+    void limitsComeBeforeTheObjective() {
+        SearchSettings settings = sidesOnly(1);
+        const SearchResult free = search(board_, settings);
+        // More than the best one paints is kept by none: nearest to it comes first.
+        const double painted = free.ranking.back().measures[Measure::Coverage];
+        setLimit(settings, QStringLiteral("stretch"),
+                 free.ranking.back().measures[Measure::Stretch] + 1e-6);
+        const SearchResult limited = search(board_, settings);
+        QVERIFY(limited.ranking.front().limitsMissed == 0);
+        for (std::size_t rank = 1; rank < limited.ranking.size(); ++rank) {
+            QVERIFY(limited.ranking[rank].limitsMissed >= limited.ranking[rank - 1].limitsMissed);
+        }
+        QVERIFY(painted > 0);
+    }
+
+    void aCancelledSearchKeepsTheBest() {
+        Progress progress;
+        progress.cancelSwitch.cancel();
+        QVERIFY_EXCEPTION_THROWN(searchPoses(board_, sidesOnly(1), module(), {}, {}, progress),
+                                 Cancelled);
+        Progress later;
+        SearchSettings settings;
+        settings.directions = 300;
+        const SearchResult kept = searchPoses(
+            board_, settings, module(), {},
+            [&](const SearchState& state) {
+                if (!state.soFar.ranking.empty()) {
+                    later.cancelSwitch.cancel();
+                }
+            },
+            later);
+        QVERIFY(!kept.isComplete);
+        QVERIFY(!kept.ranking.empty());
+    }
+
+    void directionsMakeAMap() {
+        SearchSettings settings = sidesOnly(1);
+        settings.directions = 200;
+        const SearchResult result = search(board_, settings);
+        QCOMPARE(result.directions.size(), 200U);
+        const auto judged =
+            std::count_if(result.directions.begin(), result.directions.end(),
+                          [](const TriedDirection& tried) { return tried.objective.has_value(); });
+        QVERIFY(judged >= 6);
+    }
+
+    void reasonsNameWhatDiffers() {
+        RankedPoses one, other;
+        one.measures[Measure::Coverage] = 0.87;
+        other.measures[Measure::Coverage] = 0.9;
+        one.measures[Measure::Stretch] = 2.2;
+        other.measures[Measure::Stretch] = 1.8;
+        const auto found = differences(one, other, {}, 100);
+        QCOMPARE(found.size(), 2U);
+        QVERIFY(!found[0].isBetter && !found[1].isBetter);
+        QCOMPARE(reasonText(found), QStringLiteral("−3.0 % coverage, +0.40 largest stretch"));
+        QCOMPARE(reasonText(differences(one, one, {}, 100)), QStringLiteral("the same"));
+    }
+
+    void settingsOutOfRangeAreRefused() {
+        SearchSettings settings;
+        QVERIFY_EXCEPTION_THROWN(setWeight(settings, "coverage", -1), Error);
+        QVERIFY_EXCEPTION_THROWN(setWeight(settings, "colour", 1), Error);
+        QVERIFY_EXCEPTION_THROWN(
+            setLimit(settings, "coverage", std::numeric_limits<double>::quiet_NaN()), Error);
+        settings.weights = {};
+        QVERIFY_EXCEPTION_THROWN(requireValid(settings), Error);
+        setWeight(settings, "zone_b", 7);
+        QCOMPARE(settings.zoneWeights[1], 7.0);
+    }
+
+    void stretchedAndGatheredFilmShowsLess() {
+        QCOMPARE(printQuality(1, 1), 1.0);
+        QCOMPARE(printQuality(1.2, 0.7), 1.0);
+        QVERIFY(printQuality(1.5, 1) > printQuality(2, 1));
+        QVERIFY(printQuality(1, 0.6) > printQuality(1, 0.4));
+        QCOMPARE(printQuality(3, 1), 0.0);
+        QCOMPARE(printQuality(1, 0.1), 0.0);
+    }
+
+private:
+    const solver::SolverModule& module() { return registry_->module("auto"); }
+    SearchResult search(const SearchSubject& subject, const SearchSettings& settings) {
+        return searchPoses(subject, settings, module(), {}, {}, {});
+    }
+
+    std::unique_ptr<SolverRegistry> registry_;
+    SearchSubject board_;
+};
+
+QTEST_GUILESS_MAIN(PoseSearchTest)
+#include "PoseSearchTest.moc"
