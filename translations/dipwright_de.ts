@@ -806,10 +806,6 @@
         <translation>Lagen werden probiert</translation>
     </message>
     <message>
-        <source>Ranking the poses</source>
-        <translation>Lagen werden gereiht</translation>
-    </message>
-    <message>
         <source>No pose paints anything; choose a larger film</source>
         <translation>Keine Lage bemalt etwas; wählen Sie einen größeren Film</translation>
     </message>
@@ -820,6 +816,86 @@
     <message>
         <source>The project has no model, import one first</source>
         <translation>Das Projekt hat kein Modell; importieren Sie zuerst eines</translation>
+    </message>
+    <message>
+        <source>Judging directions by the body&apos;s shape</source>
+        <translation>Richtungen werden nach der Form des Körpers beurteilt</translation>
+    </message>
+    <message>
+        <source>This part belongs to another search; make all parts from the same project with the same options</source>
+        <translation>Dieser Teil gehört zu einer anderen Suche; erzeugen Sie alle Teile aus demselben Projekt mit denselben Optionen</translation>
+    </message>
+    <message>
+        <source>part %1 of %2</source>
+        <translation>Teil %1 von %2</translation>
+    </message>
+    <message>
+        <source>Hand over each of the %1 parts once; there are %2</source>
+        <translation>Übergeben Sie jeden der %1 Teile einmal; es sind %2</translation>
+    </message>
+    <message>
+        <source>This part does not hold the dips that are its share; make it again</source>
+        <translation>Dieser Teil enthält nicht die Tauchvorgänge, die sein Anteil sind; erzeugen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>dasselbe</translation>
+    </message>
+    <message>
+        <source>This is not a part of a pose search, or it is damaged; make it again</source>
+        <translation>Dies ist kein Teil einer Lagensuche, oder er ist beschädigt; erzeugen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>Choose a number from %1 to %2</source>
+        <translation>Wählen Sie eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>There is no measure of this name; choose one of %1</source>
+        <translation>Es gibt kein Maß dieses Namens; wählen Sie eines von %1</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Bedeckung</translation>
+    </message>
+    <message>
+        <source>Largest stretch</source>
+        <translation>Größte Dehnung</translation>
+    </message>
+    <message>
+        <source>Certain</source>
+        <translation>Sicher</translation>
+    </message>
+    <message>
+        <source>Wrinkled</source>
+        <translation>Gefaltet</translation>
+    </message>
+    <message>
+        <source>Torn</source>
+        <translation>Gerissen</translation>
+    </message>
+    <message>
+        <source>Trapped air</source>
+        <translation>Eingeschlossene Luft</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>Film used</source>
+        <translation>Film genutzt</translation>
+    </message>
+    <message>
+        <source>weight of a zone</source>
+        <translation>Gewicht einer Zone</translation>
+    </message>
+    <message>
+        <source>All weights are 0; give one of them more</source>
+        <translation>Alle Gewichte sind 0; geben Sie einem mehr</translation>
     </message>
 </context>
 <context>

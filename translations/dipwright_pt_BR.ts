@@ -806,10 +806,6 @@
         <translation>Testando posições</translation>
     </message>
     <message>
-        <source>Ranking the poses</source>
-        <translation>Classificando as posições</translation>
-    </message>
-    <message>
         <source>No pose paints anything; choose a larger film</source>
         <translation>Nenhuma posição pinta algo; escolha um filme maior</translation>
     </message>
@@ -820,6 +816,86 @@
     <message>
         <source>The project has no model, import one first</source>
         <translation>O projeto não tem modelo; importe um primeiro</translation>
+    </message>
+    <message>
+        <source>Judging directions by the body&apos;s shape</source>
+        <translation>Avaliando direções pela forma do corpo</translation>
+    </message>
+    <message>
+        <source>This part belongs to another search; make all parts from the same project with the same options</source>
+        <translation>Esta parte é de outra busca; faça todas as partes do mesmo projeto com as mesmas opções</translation>
+    </message>
+    <message>
+        <source>part %1 of %2</source>
+        <translation>parte %1 de %2</translation>
+    </message>
+    <message>
+        <source>Hand over each of the %1 parts once; there are %2</source>
+        <translation>Entregue cada uma das %1 partes uma vez; há %2</translation>
+    </message>
+    <message>
+        <source>This part does not hold the dips that are its share; make it again</source>
+        <translation>Esta parte não contém as imersões que lhe cabem; faça-a de novo</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>o mesmo</translation>
+    </message>
+    <message>
+        <source>This is not a part of a pose search, or it is damaged; make it again</source>
+        <translation>Isto não é uma parte de uma busca de poses ou está danificado; faça-o de novo</translation>
+    </message>
+    <message>
+        <source>Choose a number from %1 to %2</source>
+        <translation>Escolha um número de %1 a %2</translation>
+    </message>
+    <message>
+        <source>There is no measure of this name; choose one of %1</source>
+        <translation>Não há medida com este nome; escolha uma de %1</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualidade</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Cobertura</translation>
+    </message>
+    <message>
+        <source>Largest stretch</source>
+        <translation>Maior estiramento</translation>
+    </message>
+    <message>
+        <source>Certain</source>
+        <translation>Certo</translation>
+    </message>
+    <message>
+        <source>Wrinkled</source>
+        <translation>Enrugado</translation>
+    </message>
+    <message>
+        <source>Torn</source>
+        <translation>Rasgado</translation>
+    </message>
+    <message>
+        <source>Trapped air</source>
+        <translation>Ar preso</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Emenda</translation>
+    </message>
+    <message>
+        <source>Film used</source>
+        <translation>Filme usado</translation>
+    </message>
+    <message>
+        <source>weight of a zone</source>
+        <translation>peso de uma zona</translation>
+    </message>
+    <message>
+        <source>All weights are 0; give one of them more</source>
+        <translation>Todos os pesos são 0; dê mais a um deles</translation>
     </message>
 </context>
 <context>
