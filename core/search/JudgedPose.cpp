@@ -132,7 +132,7 @@ JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) 
                                    laid.marks(place->triangle)};
         }
     }
-    pose.trappedAir = trappedAirArea(laid.body(), airCells) / area_;
+    pose.trappedAir = trappedAir(laid.body(), airCells).area / area_;
     pose.filmUsed = filmUsedBy(laid);
     return pose;
 }

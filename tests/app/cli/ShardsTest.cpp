@@ -1,0 +1,84 @@
+// One pose search in several processes, of which one is killed and started again, as an array job
+// of a cluster does.
+
+#include "CliProcess.h"
+
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+class ShardsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        for (const char* name : {"single.dipw", "parts.dipw"}) {
+            QVERIFY(QFile::copy(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/tetrahedron.dipw"),
+                                path(QLatin1String(name))));
+            QVERIFY(QFile::setPermissions(path(QLatin1String(name)),
+                                          QFile::ReadOwner | QFile::WriteOwner));
+        }
+    }
+
+    void partsOfSeveralProcessesMakeTheSameTable() {
+        const Outcome single = cli(search(QStringLiteral("single.dipw")));
+        QVERIFY2(single.exitCode == 0, single.err);
+        QProcess killed;
+        killed.start(cliPath(), shard(1));
+        QVERIFY(killed.waitForStarted());
+        QTest::qWait(100);
+        killed.kill();
+        QVERIFY(killed.waitForFinished());
+        QVERIFY2(!QFile::exists(path(QStringLiteral("part1"))), "written whole or not at all");
+        QProcess first, second;
+        first.start(cliPath(), shard(1));
+        second.start(cliPath(), shard(2));
+        QVERIFY(first.waitForFinished(-1) && second.waitForFinished(-1));
+        QVERIFY2(first.exitCode() == 0, first.readAllStandardError());
+        QVERIFY2(second.exitCode() == 0, second.readAllStandardError());
+        const Outcome merged =
+            cli(search(QStringLiteral("parts.dipw")) << "--merge" << path(QStringLiteral("part2"))
+                                                     << "--merge" << path(QStringLiteral("part1")));
+        QVERIFY2(merged.exitCode == 0, merged.err);
+        QCOMPARE(merged.out, single.out);
+        QCOMPARE(poses(QStringLiteral("parts.dipw")), poses(QStringLiteral("single.dipw")));
+    }
+
+    void halfOfThePartsIsRefused() {
+        const Outcome merged =
+            cli(search(QStringLiteral("parts.dipw")) << "--merge" << path(QStringLiteral("part1")));
+        QVERIFY(merged.exitCode != 0);
+        QCOMPARE(merged.errorLines().size(), 1);
+        QVERIFY2(merged.err.contains("each of the 2 parts"), merged.err);
+    }
+
+private:
+    QString path(const QString& name) const { return folder_.filePath(name); }
+    QStringList search(const QString& job) const {
+        return {"optimize",     path(job),
+                "--immersions", "1",
+                "--candidates", "6",
+                "--directions", "60",
+                "--refined",    "0",
+                "--confirmed",  "0",
+                "--set",        "film.points=40x56"};
+    }
+    QStringList shard(int number) const {
+        return search(QStringLiteral("parts.dipw"))
+               << "--shard" << QStringLiteral("%1/2").arg(number) << "--out"
+               << path(QStringLiteral("part%1").arg(number));
+    }
+    QByteArray poses(const QString& job) const {
+        const QByteArray all = cli({"info", path(job), "--json"}).out;
+        return all.mid(all.indexOf("\"immersions\""));
+    }
+
+    QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(ShardsTest)
+#include "ShardsTest.moc"
