@@ -152,6 +152,38 @@ private slots:
         }
     }
 
+    // Marked as what matters: one face of a cube, or three that meet.
+    void aCubeShowsTheFacesThatMatter_data() {
+        QTest::addColumn<int>("faces");
+        QTest::newRow("one") << 1;
+        QTest::newRow("three") << 3;
+    }
+    void aCubeShowsTheFacesThatMatter() {
+        QFETCH(int, faces);
+        SearchSubject cube = subjectOf(boxMesh({30, 30, 30}));
+        for (int axis = 0; axis < faces; ++axis) {
+            ZoneMark mark;
+            mark.extent = ZoneExtent::Face;
+            mark.place[std::size_t(axis)] = Millimetres(15);
+            cube.marks.push_back(mark);
+        }
+        SearchSettings settings;
+        settings.directions = 300;
+        settings.simulated = 16;
+        settings.refined = 1;
+        settings.confirmed = 0;
+        settings.weights = {{1, 0, 0, 0, 0, 0, 0, 0, 0}};
+        settings.zoneWeights = {1, 0, 0};
+        const RankedPoses best = search(cube, settings).ranking.front();
+        const Eigen::Vector3d down = downOf(best.immersions[0]);
+        QVERIFY2(best.measures[Measure::Quality] > 0.8,
+                 qPrintable(QString::number(best.measures[Measure::Quality])));
+        for (int axis = 0; axis < faces; ++axis) {
+            // Down, or upright, where film goes on over it: never up.
+            QVERIFY2(down[axis] > -0.05, qPrintable(QString::number(down[axis])));
+        }
+    }
+
     void limitsComeBeforeTheObjective() {
         SearchSettings settings = sidesOnly(1);
         const SearchResult free = search(board_, settings);
