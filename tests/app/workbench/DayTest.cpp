@@ -1,5 +1,6 @@
 // A whole day with the real window: new, run, scrub, read, change, undo, save, close, reopen, and
 // the files that cannot be opened.
+#include "Patience.h"
 #include "WindowDriver.h"
 #include "base/Error.h"
 #include "disk/ArchiveWriter.h"
@@ -350,18 +351,18 @@ private slots:
         driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
         const QImage own = window.view().picture();
         driver.trigger("bodyPrint");
-        QTRY_VERIFY(window.view().picture() != own);
-        QTest::qWait(500); // the last of the prints
+        QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != own, patience());
+        QTest::qWait(patience() / 240); // the last of the prints
         const QImage both = window.view().picture();
         auto* dips = driver.find<QComboBox>("printDips");
         dips->setCurrentIndex(1);
-        QTRY_VERIFY(window.view().picture() != both);
+        QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != both, patience());
         dips->setCurrentIndex(0);
-        QTRY_VERIFY(window.view().picture() == both);
+        QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() == both, patience());
         driver.find<QDoubleSpinBox>("slipX")->setValue(4);
-        QTRY_VERIFY(window.view().picture() != both);
+        QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != both, patience());
         driver.find<QDoubleSpinBox>("slipX")->setValue(0);
-        QTRY_VERIFY(window.view().picture() == both);
+        QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() == both, patience());
     }
 
     void swappedDipsAreSwappedBack() {
