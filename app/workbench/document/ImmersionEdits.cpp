@@ -22,6 +22,11 @@ void removeImmersion(Document& document, std::size_t number) {
                   });
 }
 
+void setImmersions(Document& document, const std::vector<Immersion>& immersions) {
+    document.edit(QCoreApplication::translate("ImmersionEdits", "Take Pose"), {},
+                  [&immersions](Project& project) { project.immersions = immersions; });
+}
+
 void swapImmersions(Document& document) {
     document.edit(QCoreApplication::translate("ImmersionEdits", "Swap Immersions"), {},
                   [](Project& project) {

@@ -15,12 +15,13 @@
 #include "panels/StartPage.h"
 #include "panels/StretchPanel.h"
 #include "panels/Timeline.h"
-#include "pipeline/ValidateJob.h"
+#include "poses/SearchController.h"
 #include "view/ViewTheme.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QMenu>
 #include <QMimeData>
 #include <QShortcut>
@@ -41,7 +42,8 @@ MainWindow::MainWindow(Workbench& workbench)
       session_(jobs_, workbench.registry()), check_(jobs_, workbench.registry(), messages_),
       toleranceCheck_(jobs_, workbench.registry(), messages_), layout_(*this, workbench.registry()),
       parts_(layout_.parts()), actions_(*this), shownMessages_(messages_, parts_, *this),
-      status_(new StatusLine(*statusBar(), jobs_, *actions_.cancel)), scene_(*parts_.view),
+      status_(new StatusLine(*statusBar(), jobs_, *actions_.cancel)),
+      placeWarning_(session_, *status_), scene_(*parts_.view),
       playback_(session_, *parts_.view, scene_, *parts_.timeline),
       reader_(session_, *parts_.view, scene_, *parts_.results),
       measure_(*parts_.view, scene_, messages_), marks_(*parts_.view, scene_, session_),
@@ -62,6 +64,7 @@ MainWindow::MainWindow(Workbench& workbench)
     connectPanels();
     connectSession();
     addInspection(); // told of a document after its session, and in the menus
+    addSearch();
     connectMenus();
     layout_.restore();
     applyPreferences();
@@ -83,13 +86,24 @@ void MainWindow::addInspection() {
     inspection_ = new InspectionController(*parts_.view, scene_, session_, jobs_,
                                            workbench_.registry(), messages_, *this);
     inspection_->setParent(this);
-    layout_.addInspection(inspection_->pages());
+    layout_.addPage("inspectionDock", tr("Inspection"), inspection_->pages());
     connect(&documents_, &DocumentSession::documentChanged, inspection_,
             &InspectionController::showDocument);
 }
 #else
 void MainWindow::addInspection() {}
 #endif
+
+void MainWindow::addSearch() {
+    auto* search = new SearchController(session_, jobs_, workbench_.registry(), messages_, this);
+    QDockWidget* dock = layout_.addPage("searchDock", tr("Pose Search"), search->page());
+    connect(&documents_, &DocumentSession::documentChanged, search,
+            &SearchController::showDocument);
+    connect(actions_.findPoses, &QAction::triggered, dock, [dock] {
+        dock->show();
+        dock->raise();
+    });
+}
 
 void MainWindow::connectActions() {
     const auto on = [this](const QAction* action, auto what) {
@@ -166,7 +180,6 @@ void MainWindow::connectSession() {
     connect(&session_, &DipSession::immersionChanged, this, [this](std::size_t immersion) {
         parts_.tree->select({ProjectPart::Immersion, immersion});
         updateActions();
-        warnOfPlace();
     });
     connect(status_, &StatusLine::warningClicked, this, [this] {
         parts_.tree->select({ProjectPart::Immersion, session_.immersion()});
@@ -178,8 +191,13 @@ void MainWindow::connectSession() {
         reader_.leadTo(rest);
     });
     connect(&reader_, &FilmReader::read, status_, &StatusLine::setReading);
-    connect(&turn_, &BodyTurn::begun, this, [this] { dip_.setHeld(true); });
-    connect(&turn_, &BodyTurn::ended, this, [this] { dip_.setHeld(false); });
+    for (const auto& [signal, held] :
+         {std::pair(&BodyTurn::begun, true), std::pair(&BodyTurn::ended, false)}) {
+        connect(&turn_, signal, this, [this, held = held] {
+            dip_.setHeld(held);
+            scene_.setPreviewed(held);
+        });
+    }
     connect(&dip_, &DipController::cancelled, this,
             [this] { status_->setJob(tr("Cancelling …")); });
     connect(&check_, &CertaintyCheck::done, this, [this](const auto& certainty, bool outdated) {
@@ -199,9 +217,9 @@ void MainWindow::showDocument() {
     playback_.showDocument();
     dip_.showDocument();
     tolerances_.showDocument();
+    placeWarning_.showDocument();
     if (shown) {
         connect(shown, &Document::projectChanged, this, &MainWindow::updateActions);
-        connect(shown, &Document::projectChanged, this, &MainWindow::warnOfPlace);
         connect(shown, &Document::fileChanged, this, &MainWindow::updateTitle);
         connect(&shown->undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateActions);
         parts_.tree->select({ProjectPart::Immersion, 0});
@@ -209,15 +227,6 @@ void MainWindow::showDocument() {
         parts_.startPage->refresh();
     }
     updateTitle();
-    warnOfPlace();
-}
-
-void MainWindow::warnOfPlace() {
-    const Document* shown = document();
-    status_->setWarning(
-        shown && shown->project().model
-            ? misplacement(shown->project(), shown->project().immersions[session_.immersion()])
-            : QString());
 }
 
 void MainWindow::applyPreferences() {

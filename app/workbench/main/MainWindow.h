@@ -8,6 +8,7 @@
 #include "main/EditController.h"
 #include "main/ExportController.h"
 #include "main/HelpController.h"
+#include "main/PlaceWarning.h"
 #include "main/ProfileController.h"
 #include "main/ToleranceController.h"
 #include "main/ViewController.h"
@@ -48,13 +49,13 @@ protected:
 
 private:
     void addInspection();
+    void addSearch();
     void connectActions();
     void connectMenus();
     void connectPanels();
     void connectSession();
 
     void showDocument();
-    void warnOfPlace();
     void applyPreferences();
     void askPreferences();
     void updateTitle();
@@ -74,6 +75,7 @@ private:
     WindowActions actions_;
     WindowMessages shownMessages_;
     StatusLine* status_;
+    PlaceWarning placeWarning_;
 
     DipScene scene_;
     DipPlayback playback_;

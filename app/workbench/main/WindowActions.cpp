@@ -128,6 +128,8 @@ std::vector<WindowActions::Entry> WindowActions::dipEntries() {
          tr("Once there is a result, run again after each change"),
          {},
          Kind::ToggledOff},
+        {&A::findPoses, "findPoses", "optimise", tr("&Find Poses…"),
+         tr("Search how the body is best turned and moved, for one dip or two"), key("Ctrl+F")},
         {&A::certainty, "certainty", "", tr("C&heck Certainty…"),
          tr("Compute the sheets more finely and see how far they move, and where")},
         {&A::tolerances, "tolerances", "tolerance", tr("&Tolerances…"),
@@ -249,7 +251,7 @@ void WindowActions::enable(const WindowState& state) {
     const std::size_t immersions = any ? state.document->project().immersions.size() : 0;
     for (QAction* action :
          {saveAs, replaceModel, replaceTexture, fit, oblique, front, right, top, back, left, bottom,
-          parallel, rings, water, body, measure, live, zones}) {
+          parallel, rings, water, body, measure, live, zones, findPoses}) {
         action->setEnabled(any);
     }
     filmLook->setEnabled(any);

@@ -32,7 +32,7 @@ public:
         *exportCradles, *print, *calibrate, *profiles, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
         *replaceModel, *replaceTexture, *preferences;
-    QAction *run, *cancel, *live, *certainty, *tolerances, *play;
+    QAction *run, *cancel, *live, *certainty, *tolerances, *findPoses, *play;
     QAction *fit, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout, *saveLayout,
         *parallel;
     QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *measure;

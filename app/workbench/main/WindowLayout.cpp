@@ -101,18 +101,19 @@ QDockWidget* WindowLayout::addDock(Qt::DockWidgetArea area, const char* name, co
     return dock;
 }
 
-void WindowLayout::addInspection(QWidget* pages) {
-    parts_.inspectionDock =
-        addDock(Qt::RightDockWidgetArea, "inspectionDock", tr("Inspection"), pages);
-    window_.tabifyDockWidget(parts_.resultsDock, parts_.inspectionDock);
-    parts_.inspectionDock->hide();
+QDockWidget* WindowLayout::addPage(const char* name, const QString& title, QWidget* page) {
+    QDockWidget* dock = addDock(Qt::RightDockWidgetArea, name, title, page);
+    window_.tabifyDockWidget(parts_.resultsDock, dock);
+    dock->hide();
+    parts_.pageDocks.append(dock);
+    return dock;
 }
 
 QList<QAction*> WindowLayout::dockToggles() const {
     QList<QAction*> toggles{parts_.projectDock->toggleViewAction(),
                             parts_.resultsDock->toggleViewAction()};
-    if (parts_.inspectionDock) {
-        toggles << parts_.inspectionDock->toggleViewAction();
+    for (const QDockWidget* dock : parts_.pageDocks) {
+        toggles << dock->toggleViewAction();
     }
     return toggles << parts_.logDock->toggleViewAction();
 }
@@ -142,10 +143,10 @@ void WindowLayout::showProject(bool shown) {
         dock->setVisible(shown);
         dock->toggleViewAction()->setEnabled(shown);
     }
-    if (parts_.inspectionDock) {
-        parts_.inspectionDock->toggleViewAction()->setEnabled(shown);
+    for (QDockWidget* dock : parts_.pageDocks) {
+        dock->toggleViewAction()->setEnabled(shown);
         if (!shown) {
-            parts_.inspectionDock->hide();
+            dock->hide();
         }
     }
     if (shown && !QSettings().contains(stateKey)) {

@@ -37,7 +37,7 @@ struct WindowParts {
     ResultsPanel* results;
     LogPanel* log;
     QDockWidget *projectDock, *resultsDock, *logDock;
-    QDockWidget* inspectionDock; // null in a build without
+    QList<QDockWidget*> pageDocks; // beside the results, hidden at first
 };
 
 class WindowLayout : public QObject {
@@ -49,7 +49,8 @@ public:
 
     const WindowParts& parts() const { return parts_; }
     // Behind the results, hidden at first. Before restore().
-    void addInspection(QWidget* pages);
+    // A page beside the results; `name` is what saved layouts know it by. Before restore().
+    QDockWidget* addPage(const char* name, const QString& title, QWidget* page);
     QList<QAction*> dockToggles() const;
 
     // Once the window is complete: how it was when the last one was closed.

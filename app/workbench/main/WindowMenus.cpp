@@ -37,7 +37,7 @@ WindowMenus::WindowMenus(QMainWindow& window, const WindowActions& actions,
                                           {a.profiles, a.preferences}});
     makeViewMenu(*bar.addMenu(tr("&View")), actions);
     addGroups(*bar.addMenu(tr("&Dip")),
-              {{a.run, a.cancel, a.live}, {a.play, a.certainty, a.tolerances}});
+              {{a.run, a.cancel, a.live}, {a.play, a.findPoses, a.certainty, a.tolerances}});
     makeWindowMenu(*bar.addMenu(tr("&Window")), actions, docks);
     addGroups(*bar.addMenu(tr("&Help")), {{a.tour, a.guide, a.whatsThis}, {a.about}});
     makeMainToolBar(window, actions);

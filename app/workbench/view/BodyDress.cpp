@@ -15,13 +15,29 @@ struct Text {
 } // namespace
 
 std::shared_ptr<const TexturedMesh> plainBody(const RefinedMesh& mesh) {
+    return plainBody(mesh.mesh());
+}
+
+std::shared_ptr<const TexturedMesh> plainBody(const TriangleMesh& mesh) {
     auto body = std::make_shared<TexturedMesh>();
-    body->mesh = mesh.mesh();
+    body->mesh = mesh;
     body->textureCoordinates.resize(body->mesh.triangles.size());
     body->material.resize(body->mesh.triangles.size());
     body->chart.resize(body->mesh.triangles.size());
     body->materials.resize(1);
     return body;
+}
+
+BodyDress previewDress(std::shared_ptr<const TexturedMesh> body,
+                       const std::vector<std::uint8_t>& covered) {
+    const QRgb painted = mapColour(QStringLiteral("balance"), 0.1).rgb();
+    const QRgb bare = painterColour(Painter::None).rgb();
+    BodyDress dress{std::move(body), {}};
+    for (const std::uint8_t isCovered : covered) {
+        dress.colours.push_back(isCovered ? painted : bare);
+    }
+    dress.legend = {{painted, Text::tr("Painted, by the shape")}, {bare, Text::tr("Not painted")}};
+    return dress;
 }
 
 BodyDress coverageDress(std::shared_ptr<const TexturedMesh> model, const Coverage& coverage) {

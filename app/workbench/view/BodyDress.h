@@ -18,6 +18,12 @@ struct BodyDress {
 // `mesh` as a body of one plain colour.
 std::shared_ptr<const TexturedMesh> plainBody(const RefinedMesh& mesh);
 
+// The same of a mesh that is cut already.
+std::shared_ptr<const TexturedMesh> plainBody(const TriangleMesh& mesh);
+
+// What a dip would paint, a triangle of `body` each.
+BodyDress previewDress(std::shared_ptr<const TexturedMesh> body,
+                       const std::vector<std::uint8_t>& covered);
 // What one dip paints of `model`, and how that is marked.
 BodyDress coverageDress(std::shared_ptr<const TexturedMesh> model, const Coverage& coverage);
 // Who paints what of a body that is shared out, and the join; `body` is plainBody() of the share's

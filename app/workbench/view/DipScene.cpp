@@ -125,6 +125,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
         query_ = std::make_unique<SurfaceQuery>(project.model->mesh);
         marks_.reset();
         zones_ = nullptr;
+        preview_ = nullptr;
         wear({project.model, {}});
     } else if (otherMarks) {
         showLines();
@@ -140,6 +141,9 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     }
     if (moment_ == Moment::Setup) {
         showSetup();
+    }
+    if (previewed_) {
+        wearPreview();
     }
     if (otherModel) {
         view_.fit();
@@ -433,6 +437,28 @@ void DipScene::print(const JobResult& result) {
     }
     const TextureInputs& inputs = result.immersions.front().inputs.texture;
     printer_.print(project_.model, std::move(films), inputs.isReversed() && inputs.ink.compensate);
+}
+
+void DipScene::setPreviewed(bool previewed) {
+    if (previewed == previewed_) {
+        return;
+    }
+    previewed_ = previewed && project_.model;
+    if (previewed_) {
+        wearPreview();
+    } else {
+        dressBody();
+    }
+}
+
+void DipScene::wearPreview() {
+    if (!preview_) {
+        preview_ = std::make_unique<CoveragePreview>(project_.model->mesh);
+        previewedBody_ = plainBody(preview_->mesh());
+    }
+    const Immersion& immersion = project_.immersions[immersion_];
+    wear(previewDress(previewedBody_,
+                      preview_->at(immersion, project_.film, project_.process).covered));
 }
 
 void DipScene::wearZones() {

@@ -4,6 +4,7 @@
 #include "jobs/DipJob.h"
 #include "look/HeatScale.h"
 #include "panels/PrintFields.h"
+#include "search/CoveragePreview.h"
 #include "view/BodyPrinter.h"
 #include "view/MarkLines.h"
 
@@ -48,6 +49,8 @@ public:
     // What is told in BodyLook::Zones; null: nothing that is true of the project.
     void setTolerances(std::shared_ptr<const JobTolerances> tolerances);
     void setShowRings(bool show);
+    // While the body is being turned it wears what its pose would paint, by its shape.
+    void setPreviewed(bool previewed);
 
     // From the world to the pose frame at the end of the dip; only while the end is shown.
     std::optional<Eigen::Isometry3d> worldToEnd() const;
@@ -72,6 +75,7 @@ private:
     void print(const JobResult& result);
     void wear(BodyDress dress);
     void wearZones();
+    void wearPreview();
     void showLines();
     void showEndAnew(); // where the end is shown
     // At the end: by the extent, and none over the body whose coverage is shown.
@@ -87,6 +91,8 @@ private:
     std::shared_ptr<const TexturedMesh> sharedBody_;
     std::unique_ptr<ZonedBody> zones_; // of the project's model; null until it is shown
     std::shared_ptr<const TexturedMesh> zonedBody_;
+    std::unique_ptr<CoveragePreview> preview_; // of the project's model; null until it is shown
+    std::shared_ptr<const TexturedMesh> previewedBody_;
     std::shared_ptr<const JobTolerances> tolerances_; // null: none that is true
     std::optional<MarkLines> marks_; // of the project's model; empty until there is a mark
     std::shared_ptr<const JobResult> result_;
@@ -108,6 +114,7 @@ private:
     ShownPrint shownPrint_;
     bool marking_ = false;
     bool rings_ = true;
+    bool previewed_ = false;
 };
 
 } // namespace dipwright

@@ -26,6 +26,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSpinBox>
 #include <QTableWidget>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -326,6 +327,47 @@ private slots:
                  qPrintable(warning->text()));
         document.undoStack().undo();
         QVERIFY(!warning->isVisible());
+    }
+
+    void posesAreSearchedAndTakenOver() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        driver.trigger("findPoses");
+        auto* start = driver.find<QPushButton>("startSearch");
+        QVERIFY(start->isVisible());
+        driver.find<QSpinBox>("searchedPoses")->setValue(6);
+        start->click();
+        QVERIFY(!start->isEnabled());
+        auto* table = driver.find<QTableWidget>("poseTable");
+        QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled() && table->rowCount() > 0, patience());
+        Document& document = *window_->document();
+        const std::vector<Immersion> before = document.project().immersions;
+        const int steps = document.undoStack().count();
+        table->selectRow(0);
+        driver.find<QPushButton>("takePose")->click();
+        QVERIFY(document.project().immersions != before);
+        QCOMPARE(document.undoStack().count(), steps + 1);
+        document.undoStack().undo();
+        QVERIFY(document.project().immersions == before);
+        // Stopped at once, it is over and can be begun again.
+        start->click();
+        driver.find<QPushButton>("stopSearch")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), patience());
+    }
+
+    void whileTheBodyIsTurnedItsCoverageIsPreviewed() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        DipView& view = window_->view();
+        emit view.rotationDragged(0, 30);
+        const QImage turning = view.picture();
+        emit view.rotationDragged(0, 60);
+        QVERIFY(view.picture() != turning);
+        emit view.rotationDragged(0, 30);
+        QCOMPARE(view.picture(), turning);
+        emit view.rotationFinished();
+        QVERIFY(view.picture() != turning); // its own look again, in the same pose
+        QCOMPARE(window_->document()->project().immersions[0].rotation[0].value(), 30.0);
     }
 
     void theFilmOfANewProjectIsChosenAndMarked() {

@@ -22,10 +22,14 @@
 #include <QDoubleSpinBox>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSpinBox>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QTimer>
+#include <QToolButton>
 
 using namespace dipwright;
 
@@ -206,6 +210,24 @@ void photographTolerances(WindowDriver& driver, MainWindow& window, const Photog
     driver.trigger("undo");
 }
 
+// While poses are searched, and what was found.
+void photographSearch(const WindowDriver& driver, MainWindow& window, const Photographer& camera) {
+    driver.trigger("findPoses");
+    auto* start = driver.find<QPushButton>("startSearch");
+    driver.find<QSpinBox>("searchedPoses")->setValue(24);
+    start->click();
+    auto* table = driver.find<QTableWidget>("poseTable");
+    if (QTest::qWaitFor([&] { return table->rowCount() > 0 || start->isEnabled(); }, 900000)) {
+        camera.take(window, QStringLiteral("searching"));
+    }
+    if (QTest::qWaitFor([&] { return start->isEnabled(); }, 900000)) {
+        table->selectRow(0);
+        camera.take(window, QStringLiteral("searched"));
+    }
+    driver.find<QToolButton>("weightsShown")->click();
+    camera.take(window, QStringLiteral("search-weights"));
+}
+
 void photographDialogs(MainWindow& window, Workbench& workbench, const Photographer& camera) {
     NewProjectDialog create({}, workbench.preferences());
     create.show();
@@ -283,7 +305,8 @@ int main(int argc, char* argv[]) {
          {QStringLiteral("sample-thumbnail"), {}, QStringLiteral("FILE")},
          {QStringLiteral("only-window"), {}},
          {QStringLiteral("only-results"), {}},
-         {QStringLiteral("only-tolerances"), {}}});
+         {QStringLiteral("only-tolerances"), {}},
+         {QStringLiteral("only-search"), {}}});
     parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
     parser.process(*qApp);
     installLanguage(*qApp, parser.value(QStringLiteral("language")));
@@ -303,6 +326,7 @@ int main(int argc, char* argv[]) {
     WindowDriver driver(window);
     const bool all = !parser.isSet(QStringLiteral("only-window")) &&
                      !parser.isSet(QStringLiteral("only-tolerances")) &&
+                     !parser.isSet(QStringLiteral("only-search")) &&
                      !parser.isSet(QStringLiteral("sample-thumbnail"));
     if (all) {
         camera.take(window, QStringLiteral("start"));
@@ -324,6 +348,10 @@ int main(int argc, char* argv[]) {
         return 1;
     }
     camera.take(window, QStringLiteral("window"));
+    if (parser.isSet(QStringLiteral("only-search"))) {
+        photographSearch(driver, window, camera);
+        return 0;
+    }
     if (parser.isSet(QStringLiteral("only-tolerances"))) {
         photographTolerances(driver, window, camera);
         return 0;

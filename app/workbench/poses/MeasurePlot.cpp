@@ -1,0 +1,200 @@
+#include "poses/MeasurePlot.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHelpEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int margin = 10;   // pixels
+constexpr double dot = 4;    // pixels, its radius
+constexpr double reach = 10; // pixels round a dot that belong to it
+
+// More is better.
+double goodness(const RankedPoses& poses, Measure measure) {
+    const double value = poses.measures[measure];
+    return isMoreBetter(measure) ? value : -value;
+}
+
+} // namespace
+
+std::vector<std::size_t> unbeaten(const std::vector<RankedPoses>& ranking, Measure one,
+                                  Measure other) {
+    std::vector<std::size_t> best;
+    for (std::size_t rank = 0; rank < ranking.size(); ++rank) {
+        const double x = goodness(ranking[rank], one), y = goodness(ranking[rank], other);
+        const bool isBeaten =
+            std::any_of(ranking.begin(), ranking.end(), [&](const RankedPoses& rival) {
+                const double a = goodness(rival, one), b = goodness(rival, other);
+                return a >= x && b >= y && (a > x || b > y);
+            });
+        if (!isBeaten) {
+            best.push_back(rank);
+        }
+    }
+    return best;
+}
+
+// The dots: better is to the right and up.
+class MeasurePlot::Field : public QWidget {
+public:
+    explicit Field(MeasurePlot& plot) : QWidget(&plot), plot_(plot) {
+        setObjectName(QStringLiteral("measurePlot"));
+        setMinimumHeight(110);
+    }
+
+    void set(std::vector<QPointF> values, std::vector<std::size_t> best) {
+        values_ = std::move(values);
+        best_ = std::move(best);
+        update();
+    }
+    void setChosen(const std::vector<std::size_t>& ranks) {
+        chosen_ = ranks;
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(palette().color(QPalette::Mid));
+        painter.setBrush(palette().color(QPalette::Base));
+        painter.drawRect(rect().toRectF().adjusted(0.5, 0.5, -0.5, -0.5));
+        QPolygonF line;
+        for (const std::size_t rank : best_) {
+            line << placeOf(rank);
+        }
+        std::sort(line.begin(), line.end(),
+                  [](QPointF one, QPointF other) { return one.x() < other.x(); });
+        const QColor blue = palette().color(QPalette::Active, QPalette::Highlight);
+        painter.setPen(QPen(blue, 1, Qt::DashLine));
+        painter.drawPolyline(line);
+        for (std::size_t rank = 0; rank < values_.size(); ++rank) {
+            const bool isBest = std::find(best_.begin(), best_.end(), rank) != best_.end();
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(isBest ? blue : palette().color(QPalette::Mid));
+            painter.drawEllipse(placeOf(rank), dot, dot);
+        }
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(palette().color(QPalette::Text), 2));
+        for (const std::size_t rank : chosen_) {
+            if (rank < values_.size()) {
+                painter.drawEllipse(placeOf(rank), dot + 3, dot + 3);
+            }
+        }
+    }
+    void mousePressEvent(QMouseEvent* event) override {
+        if (const auto rank = rankAt(event->position())) {
+            emit plot_.picked(*rank);
+        }
+    }
+    bool event(QEvent* event) override {
+        if (event->type() == QEvent::ToolTip) {
+            auto& help = static_cast<QHelpEvent&>(*event);
+            if (const auto rank = rankAt(help.pos())) {
+                QToolTip::showText(help.globalPos(), plot_.textOf(*rank), this);
+                return true;
+            }
+        }
+        return QWidget::event(event);
+    }
+
+private:
+    QPointF placeOf(std::size_t rank) const {
+        QRectF box(values_.front(), values_.front());
+        for (const QPointF value : values_) {
+            box.setLeft(std::min(box.left(), value.x()));
+            box.setRight(std::max(box.right(), value.x()));
+            box.setTop(std::min(box.top(), value.y()));
+            box.setBottom(std::max(box.bottom(), value.y()));
+        }
+        const auto within = [](double value, double least, double most) {
+            return most > least ? (value - least) / (most - least) : 0.5;
+        };
+        const double x = within(values_[rank].x(), box.left(), box.right());
+        const double y = within(values_[rank].y(), box.top(), box.bottom());
+        return {margin + x * (width() - 2 * margin),
+                height() - margin - y * (height() - 2 * margin)};
+    }
+    std::optional<std::size_t> rankAt(QPointF place) const {
+        std::optional<std::size_t> nearest;
+        double least = reach;
+        for (std::size_t rank = 0; rank < values_.size(); ++rank) {
+            const QPointF away = placeOf(rank) - place;
+            if (const double distance = std::hypot(away.x(), away.y()); distance < least) {
+                least = distance;
+                nearest = rank;
+            }
+        }
+        return nearest;
+    }
+
+    MeasurePlot& plot_;
+    std::vector<QPointF> values_; // of each rank, more is better
+    std::vector<std::size_t> best_, chosen_;
+};
+
+MeasurePlot::MeasurePlot(QWidget* parent)
+    : QWidget(parent), across_(makeChoice(Measure::Coverage, tr("Measure to the right"))),
+      up_(makeChoice(Measure::Stretch, tr("Measure upwards"))), field_(new Field(*this)) {
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(up_, 0, 0);
+    layout->addWidget(field_, 1, 0);
+    layout->addWidget(across_, 2, 0, Qt::AlignRight);
+    layout->setRowStretch(1, 1);
+    draw();
+}
+
+QComboBox* MeasurePlot::makeChoice(Measure measure, const QString& name) {
+    auto* choice = new QComboBox;
+    for (const Measure each : allMeasures()) {
+        choice->addItem(measureName(each), int(each));
+    }
+    choice->setCurrentIndex(choice->findData(int(measure)));
+    choice->setAccessibleName(name);
+    choice->setToolTip(tr("Better is to the right and up. The line joins the poses that no other "
+                          "beats in both measures."));
+    connect(choice, &QComboBox::currentIndexChanged, this, &MeasurePlot::draw);
+    return choice;
+}
+
+void MeasurePlot::setRanking(const std::vector<RankedPoses>& ranking) {
+    ranking_ = ranking;
+    draw();
+}
+
+void MeasurePlot::setChosen(const std::vector<std::size_t>& ranks) {
+    field_->setChosen(ranks);
+}
+
+QString MeasurePlot::textOf(std::size_t rank) const {
+    const auto line = [&](const QComboBox& choice) {
+        const auto measure = Measure(choice.currentData().toInt());
+        return tr("%1: %2").arg(measureName(measure),
+                                measureText(measure, ranking_[rank].measures[measure]));
+    };
+    return tr("Rank %1").arg(rank + 1) + QLatin1Char('\n') + line(*across_) + QLatin1Char('\n') +
+           line(*up_);
+}
+
+void MeasurePlot::draw() {
+    const auto across = Measure(across_->currentData().toInt());
+    const auto up = Measure(up_->currentData().toInt());
+    std::vector<QPointF> values;
+    for (const RankedPoses& poses : ranking_) {
+        values.emplace_back(goodness(poses, across), goodness(poses, up));
+    }
+    field_->set(std::move(values), unbeaten(ranking_, across, up));
+}
+
+} // namespace dipwright

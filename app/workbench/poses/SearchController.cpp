@@ -1,0 +1,216 @@
+#include "poses/SearchController.h"
+
+#include "base/HandOver.h"
+#include "document/ImmersionEdits.h"
+#include "pipeline/JobSearch.h"
+#include "pipeline/SolverChoice.h"
+#include "search/PoseCandidates.h"
+#include "traveller/PosePicture.h"
+
+#include <condition_variable>
+#include <map>
+#include <mutex>
+
+namespace dipwright {
+
+namespace {
+
+constexpr QSize pictureSize(112, 112); // twice as large as shown, for fine screens
+constexpr std::size_t mostPictures = 20;
+
+} // namespace
+
+// What the page shows, made on the worker thread.
+struct SearchController::Update {
+    SearchResult result;
+    std::vector<QImage> pictures;
+    int done = 0, wanted = 0;
+    std::optional<double> secondsLeft;
+};
+
+// Stands between the search's thread and the window's: hands updates over, and holds the search
+// while it is paused. Used from both.
+class SearchController::Watcher {
+public:
+    Watcher(SearchController& owner, std::shared_ptr<const TexturedMesh> model)
+        : owner_(&owner), model_(std::move(model)) {}
+
+    void setPaused(bool paused) {
+        {
+            const std::lock_guard lock(mutex_);
+            isPaused_ = paused;
+        }
+        goOn_.notify_all();
+    }
+
+    // On the worker thread. Returns when the search may go on, or is cancelled.
+    void watch(const std::shared_ptr<Watcher>& self, const SearchState& state,
+               const CancelSwitch& cancelSwitch) {
+        handOverUpdate(self, {state.soFar, picturesOf(state.soFar, cancelSwitch), state.done,
+                              state.wanted, state.secondsLeft});
+        std::unique_lock lock(mutex_);
+        while (isPaused_ && !cancelSwitch.isCancelled()) {
+            goOn_.wait_for(lock, std::chrono::milliseconds(100));
+        }
+    }
+
+    Update lastOf(const SearchResult& result) {
+        return {result, picturesOf(result, {}), 0, 0, std::nullopt};
+    }
+
+private:
+    void handOverUpdate(const std::shared_ptr<Watcher>& self, Update update) {
+        handOver(*owner_, [self, owner = owner_, update = std::move(update)] {
+            if (owner->watcher_ == self) { // it still is the one that runs
+                owner->take(update);
+            }
+        });
+    }
+
+    // Of the best, each drawn once.
+    std::vector<QImage> picturesOf(const SearchResult& result, const CancelSwitch& cancelSwitch) {
+        std::vector<QImage> pictures;
+        for (const RankedPoses& poses : result.ranking) {
+            if (pictures.size() >= mostPictures || cancelSwitch.isCancelled()) {
+                break;
+            }
+            pictures.push_back(pictureOf(poses.immersions.front()));
+        }
+        return pictures;
+    }
+    QImage pictureOf(const Immersion& immersion) {
+        const std::array<double, 3> key{immersion.rotation[0].value(),
+                                        immersion.rotation[1].value(),
+                                        immersion.rotation[2].value()};
+        auto found = drawn_.find(key);
+        if (found == drawn_.end()) {
+            const PosedBody body = posedBody(*model_, immersion);
+            const PoseView view{body, nullptr, {}};
+            found = drawn_.emplace(key, posePicture(view, PoseSide::Front, pictureSize, {}).image)
+                        .first;
+        }
+        return found->second;
+    }
+
+    SearchController* owner_;
+    std::shared_ptr<const TexturedMesh> model_;
+    std::map<std::array<double, 3>, QImage> drawn_; // worker thread only
+    std::mutex mutex_;
+    std::condition_variable goOn_;
+    bool isPaused_ = false;
+};
+
+SearchController::SearchController(const DipSession& session, JobRunner& jobs,
+                                   const SolverRegistry& registry, Messages& messages,
+                                   QObject* parent)
+    : QObject(parent), session_(session), jobs_(jobs), registry_(registry), messages_(messages),
+      page_(new SearchPage) {
+    connect(page_, &SearchPage::startAsked, this, &SearchController::start);
+    connect(page_, &SearchPage::stopAsked, this, [this] { running_.cancel(); });
+    connect(page_, &SearchPage::pauseAsked, this, [this](bool paused) {
+        if (watcher_) {
+            watcher_->setPaused(paused);
+        }
+    });
+    connect(page_, &SearchPage::applyAsked, this,
+            [this](const RankedPoses& poses) { apply(poses.immersions); });
+    connect(page_, &SearchPage::sideAsked, this, &SearchController::applySide);
+    connect(&jobs, &JobRunner::idle, this, &SearchController::end);
+}
+
+QWidget* SearchController::page() const {
+    return page_;
+}
+
+void SearchController::showDocument() {
+    running_.cancel();
+    watcher_.reset();
+    page_->clear();
+    searched_ = {};
+    if (const Document* document = session_.document()) {
+        page_->setImmersions(int(document->project().immersions.size()));
+        connect(document, &Document::projectChanged, this, &SearchController::showFreshness);
+    }
+}
+
+void SearchController::start() {
+    const Document* document = session_.document();
+    if (!document || watcher_) {
+        return;
+    }
+    searched_ = document->project();
+    const SearchSettings settings = page_->settings();
+    page_->setState(SearchPage::State::Searching);
+    watcher_ = std::make_shared<Watcher>(*this, searched_.model);
+    using Found = std::optional<Update>; // none: cancelled before anything was found
+    running_ = jobs_.start(std::make_unique<ValueJob<Found>>(
+        tr("Searching poses"),
+        [project = searched_, settings, watcher = watcher_,
+         &registry = registry_](const Progress& progress) {
+            const SearchSubject subject = searchSubject(project);
+            SolverChoice solver = chooseSolver(project.process.solver, registry);
+            const SearchWatch watch = [&](const SearchState& state) {
+                watcher->watch(watcher, state, progress.cancelSwitch);
+            };
+            return Found(watcher->lastOf(
+                withFallback(solver, registry, [&](const solver::SolverModule& module) {
+                    return searchPoses(subject, settings, module, {}, watch, progress);
+                })));
+        },
+        [this, watcher = watcher_](const Found& found) {
+            if (watcher_ == watcher && found) {
+                end();
+                page_->setResult(found->result, found->pictures);
+                messages_.logAndSay(found->result.isComplete
+                                        ? tr("The poses are searched; the best is on top.")
+                                        : tr("The search was stopped; the best so far is on top."));
+                showFreshness();
+            }
+        },
+        [this](const std::exception_ptr& failure) {
+            end();
+            messages_.fail(tr("Pose Search"), failure);
+        }));
+}
+
+// However it ended; cancelled before anything was found, it is told by nothing but the jobs' end.
+void SearchController::end() {
+    watcher_.reset();
+    page_->setState(SearchPage::State::Idle);
+}
+
+void SearchController::take(const Update& update) {
+    page_->setResult(update.result, update.pictures);
+    page_->setProgress(update.done, update.wanted, update.secondsLeft);
+    showFreshness();
+}
+
+void SearchController::apply(const std::vector<Immersion>& immersions) {
+    if (session_.document() && !immersions.empty()) {
+        setImmersions(*session_.document(), immersions);
+    }
+}
+
+// The immersion that is looked at, with that side down.
+void SearchController::applySide(const Eigen::Vector3d& down) {
+    if (Document* document = session_.document(); document && document->project().model) {
+        std::vector<Immersion> immersions = document->project().immersions;
+        Immersion& shown = immersions[session_.immersion()];
+        const Project& project = document->project();
+        shown.rotation = immersionFor(project.model->mesh, down, filmGrid(project.film)).rotation;
+        setImmersions(*document, immersions);
+    }
+}
+
+// The poses themselves are not what is searched for.
+void SearchController::showFreshness() {
+    if (const Document* document = session_.document(); document && searched_.model) {
+        const Project& now = document->project();
+        page_->setOutdated(now.model != searched_.model || now.film != searched_.film ||
+                           now.process != searched_.process ||
+                           now.fieldResolution != searched_.fieldResolution ||
+                           now.tolerance.marks != searched_.tolerance.marks);
+    }
+}
+
+} // namespace dipwright

@@ -1,0 +1,231 @@
+#include "poses/SearchPage.h"
+
+#include "look/Icons.h"
+#include "poses/MeasurePlot.h"
+#include "poses/OrientationMap.h"
+#include "poses/PoseTable.h"
+#include "poses/WeightFields.h"
+#include "search/PoseCandidates.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace dipwright {
+
+SearchPage::SearchPage(QWidget* parent)
+    : QWidget(parent), immersions_(new QComboBox), simulated_(new QSpinBox), seed_(new QSpinBox),
+      weights_(new WeightFields), start_(new QPushButton(tr("&Search"))),
+      pause_(new QPushButton(tr("Pause"))), stop_(new QPushButton(tr("Stop"))),
+      progress_(new QProgressBar), left_(new QLabel), note_(new QLabel), table_(new PoseTable),
+      map_(new OrientationMap), plot_(new MeasurePlot), comparison_(new QLabel),
+      apply_(new QPushButton(tr("&Take This Pose"))) {
+    setObjectName(QStringLiteral("searchPage"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(makeSettings());
+    layout->addWidget(makeProgress());
+    layout->addWidget(makeFound(), 1);
+    connect(start_, &QPushButton::clicked, this, &SearchPage::startAsked);
+    connect(stop_, &QPushButton::clicked, this, &SearchPage::stopAsked);
+    connect(pause_, &QPushButton::clicked, this, [this] {
+        const bool isPaused = state_ != State::Paused;
+        setState(isPaused ? State::Paused : State::Searching);
+        emit pauseAsked(isPaused);
+    });
+    connect(table_, &PoseTable::chosenChanged, this, &SearchPage::showChosen);
+    connect(table_, &PoseTable::applied, this,
+            [this](std::size_t rank) { emit applyAsked(result_.ranking[rank]); });
+    connect(apply_, &QPushButton::clicked, this, [this] {
+        if (const auto ranks = table_->chosen(); !ranks.empty()) {
+            emit applyAsked(result_.ranking[ranks.front()]);
+        }
+    });
+    connect(plot_, &MeasurePlot::picked, table_, &PoseTable::choose);
+    connect(map_, &OrientationMap::picked, this, &SearchPage::sideAsked);
+    setState(State::Idle);
+    clear();
+}
+
+QWidget* SearchPage::makeSettings() {
+    const SearchSettings usual;
+    immersions_->addItem(tr("One dip"), 1);
+    immersions_->addItem(tr("Two dips, judged together"), 2);
+    immersions_->setObjectName(QStringLiteral("searchedImmersions"));
+    simulated_->setRange(6, 2000);
+    simulated_->setValue(usual.simulated);
+    simulated_->setSuffix(tr(" poses"));
+    simulated_->setObjectName(QStringLiteral("searchedPoses"));
+    simulated_->setToolTip(tr("How many poses are dipped with a coarse film, out of %1 that are "
+                              "judged by the body's shape. The best are refined.")
+                               .arg(usual.directions));
+    seed_->setRange(0, 1'000'000);
+    seed_->setValue(usual.seed);
+    seed_->setToolTip(tr("The same number gives the same table; another one tries other "
+                         "directions."));
+    auto* form = new QFormLayout;
+    form->addRow(tr("Plan"), immersions_);
+    form->addRow(tr("Try"), simulated_);
+    form->addRow(tr("Seed"), seed_);
+    auto* more = new QToolButton;
+    more->setText(tr("What counts, and what must be kept"));
+    more->setCheckable(true);
+    more->setAutoRaise(true);
+    more->setArrowType(Qt::RightArrow);
+    more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    more->setObjectName(QStringLiteral("weightsShown"));
+    auto* scrolled = new QScrollArea;
+    scrolled->setWidget(weights_);
+    scrolled->setWidgetResizable(true);
+    scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setMinimumHeight(180);
+    scrolled->setMaximumHeight(weights_->sizeHint().height() + 4);
+    scrolled->hide();
+    connect(more, &QToolButton::toggled, this, [more, scrolled](bool shown) {
+        scrolled->setVisible(shown);
+        more->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
+    });
+    settings_ = new QWidget;
+    auto* layout = new QVBoxLayout(settings_);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addLayout(form);
+    layout->addWidget(more);
+    layout->addWidget(scrolled, 1);
+    return settings_;
+}
+
+QWidget* SearchPage::makeProgress() {
+    start_->setIcon(icon(QStringLiteral("optimise")));
+    start_->setObjectName(QStringLiteral("startSearch"));
+    pause_->setToolTip(tr("Let others have the processor; the search goes on where it was"));
+    pause_->setObjectName(QStringLiteral("pauseSearch"));
+    stop_->setToolTip(tr("End the search and keep the best that was found"));
+    stop_->setObjectName(QStringLiteral("stopSearch"));
+    progress_->setTextVisible(false);
+    progress_->setAccessibleName(tr("Progress of the search"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(start_);
+    row->addWidget(pause_);
+    row->addWidget(stop_);
+    row->addWidget(progress_, 1);
+    note_->setWordWrap(true);
+    note_->setText(tr("The project has been changed since these poses were searched."));
+    note_->hide();
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addLayout(row);
+    layout->addWidget(left_);
+    layout->addWidget(note_);
+    return page;
+}
+
+QWidget* SearchPage::makeFound() {
+    comparison_->setWordWrap(true);
+    comparison_->setObjectName(QStringLiteral("poseComparison"));
+    apply_->setObjectName(QStringLiteral("takePose"));
+    apply_->setToolTip(tr("Dip the body as chosen in the table; one step to undo"));
+    auto* pictures = new QHBoxLayout;
+    pictures->addWidget(map_, 1);
+    pictures->addWidget(plot_, 1);
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(table_, 2);
+    layout->addWidget(comparison_);
+    layout->addWidget(apply_);
+    layout->addLayout(pictures, 1);
+    return page;
+}
+
+SearchSettings SearchPage::settings() const {
+    SearchSettings settings;
+    settings.immersions = immersions_->currentData().toInt();
+    settings.simulated = simulated_->value();
+    settings.seed = seed_->value();
+    weights_->fill(settings);
+    return settings;
+}
+
+void SearchPage::setImmersions(int count) {
+    immersions_->setCurrentIndex(count - 1);
+}
+
+void SearchPage::setState(State state) {
+    const bool isIdle = state == State::Idle;
+    if (isIdle != (state_ == State::Idle) && !isIdle) {
+        searched_ = settings();
+    }
+    state_ = state;
+    settings_->setEnabled(isIdle);
+    start_->setEnabled(isIdle);
+    pause_->setEnabled(!isIdle);
+    pause_->setText(state == State::Paused ? tr("Go On") : tr("Pause"));
+    stop_->setEnabled(!isIdle);
+    progress_->setVisible(!isIdle);
+    if (isIdle) {
+        left_->clear();
+    }
+    left_->setVisible(!isIdle);
+}
+
+void SearchPage::setProgress(int done, int wanted, std::optional<double> secondsLeft) {
+    progress_->setRange(0, wanted);
+    progress_->setValue(done);
+    const QString dips = tr("%1 of %2 dips").arg(done).arg(wanted);
+    left_->setText(
+        secondsLeft
+            ? tr("%1, about %2 s left").arg(dips, locale().toString(int(std::ceil(*secondsLeft))))
+            : dips);
+}
+
+void SearchPage::setResult(const SearchResult& result, const std::vector<QImage>& pictures) {
+    result_ = result;
+    table_->setResult(result, searched_, pictures);
+    map_->setDirections(result.directions);
+    plot_->setRanking(result.ranking);
+    showChosen();
+}
+
+void SearchPage::clear() {
+    setResult({}, {});
+    note_->hide();
+}
+
+void SearchPage::setOutdated(bool outdated) {
+    note_->setVisible(outdated && !result_.ranking.empty());
+}
+
+void SearchPage::showChosen() {
+    const std::vector<std::size_t> ranks = table_->chosen();
+    std::vector<Eigen::Vector3d> downs;
+    for (const std::size_t rank : ranks) {
+        for (const Immersion& immersion : result_.ranking[rank].immersions) {
+            downs.push_back(downOf(immersion));
+        }
+    }
+    map_->setChosen(std::move(downs));
+    plot_->setChosen(ranks);
+    apply_->setEnabled(ranks.size() == 1);
+    comparison_->setVisible(ranks.size() == 2);
+    if (ranks.size() == 2) {
+        comparison_->setText(
+            tr("Rank %1 against rank %2: %3")
+                .arg(ranks[0] + 1)
+                .arg(ranks[1] + 1)
+                .arg(reasonText(differences(result_.ranking[ranks[0]], result_.ranking[ranks[1]],
+                                            searched_, result_.equator))));
+    }
+}
+
+} // namespace dipwright

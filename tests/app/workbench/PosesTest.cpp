@@ -1,0 +1,159 @@
+// The page of the pose search, with results made up.
+#include "poses/MeasurePlot.h"
+#include "poses/OrientationMap.h"
+#include "poses/PoseTable.h"
+#include "poses/SearchPage.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace dipwright;
+
+namespace {
+
+RankedPoses poses(double objective, double coverage, double stretch, Degrees aboutX) {
+    RankedPoses ranked;
+    Immersion immersion;
+    immersion.rotation[0] = aboutX;
+    ranked.immersions = {immersion};
+    ranked.objective = objective;
+    ranked.measures[Measure::Coverage] = coverage;
+    ranked.measures[Measure::Stretch] = stretch;
+    ranked.isConfirmed = true;
+    return ranked;
+}
+
+SearchResult result() {
+    SearchResult found;
+    found.ranking = {poses(0.8, 0.70, 1.5, Degrees(0)), poses(0.7, 0.75, 1.9, Degrees(90)),
+                     poses(0.6, 0.60, 2.4, Degrees(180))};
+    found.current = poses(0.5, 0.5, 2, Degrees(45));
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {-1.0, 1.0}) {
+            found.directions.push_back(
+                {sign * Eigen::Vector3d::Unit(axis), 0.5, axis == 1 && sign < 0 ? 0.8 : 0.3});
+        }
+    }
+    found.directions.push_back({Eigen::Vector3d(1, 1, 0).normalized(), 0.1, std::nullopt});
+    return found;
+}
+
+} // namespace
+
+class PosesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        page_ = std::make_unique<SearchPage>();
+        page_->resize(400, 700);
+        page_->show();
+        page_->setResult(result(), {});
+        table_ = page_->findChild<PoseTable*>();
+    }
+
+    void everyRankSaysWhatItHasAndWhy() {
+        QCOMPARE(table_->rowCount(), 3);
+        const auto text = [this](int row) { return table_->item(row, 3)->text(); };
+        QVERIFY2(text(0).contains(QLatin1String("Against yours")), qPrintable(text(0)));
+        QVERIFY2(text(1).contains(QLatin1String("coverage"), Qt::CaseInsensitive) &&
+                     text(1).contains(QLatin1String("stretch"), Qt::CaseInsensitive),
+                 qPrintable(text(1)));
+        QCOMPARE(table_->item(0, 1)->text(), QStringLiteral("80.0"));
+    }
+
+    void theChosenPoseIsTaken() {
+        QSignalSpy applied(page_.get(), &SearchPage::applyAsked);
+        auto* take = page_->findChild<QPushButton*>(QStringLiteral("takePose"));
+        QVERIFY(!take->isEnabled());
+        table_->choose(1);
+        take->click();
+        QCOMPARE(applied.count(), 1);
+        QCOMPARE(applied[0][0].value<RankedPoses>().objective, 0.7);
+    }
+
+    void twoPosesAreComparedInWords() {
+        auto* words = page_->findChild<QLabel*>(QStringLiteral("poseComparison"));
+        QVERIFY(!words->isVisible());
+        table_->selectRow(0);
+        table_->selectionModel()->select(table_->model()->index(2, 0),
+                                         QItemSelectionModel::Select | QItemSelectionModel::Rows);
+        QVERIFY(words->isVisible());
+        QVERIFY2(words->text().contains(QLatin1String("Rank 1 against rank 3")),
+                 qPrintable(words->text()));
+    }
+
+    void theMapIsPickedWhereTheSideIs() {
+        OrientationMap map;
+        map.resize(200, 200);
+        map.show();
+        map.setDirections(result().directions);
+        QSignalSpy picked(&map, &OrientationMap::picked);
+        const auto pick = [&](QPoint place) {
+            QTest::mouseClick(&map, Qt::LeftButton, {}, place);
+            return picked.takeLast()[0].value<Eigen::Vector3d>();
+        };
+        QCOMPARE(pick({100, 100}), Eigen::Vector3d(0, -1, 0));
+        QCOMPARE(pick({165, 100}), Eigen::Vector3d(1, 0, 0));
+        QCOMPARE(pick({100, 165}), Eigen::Vector3d(0, 0, 1));
+        QCOMPARE(pick({100, 8}), Eigen::Vector3d(0, 1, 0));
+        QTest::mouseClick(&map, Qt::LeftButton, {}, {2, 2}); // off the disc
+        QVERIFY(picked.isEmpty());
+        const QImage picture = map.grab().toImage();
+        QVERIFY(picture.pixelColor(100, 100).lightness() >
+                picture.pixelColor(165, 100).lightness()); // better is lighter
+    }
+
+    void whatNothingBeatsInTwoMeasuresIsTold() {
+        const std::vector<RankedPoses> ranking = result().ranking;
+        // The third paints less with more stretch than both others.
+        QCOMPARE(unbeaten(ranking, Measure::Coverage, Measure::Stretch),
+                 (std::vector<std::size_t>{0, 1}));
+    }
+
+    void whatMustBeKeptIsALimit() {
+        QCheckBox* wanted = nullptr;
+        QDoubleSpinBox* limit = nullptr;
+        const QString name = QStringLiteral("Limit of ") + measureName(Measure::Coverage);
+        for (auto* box : page_->findChildren<QCheckBox*>()) {
+            wanted = box->accessibleName() == name ? box : wanted;
+        }
+        for (auto* box : page_->findChildren<QDoubleSpinBox*>()) {
+            limit = box->accessibleName() == name ? box : limit;
+        }
+        QVERIFY(wanted && limit);
+        QCOMPARE(page_->settings(), SearchSettings());
+        wanted->setChecked(true);
+        limit->setValue(85);
+        QCOMPARE(page_->settings().limits[Measure::Coverage], std::optional(0.85));
+        wanted->setChecked(false);
+        QCOMPARE(page_->settings(), SearchSettings());
+    }
+
+    void aSearchIsPausedAndStopped() {
+        auto* pause = page_->findChild<QPushButton*>(QStringLiteral("pauseSearch"));
+        auto* stop = page_->findChild<QPushButton*>(QStringLiteral("stopSearch"));
+        auto* start = page_->findChild<QPushButton*>(QStringLiteral("startSearch"));
+        QVERIFY(start->isEnabled() && !pause->isEnabled() && !stop->isEnabled());
+        page_->setState(SearchPage::State::Searching);
+        QVERIFY(!start->isEnabled() && pause->isEnabled() && stop->isEnabled());
+        QSignalSpy paused(page_.get(), &SearchPage::pauseAsked);
+        pause->click();
+        pause->click();
+        QCOMPARE(paused.count(), 2);
+        QCOMPARE(paused[0][0].toBool(), true);
+        QCOMPARE(paused[1][0].toBool(), false);
+    }
+
+private:
+    std::unique_ptr<SearchPage> page_;
+    PoseTable* table_ = nullptr;
+};
+
+QTEST_MAIN(PosesTest)
+#include "PosesTest.moc"
