@@ -24,7 +24,6 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMimeData>
-#include <QShortcut>
 #include <QStatusBar>
 #include <QWhatsThis>
 
@@ -117,11 +116,6 @@ void MainWindow::connectActions() {
     on(actions_.resetLayout, [this] { layout_.reset(); });
     on(actions_.saveLayout, [this] { layout_.askName(); });
     connect(actions_.measure, &QAction::toggled, &measure_, &MeasureTool::setActive);
-    auto* endMeasure = new QShortcut(Qt::Key_Escape, this);
-    endMeasure->setEnabled(false); // the key is somebody else's then
-    connect(actions_.measure, &QAction::toggled, endMeasure, &QShortcut::setEnabled);
-    connect(endMeasure, &QShortcut::activated, this,
-            [this] { actions_.measure->setChecked(false); });
     parts_.results->addSheetAction(actions_.exportPdf);
     parts_.results->addTextureAction(actions_.exportPng);
 }
@@ -191,13 +185,8 @@ void MainWindow::connectSession() {
         reader_.leadTo(rest);
     });
     connect(&reader_, &FilmReader::read, status_, &StatusLine::setReading);
-    for (const auto& [signal, held] :
-         {std::pair(&BodyTurn::begun, true), std::pair(&BodyTurn::ended, false)}) {
-        connect(&turn_, signal, this, [this, held = held] {
-            dip_.setHeld(held);
-            scene_.setPreviewed(held);
-        });
-    }
+    connect(&turn_, &BodyTurn::held, &dip_, &DipController::setHeld);
+    connect(&turn_, &BodyTurn::held, &scene_, &DipScene::setPreviewed);
     connect(&dip_, &DipController::cancelled, this,
             [this] { status_->setJob(tr("Cancelling …")); });
     connect(&check_, &CertaintyCheck::done, this, [this](const auto& certainty, bool outdated) {

@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QFileDialog>
+#include <QShortcut>
 
 namespace dipwright {
 
@@ -39,6 +40,11 @@ void ViewController::connectCamera(const WindowActions& actions) {
 }
 
 void ViewController::connectDisplay(const WindowActions& actions) {
+    auto* endMeasure = new QShortcut(Qt::Key_Escape, &window_);
+    endMeasure->setEnabled(false); // the key is somebody else's then
+    connect(actions.measure, &QAction::toggled, endMeasure, &QShortcut::setEnabled);
+    connect(endMeasure, &QShortcut::activated, actions.measure,
+            [&actions] { actions.measure->setChecked(false); });
     connect(actions.rings, &QAction::toggled, &scene_, &DipScene::setShowRings);
     connect(actions.body, &QAction::toggled, &view_, &DipView::setBodyVisible);
     // Colours are to be judged, or told apart, without water over them.

@@ -23,7 +23,7 @@ void BodyTurn::drag(int axis, double degrees) {
     Document& document = *session_.document();
     if (!before_) {
         before_ = document.project().immersions[session_.immersion()];
-        emit begun();
+        emit held(true);
     }
     document.edit(tr("Turn Body"), QStringLiteral("turn"), [&](Project& project) {
         project.immersions[session_.immersion()].rotation =
@@ -34,7 +34,7 @@ void BodyTurn::drag(int axis, double degrees) {
 void BodyTurn::finish() {
     before_.reset();
     session_.document()->endMerge();
-    emit ended();
+    emit held(false);
 }
 
 } // namespace dipwright

@@ -21,8 +21,7 @@ public:
     BodyTurn(const DipSession& session, const DipView& view, QObject* parent = nullptr);
 
 signals:
-    void begun();
-    void ended();
+    void held(bool isHeld); // as long as a ring is dragged
 
 private:
     void drag(int axis, double degrees);

@@ -355,6 +355,18 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), patience());
     }
 
+    void escapeEndsMeasuring() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        QAction* measure = driver.action("measure");
+        measure->trigger();
+        QVERIFY(measure->isChecked());
+        window_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+        QTest::keyClick(window_.get(), Qt::Key_Escape);
+        QVERIFY(!measure->isChecked());
+    }
+
     void whileTheBodyIsTurnedItsCoverageIsPreviewed() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
