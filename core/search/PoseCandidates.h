@@ -1,4 +1,4 @@
-// The first stage of the pose search: poses by the body's shape alone. Private to this folder.
+// The first stage of the pose search: poses by the body's shape alone.
 #pragma once
 
 #include "base/Progress.h"
