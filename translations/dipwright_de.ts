@@ -62,6 +62,10 @@
         <source>Not painted</source>
         <translation>Nicht gefärbt</translation>
     </message>
+    <message>
+        <source>Painted, by the shape</source>
+        <translation>Gefärbt, der Form nach</translation>
+    </message>
 </context>
 <context>
     <name>Certainty</name>
@@ -433,6 +437,10 @@
     <message>
         <source>Swap Immersions</source>
         <translation>Tauchvorgänge tauschen</translation>
+    </message>
+    <message>
+        <source>Take Pose</source>
+        <translation>Lage übernehmen</translation>
     </message>
 </context>
 <context>
@@ -4336,6 +4344,14 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <source>The body is %1 long. If its file is in another unit, change its size under Model.</source>
         <translation>Der Körper ist %1 lang. Wenn seine Datei eine andere Einheit hat, ändern Sie seine Größe unter „Modell“.</translation>
     </message>
+    <message>
+        <source>Inspection</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Pose Search</source>
+        <translation>Lagensuche</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::MarkFields</name>
@@ -4370,6 +4386,29 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>Marks on the body: %1</source>
         <translation>Marken auf dem Körper: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::MeasurePlot</name>
+    <message>
+        <source>Measure to the right</source>
+        <translation>Maß nach rechts</translation>
+    </message>
+    <message>
+        <source>Measure upwards</source>
+        <translation>Maß nach oben</translation>
+    </message>
+    <message>
+        <source>Better is to the right and up. The line joins the poses that no other beats in both measures.</source>
+        <translation>Besser ist rechts und oben. Die Linie verbindet die Lagen, die keine andere in beiden Maßen übertrifft.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Rank %1</source>
+        <translation>Rang %1</translation>
     </message>
 </context>
 <context>
@@ -4594,6 +4633,23 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>Close this notice</source>
         <translation>Diesen Hinweis schließen</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::OrientationMap</name>
+    <message>
+        <source>How good each side is to go down first</source>
+        <translation>Wie gut jede Seite zuerst eintaucht</translation>
+    </message>
+    <message>
+        <source>Which side
+goes down first</source>
+        <translation>Welche Seite
+zuerst eintaucht</translation>
+    </message>
+    <message>
+        <source>Objective %1, click to try this side</source>
+        <translation>Zielwert %1, Klick probiert diese Seite</translation>
     </message>
 </context>
 <context>
@@ -4866,6 +4922,52 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>True size</source>
         <translation>Wahre Größe</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PoseTable</name>
+    <message>
+        <source>%1: turned by %2° about X, Y, Z</source>
+        <translation>%1: gedreht um %2° um X, Y, Z</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Poses found, the best first</source>
+        <translation>Gefundene Lagen, die beste zuerst</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Objective</source>
+        <translation>Zielwert</translation>
+    </message>
+    <message>
+        <source>Painted,
+stretch</source>
+        <translation>Gefärbt,
+Dehnung</translation>
+    </message>
+    <message>
+        <source>Against the best</source>
+        <translation>Gegen die beste</translation>
+    </message>
+    <message>
+        <source>≈ %1</source>
+        <comment>about</comment>
+        <translation>≈ %1</translation>
+    </message>
+    <message>
+        <source>Against yours: %1</source>
+        <translation>Gegen Ihre: %1</translation>
+    </message>
+    <message>
+        <source>Misses a limit. %1</source>
+        <translation>Verfehlt eine Grenze. %1</translation>
     </message>
 </context>
 <context>
@@ -6157,6 +6259,116 @@ mm je mm</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::SearchController</name>
+    <message>
+        <source>Searching poses</source>
+        <translation>Lagen werden gesucht</translation>
+    </message>
+    <message>
+        <source>The poses are searched; the best is on top.</source>
+        <translation>Die Lagen sind durchsucht; die beste steht oben.</translation>
+    </message>
+    <message>
+        <source>The search was stopped; the best so far is on top.</source>
+        <translation>Die Suche wurde beendet; die bisher beste steht oben.</translation>
+    </message>
+    <message>
+        <source>Pose Search</source>
+        <translation>Lagensuche</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SearchPage</name>
+    <message>
+        <source>&amp;Search</source>
+        <translation>&amp;Suchen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Take This Pose</source>
+        <translation>Diese Lage &amp;übernehmen</translation>
+    </message>
+    <message>
+        <source>One dip</source>
+        <translation>Ein Tauchvorgang</translation>
+    </message>
+    <message>
+        <source>Two dips, judged together</source>
+        <translation>Zwei Tauchvorgänge, gemeinsam beurteilt</translation>
+    </message>
+    <message>
+        <source> poses</source>
+        <translation> Lagen</translation>
+    </message>
+    <message>
+        <source>How many poses are dipped with a coarse film, out of %1 that are judged by the body&apos;s shape. The best are refined.</source>
+        <translation>Wie viele Lagen mit einem groben Film getaucht werden, von %1, die nach der Form des Körpers beurteilt werden. Die besten werden verfeinert.</translation>
+    </message>
+    <message>
+        <source>The same number gives the same table; another one tries other directions.</source>
+        <translation>Dieselbe Zahl gibt dieselbe Tabelle; eine andere probiert andere Richtungen.</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planen</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Probieren</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>What counts, and what must be kept</source>
+        <translation>Was zählt und was eingehalten werden muss</translation>
+    </message>
+    <message>
+        <source>Let others have the processor; the search goes on where it was</source>
+        <translation>Überlässt den Prozessor anderen; die Suche geht weiter, wo sie war</translation>
+    </message>
+    <message>
+        <source>End the search and keep the best that was found</source>
+        <translation>Beendet die Suche und behält das Beste, das gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Progress of the search</source>
+        <translation>Fortschritt der Suche</translation>
+    </message>
+    <message>
+        <source>The project has been changed since these poses were searched.</source>
+        <translation>Das Projekt wurde geändert, seit diese Lagen gesucht wurden.</translation>
+    </message>
+    <message>
+        <source>Dip the body as chosen in the table; one step to undo</source>
+        <translation>Taucht den Körper wie in der Tabelle gewählt; ein Schritt zum Rückgängigmachen</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>%1 of %2 dips</source>
+        <translation>%1 von %2 Tauchvorgängen</translation>
+    </message>
+    <message>
+        <source>%1, about %2 s left</source>
+        <translation>%1, noch etwa %2 s</translation>
+    </message>
+    <message>
+        <source>Rank %1 against rank %2: %3</source>
+        <translation>Rang %1 gegen Rang %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::Sheet</name>
     <message>
         <source>A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels a side; choose another resolution or film size</source>
@@ -6668,6 +6880,41 @@ mm je mm</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::WeightFields</name>
+    <message>
+        <source>Counts</source>
+        <translation>Zählt</translation>
+    </message>
+    <message>
+        <source>Must be kept</source>
+        <translation>Einzuhalten</translation>
+    </message>
+    <message>
+        <source>Quality in zone %1</source>
+        <translation>Güte in Zone %1</translation>
+    </message>
+    <message>
+        <source>How much more the quality counts where the body is marked as this zone, under Tolerances.</source>
+        <translation>Wie viel mehr die Güte zählt, wo der Körper unter Toleranzen als diese Zone markiert ist.</translation>
+    </message>
+    <message>
+        <source>Weight of %1</source>
+        <translation>Gewicht von %1</translation>
+    </message>
+    <message>
+        <source>How much it counts against the others; 0: not at all.</source>
+        <translation>Wie viel es gegen die anderen zählt; 0: gar nicht.</translation>
+    </message>
+    <message>
+        <source>Limit of %1</source>
+        <translation>Grenze von %1</translation>
+    </message>
+    <message>
+        <source>Poses that miss it come after all that keep it.</source>
+        <translation>Lagen, die sie verfehlen, kommen nach allen, die sie einhalten.</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::WindowActions</name>
     <message>
         <source>New &amp;Window</source>
@@ -7121,6 +7368,14 @@ mm je mm</translation>
         <source>Show the zones of the body and, once tolerances are told, where they keep their limits</source>
         <translation>Zeigt die Zonen des Körpers und, sobald die Toleranzen berechnet sind, wo sie ihre Grenzen einhalten</translation>
     </message>
+    <message>
+        <source>&amp;Find Poses…</source>
+        <translation>Lagen &amp;suchen …</translation>
+    </message>
+    <message>
+        <source>Search how the body is best turned and moved, for one dip or two</source>
+        <translation>Sucht, wie der Körper am besten gedreht und verschoben wird, für einen Tauchvorgang oder zwei</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::WindowLayout</name>
@@ -7159,10 +7414,6 @@ mm je mm</translation>
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Entfernen</translation>
-    </message>
-    <message>
-        <source>Inspection</source>
-        <translation>Prüfung</translation>
     </message>
 </context>
 <context>

@@ -62,6 +62,10 @@
         <source>Not painted</source>
         <translation>Não pintado</translation>
     </message>
+    <message>
+        <source>Painted, by the shape</source>
+        <translation>Pintado, pela forma</translation>
+    </message>
 </context>
 <context>
     <name>Certainty</name>
@@ -433,6 +437,10 @@
     <message>
         <source>Swap Immersions</source>
         <translation>Trocar imersões</translation>
+    </message>
+    <message>
+        <source>Take Pose</source>
+        <translation>Assumir pose</translation>
     </message>
 </context>
 <context>
@@ -4336,6 +4344,14 @@ impresso em cartão rígido e impermeável</translation>
         <source>The body is %1 long. If its file is in another unit, change its size under Model.</source>
         <translation>O corpo tem %1 de comprimento. Se o arquivo está em outra unidade, mude o tamanho em “Modelo”.</translation>
     </message>
+    <message>
+        <source>Inspection</source>
+        <translation>Inspeção</translation>
+    </message>
+    <message>
+        <source>Pose Search</source>
+        <translation>Busca de poses</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::MarkFields</name>
@@ -4370,6 +4386,29 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>Marks on the body: %1</source>
         <translation>Marcas no corpo: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::MeasurePlot</name>
+    <message>
+        <source>Measure to the right</source>
+        <translation>Medida para a direita</translation>
+    </message>
+    <message>
+        <source>Measure upwards</source>
+        <translation>Medida para cima</translation>
+    </message>
+    <message>
+        <source>Better is to the right and up. The line joins the poses that no other beats in both measures.</source>
+        <translation>Melhor é à direita e acima. A linha liga as poses que nenhuma outra supera em ambas as medidas.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Rank %1</source>
+        <translation>Posição %1</translation>
     </message>
 </context>
 <context>
@@ -4594,6 +4633,23 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>Close this notice</source>
         <translation>Fechar este aviso</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::OrientationMap</name>
+    <message>
+        <source>How good each side is to go down first</source>
+        <translation>Quão bom é cada lado para descer primeiro</translation>
+    </message>
+    <message>
+        <source>Which side
+goes down first</source>
+        <translation>Que lado
+desce primeiro</translation>
+    </message>
+    <message>
+        <source>Objective %1, click to try this side</source>
+        <translation>Objetivo %1, clique para experimentar este lado</translation>
     </message>
 </context>
 <context>
@@ -4866,6 +4922,52 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>True size</source>
         <translation>Tamanho real</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PoseTable</name>
+    <message>
+        <source>%1: turned by %2° about X, Y, Z</source>
+        <translation>%1: girado %2° em torno de X, Y, Z</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Poses found, the best first</source>
+        <translation>Poses encontradas, a melhor primeiro</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Objective</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>Painted,
+stretch</source>
+        <translation>Pintado,
+estiramento</translation>
+    </message>
+    <message>
+        <source>Against the best</source>
+        <translation>Contra a melhor</translation>
+    </message>
+    <message>
+        <source>≈ %1</source>
+        <comment>about</comment>
+        <translation>≈ %1</translation>
+    </message>
+    <message>
+        <source>Against yours: %1</source>
+        <translation>Contra a sua: %1</translation>
+    </message>
+    <message>
+        <source>Misses a limit. %1</source>
+        <translation>Não cumpre um limite. %1</translation>
     </message>
 </context>
 <context>
@@ -6157,6 +6259,116 @@ mm por mm</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::SearchController</name>
+    <message>
+        <source>Searching poses</source>
+        <translation>Procurando poses</translation>
+    </message>
+    <message>
+        <source>The poses are searched; the best is on top.</source>
+        <translation>As poses foram procuradas; a melhor está no alto.</translation>
+    </message>
+    <message>
+        <source>The search was stopped; the best so far is on top.</source>
+        <translation>A busca foi encerrada; a melhor até agora está no alto.</translation>
+    </message>
+    <message>
+        <source>Pose Search</source>
+        <translation>Busca de poses</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SearchPage</name>
+    <message>
+        <source>&amp;Search</source>
+        <translation>&amp;Procurar</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausar</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Encerrar</translation>
+    </message>
+    <message>
+        <source>&amp;Take This Pose</source>
+        <translation>&amp;Assumir esta pose</translation>
+    </message>
+    <message>
+        <source>One dip</source>
+        <translation>Uma imersão</translation>
+    </message>
+    <message>
+        <source>Two dips, judged together</source>
+        <translation>Duas imersões, julgadas juntas</translation>
+    </message>
+    <message>
+        <source> poses</source>
+        <translation> poses</translation>
+    </message>
+    <message>
+        <source>How many poses are dipped with a coarse film, out of %1 that are judged by the body&apos;s shape. The best are refined.</source>
+        <translation>Quantas poses são mergulhadas com um filme grosso, de %1 que são julgadas pela forma do corpo. As melhores são refinadas.</translation>
+    </message>
+    <message>
+        <source>The same number gives the same table; another one tries other directions.</source>
+        <translation>O mesmo número dá a mesma tabela; outro experimenta outras direções.</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planejar</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Experimentar</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semente</translation>
+    </message>
+    <message>
+        <source>What counts, and what must be kept</source>
+        <translation>O que conta e o que deve ser mantido</translation>
+    </message>
+    <message>
+        <source>Let others have the processor; the search goes on where it was</source>
+        <translation>Deixa o processador para outros; a busca continua de onde estava</translation>
+    </message>
+    <message>
+        <source>End the search and keep the best that was found</source>
+        <translation>Encerra a busca e guarda o melhor que foi encontrado</translation>
+    </message>
+    <message>
+        <source>Progress of the search</source>
+        <translation>Progresso da busca</translation>
+    </message>
+    <message>
+        <source>The project has been changed since these poses were searched.</source>
+        <translation>O projeto foi alterado desde que estas poses foram procuradas.</translation>
+    </message>
+    <message>
+        <source>Dip the body as chosen in the table; one step to undo</source>
+        <translation>Mergulha o corpo como escolhido na tabela; um passo a desfazer</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>%1 of %2 dips</source>
+        <translation>%1 de %2 imersões</translation>
+    </message>
+    <message>
+        <source>%1, about %2 s left</source>
+        <translation>%1, restam cerca de %2 s</translation>
+    </message>
+    <message>
+        <source>Rank %1 against rank %2: %3</source>
+        <translation>Posição %1 contra posição %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::Sheet</name>
     <message>
         <source>A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels a side; choose another resolution or film size</source>
@@ -6668,6 +6880,41 @@ mm por mm</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::WeightFields</name>
+    <message>
+        <source>Counts</source>
+        <translation>Conta</translation>
+    </message>
+    <message>
+        <source>Must be kept</source>
+        <translation>A manter</translation>
+    </message>
+    <message>
+        <source>Quality in zone %1</source>
+        <translation>Qualidade na zona %1</translation>
+    </message>
+    <message>
+        <source>How much more the quality counts where the body is marked as this zone, under Tolerances.</source>
+        <translation>Quanto mais a qualidade conta onde o corpo está marcado como esta zona, em Tolerâncias.</translation>
+    </message>
+    <message>
+        <source>Weight of %1</source>
+        <translation>Peso de %1</translation>
+    </message>
+    <message>
+        <source>How much it counts against the others; 0: not at all.</source>
+        <translation>Quanto conta em relação às outras; 0: nada.</translation>
+    </message>
+    <message>
+        <source>Limit of %1</source>
+        <translation>Limite de %1</translation>
+    </message>
+    <message>
+        <source>Poses that miss it come after all that keep it.</source>
+        <translation>Poses que não o cumprem vêm depois de todas que o cumprem.</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::WindowActions</name>
     <message>
         <source>New &amp;Window</source>
@@ -7121,6 +7368,14 @@ mm por mm</translation>
         <source>Show the zones of the body and, once tolerances are told, where they keep their limits</source>
         <translation>Mostra as zonas do corpo e, calculadas as tolerâncias, onde respeitam seus limites</translation>
     </message>
+    <message>
+        <source>&amp;Find Poses…</source>
+        <translation>&amp;Procurar poses…</translation>
+    </message>
+    <message>
+        <source>Search how the body is best turned and moved, for one dip or two</source>
+        <translation>Procura como o corpo é mais bem girado e movido, para uma ou duas imersões</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::WindowLayout</name>
@@ -7159,10 +7414,6 @@ mm por mm</translation>
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Remover</translation>
-    </message>
-    <message>
-        <source>Inspection</source>
-        <translation>Inspeção</translation>
     </message>
 </context>
 <context>
