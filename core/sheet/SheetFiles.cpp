@@ -19,19 +19,67 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
 };
 
-// The page as pixels of the sheet's resolution, in sRGB.
-QImage pageImage(const Sheet& sheet) {
-    const SheetLayout layout = sheetLayout(sheet);
-    const QSize pixels = sheetPixels(Millimetres(layout.page.width()),
-                                     Millimetres(layout.page.height()), sheet.settings.resolution);
-    QImage page(pixels, QImage::Format_RGB888);
+QSize pagePixels(const Sheet& sheet, const SheetLayout& layout) {
+    return sheetPixels(Millimetres(layout.page.width()), Millimetres(layout.page.height()),
+                       sheet.settings.resolution);
+}
+
+// The film on its page, without what is printed round it.
+QImage filmOnPage(const Sheet& sheet, const SheetLayout& layout) {
+    QImage page(pagePixels(sheet, layout), QImage::Format_RGB888);
     page.fill(Qt::white);
     QPainter painter(&page);
     const double unit = pixelsPerMillimetre(sheet.settings.resolution);
     painter.drawImage((layout.film.topLeft() * unit).toPoint(), flattened(sheet.image));
+    return page;
+}
+
+void addMarks(QImage& page, const Sheet& sheet, const SheetLayout& layout) {
+    QPainter painter(&page);
+    const double unit = pixelsPerMillimetre(sheet.settings.resolution);
     painter.scale(unit, unit);
     paintMarks(painter, layout);
-    return page;
+}
+
+// The page as pixels of the sheet's resolution, in the printer's RGB.
+QByteArray rgbPage(const Sheet& sheet, const SheetLayout& layout, const PrinterColour* colour) {
+    QImage page = filmOnPage(sheet, layout);
+    addMarks(page, sheet, layout);
+    if (colour) {
+        page = colour->rgb(page);
+    }
+    QByteArray bytes;
+    bytes.reserve(qsizetype(page.width()) * page.height() * 3);
+    for (int y = 0; y < page.height(); ++y) {
+        bytes.append(reinterpret_cast<const char*>(page.constScanLine(y)),
+                     qsizetype(page.width()) * 3);
+    }
+    return bytes;
+}
+
+// In the printer's CMYK. Marks are laid over it in black ink alone: hairlines in four inks blur
+// where these do not meet exactly. Their white rim takes the film's inks away.
+QByteArray cmykPage(const Sheet& sheet, const SheetLayout& layout, const PrinterColour& colour) {
+    QByteArray inks = colour.cmyk(filmOnPage(sheet, layout));
+    QImage marks(pagePixels(sheet, layout), QImage::Format_ARGB32_Premultiplied);
+    marks.fill(Qt::transparent);
+    addMarks(marks, sheet, layout);
+    auto* ink = reinterpret_cast<uchar*>(inks.data());
+    for (int y = 0; y < marks.height(); ++y) {
+        const auto* row = reinterpret_cast<const QRgb*>(marks.constScanLine(y));
+        for (int x = 0; x < marks.width(); ++x, ink += 4) {
+            const int cover = qAlpha(row[x]);
+            if (cover == 0) {
+                continue;
+            }
+            for (int channel = 0; channel < 4; ++channel) {
+                ink[channel] = uchar((ink[channel] * (255 - cover) + 127) / 255);
+            }
+            const int black = cover - qRed(row[x]); // premultiplied: cover itself where white
+            ink[3] = uchar(std::min(255, ink[3] + black));
+        }
+    }
+    return inks;
 }
 
 // A TIFF file that libtiff composes in memory.
@@ -158,22 +206,18 @@ void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection&
 void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction) {
     const PrinterColour* colour = correction.colour;
     const DotsPerInch dpi = sheet.settings.resolution;
-    const QImage page = pageImage(sheet);
+    const SheetLayout layout = sheetLayout(sheet);
+    const QSize size = pagePixels(sheet, layout);
     const bool cmyk = colour && colour->isCmyk();
-    const QImage rgb = colour && !cmyk ? colour->rgb(page) : page;
-    QByteArray inks = cmyk ? colour->cmyk(page) : QByteArray();
+    const int channels = cmyk ? 4 : 3;
+    QByteArray page = cmyk ? cmykPage(sheet, layout, *colour) : rgbPage(sheet, layout, colour);
     TiffBuffer buffer;
-    setTags(buffer.tiff(), page.size(), cmyk ? 4 : 3,
-            {dpi * correction.scaleX, dpi * correction.scaleY},
+    setTags(buffer.tiff(), size, channels, {dpi * correction.scaleX, dpi * correction.scaleY},
             colour ? colour->iccProfile() : QColorSpace(QColorSpace::SRgb).iccProfile());
-    std::vector<uchar> row(std::size_t(page.width()) * 4);
     bool written = true;
-    for (int y = 0; y < page.height() && written; ++y) {
-        const auto* source = cmyk ? reinterpret_cast<const uchar*>(inks.constData()) +
-                                        qsizetype(y) * page.width() * 4
-                                  : rgb.constScanLine(y);
-        std::copy_n(source, page.width() * (cmyk ? 4 : 3), row.begin()); // libtiff works in it
-        written = TIFFWriteScanline(buffer.tiff(), row.data(), std::uint32_t(y), 0) == 1;
+    for (int y = 0; y < size.height() && written; ++y) {
+        char* row = page.data() + qsizetype(y) * size.width() * channels; // libtiff works in it
+        written = TIFFWriteScanline(buffer.tiff(), row, std::uint32_t(y), 0) == 1;
     }
     const QByteArray& bytes = buffer.finish();
     if (!written || device.write(bytes) != bytes.size()) {

@@ -114,6 +114,7 @@ private slots:
     void gamutWarningPointsAtIt();
     void tiffHoldsThePageInSrgb();
     void tiffHoldsThePageInCmyk();
+    void marksInCmykAreBlackInkOnly();
     void tiffTakesOutThePrintersScale();
     void tiffIsTheSameEveryTime();
     void pdfCarriesThePrintersSpace();
@@ -212,6 +213,31 @@ void ColourTest::tiffHoldsThePageInCmyk() {
     const uchar* red = tiff.pixel(300, 200);
     QVERIFY(red[0] < 20 && red[1] > 230 && red[2] > 230);
     QVERIFY(tiff.pixel(100, 200)[0] <= 2);
+}
+
+// Hairlines in four inks blur where the inks do not meet exactly.
+void ColourTest::marksInCmykAreBlackInkOnly() {
+    Sheet unpainted = smallSheet();
+    unpainted.image.fill(Qt::transparent);
+    const Tiff onPaper = tiffOf(unpainted, {.colour = &inks_});
+    Sheet covered = smallSheet();
+    covered.image.fill(QColor(200, 60, 60)); // the marks stand on paint, with a white rim
+    const Tiff onPaint = tiffOf(covered, {.colour = &inks_});
+    for (const Tiff* tiff : {&onPaper, &onPaint}) {
+        int black = 0;
+        int bare = 0;
+        for (int y = 0; y < int(tiff->height); ++y) {
+            for (int x = 0; x < int(tiff->width); ++x) {
+                const uchar* ink = tiff->pixel(x, y);
+                const bool noColour = ink[0] == 0 && ink[1] == 0 && ink[2] == 0;
+                black += noColour && ink[3] > 200;
+                bare += noColour && ink[3] == 0;
+                QVERIFY(tiff == &onPaint || noColour);
+            }
+        }
+        QVERIFY2(black > 300, qPrintable(QString::number(black)));
+        QVERIFY(bare > 500);
+    }
 }
 
 // A raster image processor prints as long as pixels and resolution say; the printer stretches that.
