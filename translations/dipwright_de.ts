@@ -5540,6 +5540,18 @@ Dehnung</translation>
         <source>Calibration of %1</source>
         <translation>Kalibrierung von %1</translation>
     </message>
+    <message>
+        <source>Pieces of a sheet are written as PDF, one page each; name the file .pdf</source>
+        <translation>Die Teile eines Bogens werden als PDF geschrieben, je eine Seite; nennen Sie die Datei .pdf</translation>
+    </message>
+    <message>
+        <source>The printer scales pages by itself (&quot;%1&quot;), and the print system does not pass on to it that it must not; set its scaling to &quot;none&quot; in its own menu</source>
+        <translation>Der Drucker skaliert Seiten von selbst („%1“), und das Drucksystem gibt nicht an ihn weiter, dass er es nicht soll; stellen Sie in seinem eigenen Menü die Skalierung auf „none“</translation>
+    </message>
+    <message>
+        <source>The printer does not answer any more; the job is cancelled, see to its power and cable and print the sheet anew</source>
+        <translation>Der Drucker antwortet nicht mehr; der Auftrag ist abgebrochen, sehen Sie nach Strom und Kabel und drucken Sie den Bogen neu</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ProfileController</name>
@@ -6683,6 +6695,14 @@ mm je mm</translation>
     <message>
         <source>%1, with %2 × %3 pixels</source>
         <translation>%1, mit %2 × %3 Pixeln</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s ICC profile is damaged or not for its pixels; save it anew, as sRGB</source>
+        <translation>Das ICC-Profil des Bildes ist beschädigt oder nicht für seine Pixel; speichern Sie es neu, als sRGB</translation>
+    </message>
+    <message>
+        <source>The picture in CMYK is damaged, or kept in a way that is not read; save it anew as JPEG, or as TIFF without tiles and planes</source>
+        <translation>Das Bild in CMYK ist beschädigt oder auf eine Art abgelegt, die nicht gelesen wird; speichern Sie es neu als JPEG, oder als TIFF ohne Kacheln und Ebenen</translation>
     </message>
 </context>
 <context>

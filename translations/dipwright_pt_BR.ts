@@ -5540,6 +5540,18 @@ estiramento</translation>
         <source>Calibration of %1</source>
         <translation>Calibração de %1</translation>
     </message>
+    <message>
+        <source>Pieces of a sheet are written as PDF, one page each; name the file .pdf</source>
+        <translation>As partes de uma folha são gravadas como PDF, uma página cada; dê ao arquivo a extensão .pdf</translation>
+    </message>
+    <message>
+        <source>The printer scales pages by itself (&quot;%1&quot;), and the print system does not pass on to it that it must not; set its scaling to &quot;none&quot; in its own menu</source>
+        <translation>A impressora redimensiona páginas por si (&quot;%1&quot;), e o sistema de impressão não lhe repassa que não deve; ponha a escala em &quot;none&quot; no menu dela</translation>
+    </message>
+    <message>
+        <source>The printer does not answer any more; the job is cancelled, see to its power and cable and print the sheet anew</source>
+        <translation>A impressora não responde mais; o trabalho foi cancelado, verifique a energia e o cabo e imprima a folha de novo</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ProfileController</name>
@@ -6683,6 +6695,14 @@ mm por mm</translation>
     <message>
         <source>%1, with %2 × %3 pixels</source>
         <translation>%1, com %2 × %3 pixels</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s ICC profile is damaged or not for its pixels; save it anew, as sRGB</source>
+        <translation>O perfil ICC da imagem está danificado ou não é para os seus pixels; salve-a de novo, como sRGB</translation>
+    </message>
+    <message>
+        <source>The picture in CMYK is damaged, or kept in a way that is not read; save it anew as JPEG, or as TIFF without tiles and planes</source>
+        <translation>A imagem em CMYK está danificada ou guardada de um modo que não é lido; salve-a de novo como JPEG, ou como TIFF sem blocos e planos</translation>
     </message>
 </context>
 <context>

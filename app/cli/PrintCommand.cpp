@@ -5,6 +5,8 @@
 #include "disk/WholeFile.h"
 #include "pipeline/Pipeline.h"
 
+#include <QRegularExpression>
+
 namespace dipwright::cli {
 namespace {
 
@@ -59,6 +61,36 @@ void printSheets(PrintSystem& system, const JobResult& result, const PrintReques
     printAndTell(system, plans, progress, out);
 }
 
+// Papers by their names in a project; other sizes as width x height in mm.
+QSizeF tilePaperSize(const QString& name) {
+    static const QRegularExpression sizes(
+        QStringLiteral("^(\\d+(?:\\.\\d+)?)x(\\d+(?:\\.\\d+)?)$"));
+    constexpr double largest = 5000; // mm
+    const QRegularExpressionMatch match = sizes.match(name);
+    const QSizeF size = match.hasMatch()
+                            ? QSizeF(match.captured(1).toDouble(), match.captured(2).toDouble())
+                        : name == QLatin1String("A4")     ? QSizeF(210, 297)
+                        : name == QLatin1String("A3")     ? QSizeF(297, 420)
+                        : name == QLatin1String("Letter") ? QSizeF(215.9, 279.4)
+                                                          : QSizeF();
+    if (size.isEmpty() || std::max(size.width(), size.height()) > largest) {
+        throw UsageError(QStringLiteral("Pieces in a file are for A4, A3, Letter or WIDTHxHEIGHT "
+                                        "in mm, up to 5000"),
+                         QStringLiteral("--tile-paper"));
+    }
+    return size;
+}
+
+PrintFileRequest fileRequest(const PrintRequest& request) {
+    PrintFileRequest file;
+    file.profile = request.profile;
+    file.acceptClipping = request.acceptClipping;
+    if (request.tile) {
+        file.tilePaper = tilePaperSize(request.tilePaper);
+    }
+    return file;
+}
+
 void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& path) {
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     const QImage proof = printProof(flattened(sheet.image), *colour, true).page;
@@ -102,7 +134,9 @@ public:
         syntax.addOption(
             {tileOption,
              QStringLiteral("Cuts sheets into pieces of the printer's largest paper.")});
-        syntax.addOption({tilePaperOption, QStringLiteral("Cuts sheets into pieces of this paper."),
+        syntax.addOption({tilePaperOption,
+                          QStringLiteral("Cuts sheets into pieces of this paper of the printer; "
+                                         "with --to A4, A3, Letter or WIDTHxHEIGHT in mm."),
                           QStringLiteral("NAME")});
         syntax.addOption({greyOption, QStringLiteral("Prints coloured sheets on a grey printer.")});
         syntax.addOption(
@@ -129,6 +163,9 @@ public:
         chooseImmersion(project, parser);
         const PrintTarget target = printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
+        if (!target.file.isEmpty()) {
+            fileRequest(request); // refused before the work
+        }
         const QString proof = pictureOption(parser, proofOption, {".png"});
         if (!(target.file + proof).isEmpty() && project.immersions.size() > 1) {
             throw UsageError(
@@ -164,7 +201,10 @@ public:
             printSheets(*system, result, request, progress.part(0.8, 1), console.out());
             return;
         }
-        writePrintFile(result.immersions.front().sheet, request.profile, target.file);
+        const Sheet& sheet = result.immersions.front().sheet;
+        for (const QString& warning : writePrintFile(sheet, fileRequest(request), target.file)) {
+            console.out() << QStringLiteral("%1: %2\n").arg(sheet.job.immersion, warning);
+        }
         console.out() << QStringLiteral("Wrote %1\n").arg(target.file);
     }
 };

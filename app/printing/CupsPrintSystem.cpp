@@ -120,9 +120,31 @@ struct CloseConnection {
 };
 using Connection = std::unique_ptr<http_t, CloseConnection>;
 
-// The sizes that are loaded, by the word of the printer itself: its queue only knows its default.
-// Empty where the printer cannot be asked or does not say.
-std::vector<QSizeF> loadedSizes(cups_dest_t* dest) {
+// What only the printer itself knows; its queue has no more than its own defaults.
+struct DeviceWord {
+    std::vector<QSizeF> loaded; // sizes; empty where it does not say
+    QString scaling;
+    bool answers = false;
+};
+
+std::vector<QSizeF> sizesOf(ipp_attribute_t* media) {
+    std::vector<QSizeF> sizes;
+    for (int i = 0; media && i < ippGetCount(media); ++i) {
+        ipp_attribute_t* size =
+            ippFindAttribute(ippGetCollection(media, i), "media-size", IPP_TAG_BEGIN_COLLECTION);
+        ipp_t* parts = size ? ippGetCollection(size, 0) : nullptr;
+        ipp_attribute_t* x =
+            parts ? ippFindAttribute(parts, "x-dimension", IPP_TAG_INTEGER) : nullptr;
+        ipp_attribute_t* y =
+            parts ? ippFindAttribute(parts, "y-dimension", IPP_TAG_INTEGER) : nullptr;
+        if (x && y) {
+            sizes.emplace_back(ippGetInteger(x, 0) / 100.0, ippGetInteger(y, 0) / 100.0);
+        }
+    }
+    return sizes;
+}
+
+DeviceWord wordOfDevice(cups_dest_t* dest) {
     constexpr int patience = 3000; // milliseconds
     std::vector<char> resource(1024, '\0');
     const Connection device(cupsConnectDest(dest, CUPS_DEST_FLAGS_DEVICE, patience, nullptr,
@@ -137,26 +159,17 @@ std::vector<QSizeF> loadedSizes(cups_dest_t* dest) {
                     httpAddrPort(httpGetAddress(device.get())), resource.data());
     ipp_t* request = ippNewRequest(IPP_OP_GET_PRINTER_ATTRIBUTES);
     ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_URI, "printer-uri", nullptr, uri.data());
-    ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_KEYWORD, "requested-attributes", nullptr,
-                 "media-col-ready");
+    const char* const wanted[] = {"media-col-ready", "print-scaling-default"};
+    ippAddStrings(request, IPP_TAG_OPERATION, IPP_TAG_KEYWORD, "requested-attributes", 2, nullptr,
+                  wanted);
     const Message answer(cupsDoRequest(device.get(), request, resource.data()));
-    ipp_attribute_t* ready =
-        answer ? ippFindAttribute(answer.get(), "media-col-ready", IPP_TAG_BEGIN_COLLECTION)
-               : nullptr;
-    std::vector<QSizeF> sizes;
-    for (int i = 0; ready && i < ippGetCount(ready); ++i) {
-        ipp_attribute_t* size =
-            ippFindAttribute(ippGetCollection(ready, i), "media-size", IPP_TAG_BEGIN_COLLECTION);
-        ipp_t* parts = size ? ippGetCollection(size, 0) : nullptr;
-        ipp_attribute_t* x =
-            parts ? ippFindAttribute(parts, "x-dimension", IPP_TAG_INTEGER) : nullptr;
-        ipp_attribute_t* y =
-            parts ? ippFindAttribute(parts, "y-dimension", IPP_TAG_INTEGER) : nullptr;
-        if (x && y) {
-            sizes.emplace_back(ippGetInteger(x, 0) / 100.0, ippGetInteger(y, 0) / 100.0);
-        }
+    if (!answer) {
+        return {};
     }
-    return sizes;
+    ipp_attribute_t* scaling =
+        ippFindAttribute(answer.get(), "print-scaling-default", IPP_TAG_KEYWORD);
+    return {sizesOf(ippFindAttribute(answer.get(), "media-col-ready", IPP_TAG_BEGIN_COLLECTION)),
+            scaling ? QString::fromUtf8(ippGetString(scaling, 0, nullptr)) : QString(), true};
 }
 
 void markLoaded(std::vector<PrinterMedia>& media, const std::vector<QSizeF>& loaded) {
@@ -242,7 +255,11 @@ public:
         info.printsColour = printsColour(dest, details.get());
         addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_BORDERLESS);
         addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_DEFAULT);
-        markLoaded(info.media, loadedSizes(dest.get()));
+        const DeviceWord word = wordOfDevice(dest.get());
+        markLoaded(info.media, word.loaded);
+        info.scaling = word.scaling;
+        // Of other ways to a printer nothing can be asked.
+        info.answers = word.answers || !option(dest, "device-uri").startsWith(QLatin1String("ipp"));
         return info;
     }
 

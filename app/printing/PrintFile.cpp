@@ -1,9 +1,20 @@
 #include "printing/PrintFile.h"
 
+#include "base/Error.h"
 #include "disk/WholeFile.h"
+#include "printing/PrintReach.h"
 #include "sheet/SheetFiles.h"
 
+#include <QCoreApplication>
+
 namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
+};
+
+} // namespace
 
 std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>& profile) {
     return !profile || profile->iccProfile.isEmpty()
@@ -23,22 +34,46 @@ PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
     return correction;
 }
 
+TileSettings tileSettings(QSizeF paper, const QMarginsF& lost) {
+    TileSettings settings;
+    settings.paper = paper;
+    settings.margins = larger(lost, settings.margins);
+    return settings;
+}
+
 bool isTiff(const QString& path) {
     return path.endsWith(QLatin1String(".tif"), Qt::CaseInsensitive) ||
            path.endsWith(QLatin1String(".tiff"), Qt::CaseInsensitive);
 }
 
-void writePrintFile(const Sheet& sheet, const std::optional<PrinterProfile>& profile,
-                    const QString& path) {
-    const std::unique_ptr<PrinterColour> colour = printerColour(profile);
-    const PrintCorrection correction = printCorrection(profile, colour.get());
+QStringList writePrintFile(const Sheet& sheet, const PrintFileRequest& request,
+                           const QString& path) {
+    const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
+    const PrintCorrection correction = printCorrection(request.profile, colour.get());
+    const QMarginsF margins = unreachable({}, request.profile);
+    QStringList warnings;
+    if (request.tilePaper) {
+        if (isTiff(path)) {
+            throw Error(Text::tr("Pieces of a sheet are written as PDF, one page each; name the "
+                                 "file .pdf"),
+                        path);
+        }
+        const TileSettings tiles =
+            tileSettings(*request.tilePaper, lostEdges(*request.tilePaper, margins, correction));
+        writeWhole(path,
+                   [&](QIODevice& device) { writeTiledPdf(sheet, tiles, device, correction); });
+        return warnings;
+    }
+    const Sheet inside =
+        withinReach(sheet, margins, correction, request.acceptClipping, path, warnings);
     writeWhole(path, [&](QIODevice& device) {
         if (isTiff(path)) {
-            writeSheetTiff(sheet, device, correction);
+            writeSheetTiff(inside, device, correction);
         } else {
-            writeSheetPdf(sheet, device, correction);
+            writeSheetPdf(inside, device, correction);
         }
     });
+    return warnings;
 }
 
 PrintProof printProof(const QImage& page, const PrinterColour& colour, bool marked) {

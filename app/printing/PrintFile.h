@@ -3,7 +3,9 @@
 
 #include "project/Profiles.h"
 #include "sheet/Sheet.h"
+#include "sheet/TiledSheet.h"
 
+#include <QStringList>
 #include <memory>
 #include <optional>
 
@@ -15,11 +17,23 @@ std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>
 PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
                                 const PrinterColour* colour);
 
+// Pieces on such paper, clear of its edges that are lost and never nearer to them than usual.
+TileSettings tileSettings(QSizeF paper, const QMarginsF& lost);
+
 bool isTiff(const QString& path);
 
-// PDF, or TIFF where the name ends so; without a profile at true scale and in sRGB. Throws Error.
-void writePrintFile(const Sheet& sheet, const std::optional<PrinterProfile>& profile,
-                    const QString& path);
+struct PrintFileRequest {
+    // Scales, margins and colours of the printer; none: true scale and sRGB.
+    std::optional<PrinterProfile> profile;
+    // Cut into pieces of this paper, in mm; PDF only.
+    std::optional<QSizeF> tilePaper;
+    bool acceptClipping = false; // lose what lies where the printer does not reach
+};
+
+// PDF, or TIFF where the name ends so. Returns what is to be said about it. Throws Error, as for a
+// sheet that is printed, where the printer does not reach colour near the sheet's edge.
+QStringList writePrintFile(const Sheet& sheet, const PrintFileRequest& request,
+                           const QString& path);
 
 // A page as the printer will show it, and the share of its paint that the printer cannot make.
 struct PrintProof {

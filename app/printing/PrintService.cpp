@@ -3,12 +3,14 @@
 #include "base/Bytes.h"
 #include "base/Error.h"
 #include "printing/PrintFile.h"
+#include "printing/PrintReach.h"
 #include "sheet/PdfDocument.h"
 #include "sheet/SheetFiles.h"
 #include "sheet/SheetLayout.h"
 #include "sheet/TiledSheet.h"
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QThread>
 #include <algorithm>
 
@@ -38,8 +40,18 @@ bool holds(QSizeF paper, QSizeF page) {
     return page.width() <= paper.width() + sameSize && page.height() <= paper.height() + sameSize;
 }
 
-double widest(const QMarginsF& margins) {
-    return std::max({margins.left(), margins.top(), margins.right(), margins.bottom()});
+// A page is as large as its paper, and of such IPP's "auto" and "auto-fit" leave the size alone.
+// That jobs say "none" helps little: CUPS 2.4 keeps it from printers that are sent PDF.
+void checkScaling(const PrinterInfo& printer) {
+    const QStringList harmless{QString(), QStringLiteral("none"), QStringLiteral("auto"),
+                               QStringLiteral("auto-fit")};
+    if (!harmless.contains(printer.scaling)) {
+        throw Error(Text::tr("The printer scales pages by itself (\"%1\"), and the print system "
+                             "does not pass on to it that it must not; set its scaling to \"none\" "
+                             "in its own menu")
+                        .arg(printer.scaling),
+                    printer.name);
+    }
 }
 
 PrinterInfo readyPrinter(PrintSystem& system, const QString& name) {
@@ -67,6 +79,7 @@ PrinterInfo readyPrinter(PrintSystem& system, const QString& name) {
                 .arg(reason),
             name);
     }
+    checkScaling(*printer);
     return *printer;
 }
 
@@ -155,72 +168,6 @@ bool isColoured(const QImage& image) {
     return false;
 }
 
-// The part of the page, in mm, that has ink of the film image.
-QRectF paintedBox(const Sheet& sheet) {
-    const QImage image = sheet.image.convertToFormat(QImage::Format_RGBA8888);
-    QRect box;
-    for (int y = 0; y < image.height(); ++y) {
-        const uchar* pixel = image.constScanLine(y);
-        int first = -1;
-        int last = -1;
-        for (int x = 0; x < image.width(); ++x, pixel += 4) {
-            if (pixel[3] != 0 && (pixel[0] & pixel[1] & pixel[2]) != 255) {
-                first = first < 0 ? x : first;
-                last = x;
-            }
-        }
-        if (first >= 0) {
-            box |= QRect(QPoint(first, y), QPoint(last, y));
-        }
-    }
-    const QSizeF film(sheet.filmWidth.value(), sheet.filmHeight.value());
-    const QSizeF page = pageSize(sheet);
-    const QPointF corner((page.width() - film.width()) / 2, (page.height() - film.height()) / 2);
-    const double x = film.width() / image.width();
-    const double y = film.height() / image.height();
-    return box.isEmpty() ? QRectF()
-                         : QRectF(corner + QPointF(box.x() * x, box.y() * y),
-                                  QSizeF(box.width() * x, box.height() * y));
-}
-
-QMarginsF larger(const QMarginsF& a, const QMarginsF& b) {
-    return {std::max(a.left(), b.left()), std::max(a.top(), b.top()),
-            std::max(a.right(), b.right()), std::max(a.bottom(), b.bottom())};
-}
-
-// What the printer cannot reach, by its own word and by the profile's measurement.
-QMarginsF unreachable(const PrinterMedia& media, const PrintRequest& request) {
-    if (!request.profile) {
-        return media.margins;
-    }
-    const auto& m = request.profile->margins;
-    return larger(media.margins, {m[0].value(), m[1].value(), m[2].value(), m[3].value()});
-}
-
-void checkReach(const Sheet& sheet, const PaperChoice& paper, const QMarginsF& margins,
-                const QString& printer, QStringList& warnings, bool accept) {
-    const QSizeF page = pageSize(sheet);
-    // The page's left edge is the paper's top edge where it lies across, see turned().
-    const QMarginsF onPage =
-        paper.turned ? QMarginsF(margins.top(), margins.right(), margins.bottom(), margins.left())
-                     : margins;
-    const QRectF reach = QRectF({0, 0}, page).marginsRemoved(onPage);
-    const QRectF painted = paintedBox(sheet);
-    if (painted.isEmpty() || reach.adjusted(-0.05, -0.05, 0.05, 0.05).contains(painted)) {
-        return;
-    }
-    const QString lost =
-        Text::tr("The printer does not reach the outer %1 mm of the paper, and the sheet has "
-                 "colour there")
-            .arg(plain(widest(margins)));
-    if (!accept) {
-        throw Error(
-            Text::tr("%1; choose larger or borderless paper, or accept that it is lost").arg(lost),
-            printer);
-    }
-    warnings << lost;
-}
-
 void checkColour(const PrinterInfo& printer, const Sheet& sheet, const PrintRequest& request,
                  QStringList& warnings) {
     if (printer.printsColour || !isColoured(sheet.image)) {
@@ -248,11 +195,9 @@ void checkLoaded(const PrinterInfo& printer, const PrinterMedia& media, const Pr
     warnings << sentence;
 }
 
-void fillTiled(PrintTask& task, const Sheet& sheet, const QMarginsF& margins,
+void fillTiled(PrintTask& task, const Sheet& sheet, const QMarginsF& lost,
                const PrintCorrection& correction) {
-    TileSettings settings;
-    settings.paper = task.media.size;
-    settings.margins = larger(margins, {5, 5, 5, 5});
+    const TileSettings settings = tileSettings(task.media.size, lost);
     task.pages = int(sheetTiles(sheet, settings).size());
     task.pdf =
         bytesOf([&](QIODevice& device) { writeTiledPdf(sheet, settings, device, correction); });
@@ -263,8 +208,7 @@ void fillTiled(PrintTask& task, const Sheet& sheet, const QMarginsF& margins,
     };
 }
 
-void fillWhole(PrintTask& task, const Sheet& sheet, bool turned, PrintCorrection correction) {
-    correction.acrossPaper = turned;
+void fillWhole(PrintTask& task, const Sheet& sheet, PrintCorrection correction) {
     task.pdf = bytesOf([&](QIODevice& device) { writeSheetPdf(sheet, device, correction); });
     correction.colour = nullptr;
     task.paint = [sheet, correction](QPainter& painter, int) {
@@ -280,19 +224,18 @@ void repeat(PrintTask& task, int copies) {
     task.pages *= copies;
 }
 
-QString stateText(const JobStatus& status) {
-    switch (status.state) {
-    case JobState::Printing:
-        return Text::tr("Printing");
-    case JobState::Held:
-        return Text::tr("Held in the printer's queue");
-    default:
-        return Text::tr("Waiting in the printer's queue");
-    }
+QString stateText(const JobStatus& status, const QString& printerReason) {
+    const QString state = status.state == JobState::Printing ? Text::tr("Printing")
+                          : status.state == JobState::Held
+                              ? Text::tr("Held in the printer's queue")
+                              : Text::tr("Waiting in the printer's queue");
+    const QString reason = printerReason.isEmpty() ? status.reason : printerReason;
+    return reason.isEmpty() ? state : QStringLiteral("%1: %2").arg(state, reason);
 }
 
 // The state that a job ends in, or nothing while it goes on.
-std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const JobStatus& status) {
+std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const JobStatus& status,
+                              const std::optional<PrinterInfo>& printer) {
     const QString reason =
         status.reason.isEmpty() ? Text::tr("it does not say why") : status.reason;
     switch (status.state) {
@@ -316,7 +259,6 @@ std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const Jo
     case JobState::Printing:
         break;
     }
-    const std::optional<PrinterInfo> printer = system.printer(job.printer);
     if (printer && printer->state == PrinterState::Stopped) {
         system.cancel(job);
         throw Error(
@@ -340,20 +282,21 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintReque
     const PaperChoice paper = tiled ? PaperChoice{tilePaper(plan.printer, request.tilePaper), false}
                                     : paperFor(plan.printer, pageSize(original));
     checkLoaded(plan.printer, paper.media, request, plan.warnings);
-    const QMarginsF margins = unreachable(paper.media, request);
-    Sheet sheet = original;
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
-    const PrintCorrection correction = printCorrection(request.profile, colour.get());
+    PrintCorrection correction = printCorrection(request.profile, colour.get());
     plan.task.printer = request.printer;
     plan.task.title =
-        QStringLiteral("%1 – %2").arg(sheet.job.project, sheet.job.immersion).simplified();
+        QStringLiteral("%1 – %2").arg(original.job.project, original.job.immersion).simplified();
     plan.task.media = paper.media;
+    const QMarginsF margins = unreachable(paper.media.margins, request.profile);
     if (tiled) {
-        fillTiled(plan.task, sheet, margins, correction);
+        fillTiled(plan.task, original, lostEdges(paper.media.size, margins, correction),
+                  correction);
     } else {
-        checkReach(sheet, paper, margins, request.printer, plan.warnings, request.acceptClipping);
-        sheet.clearance = std::max(sheet.clearance, Millimetres(widest(margins)));
-        fillWhole(plan.task, sheet, paper.turned, correction);
+        correction.acrossPaper = paper.turned;
+        const Sheet sheet = withinReach(original, margins, correction, request.acceptClipping,
+                                        request.printer, plan.warnings);
+        fillWhole(plan.task, sheet, correction);
     }
     if (request.copies > 1) {
         repeat(plan.task, request.copies);
@@ -401,15 +344,29 @@ PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
     return plan;
 }
 
-JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress) {
+JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress,
+                   std::chrono::milliseconds patience) {
     constexpr unsigned long pause = 200; // milliseconds
+    QElapsedTimer silence;
     try {
         for (;;) {
             const JobStatus status = system.status(job);
-            if (const auto end = endOf(system, job, status)) {
+            const std::optional<PrinterInfo> printer = system.printer(job.printer);
+            if (const auto end = endOf(system, job, status, printer)) {
                 return *end;
             }
-            progress(status.state == JobState::Printing ? 0.5 : 0.1, stateText(status));
+            if (!printer || printer->answers) {
+                silence.invalidate();
+            } else if (!silence.isValid()) {
+                silence.start();
+            } else if (silence.hasExpired(patience.count())) {
+                system.cancel(job);
+                throw Error(Text::tr("The printer does not answer any more; the job is cancelled, "
+                                     "see to its power and cable and print the sheet anew"),
+                            job.printer);
+            }
+            progress(status.state == JobState::Printing ? 0.5 : 0.1,
+                     stateText(status, printer ? printer->stateReason : QString()));
             QThread::msleep(pause);
         }
     } catch (const Cancelled&) {

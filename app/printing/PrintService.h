@@ -9,6 +9,7 @@
 #include "sheet/Sheet.h"
 
 #include <QStringList>
+#include <chrono>
 
 namespace dipwright {
 
@@ -34,9 +35,10 @@ struct PrintPlan {
 };
 
 // Judges and prepares one sheet. Throws Error, one sentence that says what to do, when the printer
-// is unknown, stopped or refuses jobs; has no such paper, or not loaded; prints grey only; does not
-// reach colour near the sheet's edge; when the sheet is larger than every paper of the printer and
-// is not to be tiled; and when the profile's colours are not for PDF. Nothing is sent.
+// is unknown, stopped, refuses jobs or scales pages unasked; has no such paper, or not loaded;
+// prints grey only; does not reach colour near the sheet's edge; when the sheet is larger than
+// every paper of the printer and is not to be tiled; and when the profile's colours are not for
+// PDF. Nothing is sent.
 PrintPlan planPrint(PrintSystem& system, const Sheet& sheet, const PrintRequest& request);
 
 // The same for a calibration page, whose scales are its own and not those of the request's profile.
@@ -51,9 +53,11 @@ std::vector<PrintPlan> planPrints(PrintSystem& system, const std::vector<Sheet>&
 
 // Follows a job that was submitted until it is printed ("HandedOver" where the system cannot tell),
 // asking a few times a second. Throws Error when it fails, is cancelled by somebody else, or when
-// the printer stops: the job is then cancelled, so that it does not come out unasked later.
-// Cancelled by `progress`: cancels the job and throws Cancelled.
-JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress);
+// the printer stops, or has not answered for as long as `patience`: the job is then cancelled, so
+// that it does not come out unasked later. Tells by `progress` what the printer says meanwhile,
+// "out of paper"; cancelled by it: cancels the job and throws Cancelled.
+JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress,
+                   std::chrono::milliseconds patience = std::chrono::minutes(1));
 
 // Hears of each job when it has come to its end.
 using JobEndObserver = std::function<void(const PrintTask&, const PrintJob&, JobState)>;

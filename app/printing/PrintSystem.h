@@ -32,6 +32,10 @@ struct PrinterInfo {
     QString stateReason; // what the printer says of its state, or empty
     bool acceptsJobs = true;
     bool printsColour = true;
+    // What the printer does to a page's size where it is told nothing of that, in IPP's words
+    // ("none", "fit" …); empty where it does not say.
+    QString scaling;
+    bool answers = true; // the printer itself and not only its queue, as far as it can be asked
     std::vector<PrinterMedia> media;
 };
 

@@ -240,8 +240,12 @@ void PrintDialog::saveFile() {
     }
     const QString path = dialog.selectedFiles().first();
     try {
-        writePrintFile(sheets_[shown_], outcome_.result->project.profiles.printer, path);
-        verdict_->setText(tr("Wrote %1").arg(QDir::toNativeSeparators(path)));
+        PrintFileRequest request;
+        request.profile = outcome_.result->project.profiles.printer;
+        request.acceptClipping = clipped_->isChecked();
+        const QStringList warnings = writePrintFile(sheets_[shown_], request, path);
+        const QString wrote = tr("Wrote %1").arg(QDir::toNativeSeparators(path));
+        verdict_->setText((QStringList{wrote} + warnings).join(QStringLiteral("\n")));
     } catch (const Error& error) {
         verdict_->setText(error.sentence());
     }

@@ -63,6 +63,7 @@ private slots:
     void chessboardIsTrue();
     void calibrationMakesPrintsTrue();
     void sheetsAreWrittenAsFiles();
+    void filesKeepToWhatThePrinterReaches();
     void sheetsAreInThePrintersColours();
     void projectKeepsItsProfile();
     void refusalsPrintNothing();
@@ -166,6 +167,38 @@ void PrintCommandTest::sheetsAreWrittenAsFiles() {
     }
     QVERIFY(std::abs(rulerLength(folder_.filePath("sheet.pdf")) - 100) < 0.02);
     QCOMPARE(cli({"print", turtle, "--to", folder_.filePath("both.pdf")}).exitCode, 2);
+}
+
+// What is written for a printer is judged as what is sent to one.
+void PrintCommandTest::filesKeepToWhatThePrinterReaches() {
+    QVERIFY(
+        cli({"profile", "set", "printer", "Inset", "--set", "margins_mm=12;12;12;12"}).exitCode ==
+        0);
+    const auto write = [&](const QString& path, const QStringList& more) {
+        return cli(QStringList{"print", turtle, "--immersion", "1", "--to", path} + more + coarse);
+    };
+    const QString pdf = folder_.filePath("inset.pdf");
+    QCOMPARE(write(pdf, {"--profile", "Inset", "--accept-clipping"}).exitCode, 0);
+    const QImage bottom = renderedPage(pdf, 300, QRectF(60, 297 - 11.5, 90, 11));
+    for (int y = 0; y < bottom.height(); ++y) {
+        QVERIFY(darkMiddles(bottom, true, y).empty());
+    }
+    QVERIFY(pdfWords(pdf).contains("100 mm"));
+    QVERIFY(cli({"profile", "set", "printer", "Small", "--set", "scale=0.93;0.93"}).exitCode == 0);
+    for (const QString& name : {QString("small.pdf"), QString("small.tiff")}) {
+        const QString path = folder_.filePath(name);
+        const Outcome refused =
+            write(path, {"--profile", "Small", "--set", "sheet.paper=film", "--set",
+                         "film.size_mm=120x200", "--film-image", "chessboard"});
+        QVERIFY2(refused.exitCode == 1, refused.out);
+        QVERIFY2(refused.err.contains("does not reach"), refused.err);
+        QVERIFY(!QFileInfo::exists(path));
+    }
+    const QString pieces = folder_.filePath("pieces.pdf");
+    QCOMPARE(write(pieces, {"--tile-paper", "120x160"}).exitCode, 0);
+    const QByteArray info = output("pdfinfo", {pieces});
+    QVERIFY2(info.contains("Pages:           6"), info);
+    QCOMPARE(write(pieces, {"--tile-paper", "quarto"}).exitCode, 2);
 }
 
 // A printer whose colours are those of Adobe RGB: the sheet's sRGB gets other numbers there.

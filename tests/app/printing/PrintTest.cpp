@@ -61,6 +61,9 @@ private slots:
     void copiesArrive();
     void otherPaperThanTheDefaultIsAskedFor();
     void habitsOfTheQueueAreOverruled();
+    void printerThatScalesUnaskedIsRefused();
+    void sheetThatGrowsPastThePaperIsRefused();
+    void marksStayInReachOfAPrinterThatPrintsTooSmall();
     void largeSheetArrivesInPieces();
     void marksStayInReachOfThePrinter();
     void unknownPrinterIsRefused();
@@ -74,6 +77,7 @@ private slots:
     void nothingWasPrintedByRefusals();
     void cancelledJobIsNotPrinted();
     void jobOnAStoppedPrinterEndsWithItsReason();
+    void printerThatGoesInMidJobIsNotWaitedFor();
     void portableRouteIsTrueAsWell();
 };
 
@@ -232,6 +236,47 @@ void PrintTest::habitsOfTheQueueAreOverruled() {
     QVERIFY(qGray(middle.pixel(middle.width() / 4, middle.height() / 2)) > 250);
 }
 
+// What the queue is told of scaling ends there: the printer itself never hears of it.
+void PrintTest::printerThatScalesUnaskedIsRefused() {
+    const TestMedia margins{"iso_a4_210x297mm", 210, 297, 6.35};
+    QVERIFY(cups_->add({"fitting", true, {margins}, "fit"}));
+    const QString sentence = refusal(*system_, chessSheet("Top"), to("fitting"));
+    QVERIFY2(sentence.contains("\"fit\"") && sentence.contains("fitting"), qPrintable(sentence));
+    CalibrationPage page;
+    page.clearance = Millimetres(10);
+    QVERIFY_EXCEPTION_THROWN(planCalibration(*system_, page, to("fitting")), Error);
+    QVERIFY(cups_->received("fitting").isEmpty());
+}
+
+// A printer that prints too small is sent a larger page, and paper ends where it did.
+void PrintTest::sheetThatGrowsPastThePaperIsRefused() {
+    Sheet sheet = chessSheet("Top");
+    sheet.image.fill(Qt::darkGreen);
+    PrintRequest request = to("pigment");
+    request.profile.emplace();
+    QVERIFY(planPrint(*system_, sheet, request).warnings.isEmpty());
+    request.profile->scaleX = request.profile->scaleY = 0.985;
+    const QString sentence = refusal(*system_, sheet, request);
+    QVERIFY2(sentence.contains("2.23 mm"), qPrintable(sentence)); // of 297 mm, half of 1.5 %
+    request.acceptClipping = true;
+    QCOMPARE(planPrint(*system_, sheet, request).warnings.size(), 1);
+}
+
+void PrintTest::marksStayInReachOfAPrinterThatPrintsTooSmall() {
+    PrintRequest request = to("pigment");
+    request.profile.emplace();
+    request.profile->scaleX = request.profile->scaleY = 0.97; // 4.5 mm of 297 on either side
+    QCOMPARE(print(chessSheet("Top"), request), JobState::Printed);
+    const QString paper = cups_->received("pigment").last();
+    QVERIFY(pdfWords(paper).contains("100 mm"));
+    for (const QRectF& edge : {QRectF(0, 0, 210, 2.8), QRectF(0, 297 - 2.8, 210, 2.8)}) {
+        const QImage strip = renderedPage(paper, 150, edge);
+        for (int y = 0; y < strip.height(); ++y) {
+            QVERIFY(darkMiddles(strip, true, y).empty());
+        }
+    }
+}
+
 void PrintTest::largeSheetArrivesInPieces() {
     PrintRequest request = to("office");
     request.tile = true;
@@ -363,6 +408,31 @@ void PrintTest::jobOnAStoppedPrinterEndsWithItsReason() {
     QCOMPARE(system_->status(job).state, JobState::Cancelled);
     QVERIFY(cups_->command("cupsenable", {"office"}));
     QCOMPARE(receivedBy("office"), before);
+}
+
+void PrintTest::printerThatGoesInMidJobIsNotWaitedFor() {
+    QVERIFY(cups_->add({"fading",
+                        true,
+                        {{"iso_a4_210x297mm", 210, 297, 0}},
+                        "none",
+                        "marker-supply-empty-error"}));
+    const PrintJob job = system_->submit(planPrint(*system_, chessSheet("Top"), to("fading")).task);
+    Progress progress;
+    QString told;
+    progress.report = [&](double, const QString& text) {
+        if (told.isEmpty() && text.contains("marker supply empty")) {
+            told = text;
+            cups_->switchOff("fading");
+        }
+    };
+    try {
+        followJob(*system_, job, progress, std::chrono::milliseconds(500));
+        QFAIL("a printer that is gone printed");
+    } catch (const Error& error) {
+        QVERIFY2(error.sentence().contains("does not answer"), qPrintable(error.sentence()));
+    }
+    QVERIFY(told.contains("Printing: "));
+    QCOMPARE(system_->status(job).state, JobState::Cancelled);
 }
 
 void PrintTest::portableRouteIsTrueAsWell() {

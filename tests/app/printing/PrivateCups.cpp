@@ -101,7 +101,9 @@ QByteArray attributes(const TestPrinter& printer) {
                   "ATTR keyword urf-supported \"CP1\",\"RS300\",\"V1.4\",\"W8\"\n";
     return text +
            "ATTR keyword print-scaling-supported \"auto\",\"auto-fit\",\"fill\",\"fit\",\"none\"\n"
-           "ATTR mimeMediaType document-format-supported "
+           "ATTR keyword print-scaling-default " +
+           printer.scaling.toUtf8() +
+           "\nATTR mimeMediaType document-format-supported "
            "\"application/octet-stream\",\"application/pdf\",\"image/pwg-raster\"\n";
 }
 
@@ -187,6 +189,18 @@ bool PrivateCups::command(const QString& program, const QStringList& arguments) 
            process.exitCode() == 0;
 }
 
+// The program that a printer hands its jobs to. Without one it plays at being slow, for some ten
+// seconds a job.
+QString PrivateCups::jobCommand(const TestPrinter& printer) const {
+    if (printer.trouble.isEmpty()) {
+        return programPath("true");
+    }
+    const QString name = "job-" + printer.name;
+    write(name, "#!/bin/sh\necho 'STATE: +" + printer.trouble.toUtf8() + "' >&2\nexec sleep 30\n");
+    QFile::setPermissions(folder_.filePath(name), QFile::Permissions(0x7755));
+    return folder_.filePath(name);
+}
+
 bool PrivateCups::add(const TestPrinter& printer) {
     Device device;
     device.folder = folder_.filePath("device-" + printer.name);
@@ -194,13 +208,12 @@ bool PrivateCups::add(const TestPrinter& printer) {
     const QString description = "attributes-" + printer.name;
     write(description, attributes(printer));
     const quint16 port = freePort();
-    // Without a command of its own the printer plays at being slow, for some ten seconds a job.
     device.process = std::make_unique<QProcess>();
     device.process->setStandardOutputFile(QProcess::nullDevice());
     device.process->setStandardErrorFile(QProcess::nullDevice());
     endWithTheTest(*device.process);
     device.process->start(programPath("ippeveprinter"),
-                          {"-r", "off", "-k", "-c", programPath("true"), "-d", device.folder, "-p",
+                          {"-r", "off", "-k", "-c", jobCommand(printer), "-d", device.folder, "-p",
                            QString::number(port), "-a", folder_.filePath(description),
                            printer.name});
     if (!device.process->waitForStarted() ||
@@ -214,6 +227,12 @@ bool PrivateCups::add(const TestPrinter& printer) {
                    {"-p", printer.name, "-E", "-v",
                     QString("ipp://localhost:%1/ipp/print").arg(port), "-m", "everywhere"}) &&
            QTest::qWaitFor([&] { return QFileInfo::exists(ppd); }, patience);
+}
+
+void PrivateCups::switchOff(const QString& printer) {
+    QProcess& process = *devices_.at(printer).process;
+    process.kill();
+    process.waitForFinished(patience);
 }
 
 QStringList PrivateCups::received(const QString& printer) const {

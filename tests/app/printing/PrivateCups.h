@@ -22,6 +22,10 @@ struct TestPrinter {
     QString name;
     bool colour = true;
     std::vector<TestMedia> media{{"iso_a4_210x297mm", 210, 297, 0}};
+    QString scaling = QStringLiteral("auto"); // what it does with a job that says nothing of it
+    // What it reports when it gets a job ("media-empty-error"), on which it then stays for half a
+    // minute; empty: it prints.
+    QString trouble = {};
 };
 
 class PrivateCups {
@@ -35,6 +39,8 @@ public:
     bool add(const TestPrinter& printer);
     // Runs one of CUPS's own commands, "cupsdisable office".
     bool command(const QString& program, const QStringList& arguments) const;
+    // A printer is switched off, its queue stays.
+    void switchOff(const QString& printer);
     // The documents that a printer has got, in the order of its jobs.
     QStringList received(const QString& printer) const;
 
@@ -43,6 +49,7 @@ private:
         std::unique_ptr<QProcess> process;
         QString folder;
     };
+    QString jobCommand(const TestPrinter& printer) const;
     bool startBus();
     bool startScheduler();
     bool write(const QString& name, const QByteArray& text) const;

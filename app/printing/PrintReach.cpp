@@ -1,0 +1,115 @@
+#include "printing/PrintReach.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
+};
+
+// What a margin of the paper takes of the drawing there, `half` a paper from its middle.
+double lostEdge(double half, double margin, double scale) {
+    return std::max(margin, half - (half - margin) * scale);
+}
+
+// The part of the page, in mm, that has ink of the film image.
+QRectF paintedBox(const Sheet& sheet) {
+    const QImage image = sheet.image.convertToFormat(QImage::Format_RGBA8888);
+    QRect box;
+    for (int y = 0; y < image.height(); ++y) {
+        const uchar* pixel = image.constScanLine(y);
+        int first = -1;
+        int last = -1;
+        for (int x = 0; x < image.width(); ++x, pixel += 4) {
+            if (pixel[3] != 0 && (pixel[0] & pixel[1] & pixel[2]) != 255) {
+                first = first < 0 ? x : first;
+                last = x;
+            }
+        }
+        if (first >= 0) {
+            box |= QRect(QPoint(first, y), QPoint(last, y));
+        }
+    }
+    const QSizeF film(sheet.filmWidth.value(), sheet.filmHeight.value());
+    const QSizeF page = pageSize(sheet);
+    const QPointF corner((page.width() - film.width()) / 2, (page.height() - film.height()) / 2);
+    const double x = film.width() / image.width();
+    const double y = film.height() / image.height();
+    return box.isEmpty() ? QRectF()
+                         : QRectF(corner + QPointF(box.x() * x, box.y() * y),
+                                  QSizeF(box.width() * x, box.height() * y));
+}
+
+// The page's left edge is the paper's top edge where it lies across.
+QMarginsF lostOnPage(const Sheet& sheet, const QMarginsF& margins,
+                     const PrintCorrection& correction) {
+    const QSizeF page = pageSize(sheet);
+    if (!correction.acrossPaper) {
+        return lostEdges(page, margins, correction);
+    }
+    const QMarginsF lost = lostEdges(page.transposed(), margins, correction);
+    return {lost.top(), lost.right(), lost.bottom(), lost.left()};
+}
+
+} // namespace
+
+QMarginsF larger(const QMarginsF& a, const QMarginsF& b) {
+    return {std::max(a.left(), b.left()), std::max(a.top(), b.top()),
+            std::max(a.right(), b.right()), std::max(a.bottom(), b.bottom())};
+}
+
+double widest(const QMarginsF& margins) {
+    return std::max({margins.left(), margins.top(), margins.right(), margins.bottom()});
+}
+
+QMarginsF unreachable(const QMarginsF& ofPrinter, const std::optional<PrinterProfile>& profile) {
+    if (!profile) {
+        return ofPrinter;
+    }
+    const auto& m = profile->margins;
+    return larger(ofPrinter, {m[0].value(), m[1].value(), m[2].value(), m[3].value()});
+}
+
+QMarginsF lostEdges(QSizeF paper, const QMarginsF& margins, const PrintCorrection& correction) {
+    const double x = paper.width() / 2;
+    const double y = paper.height() / 2;
+    return {lostEdge(x, margins.left(), correction.scaleX),
+            lostEdge(y, margins.top(), correction.scaleY),
+            lostEdge(x, margins.right(), correction.scaleX),
+            lostEdge(y, margins.bottom(), correction.scaleY)};
+}
+
+Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorrection& correction,
+                  bool accept, const QString& where, QStringList& warnings) {
+    constexpr double sharpness = 0.05; // mm
+    const double clear = sheet.clearance.value();
+    Sheet inside = sheet;
+    inside.clearance = Millimetres(
+        widest(lostOnPage(sheet, larger(margins, {clear, clear, clear, clear}), correction)));
+    const QMarginsF lost = lostOnPage(sheet, margins, correction);
+    const QRectF reach = QRectF({0, 0}, pageSize(sheet)).marginsRemoved(lost);
+    const QRectF painted = paintedBox(sheet);
+    if (painted.isEmpty() ||
+        reach.adjusted(-sharpness, -sharpness, sharpness, sharpness).contains(painted)) {
+        return inside;
+    }
+    const QString sentence =
+        Text::tr("The printer does not reach the outer %1 mm of the paper, and the sheet has "
+                 "colour there")
+            .arg(std::round(widest(lost) * 100) / 100);
+    if (!accept) {
+        throw Error(Text::tr("%1; choose larger or borderless paper, or accept that it is lost")
+                        .arg(sentence),
+                    where);
+    }
+    warnings << sentence;
+    return inside;
+}
+
+} // namespace dipwright
