@@ -2,6 +2,7 @@
 
 #include "base/Budgets.h"
 #include "base/Error.h"
+#include "foreign/PictureColour.h"
 
 #include <QBuffer>
 #include <QColorSpace>
@@ -27,7 +28,11 @@ bool isAsGoodAsSRgb(const QColorSpace& space) {
             std::abs(space.gamma() - 2.2F) < 0.05F);
 }
 
-QImage asTexture(QImage image) {
+// `profile`: what the file says of its numbers, which Qt reads of RGB only; may be empty.
+QImage asTexture(QImage image, const QByteArray& profile, const QString& where) {
+    if (!profile.isEmpty() && image.colorSpace() != QColorSpace(QColorSpace::SRgb)) {
+        return srgbOf(image, profile, where);
+    }
     if (!isAsGoodAsSRgb(image.colorSpace())) {
         image.convertToColorSpace(QColorSpace::SRgb);
     }
@@ -98,6 +103,20 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
     if (announced.isValid()) {
         count(announced, bytes.size(), where);
     }
+    const QByteArray profile = embeddedProfile(bytes, where);
+    if (!profile.isEmpty() && turned == Turned::AsStored) { // photos are looked at, not printed
+        if (const auto inks = readInks(bytes)) {
+            if (!announced.isValid()) {
+                count(inks->size, bytes.size(), where);
+            }
+            return srgbOf(*inks, profile, where);
+        }
+        if (isOfInks(profile) && reader.format() != "png") {
+            throw Error(Text::tr("The picture in CMYK is damaged, or kept in a way that is not "
+                                 "read; save it anew as JPEG, or as TIFF without tiles and planes"),
+                        where);
+        }
+    }
     QImage image = reader.read();
     if (image.isNull()) {
         throw Error(Text::tr("The picture is damaged: %1; save it anew").arg(reader.errorString()),
@@ -106,12 +125,12 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
     if (!announced.isValid()) {
         count(image.size(), bytes.size(), where);
     }
-    return asTexture(std::move(image));
+    return asTexture(std::move(image), profile, where);
 }
 
 QImage PictureReader::take(QImage image, const QString& where) {
     count(image.size(), image.sizeInBytes(), where);
-    return asTexture(std::move(image));
+    return asTexture(std::move(image), {}, where);
 }
 
 } // namespace dipwright

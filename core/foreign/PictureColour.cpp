@@ -1,0 +1,346 @@
+#include "foreign/PictureColour.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QtEndian>
+
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+#include <jpeglib.h>
+#include <lcms2.h>
+#include <map>
+#include <memory>
+#include <tiffio.h>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Texture)
+};
+
+constexpr qsizetype largestProfile = 16 << 20; // bytes
+
+// PNG (ISO/IEC 15948), chunk iCCP: name, 0, method 0, zlib stream.
+QByteArray profileOfPng(const QByteArray& file) {
+    qsizetype at = 8;
+    while (at + 12 <= file.size()) {
+        const auto length = qsizetype(qFromBigEndian<quint32>(file.constData() + at));
+        const QByteArrayView kind(file.constData() + at + 4, 4);
+        if (length > file.size() - at - 12 || kind == "IDAT") {
+            break;
+        }
+        if (kind == "iCCP") {
+            const QByteArray chunk = file.mid(at + 8, length);
+            const qsizetype stream = chunk.indexOf('\0') + 2;
+            // Qt wants the length beforehand, of which it takes more where that is not enough.
+            QByteArray packed(4, '\0');
+            qToBigEndian(quint32(4096), packed.data());
+            return stream < 2 ? QByteArray() : qUncompress(packed + chunk.mid(stream));
+        }
+        at += 12 + length;
+    }
+    return {};
+}
+
+// JPEG, segments APP2 (ICC.1, annex B.4): "ICC_PROFILE", 0, number from 1, count, part.
+QByteArray profileOfJpeg(const QByteArray& file) {
+    std::map<int, QByteArray> parts;
+    const auto byte = [&](qsizetype at) { return int(uchar(file[at])); };
+    qsizetype at = 2;
+    while (at + 4 <= file.size() && byte(at) == 0xff && byte(at + 1) != 0xda) {
+        const qsizetype length = byte(at + 2) << 8 | byte(at + 3);
+        if (length < 2 || at + 2 + length > file.size()) {
+            break;
+        }
+        const QByteArray segment = file.mid(at + 4, length - 2);
+        if (byte(at + 1) == 0xe2 && segment.size() > 14 &&
+            segment.startsWith(QByteArrayView("ICC_PROFILE\0", 12))) {
+            parts[uchar(segment[12])] = segment.mid(14);
+        }
+        at += 2 + length;
+    }
+    QByteArray profile;
+    for (const auto& [number, part] : parts) {
+        profile += part;
+    }
+    return profile;
+}
+
+// A TIFF file in memory, open for libtiff.
+class TiffFile {
+public:
+    explicit TiffFile(const QByteArray& bytes) : bytes_(bytes) {
+        TIFFSetErrorHandler(nullptr); // what is wrong with a file is told in our words
+        TIFFSetWarningHandler(nullptr);
+        tiff_.reset(TIFFClientOpen("picture", "rm", this, read, write, seek, close, size, nullptr,
+                                   nullptr));
+    }
+    TiffFile(const TiffFile&) = delete;
+    TiffFile& operator=(const TiffFile&) = delete;
+
+    TIFF* get() const { return tiff_.get(); }
+    // A tag of one number; 0 where the file is none or does not say.
+    template <typename Number>
+    Number number(ttag_t tag) const {
+        Number value = 0;
+        if (tiff_) {
+            TIFFGetFieldDefaulted(tiff_.get(), tag, &value);
+        }
+        return value;
+    }
+
+private:
+    static TiffFile& self(thandle_t handle) { return *static_cast<TiffFile*>(handle); }
+    static tmsize_t read(thandle_t handle, void* target, tmsize_t count) {
+        TiffFile& file = self(handle);
+        count = std::clamp<tmsize_t>(tmsize_t(file.bytes_.size()) - file.at_, 0, count);
+        std::memcpy(target, file.bytes_.constData() + file.at_, std::size_t(count));
+        file.at_ += count;
+        return count;
+    }
+    static tmsize_t write(thandle_t, void*, tmsize_t) { return -1; }
+    static toff_t seek(thandle_t handle, toff_t offset, int from) {
+        TiffFile& file = self(handle);
+        const tmsize_t base = from == SEEK_SET   ? 0
+                              : from == SEEK_CUR ? file.at_
+                                                 : tmsize_t(file.bytes_.size());
+        file.at_ = std::clamp<tmsize_t>(base + tmsize_t(offset), 0, tmsize_t(file.bytes_.size()));
+        return toff_t(file.at_);
+    }
+    static int close(thandle_t) { return 0; }
+    static toff_t size(thandle_t handle) { return toff_t(self(handle).bytes_.size()); }
+
+    struct Close {
+        void operator()(TIFF* tiff) const { TIFFClose(tiff); }
+    };
+    const QByteArray& bytes_;
+    tmsize_t at_ = 0;
+    std::unique_ptr<TIFF, Close> tiff_;
+};
+
+QByteArray profileOfTiff(const QByteArray& file) {
+    const TiffFile tiff(file);
+    std::uint32_t length = 0;
+    void* profile = nullptr;
+    if (!tiff.get() || !TIFFGetField(tiff.get(), TIFFTAG_ICCPROFILE, &length, &profile)) {
+        return {};
+    }
+    return {static_cast<const char*>(profile), qsizetype(length)};
+}
+
+// Whether the first directory of a TIFF file (TIFF 6.0, section 2) has the profile's tag, of which
+// libtiff makes nothing where what it points to is not there.
+bool claimsProfile(const QByteArray& file) {
+    const bool isLittle = file.startsWith('I');
+    const auto number = [&]<typename Number>(qsizetype at, Number) -> Number {
+        if (at < 0 || at + qsizetype(sizeof(Number)) > file.size()) {
+            return 0;
+        }
+        return isLittle ? qFromLittleEndian<Number>(file.constData() + at)
+                        : qFromBigEndian<Number>(file.constData() + at);
+    };
+    const auto directory = qsizetype(number(4, quint32()));
+    const int entries = number(directory, quint16());
+    for (int entry = 0; entry < entries; ++entry) {
+        if (number(directory + 2 + 12 * qsizetype(entry), quint16()) == TIFFTAG_ICCPROFILE) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool isTiff(const QByteArray& file) {
+    return file.startsWith(QByteArrayView("II*\0", 4)) ||
+           file.startsWith(QByteArrayView("MM\0*", 4));
+}
+
+std::optional<InkPicture> inksOfTiff(const QByteArray& file) {
+    const TiffFile tiff(file);
+    const auto samples = tiff.number<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
+    const auto bits = tiff.number<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
+    if (tiff.number<std::uint16_t>(TIFFTAG_PHOTOMETRIC) != PHOTOMETRIC_SEPARATED || samples < 4 ||
+        (bits != 8 && bits != 16) || TIFFIsTiled(tiff.get()) ||
+        tiff.number<std::uint16_t>(TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG) {
+        return std::nullopt;
+    }
+    InkPicture picture{{int(tiff.number<std::uint32_t>(TIFFTAG_IMAGEWIDTH)),
+                        int(tiff.number<std::uint32_t>(TIFFTAG_IMAGELENGTH))},
+                       {}};
+    const std::size_t rowBytes = std::size_t(picture.size.width()) * samples * bits / 8;
+    std::vector<uchar> row(std::size_t(TIFFScanlineSize(tiff.get())));
+    if (picture.size.isEmpty() || row.size() < rowBytes) {
+        return std::nullopt;
+    }
+    picture.inks.reserve(std::size_t(picture.size.width()) * std::size_t(picture.size.height()));
+    for (int y = 0; y < picture.size.height(); ++y) {
+        if (TIFFReadScanline(tiff.get(), row.data(), std::uint32_t(y), 0) != 1) {
+            return std::nullopt;
+        }
+        for (std::size_t x = 0; x < std::size_t(picture.size.width()); ++x) {
+            std::array<quint16, 4>& inks = picture.inks.emplace_back();
+            for (std::size_t ink = 0; ink < 4; ++ink) {
+                const std::size_t at = x * samples + ink;
+                if (bits == 16) {
+                    std::memcpy(&inks[ink], &row[2 * at], 2); // libtiff has turned the bytes
+                } else {
+                    inks[ink] = quint16(row[at] * 257);
+                }
+            }
+        }
+    }
+    return picture;
+}
+
+struct JpegErrors {
+    jpeg_error_mgr manager; // first: libjpeg knows no more of it
+    std::jmp_buf back;
+};
+
+// Nothing here needs to be taken down by a destructor when libjpeg jumps out. Photoshop and all
+// after it write inks the other way round and say that they do by a marker of their own.
+bool decodeInks(jpeg_decompress_struct& jpeg, JpegErrors& errors, const QByteArray& file,
+                InkPicture& picture, std::vector<uchar>& row) {
+    if (setjmp(errors.back)) { // NOLINT(cert-err52-cpp): the only way that libjpeg has
+        return false;
+    }
+    jpeg_mem_src(&jpeg, reinterpret_cast<const uchar*>(file.constData()),
+                 static_cast<unsigned long>(file.size()));
+    jpeg_read_header(&jpeg, TRUE);
+    if (jpeg.num_components != 4) {
+        return false;
+    }
+    jpeg.out_color_space = JCS_CMYK;
+    jpeg_start_decompress(&jpeg);
+    picture.size = {int(jpeg.output_width), int(jpeg.output_height)};
+    picture.inks.resize(std::size_t(jpeg.output_width) * jpeg.output_height);
+    row.resize(std::size_t(jpeg.output_width) * 4);
+    const bool reversed = jpeg.saw_Adobe_marker != FALSE;
+    std::size_t pixel = 0;
+    while (jpeg.output_scanline < jpeg.output_height) {
+        JSAMPROW start = row.data();
+        jpeg_read_scanlines(&jpeg, &start, 1);
+        for (std::size_t at = 0; at < row.size(); at += 4, ++pixel) {
+            for (std::size_t ink = 0; ink < 4; ++ink) {
+                const int value = row[at + ink];
+                picture.inks[pixel][ink] = quint16((reversed ? 255 - value : value) * 257);
+            }
+        }
+    }
+    return jpeg.err->num_warnings == 0; // a file that is cut off goes on in grey
+}
+
+std::optional<InkPicture> inksOfJpeg(const QByteArray& file) {
+    JpegErrors errors;
+    jpeg_decompress_struct jpeg{};
+    jpeg.err = jpeg_std_error(&errors.manager);
+    errors.manager.error_exit = [](j_common_ptr failed) {
+        std::longjmp(reinterpret_cast<JpegErrors*>(failed->err)->back, 1);
+    };
+    errors.manager.output_message = [](j_common_ptr) {};
+    jpeg_create_decompress(&jpeg);
+    InkPicture picture;
+    std::vector<uchar> row;
+    const bool whole = decodeInks(jpeg, errors, file, picture, row);
+    jpeg_destroy_decompress(&jpeg);
+    return whole ? std::optional(std::move(picture)) : std::nullopt;
+}
+
+struct CloseProfile {
+    void operator()(void* profile) const { cmsCloseProfile(profile); }
+};
+struct DeleteTransform {
+    void operator()(void* transform) const { cmsDeleteTransform(transform); }
+};
+using Transform = std::unique_ptr<void, DeleteTransform>;
+
+Transform toSrgb(const QByteArray& profile, cmsUInt32Number pixels, const QString& where) {
+    const std::unique_ptr<void, CloseProfile> from(
+        cmsOpenProfileFromMem(profile.constData(), cmsUInt32Number(profile.size())));
+    const std::unique_ptr<void, CloseProfile> srgb(cmsCreate_sRGBProfile());
+    Transform transform(from ? cmsCreateTransform(from.get(), pixels, srgb.get(), TYPE_RGBA_8,
+                                                  INTENT_RELATIVE_COLORIMETRIC,
+                                                  cmsFLAGS_HIGHRESPRECALC)
+                             : nullptr);
+    if (!transform) {
+        throw Error(Text::tr("The picture's ICC profile is damaged or not for its pixels; save it "
+                             "anew, as sRGB"),
+                    where);
+    }
+    return transform;
+}
+
+QByteArrayView spaceOf(const QByteArray& profile) {
+    return profile.size() < 20 ? QByteArrayView() : QByteArrayView(profile).sliced(16, 4);
+}
+
+QImage emptyTexture(QSize size) {
+    QImage texture(size, QImage::Format_RGBA8888);
+    if (texture.isNull()) {
+        throw std::bad_alloc();
+    }
+    texture.fill(Qt::white); // lcms2 writes colours and leaves alpha as it is
+    return texture;
+}
+
+} // namespace
+
+QByteArray embeddedProfile(const QByteArray& file, const QString& where) {
+    const QByteArray profile = file.startsWith("\x89PNG")        ? profileOfPng(file)
+                               : file.startsWith("\xff\xd8\xff") ? profileOfJpeg(file)
+                               : isTiff(file)                    ? profileOfTiff(file)
+                                                                 : QByteArray();
+    if (profile.isEmpty() && isTiff(file) && claimsProfile(file)) {
+        throw Error(Text::tr("The picture is damaged: its ICC profile is cut off; save it anew"),
+                    where);
+    }
+    return profile.size() <= largestProfile ? profile : QByteArray();
+}
+
+bool isOfInks(const QByteArray& profile) {
+    return spaceOf(profile) == "CMYK";
+}
+
+std::optional<InkPicture> readInks(const QByteArray& file) {
+    return isTiff(file)                      ? inksOfTiff(file)
+           : file.startsWith("\xff\xd8\xff") ? inksOfJpeg(file)
+                                             : std::nullopt;
+}
+
+QImage srgbOf(const InkPicture& picture, const QByteArray& profile, const QString& where) {
+    const Transform transform = toSrgb(profile, TYPE_CMYK_16, where);
+    QImage texture = emptyTexture(picture.size);
+    const auto width = std::size_t(picture.size.width());
+    for (int y = 0; y < texture.height(); ++y) {
+        cmsDoTransform(transform.get(), &picture.inks[std::size_t(y) * width], texture.scanLine(y),
+                       cmsUInt32Number(width));
+    }
+    return texture;
+}
+
+QImage srgbOf(const QImage& picture, const QByteArray& profile, const QString& where) {
+    const bool grey = spaceOf(profile) == "GRAY";
+    const Transform transform = toSrgb(profile, grey ? TYPE_GRAY_16 : TYPE_RGB_16, where);
+    const QImage source = picture.convertToFormat(QImage::Format_RGBA64);
+    QImage texture = emptyTexture(picture.size());
+    const auto width = std::size_t(picture.width());
+    std::vector<quint16> row;
+    for (int y = 0; y < texture.height(); ++y) {
+        row.clear();
+        const auto* pixel = reinterpret_cast<const quint16*>(source.constScanLine(y));
+        for (std::size_t x = 0; x < width; ++x) {
+            row.insert(row.end(), pixel + 4 * x, pixel + 4 * x + (grey ? 1 : 3));
+        }
+        uchar* target = texture.scanLine(y);
+        cmsDoTransform(transform.get(), row.data(), target, cmsUInt32Number(width));
+        for (std::size_t x = 0; x < width; ++x) {
+            target[4 * x + 3] = uchar((pixel[4 * x + 3] + 128) / 257);
+        }
+    }
+    return texture;
+}
+
+} // namespace dipwright

@@ -1,0 +1,318 @@
+// Textures of every colour kind: what a printer is sent of them is what lcms2 makes of their own
+// profile directly.
+#include "TestProfiles.h"
+
+#include "base/Error.h"
+#include "import/ReadPictures.h"
+#include "sheet/PrinterColour.h"
+
+#include <QBuffer>
+#include <QColorSpace>
+#include <QTemporaryDir>
+#include <QtEndian>
+#include <QtTest>
+
+#include <cstdio>
+#include <jpeglib.h>
+#include <lcms2.h>
+#include <tiffio.h>
+#include <zlib.h>
+
+using namespace dipwright;
+
+namespace {
+
+// Patches in rows of eight, each as large as a JPEG keeps apart from its neighbours.
+constexpr int side = 16;
+constexpr int patches = 64;
+using Device = std::array<uchar, 4>; // as many as the space has channels
+
+enum class Kind { Grey = 1, Rgb = 3, Cmyk = 4 };
+
+Device patch(Kind kind, int number) {
+    const int a = number % 4;
+    const int b = number / 4 % 4;
+    const int c = number / 16;
+    switch (kind) {
+    case Kind::Grey:
+        return {uchar(4 * number), 0, 0, 0};
+    case Kind::Rgb:
+        return {uchar(60 + 50 * a), uchar(60 + 50 * b), uchar(60 + 50 * c), 0};
+    case Kind::Cmyk:
+        break;
+    }
+    return {uchar(60 * a), uchar(60 * b), uchar(60 * c), uchar(20 * a)};
+}
+
+QByteArray greyProfile() {
+    cmsToneCurve* curve = cmsBuildGamma(nullptr, 2.2); // near sRGB's and not the same
+    cmsHPROFILE profile = cmsCreateGrayProfile(cmsD50_xyY(), curve);
+    cmsFreeToneCurve(curve);
+    cmsUInt32Number size = 0;
+    cmsSaveProfileToMem(profile, nullptr, &size);
+    QByteArray bytes(qsizetype(size), '\0');
+    cmsSaveProfileToMem(profile, bytes.data(), &size);
+    cmsCloseProfile(profile);
+    return bytes;
+}
+
+QByteArray profileOf(Kind kind) {
+    return kind == Kind::Grey  ? greyProfile()
+           : kind == Kind::Rgb ? QColorSpace(QColorSpace::AdobeRgb).iccProfile()
+                               : simpleCmykProfile(0.02);
+}
+
+QByteArray pixels(Kind kind) {
+    QByteArray bytes;
+    for (int y = 0; y < 8 * side; ++y) {
+        for (int x = 0; x < 8 * side; ++x) {
+            const Device device = patch(kind, y / side * 8 + x / side);
+            bytes.append(reinterpret_cast<const char*>(device.data()), int(kind));
+        }
+    }
+    return bytes;
+}
+
+QImage image(Kind kind, const QByteArray& bytes) {
+    return QImage(reinterpret_cast<const uchar*>(bytes.constData()), 8 * side, 8 * side,
+                  8 * side * int(kind),
+                  kind == Kind::Grey ? QImage::Format_Grayscale8 : QImage::Format_RGB888)
+        .copy();
+}
+
+QByteArray bigEndian(quint32 number) {
+    QByteArray bytes(4, '\0');
+    qToBigEndian(number, bytes.data());
+    return bytes;
+}
+
+QByteArray pngFile(Kind kind, const QByteArray& profile) {
+    QBuffer png;
+    image(kind, pixels(kind)).save(&png, "png");
+    const QByteArray chunk =
+        QByteArray("iCCPown\0\0", 9) + qCompress(profile).mid(4); // qCompress puts a length first
+    const auto sum =
+        crc32(0, reinterpret_cast<const uchar*>(chunk.constData()), uInt(chunk.size()));
+    constexpr int header = 8 + 25; // signature and IHDR
+    return QByteArray(png.data())
+        .insert(header, bigEndian(quint32(chunk.size() - 4)) + chunk + bigEndian(quint32(sum)));
+}
+
+QByteArray jpegFile(Kind kind, const QByteArray& profile) {
+    jpeg_compress_struct jpeg{};
+    jpeg_error_mgr errors{};
+    jpeg.err = jpeg_std_error(&errors);
+    jpeg_create_compress(&jpeg);
+    unsigned char* memory = nullptr;
+    unsigned long length = 0;
+    jpeg_mem_dest(&jpeg, &memory, &length);
+    jpeg.image_width = jpeg.image_height = 8 * side;
+    jpeg.input_components = int(kind);
+    jpeg.in_color_space = kind == Kind::Grey  ? JCS_GRAYSCALE
+                          : kind == Kind::Rgb ? JCS_RGB
+                                              : JCS_CMYK;
+    jpeg_set_defaults(&jpeg);
+    jpeg_set_quality(&jpeg, 100, TRUE);
+    if (kind == Kind::Cmyk) {
+        jpeg_set_colorspace(&jpeg, JCS_YCCK); // as Photoshop does, with its marker
+    }
+    jpeg_start_compress(&jpeg, TRUE);
+    constexpr int most = 65000; // bytes of a marker
+    const int parts = int((profile.size() + most - 1) / most);
+    for (int part = 0; part < parts; ++part) {
+        const QByteArray marker = QByteArray("ICC_PROFILE\0", 12) + char(part + 1) + char(parts) +
+                                  profile.mid(part * most, most);
+        jpeg_write_marker(&jpeg, JPEG_APP0 + 2, reinterpret_cast<const uchar*>(marker.constData()),
+                          uint(marker.size()));
+    }
+    QByteArray bytes = pixels(kind);
+    for (char& value : bytes) {
+        value = kind == Kind::Cmyk ? char(255 - uchar(value)) : value; // and as Photoshop does
+    }
+    while (jpeg.next_scanline < jpeg.image_height) {
+        auto* row = reinterpret_cast<uchar*>(bytes.data()) +
+                    jpeg.next_scanline * jpeg.image_width * uint(kind);
+        jpeg_write_scanlines(&jpeg, &row, 1);
+    }
+    jpeg_finish_compress(&jpeg);
+    const QByteArray file(reinterpret_cast<const char*>(memory), qsizetype(length));
+    jpeg_destroy_compress(&jpeg);
+    std::free(memory);
+    return file;
+}
+
+QByteArray tiffFile(Kind kind, const QByteArray& profile, const QString& path, int bits) {
+    TIFF* tiff = TIFFOpen(qPrintable(path), "w");
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 8 * side);
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 8 * side);
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, int(kind));
+    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC,
+                 kind == Kind::Grey  ? PHOTOMETRIC_MINISBLACK
+                 : kind == Kind::Rgb ? PHOTOMETRIC_RGB
+                                     : PHOTOMETRIC_SEPARATED);
+    TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
+    TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(profile.size()), profile.constData());
+    const QByteArray bytes = pixels(kind);
+    const int row = 8 * side * int(kind);
+    for (int y = 0; y < 8 * side; ++y) {
+        std::vector<quint16> words;
+        for (const char value : bytes.mid(y * row, row)) {
+            words.push_back(bits == 16 ? quint16(uchar(value) * 257) : quint16(uchar(value)));
+        }
+        std::vector<uchar> octets(words.begin(), words.end());
+        TIFFWriteScanline(
+            tiff, bits == 16 ? static_cast<void*>(words.data()) : static_cast<void*>(octets.data()),
+            std::uint32_t(y));
+    }
+    TIFFClose(tiff);
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+// One colour through profiles, relative to white: to Lab as doubles.
+class ToLab {
+public:
+    ToLab(const QByteArray& profile, cmsUInt32Number format) {
+        cmsHPROFILE from =
+            cmsOpenProfileFromMem(profile.constData(), cmsUInt32Number(profile.size()));
+        cmsHPROFILE lab = cmsCreateLab4Profile(nullptr);
+        transform_ = cmsCreateTransform(from, format, lab, TYPE_Lab_DBL,
+                                        INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_NOOPTIMIZE);
+        cmsCloseProfile(lab);
+        cmsCloseProfile(from);
+    }
+    ~ToLab() { cmsDeleteTransform(transform_); }
+    ToLab(const ToLab&) = delete;
+    ToLab& operator=(const ToLab&) = delete;
+
+    cmsCIELab of(const void* device) const {
+        cmsCIELab lab;
+        cmsDoTransform(transform_, device, &lab, 1);
+        return lab;
+    }
+
+private:
+    cmsHTRANSFORM transform_;
+};
+
+cmsUInt32Number format(Kind kind) {
+    return kind == Kind::Grey ? TYPE_GRAY_8 : kind == Kind::Rgb ? TYPE_RGB_8 : TYPE_CMYK_8;
+}
+
+// The printer's bytes, straight from the texture's own space.
+Device direct(const Device& device, Kind kind, const QByteArray& profile,
+              const QByteArray& printer) {
+    cmsHPROFILE from = cmsOpenProfileFromMem(profile.constData(), cmsUInt32Number(profile.size()));
+    cmsHPROFILE to = cmsOpenProfileFromMem(printer.constData(), cmsUInt32Number(printer.size()));
+    cmsHTRANSFORM transform = cmsCreateTransform(from, format(kind), to, TYPE_RGB_8,
+                                                 INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_NOOPTIMIZE);
+    Device result{};
+    cmsDoTransform(transform, device.data(), result.data(), 1);
+    cmsDeleteTransform(transform);
+    cmsCloseProfile(from);
+    cmsCloseProfile(to);
+    return result;
+}
+
+} // namespace
+
+class PictureColourTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    QByteArray file(const QString& type, Kind kind, const QByteArray& profile) const {
+        return type == "png"    ? pngFile(kind, profile)
+               : type == "jpeg" ? jpegFile(kind, profile)
+                                : tiffFile(kind, profile, folder_.filePath("texture.tiff"),
+                                           type == "tiff16" ? 16 : 8);
+    }
+
+private slots:
+    void printerIsSentWhatTheTextureMeans_data();
+    void printerIsSentWhatTheTextureMeans();
+    void profileOfAnotherKindIsRefused();
+    void cutOffInksAreNoPicture();
+};
+
+void PictureColourTest::printerIsSentWhatTheTextureMeans_data() {
+    QTest::addColumn<QString>("type");
+    QTest::addColumn<int>("channels");
+    for (const Kind kind : {Kind::Grey, Kind::Rgb, Kind::Cmyk}) {
+        for (const char* type : {"png", "jpeg", "tiff", "tiff16"}) {
+            if (kind != Kind::Cmyk || qstrcmp(type, "png") != 0) {
+                QTest::addRow("%s of %d", type, int(kind)) << QString(type) << int(kind);
+            }
+        }
+    }
+}
+
+void PictureColourTest::printerIsSentWhatTheTextureMeans() {
+    QFETCH(QString, type);
+    QFETCH(int, channels);
+    const auto kind = Kind(channels);
+    const QByteArray profile = profileOf(kind);
+    const QByteArray printer = paleRgbProfile();
+    const QByteArray written = file(type, kind, profile);
+    const QImage texture = readPictures({{written, QStringLiteral("texture")}}).front();
+    const QImage stored = kind == Kind::Rgb ? QImage::fromData(written) : QImage(); // JPEG: a loss
+    QCOMPARE(texture.size(), QSize(8 * side, 8 * side));
+    const QImage sent =
+        PrinterColour(printer, RenderingIntent::RelativeColorimetric, false, "pale").rgb(texture);
+    const ToLab meant(profile, format(kind));
+    const ToLab printed(printer, TYPE_RGB_8);
+    int judged = 0;
+    double largest = 0;
+    for (int number = 0; number < patches; ++number) {
+        const QPoint middle(number % 8 * side + side / 2, number / 8 * side + side / 2);
+        Device device = patch(kind, number);
+        if (!stored.isNull()) {
+            const QRgb numbers = stored.pixel(middle);
+            device = {uchar(qRed(numbers)), uchar(qGreen(numbers)), uchar(qBlue(numbers)), 0};
+        }
+        const cmsCIELab wanted = meant.of(device.data());
+        const Device reference = direct(device, kind, profile, printer);
+        const cmsCIELab best = printed.of(reference.data());
+        if (cmsDeltaE(&wanted, &best) > 1) {
+            continue; // out of the printer's reach
+        }
+        const QColor pixel = sent.pixelColor(middle);
+        const Device found{uchar(pixel.red()), uchar(pixel.green()), uchar(pixel.blue()), 0};
+        const cmsCIELab lab = printed.of(found.data());
+        largest = std::max(largest, double(cmsDeltaE(&best, &lab)));
+        ++judged;
+    }
+    QVERIFY2(judged >= 8, qPrintable(QString::number(judged)));
+    qInfo() << judged << "patches, largest difference" << largest;
+    QVERIFY2(largest <= 1, qPrintable(QString::number(largest)));
+}
+
+void PictureColourTest::profileOfAnotherKindIsRefused() {
+    try {
+        readPictures({{pngFile(Kind::Rgb, simpleCmykProfile(0.02)), QStringLiteral("odd.png")}});
+        QFAIL("a picture in RGB with a profile of inks was read");
+    } catch (const Error& error) {
+        QVERIFY2(error.sentence().contains("odd.png") && error.sentence().contains("ICC profile"),
+                 qPrintable(error.sentence()));
+    }
+}
+
+void PictureColourTest::cutOffInksAreNoPicture() {
+    const QByteArray profile = simpleCmykProfile(0.02);
+    for (const QString& type : {QString("jpeg"), QString("tiff")}) {
+        const QByteArray whole = file(type, Kind::Cmyk, profile);
+        const QByteArray most = whole.first(whole.size() - 200);
+        bool isRead = true;
+        try {
+            readPictures({{most, QStringLiteral("cut")}});
+        } catch (const Error&) {
+            isRead = false;
+        }
+        QVERIFY2(!isRead, qPrintable(type));
+    }
+}
+
+QTEST_GUILESS_MAIN(PictureColourTest)
+#include "PictureColourTest.moc"
