@@ -6704,6 +6704,10 @@ mm je mm</translation>
         <source>The picture in CMYK is damaged, or kept in a way that is not read; save it anew as JPEG, or as TIFF without tiles and planes</source>
         <translation>Das Bild in CMYK ist beschädigt oder auf eine Art abgelegt, die nicht gelesen wird; speichern Sie es neu als JPEG, oder als TIFF ohne Kacheln und Ebenen</translation>
     </message>
+    <message>
+        <source>The picture is damaged: its ICC profile is cut off; save it anew</source>
+        <translation>Das Bild ist beschädigt: Sein ICC-Profil ist abgeschnitten; speichern Sie es neu</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::Timeline</name>

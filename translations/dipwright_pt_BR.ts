@@ -6704,6 +6704,10 @@ mm por mm</translation>
         <source>The picture in CMYK is damaged, or kept in a way that is not read; save it anew as JPEG, or as TIFF without tiles and planes</source>
         <translation>A imagem em CMYK está danificada ou guardada de um modo que não é lido; salve-a de novo como JPEG, ou como TIFF sem blocos e planos</translation>
     </message>
+    <message>
+        <source>The picture is damaged: its ICC profile is cut off; save it anew</source>
+        <translation>A imagem está danificada: seu perfil ICC foi cortado; salve-a de novo</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::Timeline</name>
