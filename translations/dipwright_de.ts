@@ -465,6 +465,25 @@
         <source>Remove Pair of Places</source>
         <translation>Stellenpaar entfernen</translation>
     </message>
+    <message>
+        <source>Change Film on the Water</source>
+        <translation>Film auf dem Wasser ändern</translation>
+    </message>
+</context>
+<context>
+    <name>InspectionProfile</name>
+    <message>
+        <source>Save to Profile</source>
+        <translation>Im Profil speichern</translation>
+    </message>
+    <message>
+        <source>Name of the film profile, an old or a new one</source>
+        <translation>Name des Filmprofils, ein vorhandener oder neuer</translation>
+    </message>
+    <message>
+        <source>The film profile %1 has what was measured</source>
+        <translation>Das Filmprofil %1 hat die Messung übernommen</translation>
+    </message>
 </context>
 <context>
     <name>MarkEdits</name>
@@ -3710,6 +3729,94 @@
         <source>when the dip begins</source>
         <translation>bei Beginn des Tauchens</translation>
     </message>
+    <message>
+        <source>Photo of the film</source>
+        <translation>Foto des Films</translation>
+    </message>
+    <message>
+        <source>The corners that were found in the photo are shown here.</source>
+        <translation>Hier werden die im Foto gefundenen Ecken gezeigt.</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Unevenness</source>
+        <translation>Ungleichmäßigkeit</translation>
+    </message>
+    <message>
+        <source>Seconds since the film was laid on the water; the swell is told of then</source>
+        <translation>Sekunden seit dem Auflegen des Films auf das Wasser; für diesen Zeitpunkt gilt die Quellung</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Längs</translation>
+    </message>
+    <message>
+        <source>How exactly each ruler was read; the swell&apos;s interval holds it</source>
+        <translation>Wie genau jedes Lineal abgelesen wurde; im Intervall der Quellung enthalten</translation>
+    </message>
+    <message>
+        <source>as the photos say</source>
+        <translation>wie in den Fotos</translation>
+    </message>
+    <message>
+        <source>Of a camera of 35 mm; only needed where the card lies above the film</source>
+        <translation>Bezogen auf Kleinbild (35 mm); nur nötig, wo die Karte über dem Film liegt</translation>
+    </message>
+    <message>
+        <source>k1 from photos</source>
+        <translation>k1 aus Fotos</translation>
+    </message>
+    <message>
+        <source>k2 from photos</source>
+        <translation>k2 aus Fotos</translation>
+    </message>
+    <message>
+        <source>Card&apos;s rulers</source>
+        <translation>Lineale der Karte</translation>
+    </message>
+    <message>
+        <source>Dry film&apos;s rulers</source>
+        <translation>Lineale, Film trocken</translation>
+    </message>
+    <message>
+        <source>Read to ±</source>
+        <translation>Abgelesen auf ±</translation>
+    </message>
+    <message>
+        <source>Card above the film</source>
+        <translation>Karte über dem Film</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>Brennweite</translation>
+    </message>
+    <message>
+        <source>Distortion</source>
+        <translation>Verzeichnung</translation>
+    </message>
+    <message>
+        <source>Rulers and Camera</source>
+        <translation>Lineale und Kamera</translation>
+    </message>
+    <message>
+        <source>What the printed rulers measure, how high the card lies, and what is known of the camera</source>
+        <translation>Was die gedruckten Lineale messen, wie hoch die Karte liegt und was über die Kamera bekannt ist</translation>
+    </message>
+    <message>
+        <source>%1: %2 corners of the film, %3 of the card, %4 px off</source>
+        <translation>%1: %2 Ecken des Films, %3 der Karte, Abweichung %4 px</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::FilmReader</name>
@@ -3807,6 +3914,49 @@
     <message>
         <source>Only %1 corners of the card are seen and it takes %2; photograph all of it, without glare</source>
         <translation>Nur %1 Ecken der Karte sind zu sehen, und es braucht %2; fotografieren Sie sie ganz und ohne Spiegelung</translation>
+    </message>
+    <message>
+        <source>The photo does not say how long the camera&apos;s lens was, which is needed where the card lies above the film; give its focal length as of a 35 mm camera</source>
+        <translation>Das Foto nennt die Brennweite der Kamera nicht, die nötig ist, wo die Karte über dem Film liegt; geben Sie sie bezogen auf Kleinbild (35 mm) an</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::FilmWatchController</name>
+    <message>
+        <source>Reading photos</source>
+        <translation>Fotos werden gelesen</translation>
+    </message>
+    <message>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>The project names photos outside itself:</source>
+        <translation>Das Projekt nennt Fotos außerhalb seiner selbst:</translation>
+    </message>
+    <message>
+        <source>Measuring the film</source>
+        <translation>Film wird gemessen</translation>
+    </message>
+    <message>
+        <source>Film on the Water</source>
+        <translation>Film auf dem Wasser</translation>
+    </message>
+    <message>
+        <source>The photo %1 is another one than was added.</source>
+        <translation>Das Foto %1 ist ein anderes als das hinzugefügte.</translation>
+    </message>
+    <message>
+        <source>Export Film Watch to a Folder</source>
+        <translation>Filmbeobachtung in einen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Export Film Watch</source>
+        <translation>Filmbeobachtung exportieren</translation>
+    </message>
+    <message>
+        <source>Wrote the film watch to %1</source>
+        <translation>Filmbeobachtung nach %1 geschrieben</translation>
     </message>
 </context>
 <context>
@@ -4246,34 +4396,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>Wrote the residuals to %1</source>
         <translation>Abweichungen nach %1 geschrieben</translation>
-    </message>
-    <message>
-        <source>Measuring the film</source>
-        <translation>Film wird gemessen</translation>
-    </message>
-    <message>
-        <source>Save to Profile</source>
-        <translation>Im Profil speichern</translation>
-    </message>
-    <message>
-        <source>Name of the film profile, an old or a new one</source>
-        <translation>Name des Filmprofils, ein vorhandener oder neuer</translation>
-    </message>
-    <message>
-        <source>The film profile %1 has what was measured</source>
-        <translation>Das Filmprofil %1 hat die Messung übernommen</translation>
-    </message>
-    <message>
-        <source>Export Film Watch to a Folder</source>
-        <translation>Filmbeobachtung in einen Ordner exportieren</translation>
-    </message>
-    <message>
-        <source>Export Film Watch</source>
-        <translation>Filmbeobachtung exportieren</translation>
-    </message>
-    <message>
-        <source>Wrote the film watch to %1</source>
-        <translation>Filmbeobachtung nach %1 geschrieben</translation>
     </message>
 </context>
 <context>

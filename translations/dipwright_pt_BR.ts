@@ -465,6 +465,25 @@
         <source>Remove Pair of Places</source>
         <translation>Remover par de pontos</translation>
     </message>
+    <message>
+        <source>Change Film on the Water</source>
+        <translation>Alterar filme na água</translation>
+    </message>
+</context>
+<context>
+    <name>InspectionProfile</name>
+    <message>
+        <source>Save to Profile</source>
+        <translation>Salvar no perfil</translation>
+    </message>
+    <message>
+        <source>Name of the film profile, an old or a new one</source>
+        <translation>Nome do perfil de filme, existente ou novo</translation>
+    </message>
+    <message>
+        <source>The film profile %1 has what was measured</source>
+        <translation>O perfil de filme %1 recebeu a medição</translation>
+    </message>
 </context>
 <context>
     <name>MarkEdits</name>
@@ -3710,6 +3729,94 @@
         <source>when the dip begins</source>
         <translation>no início do mergulho</translation>
     </message>
+    <message>
+        <source>Photo of the film</source>
+        <translation>Foto do filme</translation>
+    </message>
+    <message>
+        <source>The corners that were found in the photo are shown here.</source>
+        <translation>Os cantos encontrados na foto são mostrados aqui.</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Cantos</translation>
+    </message>
+    <message>
+        <source>Unevenness</source>
+        <translation>Irregularidade</translation>
+    </message>
+    <message>
+        <source>Seconds since the film was laid on the water; the swell is told of then</source>
+        <translation>Segundos desde que o filme foi posto na água; o inchaço vale para esse momento</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Na largura</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Na altura</translation>
+    </message>
+    <message>
+        <source>How exactly each ruler was read; the swell&apos;s interval holds it</source>
+        <translation>Com que exatidão cada régua foi lida; o intervalo do inchaço inclui isso</translation>
+    </message>
+    <message>
+        <source>as the photos say</source>
+        <translation>como dizem as fotos</translation>
+    </message>
+    <message>
+        <source>Of a camera of 35 mm; only needed where the card lies above the film</source>
+        <translation>Como em uma câmera de 35 mm; só é necessária quando o cartão fica acima do filme</translation>
+    </message>
+    <message>
+        <source>k1 from photos</source>
+        <translation>k1 das fotos</translation>
+    </message>
+    <message>
+        <source>k2 from photos</source>
+        <translation>k2 das fotos</translation>
+    </message>
+    <message>
+        <source>Card&apos;s rulers</source>
+        <translation>Réguas do cartão</translation>
+    </message>
+    <message>
+        <source>Dry film&apos;s rulers</source>
+        <translation>Réguas do filme seco</translation>
+    </message>
+    <message>
+        <source>Read to ±</source>
+        <translation>Lidas a ±</translation>
+    </message>
+    <message>
+        <source>Card above the film</source>
+        <translation>Cartão acima do filme</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>Distância focal</translation>
+    </message>
+    <message>
+        <source>Distortion</source>
+        <translation>Distorção</translation>
+    </message>
+    <message>
+        <source>Rulers and Camera</source>
+        <translation>Réguas e câmera</translation>
+    </message>
+    <message>
+        <source>What the printed rulers measure, how high the card lies, and what is known of the camera</source>
+        <translation>O que as réguas impressas medem, a que altura fica o cartão e o que se sabe da câmera</translation>
+    </message>
+    <message>
+        <source>%1: %2 corners of the film, %3 of the card, %4 px off</source>
+        <translation>%1: %2 cantos do filme, %3 do cartão, desvio de %4 px</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::FilmReader</name>
@@ -3807,6 +3914,49 @@
     <message>
         <source>Only %1 corners of the card are seen and it takes %2; photograph all of it, without glare</source>
         <translation>Só se veem %1 cantos do cartão e são precisos %2; fotografe-o inteiro, sem reflexos</translation>
+    </message>
+    <message>
+        <source>The photo does not say how long the camera&apos;s lens was, which is needed where the card lies above the film; give its focal length as of a 35 mm camera</source>
+        <translation>A foto não diz a distância focal da câmera, necessária quando o cartão fica acima do filme; informe-a como em uma câmera de 35 mm</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::FilmWatchController</name>
+    <message>
+        <source>Reading photos</source>
+        <translation>Lendo fotos</translation>
+    </message>
+    <message>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>The project names photos outside itself:</source>
+        <translation>O projeto indica fotos fora dele:</translation>
+    </message>
+    <message>
+        <source>Measuring the film</source>
+        <translation>Medindo o filme</translation>
+    </message>
+    <message>
+        <source>Film on the Water</source>
+        <translation>Filme na água</translation>
+    </message>
+    <message>
+        <source>The photo %1 is another one than was added.</source>
+        <translation>A foto %1 é outra que não a adicionada.</translation>
+    </message>
+    <message>
+        <source>Export Film Watch to a Folder</source>
+        <translation>Exportar observação do filme para uma pasta</translation>
+    </message>
+    <message>
+        <source>Export Film Watch</source>
+        <translation>Exportar observação do filme</translation>
+    </message>
+    <message>
+        <source>Wrote the film watch to %1</source>
+        <translation>Observação do filme gravada em %1</translation>
     </message>
 </context>
 <context>
@@ -4246,34 +4396,6 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>Wrote the residuals to %1</source>
         <translation>Desvios gravados em %1</translation>
-    </message>
-    <message>
-        <source>Measuring the film</source>
-        <translation>Medindo o filme</translation>
-    </message>
-    <message>
-        <source>Save to Profile</source>
-        <translation>Salvar no perfil</translation>
-    </message>
-    <message>
-        <source>Name of the film profile, an old or a new one</source>
-        <translation>Nome do perfil de filme, existente ou novo</translation>
-    </message>
-    <message>
-        <source>The film profile %1 has what was measured</source>
-        <translation>O perfil de filme %1 recebeu a medição</translation>
-    </message>
-    <message>
-        <source>Export Film Watch to a Folder</source>
-        <translation>Exportar observação do filme para uma pasta</translation>
-    </message>
-    <message>
-        <source>Export Film Watch</source>
-        <translation>Exportar observação do filme</translation>
-    </message>
-    <message>
-        <source>Wrote the film watch to %1</source>
-        <translation>Observação do filme gravada em %1</translation>
     </message>
 </context>
 <context>

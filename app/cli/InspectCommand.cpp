@@ -27,11 +27,9 @@ const QString waterOption = QStringLiteral("water-temperature");
 const QString cardRulersOption = QStringLiteral("card-rulers");
 const QString filmRulersOption = QStringLiteral("film-rulers");
 const QString cardAboveOption = QStringLiteral("card-above");
+const QString rulerErrorOption = QStringLiteral("ruler-error");
 const QString focalOption = QStringLiteral("focal-35mm");
 const QString lensOption = QStringLiteral("lens");
-
-constexpr double nominalRuler = 100; // mm, on both pages
-constexpr double longestWatch = 1e6; // s
 
 // Two numbers within limits, joined by x.
 std::array<double, 2> pairOption(const QCommandLineParser& parser, const QString& option,
@@ -55,14 +53,6 @@ std::array<double, 2> pairOption(const QCommandLineParser& parser, const QString
     return numbers;
 }
 
-std::array<double, 2> rulerScale(const QCommandLineParser& parser, const QString& option) {
-    if (!parser.isSet(option)) {
-        return {1, 1};
-    }
-    const auto measured = pairOption(parser, option, 0.9 * nominalRuler, 1.1 * nominalRuler);
-    return {measured[0] / nominalRuler, measured[1] / nominalRuler};
-}
-
 std::optional<Lens> lensOf(const QCommandLineParser& parser) {
     if (!parser.isSet(lensOption)) {
         return std::nullopt;
@@ -71,33 +61,34 @@ std::optional<Lens> lensOf(const QCommandLineParser& parser) {
     return Lens{k1, k2};
 }
 
-FlatSettings flatSettings(const QCommandLineParser& parser) {
-    FlatSettings settings;
-    settings.cardScale = rulerScale(parser, cardRulersOption);
-    settings.filmScale = rulerScale(parser, filmRulersOption);
-    settings.lens = lensOf(parser);
-    if (parser.isSet(cardAboveOption)) {
-        settings.cardAbove = numberOption(parser, cardAboveOption, -200, 200);
+std::array<Millimetres, 2> rulersOf(const QCommandLineParser& parser, const QString& option) {
+    if (!parser.isSet(option)) {
+        return FilmOnWater().cardRulers;
     }
-    if (parser.isSet(focalOption)) {
-        settings.focalLength =
-            numberOption(parser, focalOption, 5, 2000) / (std::hypot(36.0, 24.0) / 2);
-    }
-    return settings;
+    const auto measured = pairOption(parser, option, leastRuler, mostRuler);
+    return {Millimetres(measured[0]), Millimetres(measured[1])};
 }
 
-// The settings for one photo, which may say itself how long its lens was.
-FlatSettings settingsFor(const Photo& photo, FlatSettings settings) {
-    if (!settings.focalLength) {
-        settings.focalLength = photo.focalLength;
+// What is told besides the photos and their times.
+FilmOnWater filmOnWater(const QCommandLineParser& parser) {
+    FilmOnWater told;
+    told.cardRulers = rulersOf(parser, cardRulersOption);
+    told.filmRulers = rulersOf(parser, filmRulersOption);
+    if (parser.isSet(rulerErrorOption)) {
+        told.rulerError = Millimetres(numberOption(parser, rulerErrorOption, 0, mostRulerError));
     }
-    if (settings.cardAbove != 0 && !settings.focalLength) {
-        throw Error(QStringLiteral("The photo does not say how long the camera's lens was, which "
-                                   "is needed where the card lies above the water; give it with "
-                                   "--focal-35mm"),
-                    photo.where);
+    if (const auto lens = lensOf(parser)) {
+        told.lensK1 = lens->k1;
+        told.lensK2 = lens->k2;
     }
-    return settings;
+    if (parser.isSet(cardAboveOption)) {
+        told.cardAbove =
+            Millimetres(numberOption(parser, cardAboveOption, -mostCardAbove, mostCardAbove));
+    }
+    if (parser.isSet(focalOption)) {
+        told.focalAs35 = Millimetres(numberOption(parser, focalOption, leastFocal, mostFocal));
+    }
+    return told;
 }
 
 // Seconds since the film was laid, of each photo.
@@ -242,6 +233,10 @@ public:
                           QStringLiteral("XxY")});
         syntax.addOption({filmRulersOption, QStringLiteral("What the dry film's rulers measure."),
                           QStringLiteral("XxY")});
+        syntax.addOption({rulerErrorOption,
+                          QStringLiteral("How exactly each ruler was read, mm at 95 %; the swell's "
+                                         "interval then holds it."),
+                          QStringLiteral("MM")});
         syntax.addOption({cardAboveOption,
                           QStringLiteral("How far the card's print lies above the film, mm."),
                           QStringLiteral("MM")});
@@ -285,7 +280,7 @@ public:
 private:
     static void inspectFilm(const QStringList& files, const QCommandLineParser& parser,
                             Console& console) {
-        const FlatSettings settings = flatSettings(parser);
+        const FilmOnWater told = filmOnWater(parser);
         const Clock clock(parser, files.size());
         Target target = targetOf(parser);
         const double begin =
@@ -303,11 +298,12 @@ private:
             taken = i == 0 ? photo.taken : taken;
             photos.push_back(
                 {files[i], photo.sha256, seconds, photo.picture.size(),
-                 measureFlatFilm(photo.picture, settingsFor(photo, settings), files[i])});
+                 measureFlatFilm(photo.picture, flatSettings(told, photo.focalLength, files[i]),
+                                 files[i])});
         }
         progress(1, QStringLiteral("Done"));
-        finish(watchedFilm(std::move(photos), begin), notesOf(parser, taken), std::move(target),
-               parser.value(outOption), console);
+        finish(watchedFilm(std::move(photos), begin, told.rulerError.value()),
+               notesOf(parser, taken), std::move(target), parser.value(outOption), console);
     }
 
     static void inspectFit(const QStringList& files, const QCommandLineParser& parser,
@@ -349,7 +345,7 @@ private:
                                             "%4 px off\n")
                                  .arg(photo.where)
                                  .arg(film.corners.size())
-                                 .arg(film.cardCorners)
+                                 .arg(film.cardCorners.size())
                                  .arg(film.residualPixels, 0, 'f', 3);
         }
         for (const QString& sentence : watchSentences(watch)) {

@@ -74,7 +74,38 @@ double meanResidual(const FilmWatch& watch) {
     return std::sqrt(sum / std::max(count, 1.0));
 }
 
+// With what a card and a film add whose rulers were read so exactly.
+Measured withRulers(const Measured& swell, double rulerError) {
+    const double share = std::sqrt(2.0) * rulerError / watchRuler;
+    return {swell.value, std::hypot(swell.off, share * swell.value)};
+}
+
 } // namespace
+
+FlatSettings flatSettings(const FilmOnWater& told, const std::optional<double>& focalLength,
+                          const QString& where) {
+    const auto scaleOf = [](const std::array<Millimetres, 2>& rulers) {
+        return std::array{rulers[0].value() / watchRuler, rulers[1].value() / watchRuler};
+    };
+    FlatSettings settings;
+    settings.cardScale = scaleOf(told.cardRulers);
+    settings.filmScale = scaleOf(told.filmRulers);
+    settings.cardAbove = told.cardAbove.value();
+    if (told.lensK1 || told.lensK2) {
+        settings.lens = Lens{told.lensK1.value_or(0), told.lensK2.value_or(0)};
+    }
+    settings.focalLength = focalLength;
+    if (told.focalAs35) {
+        settings.focalLength = told.focalAs35->value() / (std::hypot(36.0, 24.0) / 2);
+    }
+    if (settings.cardAbove != 0 && !settings.focalLength) {
+        throw Error(Text::tr("The photo does not say how long the camera's lens was, which is "
+                             "needed where the card lies above the film; give its focal length as "
+                             "of a 35 mm camera"),
+                    where);
+    }
+    return settings;
+}
 
 FlatFilm measureFlatFilm(const QImage& photo, const FlatSettings& settings, const QString& where) {
     const std::vector<SeenBoard> boards = findBoards(photo);
@@ -98,8 +129,8 @@ FlatFilm measureFlatFilm(const QImage& photo, const FlatSettings& settings, cons
     return fitFlatFilm(*film, *card, photo.size(), settings, where);
 }
 
-FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin) {
-    FilmWatch watch{std::move(photos), {}, begin};
+FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin, double rulerError) {
+    FilmWatch watch{std::move(photos), {}, begin, rulerError};
     const auto secondsOf = [begin](const WatchedPhoto& photo) {
         return photo.seconds.value_or(begin);
     };
@@ -111,6 +142,8 @@ FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin) {
         moments.push_back({secondsOf(photo), photo.film.swellX, photo.film.swellY});
     }
     watch.growth = fitGrowth(moments, begin);
+    watch.growth.swellX = withRulers(watch.growth.swellX, rulerError);
+    watch.growth.swellY = withRulers(watch.growth.swellY, rulerError);
     return watch;
 }
 

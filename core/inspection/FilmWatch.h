@@ -3,6 +3,7 @@
 #pragma once
 
 #include "inspection/GrowthFit.h"
+#include "project/FilmOnWater.h"
 #include "project/Profiles.h"
 
 #include <QImage>
@@ -11,6 +12,12 @@
 #include <vector>
 
 namespace dipwright {
+
+// What is told of the tank and the camera, for a photo that says itself how long the camera's lens
+// was, in half diagonals, or does not. Throws Error, naming `where`, where that is needed and
+// nobody says.
+FlatSettings flatSettings(const FilmOnWater& told, const std::optional<double>& focalLength,
+                          const QString& where);
 
 // Finds the film's chessboard and the card in a photo and measures. Throws Error, naming `where`,
 // where one of them is missing, mirrored or seen in too small a part.
@@ -26,12 +33,14 @@ struct WatchedPhoto {
 struct FilmWatch {
     std::vector<WatchedPhoto> photos; // by their seconds
     GrowthFit growth;
-    double begin = 0; // seconds at which the dip begins
+    double begin = 0;      // seconds at which the dip begins
+    double rulerError = 0; // mm, 95 %, of each of the rulers
 };
 
 // What follows from the photos together; at least one. Those without a time are taken to have been
-// made when the dip begins.
-FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin);
+// made when the dip begins. The swell's interval holds how exactly the rulers were read; growth is
+// told by photos of one scale and has nothing of it.
+FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin, double rulerError = 0);
 
 // What was known besides when the photos were made.
 struct WatchNotes {

@@ -40,7 +40,7 @@ QJsonObject toJson(const WatchedPhoto& photo) {
             {"seconds", photo.seconds ? QJsonValue(*photo.seconds) : QJsonValue()},
             {"size_px", QJsonArray{photo.size.width(), photo.size.height()}},
             {"film_corners", qint64(film.corners.size())},
-            {"card_corners", film.cardCorners},
+            {"card_corners", qint64(film.cardCorners.size())},
             {"swell", pair(film.swellX.value, film.swellY.value)},
             {"swell_off", pair(film.swellX.off, film.swellY.off)},
             {"shear_deg", film.shearDegrees},
@@ -75,6 +75,7 @@ QJsonObject toJson(const FilmWatch& watch, const WatchNotes& notes) {
             {"water_temperature_c",
              notes.waterTemperature ? QJsonValue(*notes.waterTemperature) : QJsonValue()},
             {"dip_begins_s", watch.begin},
+            {"ruler_error_mm", watch.rulerError},
             {"swell", pair(growth.swellX.value, growth.swellY.value)},
             {"swell_off", pair(growth.swellX.off, growth.swellY.off)},
             {"growth", wordOf(growth.known)},
@@ -220,6 +221,28 @@ private:
 
 QStringList filmWatchFiles() {
     return {jsonName, tableName, mapName};
+}
+
+QImage boardsPicture(const QImage& photo, const FlatFilm& film, int longest) {
+    const QSize size = photo.size().scaled(longest, longest, Qt::KeepAspectRatio);
+    const bool shrinks = size.width() < photo.width();
+    QImage picture =
+        (shrinks ? photo.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation) : photo)
+            .convertToFormat(QImage::Format_RGB32);
+    const double scale = double(picture.width()) / photo.width();
+    const double reach = longest / 250.0;
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(0x12, 0x8c, 0xe8), reach / 3));
+    for (const FilmCorner& corner : film.corners) {
+        painter.drawEllipse(QPointF(corner.seen.x(), corner.seen.y()) * scale, reach, reach);
+    }
+    painter.setPen(QPen(QColor(0xe0, 0x50, 0x20), reach / 3));
+    for (const Eigen::Vector2d& corner : film.cardCorners) {
+        painter.drawRect(
+            QRectF(corner.x() * scale - reach, corner.y() * scale - reach, 2 * reach, 2 * reach));
+    }
+    return picture;
 }
 
 QImage unevennessMap(const WatchedPhoto& photo, int height) {

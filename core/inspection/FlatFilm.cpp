@@ -235,7 +235,9 @@ FlatFilm fitFlatFilm(const SeenBoard& film, const SeenBoard& card, QSize picture
     result.swellX = swellOf(fit, 8, sigma);
     result.swellY = swellOf(fit, 10, sigma);
     result.lens = problem.lensOf(fit.parameters);
-    result.cardCorners = int(card.corners.size());
+    for (const SeenCorner& corner : card.corners) {
+        result.cardCorners.push_back(corner.place);
+    }
     result.residualPixels =
         problem.pixels() * std::sqrt(2 * fit.residuals.squaredNorm() / problem.count());
     const Eigen::Vector2d x = fit.parameters.segment<2>(8), y = fit.parameters.segment<2>(10);
@@ -245,8 +247,9 @@ FlatFilm fitFlatFilm(const SeenBoard& film, const SeenBoard& card, QSize picture
         const Eigen::Vector2d& printed = problem.printed()[i];
         const Eigen::Vector2d lies = problem.seenOnWater(fit.parameters, i);
         const Eigen::Vector2d off = lies - FlatFit::onWater(fit.parameters, printed);
-        result.corners.push_back({film.corners[i].column, film.corners[i].row, printed * mm,
-                                  lies * mm, off * mm, std::nullopt});
+        const SeenCorner& corner = film.corners[i];
+        result.corners.push_back({corner.column, corner.row, corner.place, printed * mm, lies * mm,
+                                  off * mm, std::nullopt});
         uneven.push_back(off.norm() * mm);
     }
     fillSwell(result.corners);

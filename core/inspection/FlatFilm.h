@@ -31,6 +31,7 @@ struct Measured {
 
 struct FilmCorner {
     int column = 0, row = 0;     // of the board
+    Eigen::Vector2d seen;        // pixels of the photo
     Eigen::Vector2d printed;     // mm on the sheet, from the board's upper left corner
     Eigen::Vector2d lies;        // mm on the water, in the card's frame
     Eigen::Vector2d off;         // `lies` less where an evenly swollen film would have it, mm
@@ -41,7 +42,7 @@ struct FlatFilm {
     Measured swellX, swellY; // wetted over printed length, along the board's rows and its columns
     double shearDegrees = 0; // how far the board's right angle is off
     std::vector<FilmCorner> corners;
-    int cardCorners = 0;
+    std::vector<Eigen::Vector2d> cardCorners; // pixels of the photo
     double residualPixels = 0;    // rms distance of the corners from where the fit has them
     double unevenMillimetres = 0; // 95th percentile of `off`
     Lens lens;

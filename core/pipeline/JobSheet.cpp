@@ -73,7 +73,7 @@ QString jobHash(const Project& project, const Immersion& immersion, const QImage
     Project anonymous = project;
     anonymous.process.solver = ProcessSettings().solver;
     QJsonObject settings = withoutLater(toJson(anonymous));
-    for (const char* key : {"model", "immersions", "name", "cradle", "tolerance"}) {
+    for (const char* key : {"model", "immersions", "name", "cradle", "tolerance", "inspection"}) {
         settings.remove(QLatin1String(key));
     }
     if (!project.asBuilt.corrects) {

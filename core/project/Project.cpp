@@ -24,6 +24,7 @@ constexpr const char* builtPartsPath = "as_built.parts";
 constexpr const char* builtPlacesPath = "as_built.places";
 constexpr const char* photosPath = "inspection.photos";
 constexpr const char* pairsPath = "inspection.pairs";
+constexpr const char* floatingPath = "inspection.film.photos";
 
 // A list of things that have fields of their own. `path`: the list's.
 template <typename Item>
@@ -127,8 +128,8 @@ QJsonObject unknownPart(const QJsonObject& json) {
     for (const char* path : {"profiles.printer", "profiles.film", "profiles.tank"}) {
         removeAt(unknown, QLatin1String(path));
     }
-    for (const char* path :
-         {shareMarksPath, zoneMarksPath, builtPartsPath, builtPlacesPath, photosPath, pairsPath}) {
+    for (const char* path : {shareMarksPath, zoneMarksPath, builtPartsPath, builtPlacesPath,
+                             photosPath, pairsPath, floatingPath}) {
         removeAt(unknown, QString::fromLatin1(path));
     }
     QJsonArray immersions;
@@ -281,6 +282,8 @@ QJsonObject toJson(const Project& project) {
              writeList(project.inspection.photos, inspectedPhotoFields(), {}));
     insertAt(json, QString::fromLatin1(pairsPath),
              writeList(project.inspection.pairs, clickedPairFields(), {}));
+    insertAt(json, QString::fromLatin1(floatingPath),
+             writeList(project.filmOnWater.photos, floatingPhotoFields(), {}));
     writeProfiles(project.profiles, json);
     return json;
 }
@@ -303,6 +306,8 @@ Project fromJson(const QJsonObject& json, const QString& where) {
         readEntries(current, inspectedPhotoFields(), photosPath, mostInspectedPhotos, where);
     project.inspection.pairs =
         readEntries(current, clickedPairFields(), pairsPath, mostClickedPairs, where);
+    project.filmOnWater.photos =
+        readEntries(current, floatingPhotoFields(), floatingPath, mostFloatingPhotos, where);
     for (const ClickedPair& pair : project.inspection.pairs) {
         if (std::size_t(pair.photo) >= project.inspection.photos.size()) {
             throw Error(Text::tr("inspection.pairs names a photo that inspection.photos has not"),

@@ -6,6 +6,7 @@
 #include "cradle/CradleSettings.h"
 #include "dip/Dip.h"
 #include "model/TexturedMesh.h"
+#include "project/FilmOnWater.h"
 #include "project/InspectedPart.h"
 #include "project/Profiles.h"
 #include "share/ShareSettings.h"
@@ -47,6 +48,7 @@ struct Project {
     ToleranceSettings tolerance;
     AsBuilt asBuilt;
     InspectedPart inspection;
+    FilmOnWater filmOnWater;
     ProjectProfiles profiles; // that it was made with, by content
     QJsonObject unknown;      // keys this version does not know; they survive a save
     std::map<QString, QByteArray> unknownEntries; // and so do the file's other entries, by name

@@ -279,6 +279,36 @@ void addInspectionFields(std::vector<Field<Project>>& fields) {
         "inspection.keep_camera", [](auto& p) -> auto& { return p.inspection.keepsCamera; }));
 }
 
+void addFilmOnWaterFields(std::vector<Field<Project>>& fields) {
+    fields.push_back(numberOrNone(
+        "inspection.film.dip_begins_s", 0, longestWatch,
+        [](auto& p) -> auto& { return p.filmOnWater.dipBegins; }));
+    fields.push_back(text(
+        "inspection.film.lot", 100, [](auto& p) -> auto& { return p.filmOnWater.lot; }));
+    fields.push_back(numberOrNone(
+        "inspection.film.water_temperature_c", 0, 100,
+        [](auto& p) -> auto& { return p.filmOnWater.waterTemperature; }));
+    fields.push_back(numbers(
+        "inspection.film.card_rulers_mm", 2, leastRuler, mostRuler,
+        [](auto& p, int part) -> auto& { return p.filmOnWater.cardRulers[part]; }));
+    fields.push_back(numbers(
+        "inspection.film.film_rulers_mm", 2, leastRuler, mostRuler,
+        [](auto& p, int part) -> auto& { return p.filmOnWater.filmRulers[part]; }));
+    fields.push_back(number(
+        "inspection.film.ruler_error_mm", 0, mostRulerError,
+        [](auto& p) -> auto& { return p.filmOnWater.rulerError; }));
+    fields.push_back(number(
+        "inspection.film.card_above_mm", -mostCardAbove, mostCardAbove,
+        [](auto& p) -> auto& { return p.filmOnWater.cardAbove; }));
+    fields.push_back(numberOrNone(
+        "inspection.film.focal_35mm", leastFocal, mostFocal,
+        [](auto& p) -> auto& { return p.filmOnWater.focalAs35; }));
+    fields.push_back(numberOrNone(
+        "inspection.film.lens_k1", -1, 1, [](auto& p) -> auto& { return p.filmOnWater.lensK1; }));
+    fields.push_back(numberOrNone(
+        "inspection.film.lens_k2", -1, 1, [](auto& p) -> auto& { return p.filmOnWater.lensK2; }));
+}
+
 } // namespace
 
 const std::vector<Field<Project>>& projectFields() {
@@ -297,6 +327,7 @@ const std::vector<Field<Project>>& projectFields() {
         addToleranceFields(all);
         addAsBuiltFields(all);
         addInspectionFields(all);
+        addFilmOnWaterFields(all);
         return all;
     }();
     return fields;
@@ -379,6 +410,17 @@ const std::vector<Field<InspectedPhoto>>& inspectedPhotoFields() {
             "file", 4096, [](auto& p) -> auto& { return p.file; }),
         text<InspectedPhoto>(
             "sha256", 64, [](auto& p) -> auto& { return p.sha256; })};
+    return fields;
+}
+
+const std::vector<Field<FloatingPhoto>>& floatingPhotoFields() {
+    static const std::vector<Field<FloatingPhoto>> fields{
+        text<FloatingPhoto>(
+            "file", 4096, [](auto& p) -> auto& { return p.file; }),
+        text<FloatingPhoto>(
+            "sha256", 64, [](auto& p) -> auto& { return p.sha256; }),
+        numberOrNone<FloatingPhoto>(
+            "seconds", 0, longestWatch, [](auto& p) -> auto& { return p.seconds; })};
     return fields;
 }
 

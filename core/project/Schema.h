@@ -21,5 +21,6 @@ const std::vector<Field<BuiltPart>>& builtPartFields();
 const std::vector<Field<BuiltPlace>>& builtPlaceFields();
 const std::vector<Field<InspectedPhoto>>& inspectedPhotoFields();
 const std::vector<Field<ClickedPair>>& clickedPairFields();
+const std::vector<Field<FloatingPhoto>>& floatingPhotoFields();
 
 } // namespace dipwright

@@ -52,6 +52,9 @@ Document::Document(Project project, const QString& path, const FileVersion& vers
         for (const InspectedPhoto& photo : project_.inspection.photos) {
             untrusted_.append(photo.file);
         }
+        for (const FloatingPhoto& photo : project_.filmOnWater.photos) {
+            untrusted_.append(photo.file);
+        }
     }
     connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::fileChanged);
 }

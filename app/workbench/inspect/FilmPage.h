@@ -1,24 +1,30 @@
-// The page of a film on the water: its photos with their times, and what they say.
+// The page of a film on the water: its photos with their times, what was told besides, and what
+// they say.
 #pragma once
 
 #include "inspection/FilmWatch.h"
 
+#include <QImage>
 #include <QWidget>
 
-class QDoubleSpinBox;
+#include <array>
+#include <memory>
+
 class QLabel;
 class QLineEdit;
 class QPushButton;
 class QTableWidget;
+class QTabWidget;
 
 namespace dipwright {
 
+class NumberBox;
 class PicturePanel;
 
-// A photo that is to be measured.
-struct FilmPhoto {
-    QString file;
-    std::optional<double> seconds; // since the film was laid
+// What was measured, with a picture of each photo and the boards found in it.
+struct WatchedFilm {
+    FilmWatch watch;
+    std::vector<QImage> boards; // in the order of the watch's photos
 };
 
 class FilmPage : public QWidget {
@@ -27,17 +33,16 @@ class FilmPage : public QWidget {
 public:
     explicit FilmPage(QWidget* parent = nullptr);
 
-    void addPhotos(const QStringList& files);
-    std::vector<FilmPhoto> photos() const;
-    double begin() const; // of the dip, seconds
-    void setBegin(double seconds);
-    WatchNotes notes() const;
-    // Null: nothing was measured.
-    void setMeasured(std::shared_ptr<const FilmWatch> watch);
-    std::shared_ptr<const FilmWatch> measured() const { return watch_; }
+    // What the project has. `profileBegin`: when the dip begins where it does not say, seconds.
+    void setFilm(const FilmOnWater& film, double profileBegin);
+    // Null: nothing was measured, or something has changed since.
+    void setMeasured(std::shared_ptr<const WatchedFilm> measured);
     void setBusy(bool busy);
 
 signals:
+    void photosChosen(const QStringList& files);
+    // `what` was changed names the field, for changes of one field in a row to be one step.
+    void filmChanged(const FilmOnWater& film, const QString& what);
     void measureAsked();
     void saveAsked();
     void exportAsked();
@@ -47,18 +52,32 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    QWidget* makeButtons();
+    QWidget* makeFields();
+    QWidget* makeRulers();
+    QWidget* makePhotoButtons();
+    QWidget* makeResultButtons();
+    // A field that is emptied by its lowest value, which `none` says in words.
+    NumberBox* box(const char* name, double minimum, double maximum, double step,
+                   const QString& suffix, const QString& none = {});
+    void change(const QString& what);
     void removeChosen();
+    void showPhotos();
+    void showPicture();
     void enable();
 
+    FilmOnWater film_;
+    double profileBegin_ = 0;
     bool busy_ = false;
-    std::shared_ptr<const FilmWatch> watch_;
+    bool shows_ = false; // fields are being set, not edited
+    std::shared_ptr<const WatchedFilm> measured_;
     QTableWidget* table_;
-    QDoubleSpinBox *begin_, *water_;
+    NumberBox *begin_, *water_, *rulerError_, *cardAbove_, *focal_, *k1_, *k2_;
+    std::array<NumberBox*, 2> cardRulers_, filmRulers_;
     QLineEdit* lot_;
     QPushButton *remove_, *measure_, *save_, *export_;
-    QLabel* words_;
-    PicturePanel* map_;
+    QLabel *words_, *photoWords_;
+    QTabWidget* pictures_;
+    PicturePanel *boards_, *map_;
 };
 
 } // namespace dipwright

@@ -3,9 +3,7 @@
 #include "base/Error.h"
 #include "import/ReadPhotos.h"
 #include "inspect/InspectionEdits.h"
-#include "inspection/FilmWatchFiles.h"
 #include "pipeline/Pipeline.h"
-#include "project/ProfileLibrary.h"
 #include "session/StartJob.h"
 #include "session/WriteFiles.h"
 #include "viewport/DipView.h"
@@ -13,7 +11,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QInputDialog>
 
 #include <algorithm>
 
@@ -101,22 +98,16 @@ InspectionController::InspectionController(DipView& view, const DipScene& scene,
                                            QWidget& window)
     : view_(view), scene_(scene), session_(session), jobs_(jobs), registry_(registry),
       messages_(messages), window_(window), pages_(new QTabWidget), part_(new PartPage),
-      film_(new FilmPage) {
+      film_(new FilmWatchController(session, jobs, messages, window)) {
+    film_->setParent(this);
     pages_->setObjectName(QStringLiteral("inspection"));
     pages_->setDocumentMode(true);
     pages_->addTab(part_, tr("Dipped Part"));
-    pages_->addTab(film_, tr("Film on the Water"));
-    connect(&jobs, &JobRunner::busy, this, [this] {
-        part_->setBusy(true);
-        film_->setBusy(true);
-    });
-    connect(&jobs, &JobRunner::idle, this, [this] {
-        part_->setBusy(false);
-        film_->setBusy(false);
-    });
+    pages_->addTab(film_->page(), tr("Film on the Water"));
+    connect(&jobs, &JobRunner::busy, this, [this] { part_->setBusy(true); });
+    connect(&jobs, &JobRunner::idle, this, [this] { part_->setBusy(false); });
     connect(&view, &DipView::clicked, this, &InspectionController::click);
     connectPart();
-    connectFilm();
 }
 
 void InspectionController::connectPart() {
@@ -151,21 +142,14 @@ void InspectionController::connectPart() {
     connect(part_, &PartPage::exportAsked, this, &InspectionController::exportPart);
 }
 
-void InspectionController::connectFilm() {
-    connect(film_, &FilmPage::measureAsked, this, &InspectionController::measureFilm);
-    connect(film_, &FilmPage::saveAsked, this, &InspectionController::saveFilm);
-    connect(film_, &FilmPage::exportAsked, this, &InspectionController::exportFilm);
-}
-
 void InspectionController::showDocument() {
     photos_.clear();
     measured_ = nullptr;
     if (const Document* document = session_.document()) {
         connect(document, &Document::projectChanged, this, &InspectionController::showProject);
-        const FilmProfile film = document->project().profiles.film.value_or(FilmProfile{});
-        film_->setBegin(film.soakTime.value() + film.activatorTime.value());
     }
     showProject();
+    film_->showDocument();
 }
 
 void InspectionController::showProject() {
@@ -288,68 +272,6 @@ void InspectionController::exportPart() {
                        writePartView(measured->photos, measured->pairs, measured->view,
                                      measured->places, target);
                    });
-    }
-}
-
-void InspectionController::measureFilm() {
-    startJob(
-        jobs_, messages_, tr("Measuring the film"), tr("Film on the Water"),
-        [photos = film_->photos(), begin = film_->begin()](const Progress& progress) {
-            std::vector<WatchedPhoto> watched;
-            for (std::size_t i = 0; i < photos.size(); ++i) {
-                progress(double(i) / double(photos.size()), photos[i].file);
-                const Photo photo = readPhotoFile(photos[i].file, progress);
-                watched.push_back({photos[i].file, photo.sha256, photos[i].seconds,
-                                   photo.picture.size(),
-                                   measureFlatFilm(photo.picture, {}, photos[i].file)});
-            }
-            return std::make_shared<const FilmWatch>(watchedFilm(std::move(watched), begin));
-        },
-        [this](const std::shared_ptr<const FilmWatch>& watch) { film_->setMeasured(watch); });
-}
-
-void InspectionController::saveFilm() {
-    auto* dialog = new QInputDialog(&window_);
-    dialog->setObjectName(QStringLiteral("filmProfileName"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(tr("Save to Profile"));
-    dialog->setLabelText(tr("Name of the film profile, an old or a new one"));
-    QStringList names;
-    for (const ProfileEntry& entry : ProfileLibrary().profiles(ProfileKind::Film)) {
-        names << entry.name;
-    }
-    dialog->setComboBoxItems(names);
-    dialog->setComboBoxEditable(true);
-    connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& chosen) {
-        const QString name = chosen.trimmed();
-        if (name.isEmpty()) {
-            return;
-        }
-        try {
-            const auto known = ProfileLibrary().found(ProfileKind::Film, name);
-            FilmProfile profile;
-            if (known) {
-                profile = std::get<FilmProfile>(*known);
-            }
-            profile.name = name;
-            ProfileLibrary().save(withMeasurement(profile, *film_->measured(), film_->notes()),
-                                  known);
-            messages_.logAndSay(tr("The film profile %1 has what was measured").arg(name));
-        } catch (const Error&) {
-            messages_.fail(tr("Save to Profile"), std::current_exception());
-        }
-    });
-    dialog->open();
-}
-
-void InspectionController::exportFilm() {
-    const QString folder =
-        QFileDialog::getExistingDirectory(&window_, tr("Export Film Watch to a Folder"));
-    if (!folder.isEmpty()) {
-        writeFiles(
-            jobs_, messages_, tr("Export Film Watch"), tr("Wrote the film watch to %1"), folder,
-            [watch = film_->measured(), notes = film_->notes()](
-                const QString& target, const Progress&) { writeFilmWatch(*watch, notes, target); });
     }
 }
 

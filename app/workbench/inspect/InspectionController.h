@@ -1,7 +1,7 @@
 // Films and dipped parts measured by photos: what the page asks for, done by jobs, and told to it.
 #pragma once
 
-#include "inspect/FilmPage.h"
+#include "inspect/FilmWatchController.h"
 #include "inspect/PartPage.h"
 #include "session/DipSession.h"
 #include "session/Messages.h"
@@ -28,7 +28,6 @@ public:
 
 private:
     void connectPart();
-    void connectFilm();
     void showProject();
     void readPhotos(const QStringList& files);
     void lookAt(int photo);
@@ -36,9 +35,6 @@ private:
     void click(const ViewRay& ray);
     void measurePart(bool findsCorners);
     void exportPart();
-    void measureFilm();
-    void saveFilm();
-    void exportFilm();
 
     DipView& view_;
     const DipScene& scene_;
@@ -49,7 +45,7 @@ private:
     QWidget& window_;
     QTabWidget* pages_;
     PartPage* part_;
-    FilmPage* film_;
+    FilmWatchController* film_;
     std::map<QString, PartPhoto> photos_; // read, by their file
     std::shared_ptr<const InspectedView> measured_;
     Project measuredProject_; // as it was then

@@ -12,19 +12,23 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(InspectionEdits)
 };
 
+// Those of another file than the ones that are there.
+template <typename P>
+void addNew(std::vector<P>& photos, const std::vector<P>& added, std::size_t most) {
+    for (const P& one : added) {
+        const bool isThere = std::any_of(photos.begin(), photos.end(),
+                                         [&](const P& photo) { return photo.file == one.file; });
+        if (!isThere && photos.size() < most) {
+            photos.push_back(one);
+        }
+    }
+}
+
 } // namespace
 
 void addInspectedPhotos(Document& document, const std::vector<InspectedPhoto>& added) {
     document.edit(Text::tr("Add Photos"), {}, [&](Project& project) {
-        std::vector<InspectedPhoto>& photos = project.inspection.photos;
-        for (const InspectedPhoto& one : added) {
-            const bool isThere =
-                std::any_of(photos.begin(), photos.end(),
-                            [&](const InspectedPhoto& photo) { return photo.file == one.file; });
-            if (!isThere && photos.size() < mostInspectedPhotos) {
-                photos.push_back(one);
-            }
-        }
+        addNew(project.inspection.photos, added, mostInspectedPhotos);
     });
 }
 
@@ -67,6 +71,18 @@ void removeClickedPair(Document& document, std::size_t pair) {
             pairs.erase(pairs.begin() + std::ptrdiff_t(pair));
         }
     });
+}
+
+void addFloatingPhotos(Document& document, const std::vector<FloatingPhoto>& added) {
+    document.edit(Text::tr("Add Photos"), {}, [&](Project& project) {
+        addNew(project.filmOnWater.photos, added, mostFloatingPhotos);
+    });
+}
+
+void changeFilmOnWater(Document& document, const FilmOnWater& film, const QString& what) {
+    document.edit(Text::tr("Change Film on the Water"),
+                  what.isEmpty() ? QString() : QStringLiteral("inspection.film.") + what,
+                  [&](Project& project) { project.filmOnWater = film; });
 }
 
 } // namespace dipwright

@@ -1,5 +1,5 @@
-// What the user does with the photos of a dipped part and the places in them, each as one step to
-// undo.
+// What the user does with the photos of a film, of a dipped part and the places in them, each as
+// one step to undo.
 #pragma once
 
 #include "document/Document.h"
@@ -14,5 +14,10 @@ void addClickedPair(Document& document, const ClickedPair& pair);
 // Of one drag, until Document::endMerge(), as one step.
 void moveClickedPair(Document& document, std::size_t pair, QPointF pixel);
 void removeClickedPair(Document& document, std::size_t pair);
+
+// Those past mostFloatingPhotos are left out, and those that the project has already.
+void addFloatingPhotos(Document& document, const std::vector<FloatingPhoto>& photos);
+// Changes with the same `what` in a row are one step, where it is not empty.
+void changeFilmOnWater(Document& document, const FilmOnWater& film, const QString& what);
 
 } // namespace dipwright

@@ -74,6 +74,18 @@ Project sampleProject() {
     project.inspection.pairs = {
         {1, {1200.5, 88.25}, {Millimetres(1), Millimetres(-2.5), Millimetres(3)}}};
     project.inspection.chessboard = project.inspection.keepsCamera = true;
+    project.filmOnWater = {{{QStringLiteral("tank.jpg"), QStringLiteral("def"), 40.0},
+                            {QStringLiteral("later.jpg"), {}, {}}},
+                           75.0,
+                           QStringLiteral("L7"),
+                           28.5,
+                           {Millimetres(100.2), Millimetres(99.9)},
+                           {Millimetres(99.5), Millimetres(100.1)},
+                           Millimetres(0.1),
+                           Millimetres(3),
+                           Millimetres(28),
+                           -0.05,
+                           0.01};
     project.sheet = {QStringLiteral("A3"),
                      true,
                      Millimetres(220),
