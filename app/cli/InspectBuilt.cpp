@@ -36,26 +36,6 @@ void setCorrection(AsBuilt& built, const QCommandLineParser& parser) {
     }
 }
 
-void tell(const RepeatingError& error, int dip, QTextStream& out) {
-    if (error.isNothing()) {
-        return;
-    }
-    double most = 0;
-    for (const RepeatedPlace& place : error.places()) {
-        most = std::max(most, error.at(place.sheet).norm());
-    }
-    out << QStringLiteral("Dip %1: %2 places on %3 part(s); up to %4 mm repeat, alike within %5 mm")
-               .arg(dip)
-               .arg(error.places().size())
-               .arg(error.parts())
-               .arg(number(most, 2), number(error.reach(), 0));
-    if (error.parts() > 1) {
-        out << QStringLiteral("; scatter of a place %1 mm, of a whole part %2 mm")
-                   .arg(number(error.scatter(), 2), number(error.partScatter(), 2));
-    }
-    out << '\n';
-}
-
 void writePictures(const Project& project, const QString& folder) {
     constexpr int height = 1400; // pixels
     ResultFolder files(folder, {pictureName(1), pictureName(2)});
@@ -76,12 +56,6 @@ void addPart(Project& project, const QStringList& files, const QCommandLineParse
              const std::optional<Lens>& lens,
              const std::function<QString(const std::optional<QDateTime>&)>& dateOf,
              const Progress& progress) {
-    AsBuilt& built = project.asBuilt;
-    if (built.parts.size() >= mostBuiltParts) {
-        throw Error(QStringLiteral("The job has %1 parts already, which is as many as it keeps")
-                        .arg(mostBuiltParts),
-                    parser.value(projectOption));
-    }
     const std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.1));
     const QSize picture = photos.front().picture.size();
     const std::vector<PlacePair> pairs = partPairs(parser, int(photos.size()));
@@ -96,27 +70,18 @@ void addPart(Project& project, const QStringList& files, const QCommandLineParse
                         parser.value(pairsOption));
         }
     }
-    const std::vector<BuiltPlace> places = builtPlaces(
-        seen, camera, picture, dippedFilms(project, progress.part(0.5, 1)),
-        {project.film.width.value(), project.film.height.value()}, int(built.parts.size()) + 1);
-    if (places.empty()) {
-        throw Error(QStringLiteral("None of the places is seen on film that lies on the body; are "
-                                   "the photos of this job?"),
-                    parser.value(pairsOption));
-    }
-    if (built.places.size() + places.size() > mostBuiltPlaces) {
-        throw Error(QStringLiteral("The job keeps %1 places at most, and would have %2")
-                        .arg(mostBuiltPlaces)
-                        .arg(built.places.size() + places.size()),
-                    parser.value(projectOption));
-    }
+    const std::vector<BuiltPlace> places =
+        builtPlaces(seen, camera, picture, dippedFilms(project, progress.part(0.5, 1)),
+                    {project.film.width.value(), project.film.height.value()},
+                    int(project.asBuilt.parts.size()) + 1);
     QStringList hashes;
     for (const PartPhoto& photo : photos) {
         hashes << photo.sha256;
     }
-    built.parts.push_back({dateOf(photos.front().taken), parser.value(acceptedOption),
-                           hashes.join(u' '), residualOf(places)});
-    built.places.insert(built.places.end(), places.begin(), places.end());
+    project.asBuilt = withBuiltPart(
+        std::move(project.asBuilt), places,
+        {dateOf(photos.front().taken), parser.value(acceptedOption), hashes.join(u' '), 0},
+        parser.value(projectOption));
 }
 
 } // namespace
@@ -160,7 +125,10 @@ void inspectBuilt(const QStringList& files, const QCommandLineParser& parser,
                          .arg(project.asBuilt.parts.size())
                          .arg(number(part.residual, 3));
     for (int dip = 1; dip <= int(project.immersions.size()); ++dip) {
-        tell(RepeatingError(project.asBuilt, dip), dip, console.out());
+        const RepeatingError error(project.asBuilt, dip);
+        if (!error.isNothing()) {
+            console.out() << repeatingSentence(error, dip) << '\n';
+        }
     }
     if (parser.isSet(updateOption)) {
         ProjectFile(path).save(project);

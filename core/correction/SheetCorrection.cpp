@@ -153,6 +153,26 @@ Eigen::Vector2d printedAt(const Eigen::Vector2d& place, const RepeatingError& er
     return at;
 }
 
+QString repeatingSentence(const RepeatingError& error, int dip) {
+    const auto number = [](double value, int decimals) {
+        return QLocale().toString(value, 'f', decimals);
+    };
+    double most = 0;
+    for (const RepeatedPlace& place : error.places()) {
+        most = std::max(most, error.at(place.sheet).norm());
+    }
+    const QString sentence =
+        Text::tr("Dip %1: %2 places on %n part(s); up to %3 mm repeat, alike within %4 mm", nullptr,
+                 error.parts())
+            .arg(dip)
+            .arg(error.places().size())
+            .arg(number(most, 2), number(error.reach(), 0));
+    return error.parts() < 2
+               ? sentence
+               : sentence + Text::tr("; scatter of a place %1 mm, of a whole part %2 mm")
+                                .arg(number(error.scatter(), 2), number(error.partScatter(), 2));
+}
+
 QImage correctionPicture(const RepeatingError& error, Millimetres width, Millimetres height,
                          double strength, int pixels) {
     const double scale = 0.88 * pixels / height.value(); // pixels a millimetre of the sheet

@@ -6,6 +6,7 @@
 #include "correction/RepeatingError.h"
 
 #include <QImage>
+#include <QString>
 
 namespace dipwright {
 
@@ -21,6 +22,9 @@ QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres he
 // Where the film of `place` is printed on a corrected sheet, mm.
 Eigen::Vector2d printedAt(const Eigen::Vector2d& place, const RepeatingError& error,
                           double strength);
+
+// What repeats in the parts, a sentence for the user. Of something.
+QString repeatingSentence(const RepeatingError& error, int dip);
 
 // Arrows on the sheet from each place to where its film is meant to lie, enlarged, over the smooth
 // error that the correction takes; `height` pixels. Needs a QGuiApplication.

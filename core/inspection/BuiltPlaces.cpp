@@ -1,10 +1,13 @@
 #include "inspection/BuiltPlaces.h"
 
+#include "base/Error.h"
 #include "correction/SheetCorrection.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -12,6 +15,10 @@
 
 namespace dipwright {
 namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::BuiltPlaces)
+};
 
 constexpr double step = 0.25;          // mm on the sheet, to either side
 constexpr int rounds = 8;              // of Newton's method
@@ -144,6 +151,32 @@ double residualOf(const std::vector<BuiltPlace>& places) {
         sum += std::pow(place.off[0].value(), 2) + std::pow(place.off[1].value(), 2);
     }
     return places.empty() ? 0 : std::sqrt(sum / double(places.size()));
+}
+
+AsBuilt withBuiltPart(AsBuilt built, const std::vector<BuiltPlace>& places, BuiltPart part,
+                      const QString& where) {
+    if (places.empty()) {
+        throw Error(Text::tr("None of the places is seen on film that lies on the body; are the "
+                             "photos of this job?"),
+                    where);
+    }
+    if (built.parts.size() >= mostBuiltParts ||
+        built.places.size() + places.size() > mostBuiltPlaces) {
+        throw Error(Text::tr("The job keeps %1 parts and %2 places at most, and would have more")
+                        .arg(mostBuiltParts)
+                        .arg(mostBuiltPlaces),
+                    where);
+    }
+    if (std::any_of(built.parts.begin(), built.parts.end(),
+                    [&](const BuiltPart& other) { return other.photos == part.photos; })) {
+        throw Error(Text::tr("The job keeps the part of these photos already; the same part twice "
+                             "would count as two that agree"),
+                    where);
+    }
+    part.residual = residualOf(places);
+    built.parts.push_back(std::move(part));
+    built.places.insert(built.places.end(), places.begin(), places.end());
+    return built;
 }
 
 } // namespace dipwright

@@ -30,4 +30,10 @@ std::vector<PrintedPlace> onPrintedSheet(std::vector<PrintedPlace> places, const
 // mm on the sheet, root mean square.
 double residualOf(const std::vector<BuiltPlace>& places);
 
+// What the job keeps with one part more, which has these places, of the number that part has then.
+// `part`: its residual is filled in. Throws Error, naming `where`, where there are none, where the
+// job has the part's photos already, and past what it keeps.
+AsBuilt withBuiltPart(AsBuilt built, const std::vector<BuiltPlace>& places, BuiltPart part,
+                      const QString& where);
+
 } // namespace dipwright

@@ -116,19 +116,9 @@ int decimalsOf(FitQuantity quantity) {
 }
 
 QString sentenceOf(const FittedQuantity& found) {
-    const FitQuantity quantity = found.unknown.quantity;
-    const auto number = [&](double value) {
-        return std::isfinite(value) ? QLocale().toString(value, 'f', decimalsOf(quantity))
-                                    : QStringLiteral("∞");
-    };
-    const QString unit = fitQuantityUnit(quantity);
-    const QString name =
-        found.unknown.dip > 0
-            ? Text::tr("%1, dip %2").arg(fitQuantityText(quantity)).arg(found.unknown.dip + 1)
-            : fitQuantityText(quantity);
-    return Text::tr("%1: %2, was taken for %3; 95 %: %4 to %5")
-        .arg(name, unit.isEmpty() ? number(found.after) : number(found.after) + u' ' + unit,
-             number(found.before), number(found.low), number(found.high));
+    const QStringList cells = fitCells(found);
+    return Text::tr("%1: %2, was taken for %3; 95 %: %4")
+        .arg(cells[0], cells[2], cells[1], cells[3]);
 }
 
 const FittedQuantity* found(const FilmFit& fit, FitQuantity quantity) {
@@ -144,6 +134,22 @@ QString digits(double value, int decimals) {
 }
 
 } // namespace
+
+QStringList fitCells(const FittedQuantity& found) {
+    const FitQuantity quantity = found.unknown.quantity;
+    const auto number = [&](double value) {
+        return std::isfinite(value) ? QLocale().toString(value, 'f', decimalsOf(quantity))
+                                    : QStringLiteral("∞");
+    };
+    const QString unit = fitQuantityUnit(quantity);
+    const QString name =
+        found.unknown.dip > 0
+            ? Text::tr("%1, dip %2").arg(fitQuantityText(quantity)).arg(found.unknown.dip + 1)
+            : fitQuantityText(quantity);
+    return {name, number(found.before),
+            unit.isEmpty() ? number(found.after) : number(found.after) + u' ' + unit,
+            Text::tr("%1 to %2").arg(number(found.low), number(found.high))};
+}
 
 void writeFilmFit(const FilmFit& fit, const FitPairs& pairs, const std::vector<FittedPhoto>& photos,
                   const WatchNotes& notes, const QString& folder) {
@@ -231,6 +237,31 @@ FilmProfile withFit(FilmProfile profile, const FilmFit& fit, const std::vector<F
         measured.relaxationTime = film.relaxationTime.value();
     }
     return film;
+}
+
+Project withFit(const Project& project, const FilmFit& fit, const std::vector<FittedPhoto>& photos,
+                const WatchNotes& notes, const QString& newProfile) {
+    FilmProfile film = project.profiles.film.value_or(FilmProfile{});
+    film.name = project.profiles.film ? film.name : newProfile;
+    film.width = project.film.width;
+    film.height = project.film.height;
+    film.edges = project.film.edges;
+    film.swellX = project.film.swellX;
+    film.swellY = project.film.swellY;
+    film.relaxationTime = project.film.relaxationTime;
+    film.contactDistance = project.film.contactDistance;
+    film.growthRate = project.film.growthRate;
+    film.growthLimit = project.film.growthLimit;
+    film.gripFade = project.film.gripFade;
+    film.gatheringStretch = project.film.gatheringStretch;
+    Project changed = withPlacement(project, fit);
+    applyProfile(changed, withFit(film, fit, photos, notes));
+    changed.process.overhang = project.process.overhang; // of which a fit says nothing
+    changed.process.tearStretch = project.process.tearStretch;
+    changed.film.resolution = project.film.resolution;
+    changed.film.columns = project.film.columns;
+    changed.film.rows = project.film.rows;
+    return changed;
 }
 
 Project withPlacement(Project project, const FilmFit& fit) {

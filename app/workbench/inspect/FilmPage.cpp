@@ -172,8 +172,11 @@ QWidget* FilmPage::makeRulers() {
     cardAbove_ = box("cardAbove", -mostCardAbove, mostCardAbove, 0.5, millimetres);
     focal_ = box("focalLength", none, mostFocal, 1, millimetres, tr("as the photos say"));
     focal_->setToolTip(tr("Of a camera of 35 mm; only needed where the card lies above the film"));
-    k1_ = box("lensK1", unknownLens, 1, 0.001, {}, tr("k1 from photos"));
-    k2_ = box("lensK2", unknownLens, 1, 0.001, {}, tr("k2 from photos"));
+    k1_ = box("lensK1", unknownLens, 1, 0.001, {}, tr("k1 ?"));
+    k2_ = box("lensK2", unknownLens, 1, 0.001, {}, tr("k2 ?"));
+    for (NumberBox* one : {k1_, k2_}) {
+        one->setToolTip(tr("Of a camera measured before; “?”: as each photo has it"));
+    }
     auto* fields = new QWidget;
     auto* form = new QFormLayout(fields);
     form->setContentsMargins(12, 0, 0, 0);

@@ -23,16 +23,6 @@ PartPhoto readPart(const QString& file, const Progress& progress) {
     return {file, photo.sha256, std::move(photo.picture)};
 }
 
-std::vector<PlacePair> pairsOf(const InspectedPart& part) {
-    std::vector<PlacePair> pairs;
-    for (const ClickedPair& pair : part.pairs) {
-        pairs.push_back({pair.photo,
-                         {pair.pixel[0], pair.pixel[1]},
-                         {pair.place[0].value(), pair.place[1].value(), pair.place[2].value()}});
-    }
-    return pairs;
-}
-
 // Those that are known are not read again.
 std::vector<PartPhoto> photosOf(const InspectedPart& part,
                                 const std::map<QString, PartPhoto>& known,
@@ -51,18 +41,19 @@ std::vector<PartPhoto> photosOf(const InspectedPart& part,
     return photos;
 }
 
-InspectedView ofPairs(std::vector<PartPhoto> photos, const Project& project) {
-    InspectedView measured;
-    measured.pairs = pairsOf(project.inspection);
+MeasuredPart ofPairs(std::vector<PartPhoto> photos, const Project& project) {
+    MeasuredPart measured;
+    measured.project = project;
+    measured.pairs = clickedPairs(project.inspection);
     measured.view =
         fitPartCamera(measured.pairs, int(photos.size()), photos[0].picture.size(), project.name);
     measured.photos = std::move(photos);
     return measured;
 }
 
-InspectedView ofCorners(std::vector<PartPhoto> photos, const Project& project,
-                        const JobResult* earlier, const SolverRegistry& registry,
-                        const Progress& progress) {
+MeasuredPart ofCorners(std::vector<PartPhoto> photos, const Project& project,
+                       const JobResult* earlier, const SolverRegistry& registry,
+                       const Progress& progress) {
     JobOptions options;
     options.chessboard = project.inspection.chessboard;
     options.estimatesCertainty = false;
@@ -84,10 +75,26 @@ InspectedView ofCorners(std::vector<PartPhoto> photos, const Project& project,
         pictures.push_back(photo.picture);
     }
     const FoundPrint print =
-        findPrint(pictures, project.model->mesh, corners, pairsOf(project.inspection),
+        findPrint(pictures, project.model->mesh, corners, clickedPairs(project.inspection),
                   {project.inspection.keepsCamera, {}}, progress.part(0.6, 1), project.name);
-    return {std::move(photos), pairsOf(print.places), print.places,
-            print.expected,    print.followsPrint,    print.view};
+    return {project,
+            std::move(photos),
+            pairsOf(print.places),
+            print.places,
+            print.expected,
+            print.followsPrint,
+            print.view,
+            dips};
+}
+
+// Whether a part that was measured by one of them would be the same by the other: photos of a film
+// on the water are no matter, nor what is kept of parts as long as no sheet is corrected by it.
+bool measuresAlike(Project first, const Project& second) {
+    first.filmOnWater = second.filmOnWater;
+    if (!first.asBuilt.corrects && !second.asBuilt.corrects) {
+        first.asBuilt = second.asBuilt;
+    }
+    return first == second;
 }
 
 } // namespace
@@ -98,11 +105,17 @@ InspectionController::InspectionController(DipView& view, const DipScene& scene,
                                            QWidget& window)
     : view_(view), scene_(scene), session_(session), jobs_(jobs), registry_(registry),
       messages_(messages), window_(window), pages_(new QTabWidget), part_(new PartPage),
-      film_(new FilmWatchController(session, jobs, messages, window)) {
-    film_->setParent(this);
+      film_(new FilmWatchController(session, jobs, messages, window)),
+      fit_(new FitController(session, jobs, registry, messages, window)),
+      built_(new BuiltController(session, jobs, messages)) {
+    for (QObject* other : std::initializer_list<QObject*>{film_, fit_, built_}) {
+        other->setParent(this);
+    }
     pages_->setObjectName(QStringLiteral("inspection"));
     pages_->setDocumentMode(true);
     pages_->addTab(part_, tr("Dipped Part"));
+    pages_->addTab(fit_->page(), tr("Fit"));
+    pages_->addTab(built_->page(), tr("As Built"));
     pages_->addTab(film_->page(), tr("Film on the Water"));
     connect(&jobs, &JobRunner::busy, this, [this] { part_->setBusy(true); });
     connect(&jobs, &JobRunner::idle, this, [this] { part_->setBusy(false); });
@@ -150,15 +163,18 @@ void InspectionController::showDocument() {
     }
     showProject();
     film_->showDocument();
+    built_->showDocument();
 }
 
 void InspectionController::showProject() {
     const Document* document = session_.document();
-    if (measured_ && !(document && document->project() == measuredProject_)) {
+    if (measured_ && !(document && measuresAlike(measured_->project, document->project()))) {
         measured_ = nullptr;
     }
     part_->setPart(document ? document->project().inspection : InspectedPart{});
     part_->setMeasured(measured_);
+    fit_->setMeasured(measured_);
+    built_->setMeasured(measured_);
 }
 
 void InspectionController::readPhotos(const QStringList& files) {
@@ -251,14 +267,13 @@ void InspectionController::measurePart(bool findsCorners) {
         [project, findsCorners, known = photos_, earlier = session_.document()->result(),
          &registry = registry_](const Progress& progress) {
             std::vector<PartPhoto> photos = photosOf(project.inspection, known, progress);
-            return std::make_shared<const InspectedView>(
+            return std::make_shared<const MeasuredPart>(
                 findsCorners
                     ? ofCorners(std::move(photos), project, earlier.get(), registry, progress)
                     : ofPairs(std::move(photos), project));
         },
-        [this, project](const std::shared_ptr<const InspectedView>& measured) {
+        [this](const std::shared_ptr<const MeasuredPart>& measured) {
             measured_ = measured;
-            measuredProject_ = project;
             showProject();
         });
 }

@@ -1,7 +1,9 @@
 // Films and dipped parts measured by photos: what the page asks for, done by jobs, and told to it.
 #pragma once
 
+#include "inspect/BuiltController.h"
 #include "inspect/FilmWatchController.h"
+#include "inspect/FitController.h"
 #include "inspect/PartPage.h"
 #include "session/DipSession.h"
 #include "session/Messages.h"
@@ -21,7 +23,8 @@ public:
                          JobRunner& jobs, const SolverRegistry& registry, Messages& messages,
                          QWidget& window);
 
-    // With the pages of a dipped part and of a film; belongs to who puts it into a window.
+    // With the pages of a dipped part, of what follows from it and of a film; belongs to who puts
+    // it into a window.
     QTabWidget* pages() const { return pages_; }
     // To be called when the session has another document.
     void showDocument();
@@ -46,9 +49,10 @@ private:
     QTabWidget* pages_;
     PartPage* part_;
     FilmWatchController* film_;
+    FitController* fit_;
+    BuiltController* built_;
     std::map<QString, PartPhoto> photos_; // read, by their file
-    std::shared_ptr<const InspectedView> measured_;
-    Project measuredProject_; // as it was then
+    std::shared_ptr<const MeasuredPart> measured_;
 };
 
 } // namespace dipwright

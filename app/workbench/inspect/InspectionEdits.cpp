@@ -85,4 +85,25 @@ void changeFilmOnWater(Document& document, const FilmOnWater& film, const QStrin
                   [&](Project& project) { project.filmOnWater = film; });
 }
 
+void keepBuilt(Document& document, const AsBuilt& built) {
+    document.edit(Text::tr("Keep Part"), {}, [&](Project& project) { project.asBuilt = built; });
+}
+
+void setCorrects(Document& document, bool corrects) {
+    document.edit(Text::tr("Correct the Next Sheets"), {},
+                  [&](Project& project) { project.asBuilt.corrects = corrects; });
+}
+
+void setCorrectionStrength(Document& document, double strength) {
+    document.edit(Text::tr("Change Strength of Correction"), QStringLiteral("as_built.strength"),
+                  [&](Project& project) { project.asBuilt.strength = strength; });
+}
+
+void useFit(Document& document, const FittedPart& fitted, const WatchNotes& notes) {
+    document.edit(Text::tr("Use What Was Fitted"), {}, [&](Project& project) {
+        project = withFit(project, fitted.fit, fitted.photos, notes,
+                          Text::tr("Measured %1").arg(notes.date));
+    });
+}
+
 } // namespace dipwright

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/Document.h"
+#include "inspect/FitPage.h"
 
 namespace dipwright {
 
@@ -19,5 +20,13 @@ void removeClickedPair(Document& document, std::size_t pair);
 void addFloatingPhotos(Document& document, const std::vector<FloatingPhoto>& photos);
 // Changes with the same `what` in a row are one step, where it is not empty.
 void changeFilmOnWater(Document& document, const FilmOnWater& film, const QString& what);
+
+// What is known of the parts dipped so far, with one more.
+void keepBuilt(Document& document, const AsBuilt& built);
+// Whether the next sheets are corrected, and by which share of what repeats.
+void setCorrects(Document& document, bool corrects);
+void setCorrectionStrength(Document& document, double strength);
+// Throws Error where something is past what a project or profile may say.
+void useFit(Document& document, const FittedPart& fitted, const WatchNotes& notes);
 
 } // namespace dipwright

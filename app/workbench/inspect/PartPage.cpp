@@ -221,7 +221,7 @@ void PartPage::setPending(const std::optional<QPointF>& place) {
     say();
 }
 
-void PartPage::setMeasured(std::shared_ptr<const InspectedView> measured) {
+void PartPage::setMeasured(std::shared_ptr<const MeasuredPart> measured) {
     measured_ = std::move(measured);
     showMarks();
     showFigures();

@@ -1,10 +1,8 @@
 // The page of a dipped part: its photos, the places in them, and how far the print lies off.
 #pragma once
 
+#include "inspect/MeasuredPart.h"
 #include "inspect/PhotoView.h"
-#include "inspection/FindPrint.h"
-#include "inspection/PartViewFiles.h"
-#include "project/InspectedPart.h"
 
 #include <QWidget>
 
@@ -16,16 +14,6 @@ class QPushButton;
 class QTableWidget;
 
 namespace dipwright {
-
-// What was measured: of found corners, or of the clicked pairs alone.
-struct InspectedView {
-    std::vector<PartPhoto> photos;
-    std::vector<PlacePair> pairs;
-    std::vector<PrintedPlace> places; // of those found; else empty
-    std::vector<int> expected;        // corners of each photo
-    bool followsPrint = false;
-    PartView view;
-};
 
 class PartPage : public QWidget {
     Q_OBJECT
@@ -42,7 +30,7 @@ public:
     std::optional<QPointF> pending() const { return pending_; }
     void setPending(const std::optional<QPointF>& place);
     // Null: nothing was measured, or the pairs have changed since.
-    void setMeasured(std::shared_ptr<const InspectedView> measured);
+    void setMeasured(std::shared_ptr<const MeasuredPart> measured);
     void setBusy(bool busy);
 
 signals:
@@ -77,7 +65,7 @@ private:
     bool busy_ = false;
     std::vector<int> shown_; // index in the project of each mark
     std::optional<QPointF> pending_;
-    std::shared_ptr<const InspectedView> measured_;
+    std::shared_ptr<const MeasuredPart> measured_;
     QComboBox* photos_;
     PhotoView* view_;
     QLabel* hint_;

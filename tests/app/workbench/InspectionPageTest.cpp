@@ -3,7 +3,10 @@
 #include "Patience.h"
 #include "WindowDriver.h"
 #include "geometry/Shapes.h"
+#include "inspect/BuiltPage.h"
 #include "inspect/PartPage.h"
+#include "panels/NumberBox.h"
+#include "panels/PicturePanel.h"
 #include "panels/Timeline.h"
 #include "project/ProjectStore.h"
 #include "texture/Chessboard.h"
@@ -13,6 +16,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -163,12 +167,68 @@ private slots:
               qPrintable(figures->item(0, 0)->text()), qPrintable(figures->item(0, 2)->text()),
               qPrintable(hint()));
         QVERIFY(figures->item(0, 0)->text().toInt() >= 9);
-        photograph();
         QVERIFY(hint().contains(QStringLiteral("corners found")));
         QVERIFY(driver.find<QPushButton>("exportPart")->isEnabled());
-        // What was measured is not shown for other pairs.
+    }
+
+    void aPartIsKeptAndTheCorrectionSeenBeforeItIsUsed() {
+        WindowDriver driver(*window_);
+        auto* keep = driver.find<QPushButton>("keepPart");
+        QVERIFY(!keep->isEnabled()); // nobody has accepted it
+        driver.find<QLineEdit>("acceptedBy")->setText(QStringLiteral("Ada"));
+        QTRY_VERIFY_WITH_TIMEOUT(keep->isEnabled(), patience());
+        keep->click();
+        QTRY_COMPARE_WITH_TIMEOUT(built().parts.size(), std::size_t(1), patience());
+        QCOMPARE(built().parts[0].acceptedBy, QStringLiteral("Ada"));
+        QCOMPARE(built().parts[0].photos, part().photos[0].sha256);
+        QVERIFY(built().parts[0].residual < 0.5); // the photo is of the job itself
+        QCOMPARE(driver.find<QTableWidget>("builtParts")->rowCount(), 1);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            driver.find<QLabel>("builtWords")->text().contains(QStringLiteral("repeat")),
+            patience());
+        PicturePanel* picture = window_->findChild<BuiltPage*>()->findChild<PicturePanel*>();
+        QVERIFY(!picture->view().isEmpty());
+        QVERIFY(!built().corrects); // seen, not used
+        driver.find<NumberBox>("correctionStrength")->setValue(50);
+        QCOMPARE(built().strength, 0.5);
         driver.trigger("undo");
-        QCOMPARE(figures->rowCount(), 0);
+        QCOMPARE(built().strength, 1.0);
+        QCOMPARE(driver.find<NumberBox>("correctionStrength")->value(), 100.0);
+        // The same photos twice would count as two parts that agree.
+        QTRY_VERIFY_WITH_TIMEOUT(keep->isEnabled(), patience());
+        keep->click();
+        QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>(), patience());
+        window_->findChild<QMessageBox*>()->close();
+        QCOMPARE(built().parts.size(), std::size_t(1));
+    }
+
+    // A film so coarse makes no fit that comes to rest, which is said where the fit would stand.
+    void aFitThatIsRefusedSaysWhy() {
+        WindowDriver driver(*window_);
+        auto* fit = driver.find<QPushButton>("fitFilm");
+        QTRY_VERIFY_WITH_TIMEOUT(fit->isEnabled(), patience());
+        fit->click();
+        auto* quantities = driver.find<QTableWidget>("fitQuantities");
+        auto* words = driver.find<QLabel>("fitWords");
+        QTRY_VERIFY_WITH_TIMEOUT(quantities->rowCount() > 0 || !words->text().isEmpty(),
+                                 3 * patience());
+        qInfo("%s", qPrintable(words->text()));
+        QCOMPARE(quantities->rowCount(), 0);
+        QVERIFY(words->text().contains(QStringLiteral("does not come to rest")));
+        QVERIFY(!driver.find<QPushButton>("useFit")->isEnabled());
+        photograph();
+    }
+
+    void whatWasMeasuredIsNotShownForAnotherProject() {
+        WindowDriver driver(*window_);
+        driver.find<QCheckBox>("partKeepsCamera")->click();
+        QCOMPARE(driver.find<QTableWidget>("partFigures")->rowCount(), 0);
+        QVERIFY(!driver.find<QPushButton>("fitFilm")->isEnabled());
+        QVERIFY(!driver.find<QPushButton>("keepPart")->isEnabled());
+        driver.find<QCheckBox>("corrects")->click();
+        QVERIFY(built().corrects);
+        driver.trigger("undo");
+        QVERIFY(!built().corrects && !driver.find<QCheckBox>("corrects")->isChecked());
     }
 
     void theProjectKeepsPhotosAndPairs() {
@@ -186,6 +246,7 @@ private slots:
 
 private:
     PartPage* page() const { return window_->findChild<PartPage*>(); }
+    const AsBuilt& built() const { return window_->document()->project().asBuilt; }
     const InspectedPart& part() const { return window_->document()->project().inspection; }
     QString hint() const { return WindowDriver(*window_).find<QLabel>("partHint")->text(); }
 
@@ -210,7 +271,7 @@ private:
             workbench_->setPreferences(preferences);
             for (const QSize size : {QSize(1280, 800), QSize(2560, 1440)}) {
                 window_->resize(size);
-                for (int tab = 0; tab < 2; ++tab) {
+                for (int tab = 0; tab < 4; ++tab) {
                     window_->findChild<QTabWidget*>(QStringLiteral("inspection"))
                         ->setCurrentIndex(tab);
                     QTest::qWait(500);

@@ -16,7 +16,7 @@ using namespace dipwright::test;
 namespace {
 
 constexpr int damagedFiles = 3000;
-constexpr int damagedDocuments = 3000;
+constexpr int damagedDocuments = 4000;
 
 using Random = std::mt19937;
 

@@ -1,0 +1,40 @@
+// Film and dip fitted to photos of a dipped part: what the page asks for, done by jobs, and told to
+// it.
+#pragma once
+
+#include "inspect/FitPage.h"
+#include "inspect/MeasuredPart.h"
+#include "session/DipSession.h"
+#include "session/Messages.h"
+#include "solver/SolverRegistry.h"
+
+namespace dipwright {
+
+class FitController : public QObject {
+    Q_OBJECT
+
+public:
+    FitController(const DipSession& session, JobRunner& jobs, const SolverRegistry& registry,
+                  Messages& messages, QWidget& window);
+
+    FitPage* page() const { return page_; } // belongs to who puts it into a window
+    // What is known of the part at hand; null: nothing. A fit to another one is no longer shown.
+    void setMeasured(std::shared_ptr<const MeasuredPart> measured);
+
+private:
+    void fit();
+    void use();
+    void save(const QString& profile);
+    void exportFit();
+
+    const DipSession& session_;
+    JobRunner& jobs_;
+    const SolverRegistry& registry_;
+    Messages& messages_;
+    QWidget& window_;
+    FitPage* page_;
+    std::shared_ptr<const MeasuredPart> measured_;
+    std::shared_ptr<const FittedPart> fitted_;
+};
+
+} // namespace dipwright
