@@ -469,6 +469,26 @@
         <source>Change Film on the Water</source>
         <translation>Film auf dem Wasser ändern</translation>
     </message>
+    <message>
+        <source>Keep Part</source>
+        <translation>Teil behalten</translation>
+    </message>
+    <message>
+        <source>Correct the Next Sheets</source>
+        <translation>Nächste Bögen korrigieren</translation>
+    </message>
+    <message>
+        <source>Change Strength of Correction</source>
+        <translation>Stärke der Korrektur ändern</translation>
+    </message>
+    <message>
+        <source>Use What Was Fitted</source>
+        <translation>Anpassung übernehmen</translation>
+    </message>
+    <message>
+        <source>Measured %1</source>
+        <translation>Gemessen %1</translation>
+    </message>
 </context>
 <context>
     <name>InspectionProfile</name>
@@ -2978,6 +2998,135 @@
     </message>
 </context>
 <context>
+    <name>dipwright::BuiltController</name>
+    <message>
+        <source>Looking for what repeats</source>
+        <translation>Wiederkehrendes wird gesucht</translation>
+    </message>
+    <message>
+        <source>As Built</source>
+        <translation>Wie gebaut</translation>
+    </message>
+    <message>
+        <source>Measuring the part on the sheet</source>
+        <translation>Teil wird auf dem Bogen gemessen</translation>
+    </message>
+    <message>
+        <source>Keep Part</source>
+        <translation>Teil behalten</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::BuiltPage</name>
+    <message>
+        <source>&amp;Correct the next sheets</source>
+        <translation>Nächste Bögen &amp;korrigieren</translation>
+    </message>
+    <message>
+        <source>What repeats, and the correction</source>
+        <translation>Was sich wiederholt, und die Korrektur</translation>
+    </message>
+    <message>
+        <source>What the parts are off again and again is shown here.</source>
+        <translation>Hier wird gezeigt, um wie viel die Teile immer wieder abweichen.</translation>
+    </message>
+    <message>
+        <source>Parts that the job keeps</source>
+        <translation>Teile, die der Auftrag behält</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Accepted by</source>
+        <translation>Abgenommen von</translation>
+    </message>
+    <message>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>On the sheet, root mean square</source>
+        <translation>Auf dem Bogen, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>Who says that the part may count</source>
+        <translation>Wer sagt, dass das Teil zählen darf</translation>
+    </message>
+    <message>
+        <source>&amp;Keep Part</source>
+        <translation>Teil &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Keeps with the job how far the print of the measured part is off</source>
+        <translation>Behält beim Auftrag, wie weit der Druck des gemessenen Teils abweicht</translation>
+    </message>
+    <message>
+        <source>Prints the next sheets so that what repeats does not come again</source>
+        <translation>Druckt die nächsten Bögen so, dass nicht wiederkehrt, was sich wiederholt</translation>
+    </message>
+    <message>
+        <source>Strength of the correction</source>
+        <translation>Stärke der Korrektur</translation>
+    </message>
+    <message>
+        <source>How much of what repeats is taken off the next sheets</source>
+        <translation>Wie viel davon auf den nächsten Bögen ausgeglichen wird</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Dip</source>
+        <translation>Tauchgang</translation>
+    </message>
+    <message>
+        <source>Dip %1</source>
+        <translation>Tauchgang %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>The next sheets are corrected so.</source>
+        <translation>So werden die nächsten Bögen korrigiert.</translation>
+    </message>
+    <message>
+        <source>The next sheets are not corrected: this is what they would be.</source>
+        <translation>Die nächsten Bögen werden nicht korrigiert: So wären sie es.</translation>
+    </message>
+    <message>
+        <source>Keep the part that was measured: the job then has its photos, how far its print is off, and who accepted it.</source>
+        <translation>Behalten Sie das gemessene Teil: Der Auftrag hat dann seine Fotos, die Abweichung des Drucks und wer es abgenommen hat.</translation>
+    </message>
+    <message>
+        <source>To keep a part, find the corners of its print on the page “Dipped Part”, with pairs that are places of the body itself.</source>
+        <translation>Um ein Teil zu behalten, suchen Sie die Ecken seines Drucks auf der Seite „Getauchtes Teil“, mit Paaren, die Stellen des Körpers selbst sind.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::BuiltPlaces</name>
+    <message>
+        <source>None of the places is seen on film that lies on the body; are the photos of this job?</source>
+        <translation>Keine der Stellen ist auf Film zu sehen, der am Körper liegt; sind die Fotos von diesem Auftrag?</translation>
+    </message>
+    <message>
+        <source>The job keeps %1 parts and %2 places at most, and would have more</source>
+        <translation>Der Auftrag behält höchstens %1 Teile und %2 Stellen und hätte mehr</translation>
+    </message>
+    <message>
+        <source>The job keeps the part of these photos already; the same part twice would count as two that agree</source>
+        <translation>Der Auftrag behält das Teil dieser Fotos schon; dasselbe Teil zweimal würde als zwei zählen, die übereinstimmen</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::CalibrationDialog</name>
     <message>
         <source> mm</source>
@@ -3527,10 +3676,6 @@
         <translation>%1, Tauchgang %2</translation>
     </message>
     <message>
-        <source>%1: %2, was taken for %3; 95 %: %4 to %5</source>
-        <translation>%1: %2, angenommen war %3; 95 %: %4 bis %5</translation>
-    </message>
-    <message>
         <source>%1 and %2 are told together rather than each by itself: correlation %3</source>
         <translation>%1 und %2 sind eher zusammen als jede für sich bestimmt: Korrelation %3</translation>
     </message>
@@ -3641,6 +3786,14 @@
     <message>
         <source>A place is said to be of dip %1, and the project has %2</source>
         <translation>Eine Stelle soll von Tauchgang %1 sein, und das Projekt hat %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, was taken for %3; 95 %: %4</source>
+        <translation>%1: %2, angenommen war %3; 95 %: %4</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2 {1 ?}</translation>
     </message>
 </context>
 <context>
@@ -3774,14 +3927,6 @@
         <translation>Bezogen auf Kleinbild (35 mm); nur nötig, wo die Karte über dem Film liegt</translation>
     </message>
     <message>
-        <source>k1 from photos</source>
-        <translation>k1 aus Fotos</translation>
-    </message>
-    <message>
-        <source>k2 from photos</source>
-        <translation>k2 aus Fotos</translation>
-    </message>
-    <message>
         <source>Card&apos;s rulers</source>
         <translation>Lineale der Karte</translation>
     </message>
@@ -3816,6 +3961,18 @@
     <message>
         <source>%1: %2 corners of the film, %3 of the card, %4 px off</source>
         <translation>%1: %2 Ecken des Films, %3 der Karte, Abweichung %4 px</translation>
+    </message>
+    <message>
+        <source>k1 ?</source>
+        <translation>k1 ?</translation>
+    </message>
+    <message>
+        <source>k2 ?</source>
+        <translation>k2 ?</translation>
+    </message>
+    <message>
+        <source>Of a camera measured before; “?”: as each photo has it</source>
+        <translation>Einer früher gemessenen Kamera; „?“: wie in jedem Foto</translation>
     </message>
 </context>
 <context>
@@ -3957,6 +4114,96 @@
     <message>
         <source>Wrote the film watch to %1</source>
         <translation>Filmbeobachtung nach %1 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::FitController</name>
+    <message>
+        <source>Fitting film and dip</source>
+        <translation>Film und Tauchgang werden angepasst</translation>
+    </message>
+    <message>
+        <source>Use in Project</source>
+        <translation>Im Projekt verwenden</translation>
+    </message>
+    <message>
+        <source>Export Fit to a Folder</source>
+        <translation>Anpassung in einen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Export Fit</source>
+        <translation>Anpassung exportieren</translation>
+    </message>
+    <message>
+        <source>Wrote the fit to %1</source>
+        <translation>Anpassung nach %1 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::FitPage</name>
+    <message>
+        <source>What was fitted</source>
+        <translation>Was angepasst wurde</translation>
+    </message>
+    <message>
+        <source>Correlations of what was fitted</source>
+        <translation>Korrelationen des Angepassten</translation>
+    </message>
+    <message>
+        <source>Near 1 or −1: the two are told together rather than each by itself</source>
+        <translation>Nahe 1 oder −1: Beide sind eher zusammen bekannt als jedes für sich</translation>
+    </message>
+    <message>
+        <source>&amp;Fit Film and Dip</source>
+        <translation>Film und Tauchgang an&amp;passen</translation>
+    </message>
+    <message>
+        <source>Finds what film and dip really were: simulates the dip again and again until the print lies where the photos show it</source>
+        <translation>Findet, wie Film und Tauchgang wirklich waren: simuliert immer wieder, bis der Druck liegt, wo die Fotos ihn zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Use in Project</source>
+        <translation>Im Projekt &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>The project takes film, placement and depth as they were found; the film counts as measured</source>
+        <translation>Das Projekt übernimmt Film, Lage und Tiefe wie gefunden; der Film gilt als gemessen</translation>
+    </message>
+    <message>
+        <source>&amp;Save to Profile…</source>
+        <translation>Im Profil &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Correlation</source>
+        <translation>Korrelation</translation>
+    </message>
+    <message>
+        <source>Find the corners of the print on the page “Dipped Part” first: film and dip are fitted to them.</source>
+        <translation>Suchen Sie zuerst die Ecken des Drucks auf der Seite „Getauchtes Teil“: Film und Tauchgang werden an sie angepasst.</translation>
+    </message>
+    <message>
+        <source>The pairs are not of the body itself: a shift or turn of the whole print cannot be told from one of the camera.</source>
+        <translation>Die Paare sind nicht vom Körper selbst: Eine Verschiebung oder Drehung des ganzen Drucks ist nicht von einer der Kamera zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Fits placement, swell and relaxation, as far as the photos tell them.</source>
+        <translation>Passt Lage, Quellung und Relaxation an, soweit die Fotos sie verraten.</translation>
     </message>
 </context>
 <context>
@@ -4396,6 +4643,14 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>Wrote the residuals to %1</source>
         <translation>Abweichungen nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>As Built</source>
+        <translation>Wie gebaut</translation>
     </message>
 </context>
 <context>
@@ -6565,6 +6820,17 @@ mm je mm</translation>
     <message>
         <source>Blue: what the next sheet is corrected by</source>
         <translation>Blau: worum der nächste Bogen korrigiert wird</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dip %1: %2 places on %n part(s); up to %3 mm repeat, alike within %4 mm</source>
+        <translation>
+            <numerusform>Tauchgang %1: %2 Stellen an %n Teil; bis zu %3 mm wiederholen sich, ähnlich innerhalb von %4 mm</numerusform>
+            <numerusform>Tauchgang %1: %2 Stellen an %n Teilen; bis zu %3 mm wiederholen sich, ähnlich innerhalb von %4 mm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>; scatter of a place %1 mm, of a whole part %2 mm</source>
+        <translation>; Streuung einer Stelle %1 mm, eines ganzen Teils %2 mm</translation>
     </message>
 </context>
 <context>

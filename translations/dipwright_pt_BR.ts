@@ -469,6 +469,26 @@
         <source>Change Film on the Water</source>
         <translation>Alterar filme na água</translation>
     </message>
+    <message>
+        <source>Keep Part</source>
+        <translation>Guardar peça</translation>
+    </message>
+    <message>
+        <source>Correct the Next Sheets</source>
+        <translation>Corrigir as próximas folhas</translation>
+    </message>
+    <message>
+        <source>Change Strength of Correction</source>
+        <translation>Alterar intensidade da correção</translation>
+    </message>
+    <message>
+        <source>Use What Was Fitted</source>
+        <translation>Usar o ajuste</translation>
+    </message>
+    <message>
+        <source>Measured %1</source>
+        <translation>Medido em %1</translation>
+    </message>
 </context>
 <context>
     <name>InspectionProfile</name>
@@ -2978,6 +2998,135 @@
     </message>
 </context>
 <context>
+    <name>dipwright::BuiltController</name>
+    <message>
+        <source>Looking for what repeats</source>
+        <translation>Procurando o que se repete</translation>
+    </message>
+    <message>
+        <source>As Built</source>
+        <translation>Como saiu</translation>
+    </message>
+    <message>
+        <source>Measuring the part on the sheet</source>
+        <translation>Medindo a peça na folha</translation>
+    </message>
+    <message>
+        <source>Keep Part</source>
+        <translation>Guardar peça</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::BuiltPage</name>
+    <message>
+        <source>&amp;Correct the next sheets</source>
+        <translation>&amp;Corrigir as próximas folhas</translation>
+    </message>
+    <message>
+        <source>What repeats, and the correction</source>
+        <translation>O que se repete e a correção</translation>
+    </message>
+    <message>
+        <source>What the parts are off again and again is shown here.</source>
+        <translation>Aqui se mostra o desvio que se repete nas peças.</translation>
+    </message>
+    <message>
+        <source>Parts that the job keeps</source>
+        <translation>Peças que o trabalho guarda</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Data</translation>
+    </message>
+    <message>
+        <source>Accepted by</source>
+        <translation>Aceita por</translation>
+    </message>
+    <message>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Desvio</translation>
+    </message>
+    <message>
+        <source>On the sheet, root mean square</source>
+        <translation>Na folha, média quadrática</translation>
+    </message>
+    <message>
+        <source>Who says that the part may count</source>
+        <translation>Quem diz que a peça pode contar</translation>
+    </message>
+    <message>
+        <source>&amp;Keep Part</source>
+        <translation>&amp;Guardar peça</translation>
+    </message>
+    <message>
+        <source>Keeps with the job how far the print of the measured part is off</source>
+        <translation>Guarda com o trabalho o desvio da impressão da peça medida</translation>
+    </message>
+    <message>
+        <source>Prints the next sheets so that what repeats does not come again</source>
+        <translation>Imprime as próximas folhas de modo que o que se repete não volte</translation>
+    </message>
+    <message>
+        <source>Strength of the correction</source>
+        <translation>Intensidade da correção</translation>
+    </message>
+    <message>
+        <source>How much of what repeats is taken off the next sheets</source>
+        <translation>Quanto do que se repete é descontado nas próximas folhas</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Dip</source>
+        <translation>Imersão</translation>
+    </message>
+    <message>
+        <source>Dip %1</source>
+        <translation>Imersão %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>The next sheets are corrected so.</source>
+        <translation>As próximas folhas são corrigidas assim.</translation>
+    </message>
+    <message>
+        <source>The next sheets are not corrected: this is what they would be.</source>
+        <translation>As próximas folhas não são corrigidas: assim seriam.</translation>
+    </message>
+    <message>
+        <source>Keep the part that was measured: the job then has its photos, how far its print is off, and who accepted it.</source>
+        <translation>Guarde a peça medida: o trabalho passa a ter as fotos, o desvio da impressão e quem a aceitou.</translation>
+    </message>
+    <message>
+        <source>To keep a part, find the corners of its print on the page “Dipped Part”, with pairs that are places of the body itself.</source>
+        <translation>Para guardar uma peça, procure os cantos da impressão na página “Peça mergulhada”, com pares que são lugares do próprio corpo.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::BuiltPlaces</name>
+    <message>
+        <source>None of the places is seen on film that lies on the body; are the photos of this job?</source>
+        <translation>Nenhum dos lugares é visto em filme que está sobre o corpo; as fotos são deste trabalho?</translation>
+    </message>
+    <message>
+        <source>The job keeps %1 parts and %2 places at most, and would have more</source>
+        <translation>O trabalho guarda no máximo %1 peças e %2 lugares e teria mais</translation>
+    </message>
+    <message>
+        <source>The job keeps the part of these photos already; the same part twice would count as two that agree</source>
+        <translation>O trabalho já guarda a peça destas fotos; a mesma peça duas vezes contaria como duas que concordam</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::CalibrationDialog</name>
     <message>
         <source> mm</source>
@@ -3527,10 +3676,6 @@
         <translation>%1, imersão %2</translation>
     </message>
     <message>
-        <source>%1: %2, was taken for %3; 95 %: %4 to %5</source>
-        <translation>%1: %2, supunha-se %3; 95 %: %4 a %5</translation>
-    </message>
-    <message>
         <source>%1 and %2 are told together rather than each by itself: correlation %3</source>
         <translation>%1 e %2 são determinados juntos e não cada um por si: correlação %3</translation>
     </message>
@@ -3641,6 +3786,14 @@
     <message>
         <source>A place is said to be of dip %1, and the project has %2</source>
         <translation>Um ponto seria da imersão %1, e o projeto tem %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, was taken for %3; 95 %: %4</source>
+        <translation>%1: %2, supunha-se %3; 95 %: %4</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2 {1 ?}</translation>
     </message>
 </context>
 <context>
@@ -3774,14 +3927,6 @@
         <translation>Como em uma câmera de 35 mm; só é necessária quando o cartão fica acima do filme</translation>
     </message>
     <message>
-        <source>k1 from photos</source>
-        <translation>k1 das fotos</translation>
-    </message>
-    <message>
-        <source>k2 from photos</source>
-        <translation>k2 das fotos</translation>
-    </message>
-    <message>
         <source>Card&apos;s rulers</source>
         <translation>Réguas do cartão</translation>
     </message>
@@ -3816,6 +3961,18 @@
     <message>
         <source>%1: %2 corners of the film, %3 of the card, %4 px off</source>
         <translation>%1: %2 cantos do filme, %3 do cartão, desvio de %4 px</translation>
+    </message>
+    <message>
+        <source>k1 ?</source>
+        <translation>k1 ?</translation>
+    </message>
+    <message>
+        <source>k2 ?</source>
+        <translation>k2 ?</translation>
+    </message>
+    <message>
+        <source>Of a camera measured before; “?”: as each photo has it</source>
+        <translation>De uma câmera medida antes; “?”: como em cada foto</translation>
     </message>
 </context>
 <context>
@@ -3957,6 +4114,96 @@
     <message>
         <source>Wrote the film watch to %1</source>
         <translation>Observação do filme gravada em %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::FitController</name>
+    <message>
+        <source>Fitting film and dip</source>
+        <translation>Ajustando filme e imersão</translation>
+    </message>
+    <message>
+        <source>Use in Project</source>
+        <translation>Usar no projeto</translation>
+    </message>
+    <message>
+        <source>Export Fit to a Folder</source>
+        <translation>Exportar ajuste para uma pasta</translation>
+    </message>
+    <message>
+        <source>Export Fit</source>
+        <translation>Exportar ajuste</translation>
+    </message>
+    <message>
+        <source>Wrote the fit to %1</source>
+        <translation>Ajuste gravado em %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::FitPage</name>
+    <message>
+        <source>What was fitted</source>
+        <translation>O que foi ajustado</translation>
+    </message>
+    <message>
+        <source>Correlations of what was fitted</source>
+        <translation>Correlações do que foi ajustado</translation>
+    </message>
+    <message>
+        <source>Near 1 or −1: the two are told together rather than each by itself</source>
+        <translation>Perto de 1 ou −1: os dois são conhecidos mais em conjunto do que cada um por si</translation>
+    </message>
+    <message>
+        <source>&amp;Fit Film and Dip</source>
+        <translation>&amp;Ajustar filme e imersão</translation>
+    </message>
+    <message>
+        <source>Finds what film and dip really were: simulates the dip again and again until the print lies where the photos show it</source>
+        <translation>Encontra como foram de fato o filme e a imersão: simula repetidas vezes até a impressão ficar onde as fotos a mostram</translation>
+    </message>
+    <message>
+        <source>&amp;Use in Project</source>
+        <translation>&amp;Usar no projeto</translation>
+    </message>
+    <message>
+        <source>The project takes film, placement and depth as they were found; the film counts as measured</source>
+        <translation>O projeto assume filme, posição e profundidade como encontrados; o filme conta como medido</translation>
+    </message>
+    <message>
+        <source>&amp;Save to Profile…</source>
+        <translation>&amp;Salvar no perfil…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportar…</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Encontrado</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Correlation</source>
+        <translation>Correlação</translation>
+    </message>
+    <message>
+        <source>Find the corners of the print on the page “Dipped Part” first: film and dip are fitted to them.</source>
+        <translation>Procure primeiro os cantos da impressão na página “Peça mergulhada”: filme e imersão são ajustados a eles.</translation>
+    </message>
+    <message>
+        <source>The pairs are not of the body itself: a shift or turn of the whole print cannot be told from one of the camera.</source>
+        <translation>Os pares não são do próprio corpo: um deslocamento ou giro de toda a impressão não se distingue de um da câmera.</translation>
+    </message>
+    <message>
+        <source>Fits placement, swell and relaxation, as far as the photos tell them.</source>
+        <translation>Ajusta posição, inchamento e relaxação, até onde as fotos os mostram.</translation>
     </message>
 </context>
 <context>
@@ -4396,6 +4643,14 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>Wrote the residuals to %1</source>
         <translation>Desvios gravados em %1</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>As Built</source>
+        <translation>Como saiu</translation>
     </message>
 </context>
 <context>
@@ -6565,6 +6820,17 @@ mm por mm</translation>
     <message>
         <source>Blue: what the next sheet is corrected by</source>
         <translation>Azul: em quanto a próxima folha é corrigida</translation>
+    </message>
+    <message numerus="yes">
+        <source>Dip %1: %2 places on %n part(s); up to %3 mm repeat, alike within %4 mm</source>
+        <translation>
+            <numerusform>Imersão %1: %2 lugares em %n peça; até %3 mm se repetem, parecidos dentro de %4 mm</numerusform>
+            <numerusform>Imersão %1: %2 lugares em %n peças; até %3 mm se repetem, parecidos dentro de %4 mm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>; scatter of a place %1 mm, of a whole part %2 mm</source>
+        <translation>; dispersão de um lugar %1 mm, de uma peça inteira %2 mm</translation>
     </message>
 </context>
 <context>
