@@ -13,8 +13,8 @@ struct PreviewedCoverage {
     std::vector<std::uint8_t> covered; // a triangle of CoveragePreview::mesh() each: 1 is painted
 };
 
-// Made once for a model, asked for each pose: some milliseconds for 50,000 triangles on one core.
-// Immutable; any thread may ask. Deterministic.
+// Made once for a model, asked for each pose. Faces near the overhang may be told wrong
+// (docs/pose-search.md, "The preview"). Immutable; any thread may ask. Deterministic.
 class CoveragePreview {
 public:
     explicit CoveragePreview(const TriangleMesh& model);
