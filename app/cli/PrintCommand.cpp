@@ -4,6 +4,7 @@
 #include "base/Png.h"
 #include "disk/WholeFile.h"
 #include "pipeline/Pipeline.h"
+#include "project/FilmSizes.h"
 
 #include <QRegularExpression>
 
@@ -65,14 +66,14 @@ void printSheets(PrintSystem& system, const JobResult& result, const PrintReques
 QSizeF tilePaperSize(const QString& name) {
     static const QRegularExpression sizes(
         QStringLiteral("^(\\d+(?:\\.\\d+)?)x(\\d+(?:\\.\\d+)?)$"));
+    static const QStringList named{QStringLiteral("A4"), QStringLiteral("A3"),
+                                   QStringLiteral("Letter")};
     constexpr double largest = 5000; // mm
     const QRegularExpressionMatch match = sizes.match(name);
     const QSizeF size = match.hasMatch()
                             ? QSizeF(match.captured(1).toDouble(), match.captured(2).toDouble())
-                        : name == QLatin1String("A4")     ? QSizeF(210, 297)
-                        : name == QLatin1String("A3")     ? QSizeF(297, 420)
-                        : name == QLatin1String("Letter") ? QSizeF(215.9, 279.4)
-                                                          : QSizeF();
+                        : named.contains(name) ? filmSize(name)
+                                               : QSizeF();
     if (size.isEmpty() || std::max(size.width(), size.height()) > largest) {
         throw UsageError(QStringLiteral("Pieces in a file are for A4, A3, Letter or WIDTHxHEIGHT "
                                         "in mm, up to 5000"),
