@@ -114,11 +114,15 @@ SearchSettings settingsOf(const QCommandLineParser& parser) {
     }
     SearchSettings settings;
     settings.immersions = wholeNumberOption(parser, immersionsOption, 1, 2);
-    settings.simulated = wholeNumberOption(parser, candidatesOption, 6, 2000);
-    settings.directions = wholeNumberOption(parser, directionsOption, 6, 20'000);
-    settings.refined = wholeNumberOption(parser, refinedOption, 0, 50);
-    settings.confirmed = wholeNumberOption(parser, confirmedOption, 0, 20);
-    settings.seed = wholeNumberOption(parser, seedOption, 0, 1'000'000);
+    settings.simulated =
+        wholeNumberOption(parser, candidatesOption, simulatedRange.least, simulatedRange.most);
+    settings.directions =
+        wholeNumberOption(parser, directionsOption, directionsRange.least, directionsRange.most);
+    settings.refined =
+        wholeNumberOption(parser, refinedOption, refinedRange.least, refinedRange.most);
+    settings.confirmed =
+        wholeNumberOption(parser, confirmedOption, confirmedRange.least, confirmedRange.most);
+    settings.seed = wholeNumberOption(parser, seedOption, seedRange.least, seedRange.most);
     applyPairs(parser, weightOption, settings, setWeight);
     applyPairs(parser, limitOption, settings, setLimit);
     try {

@@ -16,8 +16,7 @@ struct Text {
 
 // Film drawn out as far as it commonly tears shows nothing of its picture (process.tear_stretch).
 constexpr double goodStretch = 1.2, uselessStretch = 4;
-constexpr double longestJoin = 2; // equators: a join as long as this is as bad as can be
-constexpr double mostWeight = 100, mostZoneWeight = 1000;
+constexpr double longestJoin = 2;        // equators: a join as long as this is as bad as can be
 constexpr double leastLimitScale = 0.01; // what a limit of 0 is missed by is reckoned against
 
 // 1 at `good`, 0 at `bad`, linear between.
@@ -133,11 +132,14 @@ bool isMoreBetter(Measure measure) {
 
 void requireValid(const SearchSettings& settings) {
     require(settings.immersions, 1, 2, QStringLiteral("immersions"));
-    require(settings.directions, 6, 20'000, QStringLiteral("directions"));
-    require(settings.simulated, 6, 2000, QStringLiteral("candidates"));
-    require(settings.refined, 0, 50, QStringLiteral("refined"));
-    require(settings.confirmed, 0, 20, QStringLiteral("confirmed"));
-    require(settings.seed, 0, 1'000'000, QStringLiteral("seed"));
+    require(settings.directions, directionsRange.least, directionsRange.most,
+            QStringLiteral("directions"));
+    require(settings.simulated, simulatedRange.least, simulatedRange.most,
+            QStringLiteral("candidates"));
+    require(settings.refined, refinedRange.least, refinedRange.most, QStringLiteral("refined"));
+    require(settings.confirmed, confirmedRange.least, confirmedRange.most,
+            QStringLiteral("confirmed"));
+    require(settings.seed, seedRange.least, seedRange.most, QStringLiteral("seed"));
     double sum = 0;
     for (const Measure measure : allMeasures()) {
         require(settings.weights[measure], 0, mostWeight, measureKey(measure));

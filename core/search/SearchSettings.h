@@ -40,16 +40,25 @@ QString measureName(Measure measure); // for the user: "Quality", "Trapped air"
 QString measureText(Measure measure, double value);
 bool isMoreBetter(Measure measure);
 
+// What the settings may be, ends included.
+struct SettingRange {
+    int least, most;
+};
+inline constexpr SettingRange directionsRange{6, 20'000}, simulatedRange{6, 2000},
+    refinedRange{0, 50}, confirmedRange{0, 20}, seedRange{0, 1'000'000};
+inline constexpr double mostWeight = 100, mostZoneWeight = 1000; // from 0 on
+
 struct SearchSettings {
     int immersions = 1;    // 1 or 2
-    int directions = 2000; // judged by their geometry, 6 … 20,000
-    int simulated = 96;    // of those, each by one coarse dip, 6 … 2000
-    int refined = 6;       // of the best, in angle, turn and offset, 0 … 50
-    int confirmed = 3;     // of the best, with the film and the field of the job, 0 … 20
-    int seed = 1;          // of the directions, 0 … 1,000,000
-    // 0 … 100 each, not all of them 0 (docs/pose-search.md, "The objective").
+    int directions = 2000; // judged by their geometry
+    int simulated = 96;    // of those, each by one coarse dip
+    int refined = 6;       // of the best, in angle, turn and offset
+    int confirmed = 3;     // of the best, with the film and the field of the job
+    int seed = 1;          // of the directions
+    // Up to mostWeight each, not all of them 0 (docs/pose-search.md, "The objective").
     PerMeasure<double> weights{{1, 0.5, 0.1, 0.5, 0.1, 0.5, 0.5, 0.1, 0.05}};
-    std::array<double, zoneCount> zoneWeights{4, 2, 1}; // of a place's quality, 0 … 1000
+    std::array<double, zoneCount> zoneWeights{4, 2,
+                                              1}; // of a place's quality, up to mostZoneWeight
     // The least that is wanted of a measure of which more is better, the most of any other. What
     // does not keep them comes after all that does.
     PerMeasure<std::optional<double>> limits;

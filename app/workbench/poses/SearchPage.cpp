@@ -62,14 +62,14 @@ QWidget* SearchPage::makeSettings() {
     immersions_->addItem(tr("One dip"), 1);
     immersions_->addItem(tr("Two dips, judged together"), 2);
     immersions_->setObjectName(QStringLiteral("searchedImmersions"));
-    simulated_->setRange(6, 2000);
+    simulated_->setRange(simulatedRange.least, simulatedRange.most);
     simulated_->setValue(usual.simulated);
     simulated_->setSuffix(tr(" poses"));
     simulated_->setObjectName(QStringLiteral("searchedPoses"));
     simulated_->setToolTip(tr("How many poses are dipped with a coarse film, out of %1 that are "
                               "judged by the body's shape. The best are refined.")
                                .arg(usual.directions));
-    seed_->setRange(0, 1'000'000);
+    seed_->setRange(seedRange.least, seedRange.most);
     seed_->setValue(usual.seed);
     seed_->setToolTip(tr("The same number gives the same table; another one tries other "
                          "directions."));

@@ -10,8 +10,6 @@ namespace dipwright {
 
 namespace {
 
-constexpr double largestWeight = 100, largestZoneWeight = 1000;
-
 // How a measure is shown: the factor on its value, what follows it, and the most that it may be.
 struct Scale {
     double factor = 100;
@@ -58,7 +56,7 @@ WeightFields::WeightFields(QWidget* parent) : QWidget(parent) {
     }
     for (std::size_t zone = 0; zone < zoneCount; ++zone) {
         auto* weight = new NumberBox;
-        weight->setRange(0, largestZoneWeight);
+        weight->setRange(0, mostZoneWeight);
         weight->setDecimals(1);
         const QString name = tr("Quality in zone %1").arg(QChar('A' + int(zone)));
         weight->setAccessibleName(name);
@@ -78,7 +76,7 @@ WeightFields::WeightFields(QWidget* parent) : QWidget(parent) {
 WeightFields::Row WeightFields::makeRow(Measure measure) {
     const Scale scale = scaleOf(measure);
     Row row{new NumberBox, new QCheckBox, new NumberBox};
-    row.weight->setRange(0, largestWeight);
+    row.weight->setRange(0, mostWeight);
     row.weight->setDecimals(2);
     row.weight->setSingleStep(0.1);
     row.weight->setAccessibleName(tr("Weight of %1").arg(measureName(measure)));
