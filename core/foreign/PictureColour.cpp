@@ -326,6 +326,8 @@ QImage srgbOf(const QImage& picture, const QByteArray& profile, const QString& w
     const Transform transform = toSrgb(profile, grey ? TYPE_GRAY_16 : TYPE_RGB_16, where);
     const QImage source = picture.convertToFormat(QImage::Format_RGBA64);
     QImage texture = emptyTexture(picture.size());
+    texture.setDotsPerMeterX(picture.dotsPerMeterX());
+    texture.setDotsPerMeterY(picture.dotsPerMeterY());
     const auto width = std::size_t(picture.width());
     std::vector<quint16> row;
     for (int y = 0; y < texture.height(); ++y) {

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "sheet/DrawnPdf.h"
+#include "sheet/PdfX.h"
 
 #include <QColorSpace>
 #include <qpdf/QPDF.hh>
@@ -14,19 +15,22 @@ namespace {
 // The box is measured from Qt's upper left corner, where the drawing starts; in points.
 void setExactBox(QPDFObjectHandle page, QSizeF size) {
     const double top = page.getKey("/MediaBox").getArrayAsRectangle().ury;
-    page.replaceKey("/MediaBox", QPDFObjectHandle::newFromRectangle(
-                                     {0, top - size.height(), size.width(), top}));
+    for (const char* box : {"/MediaBox", "/TrimBox"}) {
+        page.replaceKey(
+            box, QPDFObjectHandle::newFromRectangle({0, top - size.height(), size.width(), top}));
+    }
 }
 
-void addOutputIntent(QPDF& pdf, const PdfSettings& settings) {
-    const QByteArray profile = settings.outputProfile.isEmpty()
-                                   ? QColorSpace(QColorSpace::SRgb).iccProfile()
-                                   : settings.outputProfile;
+// What the pages' colours are numbers of. Of PDF/X it is only where the document is; an intent for
+// the eye else, of the kind that archives have, as a screen's colours are no printer's.
+void addOutputIntent(QPDF& pdf, const QByteArray& profile, const PdfSettings& settings) {
     QPDFObjectHandle stream = QPDFObjectHandle::newStream(&pdf, profile.toStdString());
     stream.getDict().replaceKey("/N", QPDFObjectHandle::newInteger(3));
     const QPDFObjectHandle name =
         QPDFObjectHandle::newUnicodeString(settings.outputName.toStdString());
-    QPDFObjectHandle intent = QPDFObjectHandle::parse("<< /Type /OutputIntent /S /GTS_PDFX >>");
+    QPDFObjectHandle intent = QPDFObjectHandle::parse("<< /Type /OutputIntent >>");
+    intent.replaceKey(
+        "/S", QPDFObjectHandle::newName(isOutputDevice(profile) ? "/GTS_PDFX" : "/GTS_PDFA1"));
     intent.replaceKey("/OutputConditionIdentifier", name);
     intent.replaceKey("/Info", name);
     intent.replaceKey("/DestOutputProfile", stream);
@@ -56,11 +60,19 @@ QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& set
     for (std::size_t i = 0; i < pages.size(); ++i) {
         setExactBox(drawnPages.at(i).getObjectHandle(), inPoints(pages[i].size));
     }
-    addOutputIntent(pdf, settings);
+    const QByteArray profile = settings.outputProfile.isEmpty()
+                                   ? QColorSpace(QColorSpace::SRgb).iccProfile()
+                                   : settings.outputProfile;
+    addOutputIntent(pdf, profile, settings);
     pdf.getRoot().replaceKey("/ViewerPreferences",
                              QPDFObjectHandle::parse("<< /PrintScaling /None >>"));
-    pdf.getTrailer().getKey("/Info").removeKey("/CreationDate");
-    pdf.getTrailer().getKey("/Info").removeKey("/ModDate");
+    QPDFObjectHandle info = pdf.getTrailer().getKey("/Info");
+    info.removeKey("/CreationDate");
+    info.removeKey("/ModDate");
+    info.replaceKey("/Trapped", QPDFObjectHandle::newName("/False"));
+    if (isOutputDevice(profile)) {
+        declarePdfX(pdf, settings);
+    }
     return written(pdf);
 }
 

@@ -2,7 +2,7 @@
 //
 // Qt draws the pages; qpdf then makes a file of them that is exact and always the same: boxes to a
 // fraction of a point, no scaling in print dialogs, an output intent, and no date or identifier
-// that comes from the clock.
+// that comes from the clock. Where the output profile is that of a printer, the file is PDF/X-4.
 #pragma once
 
 #include <QByteArray>
@@ -22,6 +22,7 @@ struct PdfPage {
 
 struct PdfSettings {
     QString title;
+    QString date;             // of the work, ISO 8601; may be empty
     QByteArray outputProfile; // an RGB ICC profile; empty: sRGB
     QString outputName = QStringLiteral("sRGB IEC61966-2.1");
 };

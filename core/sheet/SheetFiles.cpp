@@ -174,7 +174,10 @@ void writeSheetPng(const Sheet& sheet, QIODevice& device) {
 
 PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction) {
     PreparedSheet prepared{sheet, {}};
-    prepared.settings.title = sheet.job.project.simplified();
+    QStringList names{sheet.job.project.simplified(), sheet.job.immersion.simplified()};
+    names.removeAll(QString());
+    prepared.settings.title = names.join(QStringLiteral(" – ")); // two dips, two documents
+    prepared.settings.date = sheet.job.date.simplified();
     if (correction.colour) {
         if (correction.colour->isCmyk()) {
             throw Error(

@@ -16,9 +16,13 @@ struct Text {
 };
 
 constexpr int mostTiles = 400;
+constexpr double labelDepth = 4; // mm at the foot of each piece that it leaves to its label
 
-QSizeF innerSize(const TileSettings& settings) {
-    return QRectF({0, 0}, settings.paper).marginsRemoved(settings.margins).size();
+// The part of the paper that a piece lies on.
+QRectF innerBox(const TileSettings& settings) {
+    return QRectF({0, 0}, settings.paper)
+        .marginsRemoved(settings.margins)
+        .adjusted(0, 0, 0, -labelDepth);
 }
 
 int tileCount(double length, double tile, double overlap) {
@@ -32,7 +36,7 @@ struct TileGrid {
 
 TileGrid tileGrid(const Sheet& sheet, const TileSettings& settings) {
     const QSizeF page = pageSize(sheet);
-    const QSizeF inner = innerSize(settings);
+    const QSizeF inner = innerBox(settings).size();
     if (inner.width() <= settings.overlap || inner.height() <= settings.overlap) {
         throw Error(
             Text::tr("Paper of %1 × %2 mm leaves no room for pieces of the sheet; take larger "
@@ -83,7 +87,7 @@ void paintCutLines(QPainter& painter, const QRectF& inner, const TileGrid& grid,
 
 std::vector<QRectF> sheetTiles(const Sheet& sheet, const TileSettings& settings) {
     const TileGrid grid = tileGrid(sheet, settings);
-    const QSizeF inner = innerSize(settings);
+    const QSizeF inner = innerBox(settings).size();
     std::vector<QRectF> tiles;
     for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {
@@ -98,7 +102,7 @@ std::vector<QRectF> sheetTiles(const Sheet& sheet, const TileSettings& settings)
 void paintTile(QPainter& painter, const Sheet& sheet, const TileSettings& settings, int index) {
     const TileGrid grid = tileGrid(sheet, settings);
     const QRectF tile = sheetTiles(sheet, settings).at(std::size_t(index));
-    const QRectF inner = QRectF({0, 0}, settings.paper).marginsRemoved(settings.margins);
+    const QRectF inner = innerBox(settings);
     painter.save();
     painter.setClipRect(inner);
     painter.translate(inner.topLeft() - tile.topLeft());
@@ -112,7 +116,7 @@ void paintTile(QPainter& painter, const Sheet& sheet, const TileSettings& settin
                               .arg(grid.rows)
                               .arg(index % grid.columns + 1)
                               .arg(grid.columns);
-    SheetInk(painter, true).text({inner.left() + 6, inner.bottom() - 1}, 2.2, label);
+    SheetInk(painter, false).text({inner.left() + 6, inner.bottom() + labelDepth - 1}, 2.2, label);
     painter.restore();
 }
 

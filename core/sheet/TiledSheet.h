@@ -15,8 +15,9 @@ struct TileSettings {
     double overlap = 10;           // mm that neighbours share
 };
 
-// The pieces of the sheet's page, in its mm, row by row; each as large as the paper's inner part.
-// Throws Error when the paper leaves no more than the overlap, or more than 400 pieces were needed.
+// The pieces of the page, in its mm, row by row; each as large as the paper within the margins,
+// less a strip at its foot for the label. Throws Error when the paper leaves no more than the
+// overlap, or more than 400 pieces were needed.
 std::vector<QRectF> sheetTiles(const Sheet& sheet, const TileSettings& settings);
 
 // Draws one piece onto its paper: the piece within the margins, cut lines where the next one joins,

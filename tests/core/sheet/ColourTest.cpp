@@ -1,4 +1,5 @@
 // The sheet's colours in a printer's space, and the files that carry them.
+#include "PaperMeasure.h"
 #include "TestProfiles.h"
 
 #include "base/Error.h"
@@ -9,6 +10,7 @@
 #include <QColorSpace>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <QXmlStreamReader>
 #include <QtTest>
 #include <tiffio.h>
 
@@ -105,6 +107,14 @@ class ColourTest : public QObject {
         return readTiff(file.fileName());
     }
 
+    QString pdfOf(const Sheet& sheet, const PrinterColour& colour) {
+        QFile file(folder_.filePath("sheet.pdf"));
+        if (file.open(QIODevice::WriteOnly)) {
+            writeSheetPdf(sheet, file, {.colour = &colour});
+        }
+        return file.fileName();
+    }
+
 private slots:
     void profilesTellWhatTheyAre();
     void whatIsNoPrinterProfileIsRefused();
@@ -118,6 +128,8 @@ private slots:
     void tiffTakesOutThePrintersScale();
     void tiffIsTheSameEveryTime();
     void pdfCarriesThePrintersSpace();
+    void pdfForAPrinterIsPdfX();
+    void pdfForScreensDoesNotPassForPdfX();
     void pdfInCmykIsRefused();
 };
 
@@ -285,6 +297,47 @@ void ColourTest::pdfCarriesThePrintersSpace() {
     const QByteArray document = process.readAllStandardOutput();
     QVERIFY(document.contains("Pale printer"));
     QVERIFY(document.contains(pale_.iccProfile()));
+}
+
+// What a print shop's queue looks at before it takes a file.
+void ColourTest::pdfForAPrinterIsPdfX() {
+    Sheet sheet = smallSheet();
+    sheet.job.project = QStringLiteral("Turtle & Co");
+    sheet.job.immersion = QStringLiteral("Top");
+    sheet.job.date = QStringLiteral("2026-03-01");
+    const QString path = pdfOf(sheet, pale_);
+    const QByteArray info = output("pdfinfo", {"-box", path});
+    QVERIFY2(info.contains("PDF/X-4"), info);
+    const QByteArray xmp = output("pdfinfo", {"-meta", path});
+    for (const char* words :
+         {"<pdfxid:GTS_PDFXVersion>PDF/X-4<", "<pdf:Trapped>False<", "CreateDate>2026-03-01T",
+          "ModifyDate>2026-03-01T", "MetadataDate>2026-03-01T", "<xmpMM:DocumentID>uuid:",
+          "<xmpMM:VersionID>", "<xmpMM:RenditionClass>", "Turtle &amp; Co – Top"}) {
+        QVERIFY2(xmp.contains(words), words);
+    }
+    QXmlStreamReader xml(xmp);
+    while (!xml.atEnd()) {
+        xml.readNext();
+    }
+    QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+    const QByteArray fonts = output("pdffonts", {path});
+    QVERIFY2(fonts.contains(" yes ") && !fonts.contains(" no  no "), fonts); // embedded
+    QVERIFY(output("qpdf", {"--json", path}).contains("\"/GTS_PDFX\""));
+    QVERIFY(!output("qpdf", {"--check", path}).isEmpty());
+    QFile first(path);
+    QVERIFY(first.open(QIODevice::ReadOnly));
+    const QByteArray bytes = first.readAll();
+    QFile again(pdfOf(sheet, pale_));
+    QVERIFY(again.open(QIODevice::ReadOnly) && again.readAll() == bytes);
+}
+
+// PDF/X names an output device; a screen's profile is none.
+void ColourTest::pdfForScreensDoesNotPassForPdfX() {
+    const PrinterColour screen(QColorSpace(QColorSpace::AdobeRgb).iccProfile(),
+                               RenderingIntent::RelativeColorimetric, true, "screen.icc");
+    const QByteArray json = output("qpdf", {"--json", pdfOf(smallSheet(), screen)});
+    QVERIFY(json.contains("/OutputIntent"));
+    QVERIFY(!json.contains("PDFX"));
 }
 
 void ColourTest::pdfInCmykIsRefused() {

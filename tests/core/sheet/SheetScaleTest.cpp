@@ -72,6 +72,7 @@ private slots:
     void marksKeepClearOfThePrintersMargins();
     void tilesCoverTheWholeSheet();
     void tiledPdfHasAPageForEachPiece();
+    void labelsOfPiecesLieOnBarePaper();
     void tilesThatCannotBeAreRefused();
 };
 
@@ -203,6 +204,28 @@ void SheetScaleTest::tiledPdfHasAPageForEachPiece() {
     const std::vector<double> patch = ticks(rendered(path, QRectF(0, 100, 210, 1), 2), true, 10);
     QCOMPARE(patch.size(), std::size_t(1));
     QVERIFY2(std::abs(patch[0] - (5 + 71.9 / 2)) < 0.3, qPrintable(QString::number(patch[0])));
+}
+
+// On paint a label would be hard to read, and its rim would take paint away from the film.
+void SheetScaleTest::labelsOfPiecesLieOnBarePaper() {
+    Sheet sheet = patchSheet(Millimetres(300), Millimetres(500));
+    sheet.image.fill(QColor(20, 90, 160));
+    const TileSettings settings;
+    const QString path =
+        saved("labels.pdf", [&](QIODevice& device) { writeTiledPdf(sheet, settings, device); });
+    QVERIFY(pdfWords(path).contains("row 1 of 2, column 1 of 2"));
+    const double foot = settings.paper.height() - settings.margins.bottom();
+    const QImage strip = rendered(path, QRectF(11, foot - 3.8, 100, 3.6));
+    int bare = 0;
+    int dark = 0;
+    for (int y = 0; y < strip.height(); ++y) {
+        for (int x = 0; x < strip.width(); ++x) {
+            bare += qGray(strip.pixel(x, y)) > 250;
+            dark += qGray(strip.pixel(x, y)) < 60;
+        }
+    }
+    QVERIFY(bare > strip.width() * strip.height() / 2);
+    QVERIFY(dark > 100);
 }
 
 void SheetScaleTest::tilesThatCannotBeAreRefused() {

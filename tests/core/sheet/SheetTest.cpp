@@ -101,6 +101,7 @@ private slots:
     void unknownPaperIsRefused();
     void sameSheetGivesTheSameBytes();
     void viewersAreAskedNotToScale();
+    void titleNamesProjectAndImmersion();
     void unwritableDeviceIsAnError();
 };
 
@@ -336,7 +337,18 @@ void SheetTest::viewersAreAskedNotToScale() {
     const QByteArray json = output("qpdf", {"--json", path});
     QVERIFY(json.contains("\"/PrintScaling\": \"/None\""));
     QVERIFY(json.contains("/OutputIntent"));
+    QVERIFY(json.contains("\"/TrimBox\""));
+    QVERIFY(json.contains("\"/Trapped\": \"/False\""));
     QVERIFY(!output("qpdf", {"--check", path}).isEmpty());
+}
+
+// Two dips make two documents; whoever has both open tells them apart.
+void SheetTest::titleNamesProjectAndImmersion() {
+    Sheet sheet = patchSheet();
+    sheet.job.project = QStringLiteral("Turtle");
+    sheet.job.immersion = QStringLiteral("Top");
+    const QByteArray info = output("pdfinfo", {save(pdfOf(sheet), "title.pdf")});
+    QVERIFY2(info.contains("Turtle – Top"), info);
 }
 
 void SheetTest::unwritableDeviceIsAnError() {

@@ -97,6 +97,7 @@ QByteArray paleRgbProfile() {
     cmsToneCurve* curves[3] = {curve, curve, curve};
     cmsHPROFILE profile = cmsCreateRGBProfile(&white, &primaries, curves);
     cmsFreeToneCurve(curve);
+    cmsSetDeviceClass(profile, cmsSigOutputClass);
     setDescription(profile, "Pale printer");
     return saved(profile);
 }
