@@ -5769,6 +5769,105 @@ Dehnung</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::PrintHistoryDialog</name>
+    <message>
+        <source>Project file: %1</source>
+        <translation>Projektdatei: %1</translation>
+    </message>
+    <message>
+        <source>Written to: %1</source>
+        <translation>Geschrieben nach: %1</translation>
+    </message>
+    <message>
+        <source>Film: %1</source>
+        <translation>Film: %1</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s profile: %1</source>
+        <translation>Druckerprofil: %1</translation>
+    </message>
+    <message>
+        <source>Paper, in the printer&apos;s words: %1</source>
+        <translation>Papier, wie der Drucker es nennt: %1</translation>
+    </message>
+    <message>
+        <source>The project had not been saved when it was printed.</source>
+        <translation>Das Projekt war noch nicht gespeichert, als es gedruckt wurde.</translation>
+    </message>
+    <message>
+        <source>The project&apos;s file is not there any more.</source>
+        <translation>Die Projektdatei ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>Print History</source>
+        <translation>Druckverlauf</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Job number on the sheet, project, printer …</source>
+        <translation>Auftragsnummer auf dem Bogen, Projekt, Drucker …</translation>
+    </message>
+    <message>
+        <source>What was printed, the newest first</source>
+        <translation>Was gedruckt wurde, das Neueste zuerst</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Printer or file</source>
+        <translation>Drucker oder Datei</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Exemplare</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>&amp;Open Project</source>
+        <translation>Projekt &amp;öffnen</translation>
+    </message>
+    <message>
+        <source>Reading the print history</source>
+        <translation>Der Druckverlauf wird gelesen</translation>
+    </message>
+    <message>
+        <source>Reading the print history …</source>
+        <translation>Der Druckverlauf wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Nothing has been printed yet.</source>
+        <translation>Noch wurde nichts gedruckt.</translation>
+    </message>
+    <message>
+        <source>Nothing that was printed holds these words.</source>
+        <translation>Nichts Gedrucktes enthält diese Wörter.</translation>
+    </message>
+    <message>
+        <source>Immersion</source>
+        <translation>Tauchvorgang</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::PrinterColour</name>
     <message>
         <source>The ICC profile cannot be used for printing, choose the printer&apos;s output profile</source>
@@ -5928,6 +6027,42 @@ Dehnung</translation>
     <message>
         <source>The printer does not answer any more; the job is cancelled, see to its power and cable and print the sheet anew</source>
         <translation>Der Drucker antwortet nicht mehr; der Auftrag ist abgebrochen, sehen Sie nach Strom und Kabel und drucken Sie den Bogen neu</translation>
+    </message>
+    <message>
+        <source>%1, lot %2</source>
+        <translation>%1, Charge %2</translation>
+    </message>
+    <message>
+        <source>Sent, nothing more is known</source>
+        <translation>Gesendet, mehr ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation>Gedruckt</translation>
+    </message>
+    <message>
+        <source>Handed to the printer&apos;s queue</source>
+        <translation>An die Warteschlange des Druckers übergeben</translation>
+    </message>
+    <message>
+        <source>Written to a file</source>
+        <translation>In eine Datei geschrieben</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>Gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>The print history does not have it: %1</source>
+        <translation>Im Druckverlauf fehlt es: %1</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be made</source>
+        <translation>der Ordner %1 kann nicht angelegt werden</translation>
     </message>
 </context>
 <context>
@@ -7787,6 +7922,14 @@ mm je mm</translation>
     <message>
         <source>Search how the body is best turned and moved, for one dip or two</source>
         <translation>Sucht, wie der Körper am besten gedreht und verschoben wird, für einen Tauchvorgang oder zwei</translation>
+    </message>
+    <message>
+        <source>Print &amp;History…</source>
+        <translation>Druck&amp;verlauf …</translation>
+    </message>
+    <message>
+        <source>See what was printed when, on what, and from which project</source>
+        <translation>Sehen, was wann worauf und aus welchem Projekt gedruckt wurde</translation>
     </message>
 </context>
 <context>

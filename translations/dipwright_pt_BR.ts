@@ -5769,6 +5769,105 @@ estiramento</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::PrintHistoryDialog</name>
+    <message>
+        <source>Project file: %1</source>
+        <translation>Arquivo do projeto: %1</translation>
+    </message>
+    <message>
+        <source>Written to: %1</source>
+        <translation>Gravado em: %1</translation>
+    </message>
+    <message>
+        <source>Film: %1</source>
+        <translation>Filme: %1</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s profile: %1</source>
+        <translation>Perfil da impressora: %1</translation>
+    </message>
+    <message>
+        <source>Paper, in the printer&apos;s words: %1</source>
+        <translation>Papel, nas palavras da impressora: %1</translation>
+    </message>
+    <message>
+        <source>The project had not been saved when it was printed.</source>
+        <translation>O projeto ainda não tinha sido salvo quando foi impresso.</translation>
+    </message>
+    <message>
+        <source>The project&apos;s file is not there any more.</source>
+        <translation>O arquivo do projeto não está mais lá.</translation>
+    </message>
+    <message>
+        <source>Print History</source>
+        <translation>Histórico de impressão</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Job number on the sheet, project, printer …</source>
+        <translation>Número do trabalho na folha, projeto, impressora …</translation>
+    </message>
+    <message>
+        <source>What was printed, the newest first</source>
+        <translation>O que foi impresso, o mais recente primeiro</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Quando</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Trabalho</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projeto</translation>
+    </message>
+    <message>
+        <source>Printer or file</source>
+        <translation>Impressora ou arquivo</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Cópias</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>&amp;Open Project</source>
+        <translation>&amp;Abrir projeto</translation>
+    </message>
+    <message>
+        <source>Reading the print history</source>
+        <translation>Lendo o histórico de impressão</translation>
+    </message>
+    <message>
+        <source>Reading the print history …</source>
+        <translation>Lendo o histórico de impressão…</translation>
+    </message>
+    <message>
+        <source>Nothing has been printed yet.</source>
+        <translation>Nada foi impresso ainda.</translation>
+    </message>
+    <message>
+        <source>Nothing that was printed holds these words.</source>
+        <translation>Nada do que foi impresso contém estas palavras.</translation>
+    </message>
+    <message>
+        <source>Immersion</source>
+        <translation>Imersão</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::PrinterColour</name>
     <message>
         <source>The ICC profile cannot be used for printing, choose the printer&apos;s output profile</source>
@@ -5928,6 +6027,42 @@ estiramento</translation>
     <message>
         <source>The printer does not answer any more; the job is cancelled, see to its power and cable and print the sheet anew</source>
         <translation>A impressora não responde mais; o trabalho foi cancelado, verifique a energia e o cabo e imprima a folha de novo</translation>
+    </message>
+    <message>
+        <source>%1, lot %2</source>
+        <translation>%1, lote %2</translation>
+    </message>
+    <message>
+        <source>Sent, nothing more is known</source>
+        <translation>Enviado, nada mais se sabe</translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation>Impresso</translation>
+    </message>
+    <message>
+        <source>Handed to the printer&apos;s queue</source>
+        <translation>Entregue à fila da impressora</translation>
+    </message>
+    <message>
+        <source>Written to a file</source>
+        <translation>Gravado em um arquivo</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Cancelado</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>Falhou: %1</translation>
+    </message>
+    <message>
+        <source>The print history does not have it: %1</source>
+        <translation>O histórico de impressão não o contém: %1</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be made</source>
+        <translation>a pasta %1 não pode ser criada</translation>
     </message>
 </context>
 <context>
@@ -7787,6 +7922,14 @@ mm por mm</translation>
     <message>
         <source>Search how the body is best turned and moved, for one dip or two</source>
         <translation>Procura como o corpo é mais bem girado e movido, para uma ou duas imersões</translation>
+    </message>
+    <message>
+        <source>Print &amp;History…</source>
+        <translation>&amp;Histórico de impressão…</translation>
+    </message>
+    <message>
+        <source>See what was printed when, on what, and from which project</source>
+        <translation>Ver o que foi impresso quando, em quê e de qual projeto</translation>
     </message>
 </context>
 <context>

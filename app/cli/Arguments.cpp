@@ -129,8 +129,12 @@ void declareProject(CommandSyntax& syntax) {
     declareSettings(syntax);
 }
 
+QString projectPath(const QCommandLineParser& parser) {
+    return positionalArgument(parser, QStringLiteral("JOB.dipw"));
+}
+
 Project projectArgument(const QCommandLineParser& parser) {
-    Project project = loadProject(positionalArgument(parser, QStringLiteral("JOB.dipw")));
+    Project project = loadProject(projectPath(parser));
     applySettings(project, parser);
     return project;
 }

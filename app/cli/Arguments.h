@@ -35,6 +35,7 @@ void applySettings(Project& project, const QCommandLineParser& parser);
 
 // JOB.dipw and --set.
 void declareProject(CommandSyntax& syntax);
+QString projectPath(const QCommandLineParser& parser);
 Project projectArgument(const QCommandLineParser& parser);
 
 // What the user is to know of how a result came about, a line each.

@@ -252,7 +252,7 @@ private:
         if (parser.isSet(outOption)) {
             throw UsageError(QStringLiteral("It goes with --shard only"), QStringLiteral("--out"));
         }
-        const QString path = positionalArgument(parser, QStringLiteral("JOB.dipw"));
+        const QString path = projectPath(parser);
         ProjectFile file(path);
         const Project project = projectArgument(parser);
         checkWritable(path); // better now than after the work

@@ -18,6 +18,7 @@ const QString tilePaperOption = QStringLiteral("tile-paper");
 const QString greyOption = QStringLiteral("accept-grey");
 const QString clippingOption = QStringLiteral("accept-clipping");
 const QString proofOption = QStringLiteral("proof");
+const QString historyOption = QStringLiteral("history");
 const QString solverOption = QStringLiteral("solver");
 constexpr int mostCopies = 999;
 
@@ -31,6 +32,7 @@ PrintRequest requestOf(const QCommandLineParser& parser, const PrintTarget& targ
     request.tile = parser.isSet(tileOption) || !request.tilePaper.isEmpty();
     request.acceptMonochrome = parser.isSet(greyOption);
     request.acceptClipping = parser.isSet(clippingOption);
+    request.source = printSource(project, projectPath(parser));
     return request;
 }
 
@@ -86,6 +88,7 @@ PrintFileRequest fileRequest(const PrintRequest& request) {
     PrintFileRequest file;
     file.profile = request.profile;
     file.acceptClipping = request.acceptClipping;
+    file.source = request.source;
     if (request.tile) {
         file.tilePaper = tilePaperSize(request.tilePaper);
     }
@@ -117,6 +120,20 @@ void chooseImmersion(Project& project, const QCommandLineParser& parser) {
     }
 }
 
+// A print a line, the newest first.
+void tellHistory(QTextStream& out) {
+    for (const PrintRecord& record : PrintHistory().records()) {
+        out << QStringLiteral("%1  job %2  %3 – %4  %5  %6 × %7 mm  ×%8  %9\n")
+                   .arg(record.when.toString(QStringLiteral("yyyy-MM-dd HH:mm")), record.job,
+                        record.project, record.immersion,
+                        record.file.isEmpty() ? record.printer : record.file)
+                   .arg(record.mediumSize.width())
+                   .arg(record.mediumSize.height())
+                   .arg(record.copies)
+                   .arg(fateText(record));
+    }
+}
+
 class PrintCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("print"); }
@@ -127,6 +144,9 @@ public:
     void declare(CommandSyntax& syntax) const override {
         declareProject(syntax);
         declarePrinter(syntax);
+        syntax.addOption(
+            {historyOption, QStringLiteral("Lists what was printed, the newest first, by the job "
+                                           "numbers that stand on the sheets.")});
         syntax.addOption({immersionOption,
                           QStringLiteral("Only the sheet of this immersion, 1 or 2."),
                           QStringLiteral("N")});
@@ -157,6 +177,11 @@ public:
         if (listsPrinters(parser)) {
             requireNoPositionalArgument(parser);
             listPrinters(console.out());
+            return;
+        }
+        if (parser.isSet(historyOption)) {
+            requireNoPositionalArgument(parser);
+            tellHistory(console.out());
             return;
         }
         const ThreadLimit threads = threadLimit(parser);
@@ -203,7 +228,8 @@ public:
             return;
         }
         const Sheet& sheet = result.immersions.front().sheet;
-        for (const QString& warning : writePrintFile(sheet, fileRequest(request), target.file)) {
+        for (const QString& warning :
+             writePrintFile(sheet, fileRequest(request), target.file, PrintHistory())) {
             console.out() << QStringLiteral("%1: %2\n").arg(sheet.job.immersion, warning);
         }
         console.out() << QStringLiteral("Wrote %1\n").arg(target.file);

@@ -123,7 +123,10 @@ void printAndTell(PrintSystem& system, const std::vector<PrintPlan>& plans,
         out.flush();
     };
     try {
-        printPlans(system, plans, progress, tell);
+        const PrintEnd end = printPlans(system, plans, PrintHistory(), progress, tell);
+        if (!end.notKept.isEmpty()) {
+            out << notKeptText(end.notKept) << '\n';
+        }
     } catch (const Cancelled&) {
         throw Error(QStringLiteral("Cancelled; the job was taken back, what the printer had begun "
                                    "may still come out"),

@@ -6,6 +6,7 @@
 #include "sheet/SheetFiles.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace dipwright {
 namespace {
@@ -46,7 +47,9 @@ bool isTiff(const QString& path) {
            path.endsWith(QLatin1String(".tiff"), Qt::CaseInsensitive);
 }
 
-QStringList writePrintFile(const Sheet& sheet, const PrintFileRequest& request,
+namespace {
+
+QStringList writeSheetFile(const Sheet& sheet, const PrintFileRequest& request,
                            const QString& path) {
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     const PrintCorrection correction = printCorrection(request.profile, colour.get());
@@ -73,6 +76,22 @@ QStringList writePrintFile(const Sheet& sheet, const PrintFileRequest& request,
             writeSheetPdf(inside, device, correction);
         }
     });
+    return warnings;
+}
+
+} // namespace
+
+QStringList writePrintFile(const Sheet& sheet, const PrintFileRequest& request, const QString& path,
+                           const PrintHistory& history) {
+    QStringList warnings = writeSheetFile(sheet, request, path);
+    PrintRecord record = recordOf(sheet, request.source, request.profile,
+                                  request.tilePaper.value_or(pageSize(sheet)));
+    record.file = QFileInfo(path).absoluteFilePath();
+    record.fate = PrintFate::WrittenToFile;
+    const QString failure = history.keep(record);
+    if (!failure.isEmpty()) {
+        warnings << notKeptText(failure);
+    }
     return warnings;
 }
 

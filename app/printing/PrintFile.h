@@ -1,6 +1,7 @@
 // A sheet as a file in a printer's scale and colours, in place of sending it there.
 #pragma once
 
+#include "printing/PrintHistory.h"
 #include "project/Profiles.h"
 #include "sheet/Sheet.h"
 #include "sheet/TiledSheet.h"
@@ -28,12 +29,14 @@ struct PrintFileRequest {
     // Cut into pieces of this paper, in mm; PDF only.
     std::optional<QSizeF> tilePaper;
     bool acceptClipping = false; // lose what lies where the printer does not reach
+    PrintSource source;          // for the history
 };
 
-// PDF, or TIFF where the name ends so. Returns what is to be said about it. Throws Error, as for a
-// sheet that is printed, where the printer does not reach colour near the sheet's edge.
-QStringList writePrintFile(const Sheet& sheet, const PrintFileRequest& request,
-                           const QString& path);
+// PDF, or TIFF where the name ends so, kept in the history when it is written. Returns what is to
+// be said about it. Throws Error, as for a sheet that is printed, where the printer does not reach
+// colour near the sheet's edge.
+QStringList writePrintFile(const Sheet& sheet, const PrintFileRequest& request, const QString& path,
+                           const PrintHistory& history);
 
 // A page as the printer will show it, and the share of its paint that the printer cannot make.
 struct PrintProof {

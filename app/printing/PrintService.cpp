@@ -233,6 +233,34 @@ QString stateText(const JobStatus& status, const QString& printerReason) {
     return reason.isEmpty() ? state : QStringLiteral("%1: %2").arg(state, reason);
 }
 
+// A print and its record in the history: kept when it is sent, and again with its end.
+class KeptPrint {
+public:
+    KeptPrint(const PrintHistory& history, const std::optional<PrintRecord>& record)
+        : history_(history), record_(record) {
+        keep();
+    }
+    void end(PrintFate fate, const QString& reason = {}) {
+        if (record_) {
+            record_->fate = fate;
+            record_->reason = reason;
+            keep();
+        }
+    }
+    const QString& notKept() const { return notKept_; }
+
+private:
+    void keep() {
+        if (record_) {
+            notKept_ = history_.keep(*record_);
+        }
+    }
+
+    const PrintHistory& history_;
+    std::optional<PrintRecord> record_;
+    QString notKept_;
+};
+
 // The state that a job ends in, or nothing while it goes on.
 std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const JobStatus& status,
                               const std::optional<PrinterInfo>& printer) {
@@ -301,6 +329,10 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintReque
     if (request.copies > 1) {
         repeat(plan.task, request.copies);
     }
+    plan.record = recordOf(original, request.source, request.profile, paper.media.size);
+    plan.record->printer = request.printer;
+    plan.record->mediumName = paper.media.name;
+    plan.record->copies = request.copies;
     return plan;
 }
 
@@ -375,21 +407,35 @@ JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& pro
     }
 }
 
-JobState printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
-                    const Progress& progress, const JobEndObserver& ended) {
+PrintEnd printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
+                    const PrintHistory& history, const Progress& progress,
+                    const JobEndObserver& ended) {
     const double share = 1.0 / double(plans.size());
     double done = 0;
-    JobState state = JobState::Waiting;
+    PrintEnd end;
     for (const PrintPlan& plan : plans) {
         progress.cancelSwitch.throwIfCancelled();
-        const PrintJob job = system.submit(plan.task);
-        state = followJob(system, job, progress.part(done, done + share));
-        if (ended) {
-            ended(plan.task, job, state);
+        KeptPrint kept(history, plan.record);
+        try {
+            const PrintJob job = system.submit(plan.task);
+            end.state = followJob(system, job, progress.part(done, done + share));
+            kept.end(end.state == JobState::Printed ? PrintFate::Printed : PrintFate::HandedOver);
+            if (ended) {
+                ended(plan.task, job, end.state);
+            }
+        } catch (const Cancelled&) {
+            kept.end(PrintFate::Cancelled);
+            throw;
+        } catch (const Error& error) {
+            kept.end(PrintFate::Failed, error.message());
+            throw;
+        }
+        if (!kept.notKept().isEmpty()) {
+            end.notKept = kept.notKept();
         }
         done += share;
     }
-    return state;
+    return end;
 }
 
 } // namespace dipwright

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "printing/PrintHistory.h"
 #include "printing/PrintSystem.h"
 #include "project/Profiles.h"
 #include "sheet/CalibrationPage.h"
@@ -25,6 +26,7 @@ struct PrintRequest {
     bool acceptMonochrome = false; // print a coloured sheet in grey
     bool acceptClipping = false;   // lose what lies where the printer does not reach
     bool acceptOtherPaper = false; // the paper is not loaded, as far as the printer knows
+    PrintSource source;            // for the history
 };
 
 // What will be sent, and what to say about it beforehand.
@@ -32,6 +34,7 @@ struct PrintPlan {
     PrinterInfo printer;
     PrintTask task;
     QStringList warnings;
+    std::optional<PrintRecord> record; // for the history; none of a page of rulers
 };
 
 // Judges and prepares one sheet. Throws Error, one sentence that says what to do, when the printer
@@ -62,8 +65,15 @@ JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& pro
 // Hears of each job when it has come to its end.
 using JobEndObserver = std::function<void(const PrintTask&, const PrintJob&, JobState)>;
 
-// Sends what was planned, one job after the other, each followed as above. The state of the last.
-JobState printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
-                    const Progress& progress, const JobEndObserver& ended = {});
+struct PrintEnd {
+    JobState state = JobState::Waiting; // of the last job
+    QString notKept;                    // why the history does not have them all; empty: it has
+};
+
+// Sends what was planned, one job after the other, each followed as above and kept in the history,
+// with its end whatever that is.
+PrintEnd printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
+                    const PrintHistory& history, const Progress& progress,
+                    const JobEndObserver& ended = {});
 
 } // namespace dipwright

@@ -231,7 +231,7 @@ void CalibrationDialog::print() {
         [page = page(), request](const Progress& progress) {
             const auto system = printSystem();
             const PrintPlan plan = planCalibration(*system, page, request);
-            return printPlans(*system, {plan}, progress);
+            return printPlans(*system, {plan}, PrintHistory(), progress).state;
         },
         [this](JobState state) {
             setPrinting(false);

@@ -34,8 +34,10 @@ struct Judgement {
 
 } // namespace
 
-PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidget* parent)
-    : QDialog(parent), outcome_(outcome), shown_(immersion),
+PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
+                         const QString& projectFile, QWidget* parent)
+    : QDialog(parent), outcome_(outcome),
+      source_(printSource(outcome.result->project, projectFile)), shown_(immersion),
       preview_(new PicturePanel(tr("Page"), {})), printer_(new QComboBox), paper_(new QComboBox),
       orientation_(new QComboBox), proof_(new QComboBox), copies_(new QSpinBox),
       tile_(new QCheckBox(tr("Cut into pieces where the paper is smaller"))),
@@ -243,7 +245,8 @@ void PrintDialog::saveFile() {
         PrintFileRequest request;
         request.profile = outcome_.result->project.profiles.printer;
         request.acceptClipping = clipped_->isChecked();
-        const QStringList warnings = writePrintFile(sheets_[shown_], request, path);
+        request.source = source_;
+        const QStringList warnings = writePrintFile(sheets_[shown_], request, path, PrintHistory());
         const QString wrote = tr("Wrote %1").arg(QDir::toNativeSeparators(path));
         verdict_->setText((QStringList{wrote} + warnings).join(QStringLiteral("\n")));
     } catch (const Error& error) {
@@ -303,6 +306,7 @@ PrintRequest PrintDialog::request() const {
     request.acceptMonochrome = grey_->isChecked();
     request.acceptClipping = clipped_->isChecked();
     request.acceptOtherPaper = otherPaper_->isChecked();
+    request.source = source_;
     return request;
 }
 
@@ -362,17 +366,21 @@ void PrintDialog::print() {
     printing_ = true;
     setBusy(true, tr("Printing …"));
     QSettings().setValue(QLatin1String(lastPrinterKey), printer_->currentText());
-    jobs_.start(std::make_unique<ValueJob<JobState>>(
+    jobs_.start(std::make_unique<ValueJob<PrintEnd>>(
         tr("Printing"),
         [sheets = chosenSheets(), request = request()](const Progress& progress) {
             const auto system = printSystem();
-            return printPlans(*system, planPrints(*system, sheets, request), progress);
+            return printPlans(*system, planPrints(*system, sheets, request), PrintHistory(),
+                              progress);
         },
-        [this](JobState state) {
+        [this](const PrintEnd& end) {
             printing_ = false;
-            emit printed(state == JobState::Printed
-                             ? tr("Printed on %1").arg(printer_->currentText())
-                             : tr("Handed to the queue of %1").arg(printer_->currentText()));
+            const QString done = end.state == JobState::Printed
+                                     ? tr("Printed on %1").arg(printer_->currentText())
+                                     : tr("Handed to the queue of %1").arg(printer_->currentText());
+            emit printed(end.notKept.isEmpty()
+                             ? done
+                             : QStringLiteral("%1. %2").arg(done, notKeptText(end.notKept)));
             accept();
         },
         [this](std::exception_ptr failure) {

@@ -25,8 +25,10 @@ class PrintDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // `immersion`: the one that is chosen at first.
-    PrintDialog(const DipOutcome& outcome, std::size_t immersion, QWidget* parent = nullptr);
+    // `immersion`: the one that is chosen at first. `projectFile`: for the history; empty: none
+    // yet.
+    PrintDialog(const DipOutcome& outcome, std::size_t immersion, const QString& projectFile,
+                QWidget* parent = nullptr);
     // Says something about the sheets above all else.
     void warn(const QString& sentence);
 
@@ -51,6 +53,7 @@ private:
     std::vector<Sheet> chosenSheets() const;
 
     DipOutcome outcome_;
+    PrintSource source_;
     std::vector<Sheet> sheets_; // as they are printed
     std::size_t shown_;         // the one looked at
     PicturePanel* preview_;

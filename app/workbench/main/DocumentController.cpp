@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "dialogs/NewProjectDialog.h"
+#include "dialogs/PrintHistoryDialog.h"
 #include "document/RecentProjects.h"
 #include "main/WindowActions.h"
 #include "main/Workbench.h"
@@ -35,6 +36,7 @@ DocumentController::DocumentController(const WindowActions& actions, DocumentSes
     on(actions.open, &DocumentController::askOpen);
     on(actions.save, &DocumentController::save);
     on(actions.saveAs, &DocumentController::saveAs);
+    on(actions.printHistory, &DocumentController::showPrintHistory);
 }
 
 void DocumentController::askNew(const QString& model) {
@@ -156,6 +158,13 @@ void DocumentController::fillRecentMenu(QMenu& menu) {
     if (menu.isEmpty()) {
         menu.addAction(tr("None yet"))->setEnabled(false);
     }
+}
+
+void DocumentController::showPrintHistory() {
+    auto* dialog = new PrintHistoryDialog(PrintHistory(), workbench_.preferences().unit, &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &PrintHistoryDialog::projectAsked, &session_, &DocumentSession::openProject);
+    dialog->show();
 }
 
 void DocumentController::takeFiles(const QList<QUrl>& files) {

@@ -126,7 +126,8 @@ ExportController::Write ExportController::stretchWriter(const QString& suffix) c
 }
 
 void ExportController::print() {
-    auto* dialog = new PrintDialog(session_.outcome(), session_.immersion(), &window_);
+    auto* dialog = new PrintDialog(session_.outcome(), session_.immersion(),
+                                   session_.document()->path(), &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (!session_.document()->isFresh()) {
         dialog->warn(tr("These sheets were made before the last changes. Run the dip first to "

@@ -81,6 +81,8 @@ std::vector<WindowActions::Entry> WindowActions::fileEntries() {
          tr("Make what holds the body in each dip, as STL and 3MF to print in plastic")},
         {&A::print, "print", "print", tr("&Print…"), tr("Print sheets at true size"),
          QKeySequence::Print},
+        {&A::printHistory, "printHistory", "", tr("Print &History…"),
+         tr("See what was printed when, on what, and from which project"), key("Ctrl+Shift+H")},
         {&A::calibrate, "calibratePrinter", "measure", tr("Calibrate P&rinter…"),
          tr("Print a page of rulers and put the printer's scale into its profile")},
         {&A::profiles, "profiles", "", tr("Pro&files…"),

@@ -29,7 +29,7 @@ public:
     explicit WindowActions(QWidget& window); // adds them to it
 
     QAction *newWindow, *newProject, *open, *save, *saveAs, *exportResults, *exportPdf, *exportPng,
-        *exportCradles, *print, *calibrate, *profiles, *close, *quit;
+        *exportCradles, *print, *printHistory, *calibrate, *profiles, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
         *replaceModel, *replaceTexture, *preferences;
     QAction *run, *cancel, *live, *certainty, *tolerances, *findPoses, *play;

@@ -76,6 +76,7 @@ void PrintCommandTest::initTestCase() {
     QVERIFY(cups_->add({"pigment", true, {{"iso_a4_210x297mm", 210, 297, 0}}}));
     QVERIFY(cups_->add({"grey", false, {{"iso_a4_210x297mm", 210, 297, 0}}}));
     qputenv("DIPWRIGHT_PROFILE_PATH", folder_.filePath("profiles").toUtf8());
+    qputenv("DIPWRIGHT_PRINT_HISTORY", folder_.filePath("prints").toUtf8());
 }
 
 void PrintCommandTest::printersAreListed() {
@@ -100,6 +101,14 @@ void PrintCommandTest::turtlesTwoSheetsArrive() {
         QVERIFY(pdfWords(paper).contains("Film A4 210 × 297 mm"));
     }
     QVERIFY(pdfWords(papers[0]) != pdfWords(papers[1])); // each names its immersion
+    // The history finds each by the job number that stands on it.
+    const QStringList kept = QString::fromUtf8(cli({"print", "--history"}).out).split('\n');
+    for (int i : {0, 1}) {
+        const QString& print = kept[1 - i]; // the newest first
+        QVERIFY2(print.contains("pigment") && print.endsWith("Printed"), qPrintable(print));
+        const QString job = print.section("job ", 1).section(' ', 0, 0);
+        QVERIFY2(job.size() == 12 && pdfWords(papers[i]).contains(job.toUtf8()), qPrintable(print));
+    }
 }
 
 void PrintCommandTest::chessboardIsTrue() {
@@ -164,6 +173,7 @@ void PrintCommandTest::sheetsAreWrittenAsFiles() {
             cli(QStringList{"print", turtle, "--immersion", "1", "--to", path} + coarse);
         QVERIFY2(outcome.exitCode == 0, outcome.err);
         QVERIFY(QFileInfo(path).size() > 10000);
+        QVERIFY(cli({"print", "--history"}).out.split('\n')[0].contains(path.toUtf8()));
     }
     QVERIFY(std::abs(rulerLength(folder_.filePath("sheet.pdf")) - 100) < 0.02);
     QCOMPARE(cli({"print", turtle, "--to", folder_.filePath("both.pdf")}).exitCode, 2);

@@ -10,6 +10,7 @@
 #include "panels/PictureView.h"
 #include "panels/ProjectTree.h"
 #include "panels/StretchPanel.h"
+#include "printing/PrintHistory.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -22,6 +23,7 @@
 #include <QInputDialog>
 #include <QKeySequenceEdit>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -274,6 +276,40 @@ private slots:
         QVERIFY(picture.save(path));
         driver.drop(path);
         QTRY_COMPARE(window_->document()->project().model->textures.at(0).size(), QSize(32, 32));
+    }
+
+    void aSheetOnTheShelfLeadsToItsProject() {
+        const WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        const QString path = folder_.filePath(QStringLiteral("shelf.dipw"));
+        window_->documents().saveAs(path);
+        PrintRecord record;
+        record.job = QStringLiteral("0123456789ab");
+        record.source = printSource(window_->document()->project(), path);
+        record.fate = PrintFate::Printed;
+        QVERIFY(PrintHistory().keep(record).isEmpty());
+        PrintRecord other;
+        other.job = QStringLiteral("ba9876543210");
+        other.fate = PrintFate::Failed;
+        other.reason = QStringLiteral("no such ink");
+        QVERIFY(PrintHistory().keep(other).isEmpty());
+        window_ = std::make_unique<MainWindow>(*workbench_);
+        window_->show();
+        const WindowDriver fresh(*window_);
+        fresh.trigger("printHistory");
+        auto* dialog = fresh.find<QDialog>("printHistory");
+        auto* table = dialog->findChild<QTableWidget*>();
+        QTRY_COMPARE(table->rowCount(), 2);
+        const auto* facts = dialog->findChild<QLabel*>(QStringLiteral("facts"));
+        QVERIFY2(facts->text().contains(other.reason), qPrintable(facts->text()));
+        auto* open = dialog->findChild<QPushButton*>(QStringLiteral("openProject"));
+        QVERIFY(!open->isEnabled()); // it was never saved
+        auto* search = dialog->findChild<QLineEdit*>(QStringLiteral("search"));
+        search->setText(QStringLiteral("01234567"));
+        QVERIFY(table->isRowHidden(0) && !table->isRowHidden(1));
+        open->click();
+        QTRY_VERIFY_WITH_TIMEOUT(window_->document() != nullptr, patience());
+        QCOMPARE(window_->document()->path(), path);
     }
 
     void resultsOfAnotherModelAreGone() {

@@ -7,6 +7,7 @@
 #include "dialogs/NewProjectDialog.h"
 #include "dialogs/PreferencesDialog.h"
 #include "dialogs/PrintDialog.h"
+#include "dialogs/PrintHistoryDialog.h"
 #include "dialogs/ProfilesDialog.h"
 #include "document/RecentProjects.h"
 #include "look/Languages.h"
@@ -228,6 +229,27 @@ void photographSearch(const WindowDriver& driver, MainWindow& window, const Phot
     camera.take(window, QStringLiteral("search-weights"));
 }
 
+void photographHistory(MainWindow& window, Workbench& workbench, const Photographer& camera) {
+    const PrintHistory history;
+    for (const ImmersionResult& immersion : window.session().outcome().result->immersions) {
+        PrintRecord record = recordOf(
+            immersion.sheet, printSource(window.document()->project(), window.document()->path()),
+            {}, pageSize(immersion.sheet));
+        record.printer = QStringLiteral("pigment");
+        for (const PrintFate fate : {PrintFate::Printed, PrintFate::Cancelled, PrintFate::Failed}) {
+            record.id.clear();
+            record.fate = fate;
+            record.reason = QStringLiteral("The printer stopped in the middle of the job: media "
+                                           "jam; the rest is cancelled, print the sheet anew");
+            history.keep(record);
+        }
+    }
+    PrintHistoryDialog dialog(history, workbench.preferences().unit);
+    dialog.show();
+    QTest::qWait(500); // it reads
+    camera.take(dialog, QStringLiteral("print-history"));
+}
+
 void photographDialogs(MainWindow& window, Workbench& workbench, const Photographer& camera) {
     NewProjectDialog create({}, workbench.preferences());
     create.show();
@@ -239,7 +261,8 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
         tabs->setCurrentIndex(tab);
         camera.take(preferences, QStringLiteral("preferences-%1").arg(tab));
     }
-    PrintDialog print(window.session().outcome(), 0);
+    photographHistory(window, workbench, camera);
+    PrintDialog print(window.session().outcome(), 0, window.document()->path());
     print.show();
     QTest::qWait(1500); // it looks for printers
     camera.take(print, QStringLiteral("print"));
@@ -305,6 +328,7 @@ int main(int argc, char* argv[]) {
          {QStringLiteral("sample-thumbnail"), {}, QStringLiteral("FILE")},
          {QStringLiteral("only-window"), {}},
          {QStringLiteral("only-results"), {}},
+         {QStringLiteral("only-dialogs"), {}},
          {QStringLiteral("only-tolerances"), {}},
          {QStringLiteral("only-search"), {}}});
     parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
@@ -327,6 +351,7 @@ int main(int argc, char* argv[]) {
     const bool all = !parser.isSet(QStringLiteral("only-window")) &&
                      !parser.isSet(QStringLiteral("only-tolerances")) &&
                      !parser.isSet(QStringLiteral("only-search")) &&
+                     !parser.isSet(QStringLiteral("only-dialogs")) &&
                      !parser.isSet(QStringLiteral("sample-thumbnail"));
     if (all) {
         camera.take(window, QStringLiteral("start"));
@@ -348,6 +373,10 @@ int main(int argc, char* argv[]) {
         return 1;
     }
     camera.take(window, QStringLiteral("window"));
+    if (parser.isSet(QStringLiteral("only-dialogs"))) {
+        photographDialogs(window, workbench, camera);
+        return 0;
+    }
     if (parser.isSet(QStringLiteral("only-search"))) {
         photographSearch(driver, window, camera);
         return 0;

@@ -19,6 +19,7 @@ class PrintDialogTest : public QObject {
     Q_OBJECT
 
     PrivateCups cups_;
+    QTemporaryDir history_;
 
     static DipOutcome twoSheets() {
         auto result = std::make_shared<JobResult>();
@@ -49,10 +50,11 @@ private slots:
         QSettings().clear();
         QVERIFY2(cups_.problem().isEmpty(), qPrintable(cups_.problem()));
         QVERIFY(cups_.add({"pigment"}));
+        qputenv("DIPWRIGHT_PRINT_HISTORY", history_.path().toUtf8());
     }
 
     void bothSheetsArriveTrueAndInOrder() {
-        PrintDialog dialog(twoSheets(), 0);
+        PrintDialog dialog(twoSheets(), 0, QStringLiteral("turtle.dipw"));
         QSignalSpy printed(&dialog, &PrintDialog::printed);
         QVERIFY(named<QCheckBox>(dialog, "Top")->isChecked());
         QVERIFY(named<QCheckBox>(dialog, "Below")->isChecked());
@@ -62,6 +64,11 @@ private slots:
         print->click();
         QTRY_COMPARE_WITH_TIMEOUT(printed.count(), 1, 30000);
         QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        const std::vector<PrintRecord> kept = PrintHistory().records();
+        QCOMPARE(kept.size(), std::size_t(2));
+        QCOMPARE(kept[0].immersion, QStringLiteral("Below"));
+        QCOMPARE(kept[0].fate, PrintFate::Printed);
+        QCOMPARE(QFileInfo(kept[0].source.projectFile).fileName(), QStringLiteral("turtle.dipw"));
         const QStringList files = cups_.received("pigment");
         QCOMPARE(files.size(), 2);
         QVERIFY(pdfWords(files[0]).contains("Top"));

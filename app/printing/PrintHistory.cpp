@@ -1,0 +1,187 @@
+#include "printing/PrintHistory.h"
+
+#include "base/Error.h"
+#include "disk/SmallFile.h"
+#include "disk/WholeFile.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QStandardPaths>
+#include <QUuid>
+#include <algorithm>
+#include <array>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
+};
+
+const char* const chosenFolder = "DIPWRIGHT_PRINT_HISTORY";
+const QString format = QStringLiteral("dipwright-print");
+constexpr int version = 1;
+constexpr qint64 mostBytes = 64 << 10; // of a record
+constexpr int mostCopies = 100'000;
+constexpr double largestMedium = 100'000; // mm
+
+// In the order of PrintFate.
+constexpr std::array fateWords{"sent", "printed", "handed_over", "written", "cancelled", "failed"};
+
+// The oldest first, by their names.
+QStringList files(const QDir& folder) {
+    return folder.entryList({QStringLiteral("*.print.json")}, QDir::Files, QDir::Name);
+}
+
+QJsonObject toJson(const PrintRecord& record) {
+    return {
+        {QStringLiteral("format"), format},
+        {QStringLiteral("version"), version},
+        {QStringLiteral("when"), record.when.toUTC().toString(Qt::ISODateWithMs)},
+        {QStringLiteral("job"), record.job},
+        {QStringLiteral("project"), record.project},
+        {QStringLiteral("immersion"), record.immersion},
+        {QStringLiteral("project_file"), record.source.projectFile},
+        {QStringLiteral("film"), record.source.film},
+        {QStringLiteral("printer"), record.printer},
+        {QStringLiteral("file"), record.file},
+        {QStringLiteral("profile"), record.profile},
+        {QStringLiteral("medium"), record.mediumName},
+        {QStringLiteral("medium_mm"),
+         QJsonArray{record.mediumSize.width(), record.mediumSize.height()}},
+        {QStringLiteral("copies"), record.copies},
+        {QStringLiteral("fate"), QLatin1String(fateWords[std::size_t(record.fate)])},
+        {QStringLiteral("reason"), record.reason},
+    };
+}
+
+// A line without control characters, whoever wrote it.
+QString line(const QJsonObject& json, const char* key) {
+    constexpr int longest = 4096;
+    return json.value(QLatin1String(key)).toString().left(longest).simplified();
+}
+
+std::optional<PrintRecord> recordFromJson(const QJsonObject& json, const QString& id) {
+    const auto fate = std::find(fateWords.begin(), fateWords.end(),
+                                json.value(QLatin1String("fate")).toString().toStdString());
+    const QDateTime when = QDateTime::fromString(line(json, "when"), Qt::ISODateWithMs);
+    if (json.value(QLatin1String("format")) != format ||
+        json.value(QLatin1String("version")) != version || fate == fateWords.end() ||
+        !when.isValid()) {
+        return std::nullopt;
+    }
+    const QJsonArray size = json.value(QLatin1String("medium_mm")).toArray();
+    const auto side = [&size](int i) { return std::clamp(size[i].toDouble(), 0.0, largestMedium); };
+    return PrintRecord{id,
+                       when.toLocalTime(),
+                       line(json, "job"),
+                       line(json, "project"),
+                       line(json, "immersion"),
+                       {line(json, "project_file"), line(json, "film")},
+                       line(json, "printer"),
+                       line(json, "file"),
+                       line(json, "profile"),
+                       line(json, "medium"),
+                       {side(0), side(1)},
+                       std::clamp(json.value(QLatin1String("copies")).toInt(1), 1, mostCopies),
+                       PrintFate(fate - fateWords.begin()),
+                       line(json, "reason")};
+}
+
+} // namespace
+
+PrintSource printSource(const Project& project, const QString& projectFile) {
+    PrintSource source;
+    if (!projectFile.isEmpty()) {
+        source.projectFile = QFileInfo(projectFile).absoluteFilePath();
+    }
+    if (const auto& film = project.profiles.film) {
+        source.film =
+            film->lot.isEmpty() ? film->name : Text::tr("%1, lot %2").arg(film->name, film->lot);
+    }
+    return source;
+}
+
+PrintRecord recordOf(const Sheet& sheet, const PrintSource& source,
+                     const std::optional<PrinterProfile>& profile, QSizeF mediumSize) {
+    PrintRecord record;
+    record.job = sheet.job.hash;
+    record.project = sheet.job.project;
+    record.immersion = sheet.job.immersion;
+    record.source = source;
+    record.profile = profile ? profile->name : QString();
+    record.mediumSize = mediumSize;
+    return record;
+}
+
+QString fateText(const PrintRecord& record) {
+    switch (record.fate) {
+    case PrintFate::Sent:
+        return Text::tr("Sent, nothing more is known");
+    case PrintFate::Printed:
+        return Text::tr("Printed");
+    case PrintFate::HandedOver:
+        return Text::tr("Handed to the printer's queue");
+    case PrintFate::WrittenToFile:
+        return Text::tr("Written to a file");
+    case PrintFate::Cancelled:
+        return Text::tr("Cancelled");
+    case PrintFate::Failed:
+        break;
+    }
+    return Text::tr("Failed: %1").arg(record.reason);
+}
+
+QString notKeptText(const QString& reason) {
+    return Text::tr("The print history does not have it: %1").arg(reason);
+}
+
+QString PrintHistory::standardFolder() {
+    return qEnvironmentVariableIsEmpty(chosenFolder)
+               ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                     QStringLiteral("/prints")
+               : qEnvironmentVariable(chosenFolder);
+}
+
+PrintHistory::PrintHistory(const QString& folder) : folder_(folder) {}
+
+std::vector<PrintRecord> PrintHistory::records() const {
+    const QDir folder(folder_);
+    QStringList names = files(folder);
+    std::vector<PrintRecord> found;
+    for (auto name = names.crbegin(); name != names.crend() && int(found.size()) < mostRecords;
+         ++name) {
+        try {
+            const QByteArray bytes = readSmallFile(folder.filePath(*name), mostBytes);
+            const auto record = recordFromJson(QJsonDocument::fromJson(bytes).object(), *name);
+            if (record) {
+                found.push_back(*record);
+            }
+        } catch (const Error&) {
+            continue; // one damaged file must not take the others away
+        }
+    }
+    return found;
+}
+
+QString PrintHistory::keep(PrintRecord& record) const {
+    const QDir folder(folder_);
+    if (!folder.mkpath(QStringLiteral("."))) {
+        return Text::tr("the folder %1 cannot be made").arg(QDir::toNativeSeparators(folder_));
+    }
+    if (record.id.isEmpty()) {
+        record.when = QDateTime::currentDateTimeUtc();
+        record.id = QStringLiteral("%1-%2.print.json")
+                        .arg(record.when.toString(QStringLiteral("yyyyMMdd'T'HHmmsszzz")),
+                             QUuid::createUuid().toString(QUuid::Id128).left(8));
+        const QStringList names = files(folder);
+        for (qsizetype i = 0; i <= names.size() - mostRecords; ++i) {
+            QFile::remove(folder.filePath(names[i]));
+        }
+    }
+    return replaceFile(folder.filePath(record.id), QJsonDocument(toJson(record)).toJson());
+}
+
+} // namespace dipwright

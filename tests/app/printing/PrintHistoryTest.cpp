@@ -1,0 +1,168 @@
+// The print history, with printers that do as the test says: what was printed is found again by the
+// job number on its sheet, whatever became of it.
+#include "printing/PrintHistory.h"
+
+#include "ChessSheet.h"
+
+#include "base/Error.h"
+#include "printing/PrintFile.h"
+#include "printing/PrintService.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+// One printer that has A4, on which jobs end as they are told.
+class ToldPrinter : public PrintSystem {
+public:
+    JobStatus end{JobState::Printed, {}};
+
+    QStringList printers() override { return {QStringLiteral("pigment")}; }
+    std::optional<PrinterInfo> printer(const QString& name) override {
+        PrinterInfo info;
+        info.name = name;
+        info.media = {{QStringLiteral("iso_a4_210x297mm"), QSizeF(210, 297), {}, true}};
+        return info;
+    }
+    PrintJob submit(const PrintTask& task) override { return {task.printer, 1}; }
+    JobStatus status(const PrintJob&) override { return end; }
+    void cancel(const PrintJob&) override {}
+};
+
+PrintRequest request() {
+    PrintRequest request;
+    request.printer = QStringLiteral("pigment");
+    request.copies = 2;
+    request.source = {QStringLiteral("/jobs/turtle.dipw"), QStringLiteral("Blue film, lot 7")};
+    return request;
+}
+
+} // namespace
+
+class PrintHistoryTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> folder_;
+    ToldPrinter printer_;
+
+    PrintHistory history() const {
+        return PrintHistory(folder_->filePath(QStringLiteral("prints")));
+    }
+    PrintEnd print(const QStringList& immersions, const PrintHistory& history,
+                   const Progress& progress = {}) {
+        std::vector<Sheet> sheets;
+        for (const QString& name : immersions) {
+            sheets.push_back(chessSheet(name));
+        }
+        return printPlans(printer_, planPrints(printer_, sheets, request()), history, progress);
+    }
+
+private slots:
+    void init() {
+        folder_ = std::make_unique<QTemporaryDir>();
+        printer_.end = {JobState::Printed, {}};
+    }
+
+    void everySheetIsFoundByItsJob() {
+        QVERIFY(history().records().empty());
+        const QDateTime before = QDateTime::currentDateTime().addMSecs(-1);
+        print({QStringLiteral("Top"), QStringLiteral("Below")}, history());
+        const std::vector<PrintRecord> records = history().records();
+        QCOMPARE(records.size(), std::size_t(2));
+        QCOMPARE(records[0].immersion, QStringLiteral("Below")); // the newest first
+        const PrintRecord& top = records[1];
+        QCOMPARE(top.immersion, QStringLiteral("Top"));
+        QCOMPARE(top.job, QStringLiteral("3fa9c2d1"));
+        QCOMPARE(top.project, QStringLiteral("Turtle"));
+        QCOMPARE(top.printer, QStringLiteral("pigment"));
+        QCOMPARE(top.mediumName, QStringLiteral("iso_a4_210x297mm"));
+        QCOMPARE(top.mediumSize, QSizeF(210, 297));
+        QCOMPARE(top.copies, 2);
+        QCOMPARE(top.source.projectFile, QStringLiteral("/jobs/turtle.dipw"));
+        QCOMPARE(top.source.film, QStringLiteral("Blue film, lot 7"));
+        QVERIFY(top.when >= before && top.when <= QDateTime::currentDateTime());
+        QCOMPARE(top.fate, PrintFate::Printed);
+    }
+
+    void whatFailsIsKeptWithItsReason() {
+        printer_.end = {JobState::Failed, QStringLiteral("out of paper")};
+        QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Top"), QStringLiteral("Below")}, history()),
+                                 Error);
+        const std::vector<PrintRecord> records = history().records();
+        QCOMPARE(records.size(), std::size_t(1)); // the second was never sent
+        QCOMPARE(records[0].fate, PrintFate::Failed);
+        QVERIFY2(fateText(records[0]).contains(QStringLiteral("out of paper")),
+                 qPrintable(fateText(records[0])));
+    }
+
+    void whatIsCancelledIsKeptAsSuch() {
+        printer_.end = {JobState::Held, {}};
+        Progress progress;
+        progress.report = [&](double, const QString&) {
+            QCOMPARE(history().records()[0].fate, PrintFate::Sent); // kept before its end
+            progress.cancelSwitch.cancel();
+        };
+        QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Top")}, history(), progress), Cancelled);
+        QCOMPARE(history().records().size(), std::size_t(1));
+        QCOMPARE(history().records()[0].fate, PrintFate::Cancelled);
+    }
+
+    void filesForPrintersAreKept() {
+        const QString path = folder_->filePath(QStringLiteral("sheet.pdf"));
+        PrintFileRequest file;
+        file.tilePaper = QSizeF(120, 160);
+        writePrintFile(chessSheet(QStringLiteral("Top")), file, path, history());
+        const std::vector<PrintRecord> records = history().records();
+        QCOMPARE(records.size(), std::size_t(1));
+        QCOMPARE(records[0].file, path);
+        QCOMPARE(records[0].mediumSize, QSizeF(120, 160));
+        QCOMPARE(records[0].fate, PrintFate::WrittenToFile);
+    }
+
+    void printsGoOnWhereNothingCanBeKept() {
+        QFile inTheWay(folder_->filePath(QStringLiteral("prints")));
+        QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+        const PrintEnd end = print({QStringLiteral("Top")}, history());
+        QCOMPARE(end.state, JobState::Printed);
+        QVERIFY(!end.notKept.isEmpty());
+    }
+
+    void damagedRecordsTakeNoOthersAway() {
+        print({QStringLiteral("Top")}, history());
+        const QDir folder(folder_->filePath(QStringLiteral("prints")));
+        QFile whole(folder.filePath(folder.entryList(QDir::Files).front()));
+        QVERIFY(whole.open(QIODevice::ReadOnly));
+        const QByteArray bytes = whole.readAll();
+        for (qsizetype length = 0; length < bytes.size() - 2; length += 7) {
+            QFile cut(folder.filePath(QStringLiteral("2%1.print.json").arg(length)));
+            QVERIFY(cut.open(QIODevice::WriteOnly));
+            cut.write(bytes.left(length));
+        }
+        QCOMPARE(history().records().size(), std::size_t(1));
+    }
+
+    void theOldestGoFirst() {
+        const QDir folder(folder_->filePath(QStringLiteral("prints")));
+        QVERIFY(folder.mkpath(QStringLiteral(".")));
+        for (int i = 0; i < PrintHistory::mostRecords + 3; ++i) {
+            QFile old(
+                folder.filePath(QStringLiteral("1%1.print.json").arg(i, 6, 10, QLatin1Char('0'))));
+            QVERIFY(old.open(QIODevice::WriteOnly));
+        }
+        QFile others(folder.filePath(QStringLiteral("0.json"))); // somebody else's
+        QVERIFY(others.open(QIODevice::WriteOnly));
+        print({QStringLiteral("Top")}, history());
+        QVERIFY(others.exists());
+        QVERIFY(!folder.exists(QStringLiteral("1000003.print.json")));
+        QVERIFY(folder.exists(QStringLiteral("1000004.print.json")));
+        QCOMPARE(folder.entryList({QStringLiteral("*.print.json")}).size(),
+                 PrintHistory::mostRecords);
+        QCOMPARE(history().records().size(), std::size_t(1));
+    }
+};
+
+QTEST_MAIN(PrintHistoryTest)
+#include "PrintHistoryTest.moc"
