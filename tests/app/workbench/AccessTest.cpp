@@ -8,6 +8,7 @@
 #include "dialogs/NewProjectDialog.h"
 #include "dialogs/PreferencesDialog.h"
 #include "dialogs/PrintDialog.h"
+#include "dialogs/PrintHistoryDialog.h"
 #include "dialogs/ProfilesDialog.h"
 #include "look/Theme.h"
 #include "panels/PictureView.h"
@@ -147,15 +148,16 @@ private slots:
         NewProjectDialog create({}, workbench_->preferences());
         PreferencesDialog preferences(workbench_->preferences(), workbench_->registry(),
                                       window_->actions());
-        PrintDialog print(window_->session().outcome(), 0);
+        PrintDialog print(window_->session().outcome(), 0, {});
         const ProfileLibrary library;
         ProfilesDialog profiles(library, LengthUnit::Millimetre);
         CalibrationDialog calibration(library);
+        PrintHistoryDialog history(PrintHistory{}, LengthUnit::Millimetre);
         GuideWindow guide;
-        for (QWidget* dialog :
-             {static_cast<QWidget*>(&create), static_cast<QWidget*>(&preferences),
-              static_cast<QWidget*>(&print), static_cast<QWidget*>(&profiles),
-              static_cast<QWidget*>(&calibration), static_cast<QWidget*>(&guide)}) {
+        for (QWidget* dialog : {static_cast<QWidget*>(&create), static_cast<QWidget*>(&preferences),
+                                static_cast<QWidget*>(&print), static_cast<QWidget*>(&profiles),
+                                static_cast<QWidget*>(&calibration),
+                                static_cast<QWidget*>(&history), static_cast<QWidget*>(&guide)}) {
             dialog->show();
             auto* tabs = dialog->findChild<QTabWidget*>();
             for (int page = 0; page < (tabs ? tabs->count() : 1); ++page) {

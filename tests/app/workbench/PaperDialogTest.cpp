@@ -135,7 +135,7 @@ private slots:
         auto result = std::make_shared<JobResult>();
         result->immersions.resize(1);
         result->immersions[0].sheet = sheet;
-        PrintDialog dialog({result, {}, {sheetPreview(sheet)}}, 0);
+        PrintDialog dialog({result, {}, {sheetPreview(sheet)}}, 0, {});
         const auto shape = [&] { // of the page that is shown
             const QImage& page = dialog.findChild<PictureView*>()->picture();
             return double(page.width()) / page.height();
