@@ -4267,6 +4267,22 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <source>Contents</source>
         <translation>Inhalt</translation>
     </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Enter goes to the next place</source>
+        <translation>Die Eingabetaste geht zur nächsten Stelle</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nichts gefunden</translation>
+    </message>
+    <message>
+        <source>Places: %1</source>
+        <translation>Stellen: %1</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::HelpController</name>
@@ -4705,6 +4721,45 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>Empties the log.</source>
         <translation>Leert das Protokoll.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::LookInsideBar</name>
+    <message>
+        <source>Where body and film are cut open; the frame in the view can be dragged, too</source>
+        <translation>Wo Körper und Film aufgeschnitten werden; auch der Rahmen in der Ansicht lässt sich ziehen</translation>
+    </message>
+    <message>
+        <source>How much the film covers of what lies behind it</source>
+        <translation>Wie viel der Film von dem verdeckt, was hinter ihm liegt</translation>
+    </message>
+    <message>
+        <source>Direction of the section</source>
+        <translation>Richtung des Schnitts</translation>
+    </message>
+    <message>
+        <source>Show the other side</source>
+        <translation>Andere Seite zeigen</translation>
+    </message>
+    <message>
+        <source>Film covers</source>
+        <translation>Film deckt</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Across X</source>
+        <translation>Quer zu X</translation>
+    </message>
+    <message>
+        <source>Level, across Y</source>
+        <translation>Waagerecht, quer zu Y</translation>
+    </message>
+    <message>
+        <source>Across Z</source>
+        <translation>Quer zu Z</translation>
     </message>
 </context>
 <context>
@@ -5865,6 +5920,10 @@ Dehnung</translation>
     <message>
         <source>Immersion</source>
         <translation>Tauchvorgang</translation>
+    </message>
+    <message>
+        <source>Shows the prints that hold all words typed here, or parts of words</source>
+        <translation>Zeigt die Drucke, die alle hier eingegebenen Wörter oder Wortteile enthalten</translation>
     </message>
 </context>
 <context>
@@ -7930,6 +7989,22 @@ mm je mm</translation>
     <message>
         <source>See what was printed when, on what, and from which project</source>
         <translation>Sehen, was wann worauf und aus welchem Projekt gedruckt wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Section</source>
+        <translation>Schni&amp;tt</translation>
+    </message>
+    <message>
+        <source>Cut body and film open by a plane that a slider or its frame moves</source>
+        <translation>Körper und Film an einer Ebene aufschneiden, die ein Regler oder ihr Rahmen verschiebt</translation>
+    </message>
+    <message>
+        <source>S&amp;ee-Through Film</source>
+        <translation>&amp;Durchsichtiger Film</translation>
+    </message>
+    <message>
+        <source>See the body through the film</source>
+        <translation>Den Körper durch den Film hindurch sehen</translation>
     </message>
 </context>
 <context>

@@ -4267,6 +4267,22 @@ impresso em cartão rígido e impermeável</translation>
         <source>Contents</source>
         <translation>Conteúdo</translation>
     </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Buscar no guia</translation>
+    </message>
+    <message>
+        <source>Enter goes to the next place</source>
+        <translation>Enter vai ao próximo lugar</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nada encontrado</translation>
+    </message>
+    <message>
+        <source>Places: %1</source>
+        <translation>Lugares: %1</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::HelpController</name>
@@ -4705,6 +4721,45 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>Empties the log.</source>
         <translation>Esvazia o registro.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::LookInsideBar</name>
+    <message>
+        <source>Where body and film are cut open; the frame in the view can be dragged, too</source>
+        <translation>Onde corpo e filme são abertos; a moldura na vista também pode ser arrastada</translation>
+    </message>
+    <message>
+        <source>How much the film covers of what lies behind it</source>
+        <translation>Quanto o filme cobre do que está atrás dele</translation>
+    </message>
+    <message>
+        <source>Direction of the section</source>
+        <translation>Direção do corte</translation>
+    </message>
+    <message>
+        <source>Show the other side</source>
+        <translation>Mostrar o outro lado</translation>
+    </message>
+    <message>
+        <source>Film covers</source>
+        <translation>Filme cobre</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Across X</source>
+        <translation>Transversal a X</translation>
+    </message>
+    <message>
+        <source>Level, across Y</source>
+        <translation>Nivelado, transversal a Y</translation>
+    </message>
+    <message>
+        <source>Across Z</source>
+        <translation>Transversal a Z</translation>
     </message>
 </context>
 <context>
@@ -5865,6 +5920,10 @@ estiramento</translation>
     <message>
         <source>Immersion</source>
         <translation>Imersão</translation>
+    </message>
+    <message>
+        <source>Shows the prints that hold all words typed here, or parts of words</source>
+        <translation>Mostra as impressões que contêm todas as palavras digitadas aqui, ou partes delas</translation>
     </message>
 </context>
 <context>
@@ -7930,6 +7989,22 @@ mm por mm</translation>
     <message>
         <source>See what was printed when, on what, and from which project</source>
         <translation>Ver o que foi impresso quando, em quê e de qual projeto</translation>
+    </message>
+    <message>
+        <source>&amp;Section</source>
+        <translation>&amp;Corte</translation>
+    </message>
+    <message>
+        <source>Cut body and film open by a plane that a slider or its frame moves</source>
+        <translation>Abrir corpo e filme por um plano que um controle ou sua moldura move</translation>
+    </message>
+    <message>
+        <source>S&amp;ee-Through Film</source>
+        <translation>Film&amp;e translúcido</translation>
+    </message>
+    <message>
+        <source>See the body through the film</source>
+        <translation>Ver o corpo através do filme</translation>
     </message>
 </context>
 <context>

@@ -11,11 +11,14 @@
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkTrivialProducer.h>
 #include <vtkUnsignedCharArray.h>
 
 namespace dipwright {
 
 namespace {
+
+const QColor sectionColour(0x9a, 0xa4, 0xae); // inside the body, on light and dark
 
 vtkSmartPointer<vtkPolyData> weldedSurface(const TriangleMesh& mesh) {
     auto points = vtkSmartPointer<vtkPoints>::New();
@@ -34,30 +37,14 @@ vtkSmartPointer<vtkPolyData> weldedSurface(const TriangleMesh& mesh) {
     return data;
 }
 
-// Drawn over the surface that they lie in.
-void showLines(vtkActor& actor, vtkPolyDataMapper& mapper) {
-    mapper.SetResolveCoincidentTopologyToPolygonOffset();
-    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);
-    actor.SetMapper(&mapper);
-    actor.GetProperty()->LightingOff();
-    actor.PickableOff();
-}
-
 } // namespace
 
 BodyActors::BodyActors(vtkRenderer* renderer)
-    : renderer_(renderer), waterPlane_(vtkSmartPointer<vtkPlane>::New()),
-      waterCut_(vtkSmartPointer<vtkCutter>::New()), waterline_(vtkSmartPointer<vtkActor>::New()),
-      lineData_(vtkSmartPointer<vtkPolyData>::New()), lines_(vtkSmartPointer<vtkActor>::New()) {
-    waterPlane_->SetNormal(0, 1, 0);
-    waterCut_->SetCutFunction(waterPlane_);
-    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-    mapper->SetInputConnection(waterCut_->GetOutputPort());
-    mapper->ScalarVisibilityOff();
-    showLines(*waterline_, *mapper);
-    auto lineMapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-    lineMapper->SetInputData(lineData_);
-    showLines(*lines_, *lineMapper);
+    : renderer_(renderer), lineData_(vtkSmartPointer<vtkPolyData>::New()),
+      lines_(vtkSmartPointer<vtkActor>::New()) {
+    auto lines = vtkSmartPointer<vtkTrivialProducer>::New();
+    lines->SetOutput(lineData_);
+    showLines(*lines_, lines->GetOutputPort());
     setPixelRatio(1);
 }
 
@@ -66,8 +53,11 @@ void BodyActors::setModel(std::shared_ptr<const TexturedMesh> model) {
         renderer_->RemoveActor(part.actor);
     }
     parts_.clear();
-    renderer_->RemoveActor(waterline_);
-    renderer_->RemoveActor(lines_);
+    const std::initializer_list<vtkActor*> lines{&waterline_.line(), &section_.line(),
+                                                 &section_.area(), lines_};
+    for (vtkActor* line : lines) {
+        renderer_->RemoveActor(line);
+    }
     model_ = std::move(model);
     if (!model_) {
         return;
@@ -77,9 +67,11 @@ void BodyActors::setModel(std::shared_ptr<const TexturedMesh> model) {
         addPart(material, normals);
     }
     surface_ = weldedSurface(model_->mesh);
-    waterCut_->SetInputData(surface_);
-    renderer_->AddActor(waterline_);
-    renderer_->AddActor(lines_);
+    waterline_.setSurface(surface_);
+    section_.setSurface(surface_);
+    for (vtkActor* line : lines) {
+        renderer_->AddActor(line);
+    }
     setTransform(modelToWorld_);
     setVisible(visible_);
 }
@@ -193,14 +185,9 @@ void BodyActors::setTransform(const Eigen::Isometry3d& modelToWorld) {
     for (const Part& part : parts_) {
         part.actor->SetUserMatrix(matrix);
     }
-    waterline_->SetUserMatrix(matrix);
     lines_->SetUserMatrix(matrix);
-    // The waterline y = 0 in the model's own coordinates.
-    const Eigen::Isometry3d inverse = modelToWorld.inverse();
-    const Eigen::Vector3d normal = inverse.linear() * Eigen::Vector3d::UnitY();
-    const Eigen::Vector3d origin = inverse.translation();
-    waterPlane_->SetOrigin(origin.x(), origin.y(), origin.z());
-    waterPlane_->SetNormal(normal.x(), normal.y(), normal.z());
+    waterline_.setTransform(modelToWorld);
+    section_.setTransform(modelToWorld);
 }
 
 void BodyActors::setVisible(bool visible) {
@@ -208,12 +195,34 @@ void BodyActors::setVisible(bool visible) {
     for (const Part& part : parts_) {
         part.actor->SetVisibility(visible);
     }
-    waterline_->SetVisibility(visible);
+    waterline_.line().SetVisibility(visible);
     lines_->SetVisibility(visible);
+    showSection();
 }
 
-void BodyActors::setWaterlineColour(const QColor& colour) {
-    waterline_->GetProperty()->SetColor(vtkColour(colour).data());
+void BodyActors::setSection(const std::optional<SectionPlane>& section, vtkPlane* kept) {
+    if (section) {
+        const Eigen::Vector3d normal = section->inward().cast<double>();
+        section_.setPlane(section->place * Eigen::Vector3d::Unit(section->axis), normal);
+    }
+    kept_ = kept;
+    showSection();
+}
+
+void BodyActors::showSection() {
+    for (const Part& part : parts_) {
+        cutOpen(*part.actor, kept_);
+    }
+    cutOpen(waterline_.line(), kept_);
+    cutOpen(*lines_, kept_);
+    section_.line().SetVisibility(visible_ && kept_);
+    section_.area().SetVisibility(visible_ && kept_);
+}
+
+void BodyActors::setLineColours(const QColor& accent, const QColor& ink) {
+    waterline_.line().GetProperty()->SetColor(vtkColour(accent).data());
+    section_.line().GetProperty()->SetColor(vtkColour(ink).data());
+    section_.area().GetProperty()->SetColor(vtkColour(sectionColour).data());
 }
 
 BoundingBox BodyActors::worldBox() const {
@@ -230,7 +239,7 @@ BoundingBox BodyActors::worldBox() const {
 }
 
 void BodyActors::setPixelRatio(double ratio) {
-    for (vtkActor* line : {waterline_.Get(), lines_.Get()}) {
+    for (vtkActor* line : {&waterline_.line(), &section_.line(), lines_.Get()}) {
         line->GetProperty()->SetLineWidth(float(2.5 * ratio));
     }
 }

@@ -1,6 +1,9 @@
-// The body in the view: an actor a material, and the line in which the water meets it.
+// The body in the view: an actor a material, the line in which the water meets it, and where it is
+// cut open.
 #pragma once
 
+#include "SectionPlane.h"
+#include "SurfaceCut.h"
 #include "ViewLine.h"
 #include "geometry/CornerNormals.h"
 #include "model/TexturedMesh.h"
@@ -9,8 +12,6 @@
 #include <memory>
 #include <vector>
 #include <vtkActor.h>
-#include <vtkCutter.h>
-#include <vtkPlane.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -26,7 +27,9 @@ public:
     void setTriangleColours(const std::vector<QRgb>& colours); // empty: the model's own look
     void setLines(const std::vector<ViewLine>& lines);
     void setVisible(bool visible);
-    void setWaterlineColour(const QColor& colour);
+    // `kept`: the plane as VTK has it, or null.
+    void setSection(const std::optional<SectionPlane>& section, vtkPlane* kept);
+    void setLineColours(const QColor& accent, const QColor& ink);
     BoundingBox worldBox() const;     // empty without a body
     void setPixelRatio(double ratio); // pixels of the screen to one of the window
 
@@ -40,15 +43,15 @@ private:
     };
     void addPart(std::size_t material, const CornerNormals& normals);
     void wearOwnLook(const Part& part) const;
+    void showSection();
 
     vtkRenderer* renderer_;
     std::shared_ptr<const TexturedMesh> model_;
     Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
     std::vector<Part> parts_;
-    vtkSmartPointer<vtkPolyData> surface_; // welded, for the waterline
-    vtkSmartPointer<vtkPlane> waterPlane_;
-    vtkSmartPointer<vtkCutter> waterCut_;
-    vtkSmartPointer<vtkActor> waterline_;
+    vtkSmartPointer<vtkPolyData> surface_; // welded, to be cut
+    SurfaceCut waterline_, section_;
+    vtkSmartPointer<vtkPlane> kept_; // null: the body is whole
     vtkSmartPointer<vtkPolyData> lineData_;
     vtkSmartPointer<vtkActor> lines_;
     bool visible_ = true;

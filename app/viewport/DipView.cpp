@@ -46,6 +46,9 @@ struct DipView::State {
     int litAxis = -1;
     double pressedAngle = 0;
     double draggedAngle = 0;
+    std::optional<SectionPlane> section;
+    std::optional<Eigen::Vector3f> heldSection; // where its frame is held, while it is dragged
+    bool litSection = false;
     int wheel = 0; // what was turned since the last notch
 };
 
@@ -160,6 +163,18 @@ void DipView::setFilmColours(std::vector<QRgb> colours) {
     });
 }
 
+void DipView::setFilmOpacity(double share) {
+    change([share](ViewScene& scene) { scene.film().setOpacity(share); });
+}
+
+void DipView::setSection(const std::optional<SectionPlane>& section) {
+    state_->section = section;
+    if (!section) {
+        state_->heldSection.reset();
+    }
+    change([section](ViewScene& scene) { scene.setSection(section); });
+}
+
 void DipView::setTank(QSizeF film, double depth) {
     change([film, depth](ViewScene& scene) { scene.setFilmSize(film, depth); });
 }
@@ -212,7 +227,8 @@ void DipView::setColours(const ViewColours& colours) {
 }
 
 ViewRay DipView::rayAt(QPointF position) const {
-    return state_->shown.projection.rayAt(position);
+    const ViewRay ray = state_->shown.projection.rayAt(position);
+    return state_->section ? state_->section->shownPart(ray) : ray;
 }
 
 QPointF DipView::positionOf(const Eigen::Vector3f& point) const {
@@ -345,6 +361,12 @@ void DipView::mousePressEvent(QMouseEvent* event) {
         s.pressedAngle = s.rings.angleAt(*axis, s.pressed, s.shown.projection);
         return;
     }
+    if (s.leftPressed && s.section) {
+        s.heldSection = s.section->frameAt(s.pressed, s.shown.projection);
+        if (s.heldSection) {
+            return;
+        }
+    }
     const ViewRay ray = rayAt(s.pressed);
     s.inStroke = s.leftPressed && s.strokeBegins && s.strokeBegins(ray);
     if (s.inStroke) {
@@ -360,12 +382,17 @@ void DipView::mouseMoveEvent(QMouseEvent* event) {
         dragRing(*event);
         return;
     }
+    if (s.heldSection) {
+        dragSection(event->position());
+        return;
+    }
     if (s.inStroke) {
         emit stroked(rayAt(event->position()));
         return;
     }
     if (event->buttons() == Qt::NoButton) {
         lightRing(s.rings.axisAt(event->position(), s.shown.projection).value_or(-1));
+        lightSection(event->position());
         emit hovered(rayAt(event->position()));
     }
     sendMouse({MouseAction::Move, Qt::NoButton, event->position(), event->modifiers()});
@@ -392,11 +419,37 @@ void DipView::lightRing(int axis) {
     }
 }
 
+// From the place that was held, so that it does not jump.
+void DipView::dragSection(const QPointF& position) {
+    const SectionPlane& section = *state_->section;
+    const double place =
+        section.placeAlong(*state_->heldSection, state_->shown.projection.rayAt(position));
+    const int axis = section.axis;
+    emit sectionDragged(
+        std::clamp(place, double(section.extent.min()[axis]), double(section.extent.max()[axis])));
+}
+
+void DipView::lightSection(const QPointF& position) {
+    State& s = *state_;
+    const bool lit =
+        s.section && s.litAxis < 0 && s.section->frameAt(position, s.shown.projection).has_value();
+    if (lit != s.litSection) {
+        s.litSection = lit;
+        change([lit](ViewScene& scene) { scene.sectionFrame().highlight(lit); });
+        setCursor(lit              ? Qt::SizeAllCursor
+                  : s.litAxis >= 0 ? Qt::PointingHandCursor
+                                   : Qt::ArrowCursor);
+    }
+}
+
 void DipView::mouseReleaseEvent(QMouseEvent* event) {
     State& s = *state_;
     if (s.draggedAxis >= 0) {
         s.draggedAxis = -1;
         emit rotationFinished();
+        return;
+    }
+    if (std::exchange(s.heldSection, std::nullopt)) {
         return;
     }
     if (std::exchange(s.inStroke, false)) {

@@ -6,6 +6,7 @@
 // The pictures are drawn on a thread of its own: however long one takes, the window does not wait.
 #pragma once
 
+#include "SectionPlane.h"
 #include "ViewLine.h"
 #include "ViewProjection.h"
 #include "model/TexturedMesh.h"
@@ -89,6 +90,10 @@ public:
     void setFilmTransform(const Eigen::Isometry3d& filmToWorld);
     void setFilmPicture(const QImage& picture);     // clears colours
     void setFilmColours(std::vector<QRgb> colours); // a point each; empty: the picture
+    void setFilmOpacity(double share);              // 1: the body is not seen through it
+
+    // Cuts body and film open; none: they are whole. Rays begin where something is drawn.
+    void setSection(const std::optional<SectionPlane>& section);
 
     // Tank and water: a frame of water round the film, `film` its floating size, `depth` of the
     // tank.
@@ -136,6 +141,7 @@ signals:
     void strokeFinished();
     void rotationDragged(int axis, double degrees); // about the world's X, Y or Z since the press
     void rotationFinished();
+    void sectionDragged(double place); // mm along its axis
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -158,6 +164,8 @@ private:
     void take(const ViewPicture& picture);
     void dragRing(const QMouseEvent& event);
     void lightRing(int axis);
+    void dragSection(const QPointF& position);
+    void lightSection(const QPointF& position);
     void paintLegend(QPainter& painter) const;
 
     std::unique_ptr<State> state_;

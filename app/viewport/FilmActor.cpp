@@ -30,6 +30,10 @@ FilmActor::FilmActor(vtkRenderer* renderer)
     actor_->GetProperty()->SetSpecularPower(40);
     actor_->PickableOff();
     renderer->AddActor(actor_);
+    cut_.setSurface(data_);
+    cut_.line().VisibilityOff();
+    renderer->AddActor(&cut_.line());
+    setPixelRatio(1);
 }
 
 void FilmActor::setShape(const FilmShape& shape, std::span<const float> positions) {
@@ -111,6 +115,28 @@ void FilmActor::updateNormals() {
 
 void FilmActor::setTransform(const Eigen::Isometry3d& filmToWorld) {
     actor_->SetUserMatrix(vtkMatrix(filmToWorld));
+    cut_.setTransform(filmToWorld);
+}
+
+void FilmActor::setOpacity(double share) {
+    actor_->GetProperty()->SetOpacity(share);
+}
+
+void FilmActor::setSection(const std::optional<SectionPlane>& section, vtkPlane* kept) {
+    if (section) {
+        cut_.setPlane(section->place * Eigen::Vector3d::Unit(section->axis),
+                      section->inward().cast<double>());
+    }
+    cutOpen(*actor_, kept);
+    cut_.line().SetVisibility(kept != nullptr);
+}
+
+void FilmActor::setCutColour(const QColor& colour) {
+    cut_.line().GetProperty()->SetColor(vtkColour(colour).data());
+}
+
+void FilmActor::setPixelRatio(double ratio) {
+    cut_.line().GetProperty()->SetLineWidth(float(3 * ratio));
 }
 
 void FilmActor::setPicture(const QImage& picture) {

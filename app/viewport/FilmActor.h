@@ -2,6 +2,7 @@
 #pragma once
 
 #include "DipView.h"
+#include "SurfaceCut.h"
 
 #include <span>
 #include <vtkActor.h>
@@ -22,6 +23,11 @@ public:
     void setTransform(const Eigen::Isometry3d& filmToWorld);
     void setPicture(const QImage& picture);
     void setPointColours(const std::vector<QRgb>& colours);
+    void setOpacity(double share);
+    // `kept`: the plane as VTK has it, or null.
+    void setSection(const std::optional<SectionPlane>& section, vtkPlane* kept);
+    void setCutColour(const QColor& colour);
+    void setPixelRatio(double ratio); // pixels of the screen to one of the window
 
 private:
     void updateTriangles();
@@ -34,6 +40,7 @@ private:
     vtkSmartPointer<vtkPolyData> data_;
     vtkSmartPointer<vtkActor> actor_;
     vtkSmartPointer<vtkTexture> picture_;
+    SurfaceCut cut_;
 };
 
 } // namespace dipwright

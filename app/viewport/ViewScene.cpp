@@ -114,6 +114,8 @@ void ViewScene::setSize(const ViewSize& size) {
     rings_.setPixelRatio(ratio);
     tank_.setPixelRatio(ratio);
     body_.setPixelRatio(ratio);
+    film_.setPixelRatio(ratio);
+    frame_.setPixelRatio(ratio);
     markers_.setPixelRatio(ratio);
     auto* axes =
         vtkCameraOrientationRepresentation::SafeDownCast(orientation_->GetRepresentation());
@@ -131,11 +133,27 @@ void ViewScene::setFilmSize(QSizeF film, double tankDepth) {
     markers_.setSize(std::hypot(film.width(), film.height()));
 }
 
+void ViewScene::setSection(const std::optional<SectionPlane>& section) {
+    vtkSmartPointer<vtkPlane> kept; // the side that its normal points to is drawn
+    if (section) {
+        kept = vtkSmartPointer<vtkPlane>::New();
+        const Eigen::Vector3d normal = section->inward().cast<double>();
+        const Eigen::Vector3d origin = section->place * Eigen::Vector3d::Unit(section->axis);
+        kept->SetNormal(normal.data());
+        kept->SetOrigin(origin.x(), origin.y(), origin.z());
+    }
+    body_.setSection(section, kept);
+    film_.setSection(section, kept);
+    frame_.set(section);
+}
+
 void ViewScene::setColours(const ViewColours& colours) {
     renderer_->SetBackground(vtkColour(colours.bottom).data());
     renderer_->SetBackground2(vtkColour(colours.top).data());
     tank_.setColours(colours.water, colours.ink);
-    body_.setWaterlineColour(colours.accent);
+    body_.setLineColours(colours.accent, colours.ink);
+    film_.setCutColour(colours.accent);
+    frame_.setColour(colours.accent);
     markers_.setColours(colours.accent, colours.ink);
 }
 

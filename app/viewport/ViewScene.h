@@ -8,6 +8,7 @@
 #include "NavigationStyle.h"
 #include "PictureWindow.h"
 #include "RotationRings.h"
+#include "SectionFrame.h"
 #include "TankActors.h"
 
 #include <vtkCameraOrientationWidget.h>
@@ -50,12 +51,14 @@ public:
     TankActors& tank() { return tank_; }
     RingActors& rings() { return rings_; }
     MarkerActors& markers() { return markers_; }
+    SectionFrame& sectionFrame() { return frame_; }
     NavigationStyle& style() { return *style_; }
     vtkCamera& camera() { return *renderer_->GetActiveCamera(); }
 
     void setSize(const ViewSize& size);
     void setFilmSize(QSizeF film, double tankDepth);
     void setFilmFitted(bool fitted);
+    void setSection(const std::optional<SectionPlane>& section); // none: nothing is cut open
     void setColours(const ViewColours& colours);
     void look(ViewDirection direction); // and fit
     // From outside, as close as shows a good part of the body.
@@ -78,6 +81,7 @@ private:
     TankActors tank_{renderer_};
     RingActors rings_{renderer_};
     MarkerActors markers_{renderer_};
+    SectionFrame frame_{renderer_};
     ViewSize size_;
     QSizeF filmSize_{210, 297};
     std::function<void()> pictureAsked_;

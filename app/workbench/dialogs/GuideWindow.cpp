@@ -3,12 +3,16 @@
 #include "dialogs/GuidePictures.h"
 
 #include <QFile>
+#include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QLocale>
+#include <QShortcut>
 #include <QSplitter>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace dipwright {
 
@@ -32,53 +36,123 @@ QString guideText() {
 
 } // namespace
 
-GuideWindow::GuideWindow(QWidget* parent) : QWidget(parent, Qt::Window) {
+GuideWindow::GuideWindow(QWidget* parent)
+    : QWidget(parent, Qt::Window), search_(new QLineEdit), count_(new QLabel),
+      contents_(new QListWidget), text_(new QTextBrowser) {
     setObjectName(QStringLiteral("guide"));
     setWindowTitle(tr("User Guide"));
-    auto* contents = new QListWidget;
-    contents->setAccessibleName(tr("Contents"));
-    contents->setFrameShape(QFrame::NoFrame);
-    contents->setSpacing(4);
-    contents->setWordWrap(true);
-    auto* text = new QTextBrowser;
-    text->setAccessibleName(tr("User Guide"));
-    text->setFrameShape(QFrame::NoFrame);
-    text->setOpenExternalLinks(true);
-    text->setSearchPaths({QStringLiteral(":/guide")});
-    text->document()->setDocumentMargin(24);
-    text->setMarkdown(guideText());
-    text->document()->addResource(
+    text_->setAccessibleName(tr("User Guide"));
+    text_->setFrameShape(QFrame::NoFrame);
+    text_->setOpenExternalLinks(true);
+    text_->setSearchPaths({QStringLiteral(":/guide")});
+    text_->document()->setDocumentMargin(24);
+    text_->setMarkdown(guideText());
+    text_->document()->addResource(
         QTextDocument::ImageResource,
         QUrl(QStringLiteral("../../docs/pictures/workbench.png")), // as the file itself names it
         QImage(QStringLiteral(":/guide/workbench.png"))
             .scaledToWidth(pictureWidth, Qt::SmoothTransformation));
     for (const QString& name : guidePictures()) {
-        text->document()->addResource(QTextDocument::ImageResource,
-                                      QUrl(QStringLiteral("../../docs/pictures/%1.png").arg(name)),
-                                      guidePicture(name, pictureWidth));
+        text_->document()->addResource(QTextDocument::ImageResource,
+                                       QUrl(QStringLiteral("../../docs/pictures/%1.png").arg(name)),
+                                       guidePicture(name, pictureWidth));
     }
-    for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next()) {
-        if (block.blockFormat().headingLevel() == 2) {
-            auto* item = new QListWidgetItem(block.text(), contents);
-            item->setData(Qt::UserRole, block.position());
-        }
-    }
-    connect(contents, &QListWidget::currentItemChanged, this, [text](const QListWidgetItem* item) {
-        QTextCursor cursor(text->document());
-        cursor.movePosition(QTextCursor::End);
-        text->setTextCursor(cursor); // so that the heading ends up on top
-        cursor.setPosition(item->data(Qt::UserRole).toInt());
-        text->setTextCursor(cursor);
-    });
+    makeContents();
+    makeSearch();
+    auto* left = new QWidget;
+    auto* column = new QVBoxLayout(left);
+    column->setContentsMargins(6, 6, 0, 0);
+    column->addWidget(search_);
+    column->addWidget(count_);
+    column->addWidget(contents_, 1);
     auto* splitter = new QSplitter;
-    splitter->addWidget(contents);
-    splitter->addWidget(text);
+    splitter->addWidget(left);
+    splitter->addWidget(text_);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({220, 640});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(splitter);
     resize(900, 680);
+}
+
+void GuideWindow::makeContents() {
+    contents_->setAccessibleName(tr("Contents"));
+    contents_->setFrameShape(QFrame::NoFrame);
+    contents_->setSpacing(4);
+    contents_->setWordWrap(true);
+    for (QTextBlock block = text_->document()->begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() == 2) {
+            auto* item = new QListWidgetItem(block.text(), contents_);
+            item->setData(Qt::UserRole, block.position());
+        }
+    }
+    connect(contents_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+        if (!item) {
+            return;
+        }
+        QTextCursor cursor(text_->document());
+        cursor.movePosition(QTextCursor::End);
+        text_->setTextCursor(cursor); // so that the heading ends up on top
+        cursor.setPosition(item->data(Qt::UserRole).toInt());
+        text_->setTextCursor(cursor);
+    });
+}
+
+void GuideWindow::makeSearch() {
+    search_->setObjectName(QStringLiteral("search"));
+    search_->setAccessibleName(tr("Search the guide"));
+    search_->setPlaceholderText(tr("Search the guide"));
+    search_->setToolTip(tr("Enter goes to the next place"));
+    search_->setClearButtonEnabled(true);
+    count_->setObjectName(QStringLiteral("placesFound"));
+    count_->hide();
+    connect(search_, &QLineEdit::textChanged, this, &GuideWindow::showPlaces);
+    connect(search_, &QLineEdit::returnPressed, this, &GuideWindow::showNext);
+    auto* find = new QShortcut(QKeySequence::Find, this);
+    connect(find, &QShortcut::activated, search_, [this] {
+        search_->setFocus();
+        search_->selectAll();
+    });
+}
+
+void GuideWindow::showPlaces() {
+    const QString wanted = search_->text().trimmed();
+    QList<QTextEdit::ExtraSelection> places;
+    for (QTextCursor place(text_->document());
+         !wanted.isEmpty() && !(place = text_->document()->find(wanted, place)).isNull();) {
+        QTextEdit::ExtraSelection marked;
+        marked.cursor = place;
+        marked.format.setBackground(palette().highlight());
+        marked.format.setForeground(palette().highlightedText());
+        places.append(marked);
+    }
+    text_->setExtraSelections(places);
+    for (int row = 0; row < contents_->count(); ++row) {
+        const auto positionOf = [this](int chapter) {
+            return chapter < contents_->count()
+                       ? contents_->item(chapter)->data(Qt::UserRole).toInt()
+                       : text_->document()->characterCount();
+        };
+        const bool holdsOne =
+            std::any_of(places.begin(), places.end(), [&](const QTextEdit::ExtraSelection& place) {
+                const int position = place.cursor.selectionStart();
+                return position >= positionOf(row) && position < positionOf(row + 1);
+            });
+        contents_->item(row)->setHidden(!wanted.isEmpty() && !holdsOne);
+    }
+    count_->setVisible(!wanted.isEmpty());
+    count_->setText(places.isEmpty() ? tr("Nothing found") : tr("Places: %1").arg(places.size()));
+    text_->moveCursor(QTextCursor::Start);
+    showNext();
+}
+
+void GuideWindow::showNext() {
+    const QString wanted = search_->text().trimmed();
+    if (!wanted.isEmpty() && !text_->find(wanted)) {
+        text_->moveCursor(QTextCursor::Start);
+        text_->find(wanted);
+    }
 }
 
 } // namespace dipwright

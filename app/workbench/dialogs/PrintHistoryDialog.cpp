@@ -80,6 +80,7 @@ PrintHistoryDialog::PrintHistoryDialog(const PrintHistory& history, LengthUnit u
     search_->setObjectName(QStringLiteral("search"));
     search_->setAccessibleName(tr("Search"));
     search_->setPlaceholderText(tr("Job number on the sheet, project, printer …"));
+    search_->setToolTip(tr("Shows the prints that hold all words typed here, or parts of words"));
     search_->setClearButtonEnabled(true);
     connect(search_, &QLineEdit::textChanged, this, &PrintHistoryDialog::showFound);
     table_->setAccessibleName(tr("What was printed, the newest first"));

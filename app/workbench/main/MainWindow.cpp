@@ -54,8 +54,8 @@ MainWindow::MainWindow(Workbench& workbench)
       tolerances_(actions_, session_, toleranceCheck_, messages_, scene_, *parts_.properties,
                   parts_.results->report(), *this),
       profiles_(actions_, documents_, messages_, workbench, *parts_.properties, *this),
-      viewActions_(actions_, *parts_.view, scene_, parts_.results->stretch(), jobs_, messages_,
-                   *this),
+      viewActions_(actions_, *parts_.view, scene_, *parts_.inside, parts_.results->stretch(), jobs_,
+                   messages_, *this),
       help_(actions_, *this, parts_, workbench.registry(), messages_) {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
@@ -230,6 +230,7 @@ void MainWindow::applyPreferences() {
     reader_.setLengthUnit(preferences.unit);
     measure_.setLengthUnit(preferences.unit);
     tolerances_.setLengthUnit(preferences.unit);
+    viewActions_.setLengthUnit(preferences.unit);
     actions_.live->setChecked(preferences.liveUpdate);
     actions_.setShortcuts(preferences.shortcuts);
     documents_.setAutosaveInterval(preferences.autosaveSeconds);

@@ -3,7 +3,9 @@
 #include "dialogs/NewProjectDialog.h"
 #include "import/ReadPictures.h"
 #include "main/WindowActions.h"
+#include "panels/LookInsideBar.h"
 #include "panels/StretchPanel.h"
+#include "panels/Units.h"
 #include "session/StartJob.h"
 
 #include <QAction>
@@ -14,12 +16,13 @@
 namespace dipwright {
 
 ViewController::ViewController(const WindowActions& actions, DipView& view, DipScene& scene,
-                               const StretchPanel& stretch, JobRunner& jobs, Messages& messages,
-                               QWidget& window)
-    : view_(view), scene_(scene), stretch_(stretch), jobs_(jobs), messages_(messages),
-      window_(window) {
+                               LookInsideBar& inside, const StretchPanel& stretch, JobRunner& jobs,
+                               Messages& messages, QWidget& window)
+    : view_(view), scene_(scene), inside_(inside), stretch_(stretch), jobs_(jobs),
+      messages_(messages), window_(window) {
     connectCamera(actions);
     connectDisplay(actions);
+    connectInside(actions);
     connect(&stretch, &StretchPanel::scaleChanged, this,
             [this] { scene_.setHeat(stretch_.quantity(), stretch_.scale()); });
 }
@@ -73,6 +76,48 @@ void ViewController::connectDisplay(const WindowActions& actions) {
     });
     connect(actions.filmLook, &QActionGroup::triggered, this,
             [this](const QAction* action) { setFilmLook(FilmLook(action->data().toInt())); });
+}
+
+void ViewController::connectInside(const WindowActions& actions) {
+    connect(actions.section, &QAction::toggled, this, [this](bool on) {
+        isCutOpen_ = on;
+        inside_.setSectionShown(on);
+        showSection();
+    });
+    connect(&inside_, &LookInsideBar::sectionChanged, this, &ViewController::showSection);
+    connect(&scene_, &DipScene::bodyRoomChanged, this, &ViewController::showSection);
+    connect(&view_, &DipView::sectionDragged, this, [this](double place) {
+        const BoundingBox& room = scene_.bodyRoom();
+        const int axis = inside_.axis();
+        inside_.setShare((place - double(room.min()[axis])) / double(room.sizes()[axis]));
+    });
+    const auto showFilm = [this, &actions] {
+        view_.setFilmOpacity(actions.seeThrough->isChecked() ? inside_.filmOpacity() : 1);
+    };
+    connect(actions.seeThrough, &QAction::toggled, &inside_, &LookInsideBar::setOpacityShown);
+    connect(actions.seeThrough, &QAction::toggled, this, showFilm);
+    connect(&inside_, &LookInsideBar::filmOpacityChanged, this, showFilm);
+}
+
+void ViewController::showSection() {
+    const BoundingBox& room = scene_.bodyRoom();
+    if (!isCutOpen_ || room.isEmpty()) {
+        view_.setSection({});
+        return;
+    }
+    SectionPlane plane;
+    plane.axis = inside_.axis();
+    plane.after = inside_.isAfter();
+    plane.place =
+        double(room.min()[plane.axis]) + inside_.share() * double(room.sizes()[plane.axis]);
+    plane.extent = room;
+    inside_.setPlace(shownLength(plane.place, unit_));
+    view_.setSection(plane);
+}
+
+void ViewController::setLengthUnit(LengthUnit unit) {
+    unit_ = unit;
+    showSection();
 }
 
 void ViewController::setFilmLook(FilmLook look) {

@@ -1,6 +1,7 @@
 // Camera and display of the 3D view, by their actions.
 #pragma once
 
+#include "document/Preferences.h"
 #include "session/Messages.h"
 #include "view/DipScene.h"
 
@@ -9,6 +10,7 @@ class QWidget;
 namespace dipwright {
 
 class JobRunner;
+class LookInsideBar;
 class StretchPanel;
 class WindowActions;
 
@@ -16,23 +18,30 @@ class ViewController : public QObject {
     Q_OBJECT
 
 public:
-    // The film wears its stretch as `stretch` shows it.
+    // The film wears its stretch as `stretch` shows it; the view looks inside as `inside` says.
     ViewController(const WindowActions& actions, DipView& view, DipScene& scene,
-                   const StretchPanel& stretch, JobRunner& jobs, Messages& messages,
-                   QWidget& window);
+                   LookInsideBar& inside, const StretchPanel& stretch, JobRunner& jobs,
+                   Messages& messages, QWidget& window);
+
+    void setLengthUnit(LengthUnit unit);
 
 private:
     void connectCamera(const WindowActions& actions);
     void connectDisplay(const WindowActions& actions);
+    void connectInside(const WindowActions& actions);
+    void showSection();
     void setFilmLook(FilmLook look);
     void wearPicture(const QString& path);
 
     DipView& view_;
     DipScene& scene_;
+    LookInsideBar& inside_;
     const StretchPanel& stretch_;
     JobRunner& jobs_;
     Messages& messages_;
     QWidget& window_;
+    LengthUnit unit_ = LengthUnit::Millimetre;
+    bool isCutOpen_ = false;
 };
 
 } // namespace dipwright

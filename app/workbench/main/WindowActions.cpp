@@ -214,6 +214,11 @@ std::vector<WindowActions::Entry> WindowActions::displayEntries() {
          tr("At the end of the dip, hide the film that paints nothing"),
          {},
          Kind::ToggledOff},
+        {&A::section, "section", "section", tr("&Section"),
+         tr("Cut body and film open by a plane that a slider or its frame moves"), key("Ctrl+K"),
+         Kind::ToggledOff},
+        {&A::seeThrough, "seeThrough", "see-through", tr("S&ee-Through Film"),
+         tr("See the body through the film"), key("Ctrl+T"), Kind::ToggledOff},
         {&A::measure, "measure", "measure", tr("&Measure"),
          tr("Click two places on the body to measure the distance between them"), key("Ctrl+M"),
          Kind::ToggledOff},
@@ -252,8 +257,9 @@ void WindowActions::enable(const WindowState& state) {
     const bool any = state.document != nullptr;
     const std::size_t immersions = any ? state.document->project().immersions.size() : 0;
     for (QAction* action :
-         {saveAs, replaceModel, replaceTexture, fit, oblique, front, right, top, back, left, bottom,
-          parallel, rings, water, body, measure, live, zones, findPoses}) {
+         {saveAs, replaceModel, replaceTexture, fit,     oblique,  front, right,
+          top,    back,         left,           bottom,  parallel, rings, water,
+          body,   section,      seeThrough,     measure, live,     zones, findPoses}) {
         action->setEnabled(any);
     }
     filmLook->setEnabled(any);

@@ -35,7 +35,8 @@ public:
     QAction *run, *cancel, *live, *certainty, *tolerances, *findPoses, *play;
     QAction *fit, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout, *saveLayout,
         *parallel;
-    QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *measure;
+    QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *section,
+        *seeThrough, *measure;
     QActionGroup* filmLook; // each has its FilmLook as data
     QAction *tour, *guide, *whatsThis, *about;
 

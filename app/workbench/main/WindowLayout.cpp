@@ -3,6 +3,7 @@
 #include "document/SavedLayouts.h"
 #include "look/Theme.h"
 #include "panels/LogPanel.h"
+#include "panels/LookInsideBar.h"
 #include "panels/NoticeBar.h"
 #include "panels/ProjectTree.h"
 #include "panels/PropertyPanel.h"
@@ -44,6 +45,7 @@ void WindowLayout::makeCentre() {
                           "button to shift it, turn the wheel to zoom. Drag a ring to turn the "
                           "body."));
     parts_.view = view;
+    parts_.inside = new LookInsideBar;
     parts_.timeline = new Timeline;
     auto* banner = new QLabel;
     banner->setObjectName(QStringLiteral("staleBanner"));
@@ -61,6 +63,7 @@ void WindowLayout::makeCentre() {
     layout->addWidget(parts_.notice);
     layout->addWidget(banner);
     layout->addWidget(view, 1);
+    layout->addWidget(parts_.inside);
     layout->addWidget(parts_.timeline);
     pages_ = new QStackedWidget;
     pages_->addWidget(parts_.startPage);

@@ -17,6 +17,7 @@ namespace dipwright {
 
 class DipView;
 class LogPanel;
+class LookInsideBar;
 class NoticeBar;
 class ProjectTree;
 class PropertyPanel;
@@ -29,6 +30,7 @@ class Timeline;
 struct WindowParts {
     StartPage* startPage;
     DipView* view;
+    LookInsideBar* inside;
     Timeline* timeline;
     QLabel* staleBanner;
     NoticeBar* notice;

@@ -60,8 +60,8 @@ void WindowMenus::makeViewMenu(QMenu& menu, const WindowActions& a) {
     menu.addSeparator();
     film_ = menu.addMenu(icon(QStringLiteral("film")), tr("Film &Wears"));
     film_->addActions(a.filmLook->actions());
-    menu.addActions(
-        {a.filmOnBody, a.body, a.coverage, a.bodyPrint, a.zones, a.water, a.rings, a.measure});
+    menu.addActions({a.filmOnBody, a.seeThrough, a.section, a.body, a.coverage, a.bodyPrint,
+                     a.zones, a.water, a.rings, a.measure});
 }
 
 void WindowMenus::makeWindowMenu(QMenu& menu, const WindowActions& a,
@@ -102,7 +102,8 @@ void WindowMenus::makeViewToolBar(QMainWindow& window, const WindowActions& a) {
     film->setPopupMode(QToolButton::InstantPopup);
     film->setMenu(film_);
     bar->addWidget(film);
-    bar->addActions({a.filmOnBody, a.coverage, a.water, a.rings, a.measure});
+    bar->addActions(
+        {a.filmOnBody, a.seeThrough, a.section, a.coverage, a.water, a.rings, a.measure});
 }
 
 } // namespace dipwright

@@ -170,6 +170,22 @@ void DipScene::placeBody(const Immersion& immersion, double descent) {
     view_.setRotationRings(rings_ && moment_ == Moment::Setup,
                            (modelToWorld_ * box.center().cast<double>()).cast<float>(),
                            0.58 * double(box.diagonal().norm()));
+    setBodyRoom(Eigen::Translation3d(poseToWorld(immersion, 0)) * pose);
+}
+
+// From where it stands over the film to as far below the water.
+void DipScene::setBodyRoom(const Eigen::Isometry3d& modelToSetup) {
+    BoundingBox room;
+    const BoundingBox box = boundingBox(project_.model->mesh);
+    for (int corner = 0; corner < 8; ++corner) {
+        room.extend((modelToSetup * box.corner(BoundingBox::CornerType(corner)).cast<double>())
+                        .cast<float>());
+    }
+    room.extend(Eigen::Vector3f(room.min() - room.sizes().y() * Eigen::Vector3f::UnitY()));
+    if (bodyRoom_.isEmpty() || !room.isApprox(bodyRoom_)) {
+        bodyRoom_ = room;
+        emit bodyRoomChanged();
+    }
 }
 
 void DipScene::setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,

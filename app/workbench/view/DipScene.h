@@ -36,6 +36,8 @@ public:
     void showFrame(const std::shared_ptr<const DipRecording>& recording,
                    const RecordedFrame& frame);
     void showEnd();
+    // The room in the world that the body takes on its way down.
+    const BoundingBox& bodyRoom() const { return bodyRoom_; }
     double depth() const { return descent_ - startHeight; } // mm under water, of what is shown
 
     void setFilmLook(FilmLook look, const QImage& picture = {});
@@ -59,6 +61,9 @@ public:
     std::optional<Eigen::Vector3f> modelPoint(const ViewRay& ray) const;
     Eigen::Vector3f toWorld(const Eigen::Vector3f& modelPoint) const;
 
+signals:
+    void bodyRoomChanged();
+
 private:
     enum class Moment { Setup, Frame, End };
     // What the view's film has been made for: the project's film, lying flat; one on its way; one
@@ -68,6 +73,7 @@ private:
                                     std::shared_ptr<const FilmReading>>;
 
     void placeBody(const Immersion& immersion, double descent);
+    void setBodyRoom(const Eigen::Isometry3d& modelToSetup);
     void setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
                   const std::vector<float>& positions);
     void dressFilm();
@@ -101,6 +107,7 @@ private:
     Moment moment_ = Moment::Setup;
     Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
     double descent_ = 0;
+    BoundingBox bodyRoom_;
     FilmSource filmSource_;
     ThinnedFilm shape_;
     solver::FilmGrid shapeGrid_;

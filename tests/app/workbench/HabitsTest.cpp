@@ -4,6 +4,7 @@
 #include "PluginFolder.h"
 #include "WindowDriver.h"
 #include "dialogs/CertaintyDialog.h"
+#include "dialogs/GuideWindow.h"
 #include "dialogs/NewProjectDialog.h"
 #include "dialogs/PreferencesDialog.h"
 #include "panels/NoticeBar.h"
@@ -24,10 +25,12 @@
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSlider>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTextBrowser>
@@ -389,6 +392,70 @@ private slots:
         start->click();
         driver.find<QPushButton>("stopSearch")->click();
         QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), patience());
+    }
+
+    void theViewLooksInside() {
+        const WindowDriver driver(*window_);
+        QVERIFY(!driver.action("section")->isEnabled());
+        QVERIFY(makeProject());
+        DipView& view = window_->view();
+        QTest::qWait(100); // layouts
+        const QImage whole = view.picture();
+        const auto* place = driver.find<QSlider>("sectionPlace");
+        QVERIFY(!place->isVisible());
+        driver.trigger("section");
+        QVERIFY(place->isVisible());
+        const QImage cut = view.picture();
+        QVERIFY(cut != whole);
+        driver.find<QSlider>("sectionPlace")->setValue(300);
+        QVERIFY(view.picture() != cut);
+        emit view.sectionDragged(0); // to the middle of the film
+        const auto* text = driver.find<QLabel>("sectionPlaceText");
+        QVERIFY2(std::abs(text->text().section(u' ', 0, 0).toDouble()) < 0.2,
+                 qPrintable(text->text()));
+        driver.trigger("section");
+        QTRY_COMPARE(view.picture(), whole);
+        auto* opacity = driver.find<QSlider>("filmOpacity");
+        QVERIFY(!opacity->isVisible());
+        driver.trigger("seeThrough");
+        QVERIFY(opacity->isVisible() && !place->isVisible());
+        QVERIFY(view.picture() != whole);
+        driver.trigger("seeThrough");
+        QTRY_COMPARE(view.picture(), whole);
+    }
+
+    void theGuideIsSearched() {
+        GuideWindow guide;
+        auto* chapters = guide.findChild<QListWidget*>();
+        auto* text = guide.findChild<QTextBrowser*>();
+        const auto shown = [chapters] {
+            int count = 0;
+            for (int row = 0; row < chapters->count(); ++row) {
+                count += !chapters->item(row)->isHidden();
+            }
+            return count;
+        };
+        const int all = shown();
+        auto* search = guide.findChild<QLineEdit*>(QStringLiteral("search"));
+        search->setText(QStringLiteral("calibrate printer"));
+        QCOMPARE(shown(), 1);
+        const int first = text->textCursor().selectionStart();
+        QVERIFY(text->textCursor().hasSelection());
+        search->setText(QStringLiteral("printer"));
+        const qsizetype places = text->extraSelections().size();
+        QVERIFY(places > 3 && shown() < all && first > 0);
+        const int second = text->textCursor().selectionStart();
+        emit search->returnPressed();
+        QVERIFY(text->textCursor().selectionStart() > second);
+        for (qsizetype place = 1; place < places; ++place) {
+            emit search->returnPressed();
+        }
+        QCOMPARE(text->textCursor().selectionStart(), second); // round to the first
+        search->setText(QStringLiteral("no such word"));
+        QCOMPARE(shown(), 0);
+        search->clear();
+        QCOMPARE(shown(), all);
+        QVERIFY(text->extraSelections().isEmpty());
     }
 
     void escapeEndsMeasuring() {

@@ -110,11 +110,24 @@ void photographShares(WindowDriver& driver, MainWindow& window, const Photograph
     driver.find<QTabWidget>("results")->setCurrentIndex(0);
 }
 
+// Cut open, and the film see-through.
+void photographInside(const WindowDriver& driver, MainWindow& window, const Photographer& camera,
+                      const QString& name) {
+    driver.trigger("section");
+    camera.take(window, name + QStringLiteral("-cut"));
+    driver.trigger("seeThrough");
+    camera.take(window, name + QStringLiteral("-both"));
+    driver.trigger("section");
+    camera.take(window, name + QStringLiteral("-through"));
+    driver.trigger("seeThrough");
+}
+
 void photographResults(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
     photographTabs(driver, window, camera, QStringLiteral("result"));
     window.view().look(ViewDirection::Oblique);
     auto* timeline = window.findChild<Timeline*>();
     timeline->setPosition(timeline->frames() / 2);
+    photographInside(driver, window, camera, QStringLiteral("inside-dipping"));
     driver.trigger("filmStretch");
     camera.take(window, QStringLiteral("dipping"));
     timeline->setPosition(timeline->frames());
@@ -329,6 +342,7 @@ int main(int argc, char* argv[]) {
          {QStringLiteral("only-window"), {}},
          {QStringLiteral("only-results"), {}},
          {QStringLiteral("only-dialogs"), {}},
+         {QStringLiteral("only-inside"), {}},
          {QStringLiteral("only-tolerances"), {}},
          {QStringLiteral("only-search"), {}}});
     parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
@@ -352,6 +366,7 @@ int main(int argc, char* argv[]) {
                      !parser.isSet(QStringLiteral("only-tolerances")) &&
                      !parser.isSet(QStringLiteral("only-search")) &&
                      !parser.isSet(QStringLiteral("only-dialogs")) &&
+                     !parser.isSet(QStringLiteral("only-inside")) &&
                      !parser.isSet(QStringLiteral("sample-thumbnail"));
     if (all) {
         camera.take(window, QStringLiteral("start"));
@@ -373,6 +388,14 @@ int main(int argc, char* argv[]) {
         return 1;
     }
     camera.take(window, QStringLiteral("window"));
+    if (parser.isSet(QStringLiteral("only-inside"))) {
+        auto* timeline = window.findChild<Timeline*>();
+        timeline->setPosition(timeline->frames() / 2);
+        photographInside(driver, window, camera, QStringLiteral("inside-dipping"));
+        timeline->setPosition(timeline->frames());
+        photographInside(driver, window, camera, QStringLiteral("inside-end"));
+        return 0;
+    }
     if (parser.isSet(QStringLiteral("only-dialogs"))) {
         photographDialogs(window, workbench, camera);
         return 0;

@@ -121,6 +121,64 @@ private slots:
         QCOMPARE(countReddish(view_->picture()), whole);
     }
 
+    void aSectionCutsTheBodyOpen() {
+        view_->look(ViewDirection::Front);
+        const int whole = countReddish(view_->picture());
+        SectionPlane plane;
+        plane.axis = 1;
+        plane.place = 30;
+        plane.extent = BoundingBox(Eigen::Vector3f(-30, -60, -30), Eigen::Vector3f(30, 60, 30));
+        view_->setSection(plane); // its lower half is left
+        const int half = countReddish(view_->picture());
+        QVERIFY2(half > 0.35 * whole && half < 0.65 * whole, qPrintable(QString::number(half)));
+        view_->look(ViewDirection::Top); // onto what is cut, which is filled in
+        const QImage filled = view_->picture();
+        QVERIFY(!isReddish(filled.pixel(view_->positionOf({0, 30, 0}).toPoint())));
+        plane.after = true;
+        view_->setSection(plane);
+        QVERIFY(countReddish(view_->picture()) > 500);
+        // A ray begins where something is drawn: under the plane that hides what is over it.
+        plane.after = false;
+        view_->setSection(plane);
+        view_->picture();
+        const ViewRay ray = view_->rayAt(view_->positionOf({0, 0, 0}));
+        QVERIFY2(std::abs(ray.origin.y() - 30) < 0.01f,
+                 qPrintable(QString::number(double(ray.origin.y()))));
+        view_->setSection({});
+        view_->look(ViewDirection::Front);
+        QCOMPARE(countReddish(view_->picture()), whole);
+    }
+
+    void theFrameOfASectionIsDragged() {
+        view_->look(ViewDirection::Oblique);
+        SectionPlane plane;
+        plane.axis = 0;
+        plane.extent = BoundingBox(Eigen::Vector3f(-40, 0, -40), Eigen::Vector3f(40, 60, 40));
+        view_->setSection(plane);
+        view_->picture();
+        QSignalSpy dragged(view_.get(), &DipView::sectionDragged);
+        const QPointF from = view_->positionOf({0, 60, 10}), to = view_->positionOf({15, 60, 10});
+        QTest::mousePress(view_.get(), Qt::LeftButton, {}, from.toPoint());
+        QTest::mouseMove(view_.get(), to.toPoint());
+        QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, to.toPoint());
+        QVERIFY(!dragged.empty());
+        const double place = dragged.back().front().toDouble();
+        QVERIFY2(std::abs(place - 15) < 2, qPrintable(QString::number(place)));
+    }
+
+    void theBodyIsSeenThroughTheFilm() {
+        view_->look(ViewDirection::Top);
+        view_->setFilm(
+            {{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 2, 1}, {1, 2, 3}}},
+            std::vector<float>{-100, 70, -140, 100, 70, -140, -100, 70, 140, 100, 70, 140});
+        view_->setFilmColours(std::vector<QRgb>(4, qRgb(240, 240, 240)));
+        QCOMPARE(countReddish(view_->picture()), 0);
+        view_->setFilmOpacity(0.2);
+        QVERIFY(countReddish(view_->picture()) > 500);
+        view_->setFilmOpacity(1);
+        QCOMPARE(countReddish(view_->picture()), 0);
+    }
+
     void theTopViewHasXToTheRightAndZDownwards() {
         view_->look(ViewDirection::Top);
         view_->picture();

@@ -1,0 +1,42 @@
+// The line in which a plane of the world meets a surface that moves, and what fills it in.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vtkActor.h>
+#include <vtkCutter.h>
+#include <vtkPlane.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+namespace dipwright {
+
+class SurfaceCut {
+public:
+    SurfaceCut();
+
+    // What is drawn, over the surface that it lies in.
+    vtkActor& line() const { return *line_; }
+    // The area inside the line, of a closed surface; invisible until it is shown.
+    vtkActor& area() const { return *area_; }
+
+    void setSurface(vtkPolyData* surface);
+    void setTransform(const Eigen::Isometry3d& surfaceToWorld);
+    void setPlane(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal); // world
+
+private:
+    void placePlane();
+
+    Eigen::Isometry3d surfaceToWorld_ = Eigen::Isometry3d::Identity();
+    Eigen::Vector3d origin_ = Eigen::Vector3d::Zero(), normal_ = Eigen::Vector3d::UnitY();
+    vtkSmartPointer<vtkPlane> plane_; // in the surface's coordinates
+    vtkSmartPointer<vtkCutter> cutter_;
+    vtkSmartPointer<vtkActor> line_, area_;
+};
+
+// Drawn over the surface that they lie in.
+void showLines(vtkActor& actor, vtkAlgorithmOutput* lines);
+// Only what lies on the side of `plane` that its normal points to; null: all of it.
+void cutOpen(vtkActor& actor, vtkPlane* plane);
+
+} // namespace dipwright
