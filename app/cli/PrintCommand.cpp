@@ -97,7 +97,7 @@ PrintFileRequest fileRequest(const PrintRequest& request) {
 
 void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& path) {
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
-    const QImage proof = printProof(flattened(sheet.image), *colour, true).page;
+    const QImage proof = printProof(onPaper(sheet.image), *colour, true).page;
     writeWhole(path, [&](QIODevice& device) { writePng(proof, device, path); });
 }
 

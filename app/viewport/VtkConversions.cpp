@@ -1,5 +1,7 @@
 #include "VtkConversions.h"
 
+#include "base/WideColour.h"
+
 #include <algorithm>
 #include <cstring>
 #include <vtkImageData.h>
@@ -17,7 +19,7 @@ vtkSmartPointer<vtkMatrix4x4> vtkMatrix(const Eigen::Isometry3d& transform) {
 }
 
 vtkSmartPointer<vtkTexture> vtkTextureOf(const QImage& picture) {
-    const QImage pixels = picture.convertToFormat(QImage::Format_RGBA8888);
+    const QImage pixels = inSrgb(picture).convertToFormat(QImage::Format_RGBA8888);
     auto image = vtkSmartPointer<vtkImageData>::New();
     image->SetDimensions(pixels.width(), pixels.height(), 1);
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);

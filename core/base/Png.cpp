@@ -2,6 +2,7 @@
 
 #include "base/Bytes.h"
 #include "base/Error.h"
+#include "base/WideColour.h"
 #include "parallel/ParallelFor.h"
 
 #include <QColorSpace>
@@ -44,8 +45,9 @@ QByteArray header(const QImage& image) {
     QByteArray bytes;
     append(bytes, quint32(image.width()));
     append(bytes, quint32(image.height()));
+    const char bits = isWide(image) ? 16 : 8;
     const char colourType = image.hasAlphaChannel() ? 6 : 2;
-    bytes.append("\x08", 1).append(colourType).append(3, '\0');
+    bytes.append(bits).append(colourType).append(3, '\0');
     return chunk("IHDR", bytes);
 }
 
@@ -156,11 +158,23 @@ QByteArray pixels(const QImage& image) {
     return bytes;
 }
 
+// The numbers of a wide picture as the file has them, the upper byte first.
+QImage bigEndian(const QImage& wide) {
+    QImage turned = wide.convertToFormat(QImage::Format_RGBA64);
+    for (int y = 0; y < turned.height(); ++y) {
+        auto* row = reinterpret_cast<quint16*>(turned.scanLine(y));
+        qToBigEndian<quint16>(row, qsizetype(turned.width()) * 4, row);
+    }
+    return turned;
+}
+
 } // namespace
 
 QByteArray pngBytes(const QImage& image, const QString& where) {
-    const QImage plain = image.convertToFormat(image.hasAlphaChannel() ? QImage::Format_RGBA8888
-                                                                       : QImage::Format_RGB888);
+    const QImage plain =
+        isWide(image) ? bigEndian(image)
+                      : image.convertToFormat(image.hasAlphaChannel() ? QImage::Format_RGBA8888
+                                                                      : QImage::Format_RGB888);
     if (plain.isNull()) {
         throw Error(Text::tr("The picture cannot be stored as PNG, it is empty or too large for "
                              "this computer's memory"),

@@ -8,9 +8,9 @@ class QIODevice;
 
 namespace dipwright {
 
-// With eight bits a channel, colour space and resolution. Packed on all cores, the same bytes in
-// every run. Throws Error where there is no picture or no memory for it, or where `device` takes no
-// more; `where` is what the user knows the picture by.
+// With eight bits a channel, a wide picture with sixteen, colour space and resolution. Packed on
+// all cores, the same bytes in every run. Throws Error where there is no picture or no memory for
+// it, or where `device` takes no more; `where` is what the user knows the picture by.
 void writePng(const QImage& image, QIODevice& device, const QString& where);
 QByteArray pngBytes(const QImage& image, const QString& where);
 

@@ -1,5 +1,6 @@
 #include "correction/SheetCorrection.h"
 
+#include "base/WideColour.h"
 #include "parallel/ParallelFor.h"
 #include "texture/LinearLight.h"
 
@@ -58,10 +59,10 @@ private:
 // Colours of an image between its pixels, where there is nothing past its edges.
 class Between {
 public:
-    explicit Between(const QImage& image) : image_(image), light_(linearTable()) {}
+    explicit Between(const QImage& image) : image_(image), code_(image) {}
 
-    // In pixels from the corner.
-    std::array<std::uint8_t, 4> at(double x, double y) const {
+    // Writes the pixel for a place, in pixels from the corner.
+    void write(uchar* pixel, double x, double y) const {
         const int column = int(std::floor(x - 0.5)), row = int(std::floor(y - 0.5));
         const double u = x - 0.5 - column, v = y - 0.5 - row;
         Eigen::Array4d sum = Eigen::Array4d::Zero(); // light times alpha, and alpha
@@ -72,10 +73,11 @@ public:
         }
         const int alpha = int(std::lround(sum[3]));
         if (alpha <= 0) {
-            return {0, 0, 0, 0};
+            std::fill_n(pixel, code_.bytes(), uchar(0));
+            return;
         }
-        return {encodedByte(float(sum[0] / sum[3])), encodedByte(float(sum[1] / sum[3])),
-                encodedByte(float(sum[2] / sum[3])), std::uint8_t(std::min(alpha, 255))};
+        const Eigen::Array3d light = sum.head<3>() / sum[3];
+        code_.write(pixel, light.cast<float>(), std::min(alpha, code_.opaque()));
     }
 
 private:
@@ -84,16 +86,14 @@ private:
             row >= image_.height()) {
             return;
         }
-        const uchar* pixel = image_.constScanLine(row) + 4 * column;
-        const double weight = share * pixel[3];
-        for (int channel = 0; channel < 3; ++channel) {
-            sum[channel] += weight * double(light_[pixel[channel]]);
-        }
+        const uchar* pixel = image_.constScanLine(row) + column * code_.bytes();
+        const double weight = share * code_.alpha(pixel);
+        sum.head<3>() += weight * code_.light(pixel).cast<double>();
         sum[3] += weight;
     }
 
     const QImage& image_;
-    const std::array<float, 256>& light_;
+    PixelCode code_;
 };
 
 // On a picture of the sheet.
@@ -120,8 +120,11 @@ bool isCorrected(const AsBuilt& built, int dip) {
 
 QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres height,
                       const RepeatingError& error, double strength) {
-    const QImage from = filmImage.convertToFormat(QImage::Format_RGBA8888);
-    QImage to(from.size(), QImage::Format_RGBA8888);
+    const QImage from =
+        isWide(filmImage) ? filmImage : filmImage.convertToFormat(QImage::Format_RGBA8888);
+    const std::ptrdiff_t pixelBytes = PixelCode(from).bytes();
+    QImage to(from.size(), from.format());
+    to.setColorSpace(from.colorSpace());
     to.setDotsPerMeterX(from.dotsPerMeterX());
     to.setDotsPerMeterY(from.dotsPerMeterY());
     const DenseError dense(error, width.value(), height.value());
@@ -132,12 +135,11 @@ QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres he
     const auto stride = to.bytesPerLine();
     parallelFor(0, to.height(), [&](int row) {
         uchar* pixel = bits + row * stride;
-        for (int column = 0; column < to.width(); ++column, pixel += 4) {
+        for (int column = 0; column < to.width(); ++column, pixel += pixelBytes) {
             const Eigen::Array2d place(column + 0.5, row + 0.5);
             const Eigen::Array2d by = dense.at(place.x() / to.width(), place.y() / to.height());
             const Eigen::Array2d at = place + strength * by * pixelsPerMillimetre;
-            const std::array<std::uint8_t, 4> colour = colours.at(at.x(), at.y());
-            std::copy(colour.begin(), colour.end(), pixel);
+            colours.write(pixel, at.x(), at.y());
         }
     });
     return to;

@@ -14,8 +14,8 @@ namespace dipwright {
 bool isCorrected(const AsBuilt& built, int dip);
 
 // The film image of a sheet of `width` × `height`, each pixel in the colour that the film as it was
-// made has `strength` times the error farther on; between pixels in linear light. RGBA8888. All
-// cores, deterministic.
+// made has `strength` times the error farther on; between pixels in linear light. RGBA8888, or wide
+// as it is. All cores, deterministic.
 QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres height,
                       const RepeatingError& error, double strength);
 

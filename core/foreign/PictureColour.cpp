@@ -1,6 +1,7 @@
 #include "foreign/PictureColour.h"
 
 #include "base/Error.h"
+#include "base/WideColour.h"
 
 #include <QCoreApplication>
 #include <QtEndian>
@@ -255,16 +256,28 @@ struct CloseProfile {
 struct DeleteTransform {
     void operator()(void* transform) const { cmsDeleteTransform(transform); }
 };
+using ProfileHandle = std::unique_ptr<void, CloseProfile>;
 using Transform = std::unique_ptr<void, DeleteTransform>;
 
-Transform toSrgb(const QByteArray& profile, cmsUInt32Number pixels, const QString& where) {
-    const std::unique_ptr<void, CloseProfile> from(
-        cmsOpenProfileFromMem(profile.constData(), cmsUInt32Number(profile.size())));
-    const std::unique_ptr<void, CloseProfile> srgb(cmsCreate_sRGBProfile());
-    Transform transform(from ? cmsCreateTransform(from.get(), pixels, srgb.get(), TYPE_RGBA_8,
-                                                  INTENT_RELATIVE_COLORIMETRIC,
-                                                  cmsFLAGS_HIGHRESPRECALC)
-                             : nullptr);
+// What a picture becomes.
+enum class Target { Srgb, Wide };
+
+ProfileHandle profileFrom(const QByteArray& bytes) {
+    return ProfileHandle(cmsOpenProfileFromMem(bytes.constData(), cmsUInt32Number(bytes.size())));
+}
+
+Transform transformTo(Target target, const QByteArray& profile, cmsUInt32Number pixels,
+                      const QString& where) {
+    const bool wide = target == Target::Wide;
+    const ProfileHandle from = profileFrom(profile);
+    const ProfileHandle to =
+        wide ? profileFrom(wideSpace().iccProfile()) : ProfileHandle(cmsCreate_sRGBProfile());
+    // Tables in between are too coarse for sixteen bits.
+    Transform transform(
+        from ? cmsCreateTransform(from.get(), pixels, to.get(), wide ? TYPE_RGBA_16 : TYPE_RGBA_8,
+                                  INTENT_RELATIVE_COLORIMETRIC,
+                                  wide ? cmsFLAGS_NOOPTIMIZE : cmsFLAGS_HIGHRESPRECALC)
+             : nullptr);
     if (!transform) {
         throw Error(Text::tr("The picture's ICC profile is damaged or not for its pixels; save it "
                              "anew, as sRGB"),
@@ -277,13 +290,70 @@ QByteArrayView spaceOf(const QByteArray& profile) {
     return profile.size() < 20 ? QByteArrayView() : QByteArrayView(profile).sliced(16, 4);
 }
 
-QImage emptyTexture(QSize size) {
-    QImage texture(size, QImage::Format_RGBA8888);
+QImage emptyTexture(QSize size, Target target) {
+    const bool wide = target == Target::Wide;
+    QImage texture(size, wide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
     if (texture.isNull()) {
         throw std::bad_alloc();
     }
     texture.fill(Qt::white); // lcms2 writes colours and leaves alpha as it is
+    if (wide) {
+        texture.setColorSpace(wideSpace());
+    }
     return texture;
+}
+
+QImage converted(const InkPicture& picture, const QByteArray& profile, const QString& where,
+                 Target target) {
+    const Transform transform = transformTo(target, profile, TYPE_CMYK_16, where);
+    QImage texture = emptyTexture(picture.size, target);
+    const auto width = std::size_t(picture.size.width());
+    for (int y = 0; y < texture.height(); ++y) {
+        cmsDoTransform(transform.get(), &picture.inks[std::size_t(y) * width], texture.scanLine(y),
+                       cmsUInt32Number(width));
+    }
+    return texture;
+}
+
+// Alpha, every fourth number, as the picture has it.
+void copyAlpha(const quint16* from, uchar* to, std::size_t width, Target target) {
+    for (std::size_t x = 0; x < width; ++x) {
+        const quint16 alpha = from[4 * x + 3];
+        if (target == Target::Wide) {
+            reinterpret_cast<quint16*>(to)[4 * x + 3] = alpha;
+        } else {
+            to[4 * x + 3] = uchar((alpha + 128) / 257);
+        }
+    }
+}
+
+QImage converted(const QImage& picture, const QByteArray& profile, const QString& where,
+                 Target target) {
+    const bool grey = spaceOf(profile) == "GRAY";
+    const Transform transform =
+        transformTo(target, profile, grey ? TYPE_GRAY_16 : TYPE_RGB_16, where);
+    const QImage source = picture.convertToFormat(QImage::Format_RGBA64);
+    QImage texture = emptyTexture(picture.size(), target);
+    texture.setDotsPerMeterX(picture.dotsPerMeterX());
+    texture.setDotsPerMeterY(picture.dotsPerMeterY());
+    const auto width = std::size_t(picture.width());
+    std::vector<quint16> row;
+    for (int y = 0; y < texture.height(); ++y) {
+        row.clear();
+        const auto* pixel = reinterpret_cast<const quint16*>(source.constScanLine(y));
+        for (std::size_t x = 0; x < width; ++x) {
+            row.insert(row.end(), pixel + 4 * x, pixel + 4 * x + (grey ? 1 : 3));
+        }
+        cmsDoTransform(transform.get(), row.data(), texture.scanLine(y), cmsUInt32Number(width));
+        copyAlpha(pixel, texture.scanLine(y), width, target);
+    }
+    return texture;
+}
+
+template <typename Picture>
+QImage widerWhereNeeded(const Picture& picture, const QByteArray& profile, const QString& where) {
+    QImage wide = converted(picture, profile, where, Target::Wide);
+    return isHeldBySrgb(wide) ? converted(picture, profile, where, Target::Srgb) : wide;
 }
 
 } // namespace
@@ -310,39 +380,21 @@ std::optional<InkPicture> readInks(const QByteArray& file) {
                                              : std::nullopt;
 }
 
-QImage srgbOf(const InkPicture& picture, const QByteArray& profile, const QString& where) {
-    const Transform transform = toSrgb(profile, TYPE_CMYK_16, where);
-    QImage texture = emptyTexture(picture.size);
-    const auto width = std::size_t(picture.size.width());
-    for (int y = 0; y < texture.height(); ++y) {
-        cmsDoTransform(transform.get(), &picture.inks[std::size_t(y) * width], texture.scanLine(y),
-                       cmsUInt32Number(width));
+QImage textureOf(const InkPicture& picture, const QByteArray& profile, const QString& where) {
+    return widerWhereNeeded(picture, profile, where);
+}
+
+QImage textureOf(const QImage& picture, const QByteArray& profile, const QString& where) {
+    if (profile == wideSpace().iccProfile()) { // a texture that was stored as it is
+        QImage texture = picture.convertToFormat(QImage::Format_RGBA64);
+        texture.setColorSpace(wideSpace());
+        return texture;
     }
-    return texture;
+    return widerWhereNeeded(picture, profile, where);
 }
 
 QImage srgbOf(const QImage& picture, const QByteArray& profile, const QString& where) {
-    const bool grey = spaceOf(profile) == "GRAY";
-    const Transform transform = toSrgb(profile, grey ? TYPE_GRAY_16 : TYPE_RGB_16, where);
-    const QImage source = picture.convertToFormat(QImage::Format_RGBA64);
-    QImage texture = emptyTexture(picture.size());
-    texture.setDotsPerMeterX(picture.dotsPerMeterX());
-    texture.setDotsPerMeterY(picture.dotsPerMeterY());
-    const auto width = std::size_t(picture.width());
-    std::vector<quint16> row;
-    for (int y = 0; y < texture.height(); ++y) {
-        row.clear();
-        const auto* pixel = reinterpret_cast<const quint16*>(source.constScanLine(y));
-        for (std::size_t x = 0; x < width; ++x) {
-            row.insert(row.end(), pixel + 4 * x, pixel + 4 * x + (grey ? 1 : 3));
-        }
-        uchar* target = texture.scanLine(y);
-        cmsDoTransform(transform.get(), row.data(), target, cmsUInt32Number(width));
-        for (std::size_t x = 0; x < width; ++x) {
-            target[4 * x + 3] = uchar((pixel[4 * x + 3] + 128) / 257);
-        }
-    }
-    return texture;
+    return converted(picture, profile, where, Target::Srgb);
 }
 
 } // namespace dipwright

@@ -26,11 +26,13 @@ bool isOfInks(const QByteArray& profile); // of CMYK, by its header
 // that is damaged or kept in a way that is not read (tiles, planes).
 std::optional<InkPicture> readInks(const QByteArray& file);
 
-// To RGBA8888 in sRGB by lcms2, relative to white, what sRGB cannot show at its nearest there.
-// `profile` is that of the picture's own space: CMYK for inks; grey or RGB for an image, whose own
-// idea of its colour space is not asked. Throws Error, naming `where`, for a profile that is
-// damaged or of another kind than the pixels.
-QImage srgbOf(const InkPicture& picture, const QByteArray& profile, const QString& where);
+// As textures have them, by lcms2, relative to white: RGBA8888 in sRGB where that holds the
+// colours, else wide (base/WideColour.h). `profile` is that of the picture's own space: CMYK for
+// inks; grey or RGB for an image, whose own idea of its colour space is not asked. All throw Error,
+// naming `where`, for a profile that is damaged or of another kind than the pixels.
+QImage textureOf(const InkPicture& picture, const QByteArray& profile, const QString& where);
+QImage textureOf(const QImage& picture, const QByteArray& profile, const QString& where);
+// RGBA8888 in sRGB, what that cannot show at its nearest there.
 QImage srgbOf(const QImage& picture, const QByteArray& profile, const QString& where);
 
 } // namespace dipwright

@@ -29,9 +29,11 @@ bool isAsGoodAsSRgb(const QColorSpace& space) {
 }
 
 // `profile`: what the file says of its numbers, which Qt reads of RGB only; may be empty.
-QImage asTexture(QImage image, const QByteArray& profile, const QString& where) {
+QImage asTexture(QImage image, const QByteArray& profile, const QString& where,
+                 PictureReader::Turned turned) {
     if (!profile.isEmpty() && image.colorSpace() != QColorSpace(QColorSpace::SRgb)) {
-        return srgbOf(image, profile, where);
+        return turned == PictureReader::Turned::Upright ? srgbOf(image, profile, where)
+                                                        : textureOf(image, profile, where);
     }
     if (!isAsGoodAsSRgb(image.colorSpace())) {
         image.convertToColorSpace(QColorSpace::SRgb);
@@ -109,7 +111,7 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
             if (!announced.isValid()) {
                 count(inks->size, bytes.size(), where);
             }
-            return srgbOf(*inks, profile, where);
+            return textureOf(*inks, profile, where);
         }
         if (isOfInks(profile) && reader.format() != "png") {
             throw Error(Text::tr("The picture in CMYK is damaged, or kept in a way that is not "
@@ -125,12 +127,12 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
     if (!announced.isValid()) {
         count(image.size(), bytes.size(), where);
     }
-    return asTexture(std::move(image), profile, where);
+    return asTexture(std::move(image), profile, where, turned);
 }
 
 QImage PictureReader::take(QImage image, const QString& where) {
     count(image.size(), image.sizeInBytes(), where);
-    return asTexture(std::move(image), {}, where);
+    return asTexture(std::move(image), {}, where, Turned::AsStored);
 }
 
 } // namespace dipwright

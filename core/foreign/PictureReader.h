@@ -14,10 +14,11 @@ public:
     // cannot be opened.
     static void prepare();
 
-    // To RGBA8888 in sRGB. PNG, JPEG, BMP, TIFF and WebP by their content; nothing else is tried.
-    // Throws Error, naming `where`, for what is no such picture, has no pixels or more than
-    // Budgets.h allows; nothing is decoded before its size is known to do.
-    // Upright: turned as the camera was held, where the file says how.
+    // To RGBA8888 in sRGB or, a texture with colours that this does not hold, wide. PNG, JPEG, BMP,
+    // TIFF and WebP by their content; nothing else is tried. Throws Error, naming `where`, for what
+    // is no such picture, has no pixels or more than Budgets.h allows; nothing is decoded before
+    // its size is known to do. Upright: a photo, to be looked at; in sRGB, turned as the camera was
+    // held, where the file says how.
     enum class Turned { AsStored, Upright };
     QImage read(const QByteArray& bytes, const QString& where, Turned turned = Turned::AsStored);
 

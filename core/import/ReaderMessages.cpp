@@ -1,5 +1,7 @@
 #include "import/ReaderMessages.h"
 
+#include "base/WideColour.h"
+
 #include <QDataStream>
 #include <QIODevice>
 #include <QtEndian>
@@ -65,19 +67,23 @@ PhotoFacts readFacts(const QByteArray& bytes) {
 QByteArray pictureHeaderBytes(const QImage& picture) {
     return streamed([&](QDataStream& stream) {
         stream << qint32(picture.width()) << qint32(picture.height())
-               << qint32(picture.dotsPerMeterX()) << qint32(picture.dotsPerMeterY());
+               << qint32(picture.dotsPerMeterX()) << qint32(picture.dotsPerMeterY())
+               << qint32(isWide(picture));
     });
 }
 
 QImage emptyPicture(const QByteArray& header) {
     QDataStream stream(header);
     stream.setByteOrder(QDataStream::LittleEndian);
-    qint32 width = 0, height = 0, dotsPerMeterX = 0, dotsPerMeterY = 0;
-    stream >> width >> height >> dotsPerMeterX >> dotsPerMeterY;
+    qint32 width = 0, height = 0, dotsPerMeterX = 0, dotsPerMeterY = 0, wide = 0;
+    stream >> width >> height >> dotsPerMeterX >> dotsPerMeterY >> wide;
     if (width <= 0 || height <= 0) {
         return QImage();
     }
-    QImage picture(width, height, QImage::Format_RGBA8888);
+    QImage picture(width, height, wide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
+    if (wide) {
+        picture.setColorSpace(wideSpace());
+    }
     if (!picture.isNull() && dotsPerMeterX > 0 && dotsPerMeterY > 0) {
         picture.setDotsPerMeterX(dotsPerMeterX);
         picture.setDotsPerMeterY(dotsPerMeterY);

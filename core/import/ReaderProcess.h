@@ -16,7 +16,8 @@ namespace dipwright {
 ForeignModel readModelInProcess(const QString& path, bool withTextures, ForeignFiles& files,
                                 const Progress& progress);
 
-// Pictures, RGBA8888 in sRGB; `files` knows them by the same names as the user.
+// Pictures, RGBA8888 in sRGB or wide (base/WideColour.h); `files` knows them by the same names as
+// the user.
 std::vector<QImage> readPicturesInProcess(const QStringList& names, ForeignFiles& files);
 
 struct ReadPhoto {

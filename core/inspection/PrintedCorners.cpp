@@ -1,5 +1,6 @@
 #include "inspection/PrintedCorners.h"
 
+#include "base/WideColour.h"
 #include "inspection/CornerGrid.h"
 #include "inspection/RefineCorner.h"
 #include "texture/Chessboard.h"
@@ -226,7 +227,7 @@ std::vector<PrintedCorner> textureCorners(const TexturedMesh& model,
                                           QSizeF sheet) {
     std::vector<std::pair<SurfacePoint, PrintedCorner>> found;
     for (std::size_t texture = 0; texture < model.textures.size(); ++texture) {
-        const ModelCorners corners(model, int(texture), cornersIn(model.textures[texture]));
+        const ModelCorners corners(model, int(texture), cornersIn(inSrgb(model.textures[texture])));
         for (std::uint32_t triangle = 0; triangle < model.mesh.triangles.size(); ++triangle) {
             corners.add(triangle, found);
         }

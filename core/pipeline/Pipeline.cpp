@@ -1,6 +1,7 @@
 #include "pipeline/Pipeline.h"
 
 #include "base/Error.h"
+#include "base/WideColour.h"
 #include "correction/SheetCorrection.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobCradles.h"
@@ -122,10 +123,12 @@ ReverseTexture textureOf(const LaidFilm& laid, const TextureInputs& inputs,
                               progress);
     }
     ReverseTexture picture;
-    picture.image = inputs.chessboard
-                        ? chessboardOf(film, pixels)
-                        : inputs.filmImage.convertToFormat(QImage::Format_RGBA8888)
-                              .scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    picture.image =
+        inputs.chessboard
+            ? chessboardOf(film, pixels)
+            : (isWide(inputs.filmImage) ? inputs.filmImage
+                                        : inputs.filmImage.convertToFormat(QImage::Format_RGBA8888))
+                  .scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     return picture;
 }
 

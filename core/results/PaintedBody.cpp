@@ -1,5 +1,6 @@
 #include "results/PaintedBody.h"
 
+#include "base/WideColour.h"
 #include "parallel/ParallelFor.h"
 
 #include <Eigen/Geometry>
@@ -16,8 +17,13 @@ const LinearColour bareBody(0.62f, 0.62f, 0.60f);
 class FilmPicture {
 public:
     FilmPicture(const QImage& image, const solver::FilmGrid& grid)
-        : image_(image.convertToFormat(QImage::Format_RGBA8888)), width_(float(grid.width)),
-          depth_(float(grid.depth)) {}
+        : image_(isWide(image) ? image : image.convertToFormat(QImage::Format_RGBA8888)),
+          code_(image_), width_(float(grid.width)), depth_(float(grid.depth)) {}
+
+    // Light in sRGB of light in the picture's own primaries.
+    LinearColour inSrgb(const LinearColour& light) const {
+        return code_.isWide() ? srgbLight(light) : light;
+    }
 
     struct Paint {
         LinearColour colour = LinearColour::Zero(); // of a sum: times the cover
@@ -43,14 +49,14 @@ private:
     void add(Paint& sum, int column, int row, float weight) const {
         const int i = std::clamp(column, 0, image_.width() - 1);
         const int j = std::clamp(row, 0, image_.height() - 1);
-        const uchar* pixel = image_.constScanLine(j) + qsizetype(i) * 4;
-        const std::array<float, 256>& light = linearTable();
-        const float cover = weight * float(pixel[3]) / 255;
-        sum.colour += cover * LinearColour(light[pixel[0]], light[pixel[1]], light[pixel[2]]);
+        const uchar* pixel = image_.constScanLine(j) + qsizetype(i) * code_.bytes();
+        const float cover = weight * float(code_.alpha(pixel)) / float(code_.opaque());
+        sum.colour += cover * code_.light(pixel);
         sum.cover += cover;
     }
 
     QImage image_;
+    PixelCode code_;
     float width_, depth_;
 };
 
@@ -76,6 +82,7 @@ public:
             if (compensatedInk_) {
                 paint.colour = ink_.shown(paint.colour, areaStretch(*place));
             }
+            paint.colour = picture_.inSrgb(paint.colour);
         }
         return paint;
     }

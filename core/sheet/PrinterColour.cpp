@@ -1,6 +1,8 @@
 #include "sheet/PrinterColour.h"
 
 #include "base/Error.h"
+#include "base/WideColour.h"
+#include "parallel/ParallelFor.h"
 
 #include <QColorSpace>
 #include <QCoreApplication>
@@ -64,23 +66,37 @@ QImage withAlphaOf(const QImage& picture, const QImage& opaque) {
     return result;
 }
 
+// What pictures of one kind of numbers go through.
+struct FromPicture {
+    TransformHandle toPrinter;
+    TransformHandle wanted; // to Lab
+};
+
+QImage opaque(const QImage& picture) {
+    return picture.convertToFormat(isWide(picture) ? QImage::Format_RGBX64 : QImage::Format_RGB888);
+}
+
 } // namespace
 
 struct PrinterColour::Data {
     QByteArray icc;
     ProfileHandle printer;
     bool cmyk = false;
-    TransformHandle toPrinter; // from sRGB
-    TransformHandle toScreen;  // from the printer, to sRGB, relative to the paper
-    TransformHandle wanted;    // from sRGB, to Lab
-    TransformHandle printed;   // from the printer, to Lab
+    FromPicture fromSrgb;     // RGB888
+    FromPicture fromWide;     // RGBX64
+    TransformHandle toScreen; // from the printer, to sRGB, relative to the paper
+    TransformHandle printed;  // from the printer, to Lab
 
     int channels() const { return cmyk ? 4 : 3; }
+    const FromPicture& from(const QImage& opaque) const {
+        return isWide(opaque) ? fromWide : fromSrgb;
+    }
 
-    // One row of opaque sRGB as the printer's bytes.
-    std::vector<uchar> printerRow(const uchar* rgb, int width) const {
-        std::vector<uchar> row(std::size_t(width) * std::size_t(channels()));
-        cmsDoTransform(toPrinter.get(), rgb, row.data(), cmsUInt32Number(width));
+    // A row of an opaque picture as the printer's bytes.
+    std::vector<uchar> printerRow(const QImage& opaque, int y) const {
+        std::vector<uchar> row(std::size_t(opaque.width()) * std::size_t(channels()));
+        cmsDoTransform(from(opaque).toPrinter.get(), opaque.constScanLine(y), row.data(),
+                       cmsUInt32Number(opaque.width()));
         return row;
     }
 };
@@ -106,21 +122,28 @@ PrinterColour::PrinterColour(const QByteArray& iccProfile, RenderingIntent inten
     }
     d.cmyk = space == "CMYK";
     const ProfileHandle screen(cmsCreate_sRGBProfile());
+    const QByteArray wideIcc = wideSpace().iccProfile();
+    const ProfileHandle wide(
+        cmsOpenProfileFromMem(wideIcc.constData(), cmsUInt32Number(wideIcc.size())));
     const ProfileHandle lab(cmsCreateLab4Profile(nullptr));
     const cmsUInt32Number device = d.cmyk ? TYPE_CMYK_8 : TYPE_RGB_8;
     // Without the one-pixel cache a transform may be used by several threads at once.
-    const cmsUInt32Number flags =
-        cmsFLAGS_NOCACHE | (blackPoint ? cmsFLAGS_BLACKPOINTCOMPENSATION : 0u);
+    const cmsUInt32Number blackPointFlag = blackPoint ? cmsFLAGS_BLACKPOINTCOMPENSATION : 0u;
     const cmsUInt32Number relative = INTENT_RELATIVE_COLORIMETRIC;
-    d.toPrinter = required(cmsCreateTransform(screen.get(), TYPE_RGB_8, d.printer.get(), device,
-                                              cmsIntent(intent), flags),
-                           where);
+    const auto way = [&](const ProfileHandle& from, cmsUInt32Number pixels, cmsUInt32Number flags) {
+        return FromPicture{required(cmsCreateTransform(from.get(), pixels, d.printer.get(), device,
+                                                       cmsIntent(intent), flags | blackPointFlag),
+                                    where),
+                           required(cmsCreateTransform(from.get(), pixels, lab.get(), TYPE_Lab_DBL,
+                                                       relative, flags),
+                                    where)};
+    };
+    d.fromSrgb = way(screen, TYPE_RGB_8, cmsFLAGS_NOCACHE);
+    // Tables in between are too coarse for sixteen bits.
+    d.fromWide = way(wide, TYPE_RGBA_16, cmsFLAGS_NOCACHE | cmsFLAGS_NOOPTIMIZE);
     d.toScreen = required(cmsCreateTransform(d.printer.get(), device, screen.get(), TYPE_RGB_8,
                                              relative, cmsFLAGS_NOCACHE),
                           where);
-    d.wanted = required(cmsCreateTransform(screen.get(), TYPE_RGB_8, lab.get(), TYPE_Lab_DBL,
-                                           relative, cmsFLAGS_NOCACHE),
-                        where);
     d.printed = required(cmsCreateTransform(d.printer.get(), device, lab.get(), TYPE_Lab_DBL,
                                             relative, cmsFLAGS_NOCACHE),
                          where);
@@ -145,40 +168,44 @@ const QByteArray& PrinterColour::iccProfile() const {
 
 QImage PrinterColour::rgb(const QImage& picture) const {
     Q_ASSERT(!isCmyk());
-    QImage result = picture.convertToFormat(QImage::Format_RGB888);
-    result.setColorSpace(QColorSpace()); // its numbers are the printer's from here on
-    for (int y = 0; y < result.height(); ++y) {
-        const std::vector<uchar> row = data_->printerRow(result.constScanLine(y), result.width());
-        std::copy(row.begin(), row.end(), result.scanLine(y));
-    }
+    const QImage source = opaque(picture);
+    QImage result(source.size(), QImage::Format_RGB888); // its numbers are the printer's
+    uchar* const bits = result.bits();
+    parallelFor(0, source.height(), [&, stride = result.bytesPerLine()](int y) {
+        const std::vector<uchar> row = data_->printerRow(source, y);
+        std::copy(row.begin(), row.end(), bits + y * stride);
+    });
     return withAlphaOf(picture, result);
 }
 
 QByteArray PrinterColour::cmyk(const QImage& picture) const {
     Q_ASSERT(isCmyk());
-    const QImage source = picture.convertToFormat(QImage::Format_RGB888);
-    QByteArray result;
-    result.reserve(qsizetype(source.width()) * source.height() * 4);
-    for (int y = 0; y < source.height(); ++y) {
-        const std::vector<uchar> row = data_->printerRow(source.constScanLine(y), source.width());
-        result.append(reinterpret_cast<const char*>(row.data()), qsizetype(row.size()));
-    }
+    const QImage source = opaque(picture);
+    const qsizetype stride = qsizetype(source.width()) * 4;
+    QByteArray result(stride * source.height(), Qt::Uninitialized);
+    char* const bytes = result.data();
+    parallelFor(0, source.height(), [&](int y) {
+        const std::vector<uchar> row = data_->printerRow(source, y);
+        std::copy(row.begin(), row.end(), bytes + y * stride);
+    });
     return result;
 }
 
 QImage PrinterColour::softProof(const QImage& picture) const {
-    QImage proof = picture.convertToFormat(QImage::Format_RGB888);
-    for (int y = 0; y < proof.height(); ++y) {
-        const std::vector<uchar> row = data_->printerRow(proof.constScanLine(y), proof.width());
-        cmsDoTransform(data_->toScreen.get(), row.data(), proof.scanLine(y),
-                       cmsUInt32Number(proof.width()));
-    }
+    const QImage source = opaque(picture);
+    QImage proof(source.size(), QImage::Format_RGB888);
+    uchar* const bits = proof.bits();
+    parallelFor(0, source.height(), [&, stride = proof.bytesPerLine()](int y) {
+        const std::vector<uchar> row = data_->printerRow(source, y);
+        cmsDoTransform(data_->toScreen.get(), row.data(), bits + y * stride,
+                       cmsUInt32Number(source.width()));
+    });
     return withAlphaOf(picture, proof);
 }
 
 GamutWarning PrinterColour::gamutWarning(const QImage& picture, double tolerance) const {
-    const QImage source = picture.convertToFormat(QImage::Format_RGBA8888);
-    const QImage opaque = source.convertToFormat(QImage::Format_RGB888);
+    const QImage source = opaque(picture);
+    const QImage alpha = picture.convertToFormat(QImage::Format_Alpha8);
     const auto width = std::size_t(source.width());
     GamutWarning warning;
     warning.mask = QImage(source.size(), QImage::Format_Grayscale8);
@@ -188,12 +215,12 @@ GamutWarning PrinterColour::gamutWarning(const QImage& picture, double tolerance
     qint64 counted = 0;
     qint64 outside = 0;
     for (int y = 0; y < source.height(); ++y) {
-        const std::vector<uchar> row = data_->printerRow(opaque.constScanLine(y), source.width());
-        cmsDoTransform(data_->wanted.get(), opaque.constScanLine(y), wanted.data(),
+        const std::vector<uchar> row = data_->printerRow(source, y);
+        cmsDoTransform(data_->from(source).wanted.get(), source.constScanLine(y), wanted.data(),
                        cmsUInt32Number(width));
         cmsDoTransform(data_->printed.get(), row.data(), printed.data(), cmsUInt32Number(width));
         for (std::size_t x = 0; x < width; ++x) {
-            if (source.constScanLine(y)[4 * x + 3] == 0) {
+            if (alpha.constScanLine(y)[x] == 0) {
                 continue;
             }
             ++counted;

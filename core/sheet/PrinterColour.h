@@ -1,4 +1,5 @@
-// From sRGB to the colours of a printer by its ICC profile (lcms2), and what that will look like.
+// From the colours of film images to those of a printer by its ICC profile (lcms2), and what that
+// will look like.
 #pragma once
 
 #include <QByteArray>
@@ -29,7 +30,9 @@ public:
     QString description() const; // as the profile calls itself
     const QByteArray& iccProfile() const;
 
-    // An sRGB picture in the printer's RGB, Format_RGBA8888 or RGB888 as it has alpha or not. RGB
+    // Pictures here are in sRGB or wide (base/WideColour.h).
+
+    // A picture in the printer's RGB, Format_RGBA8888 or RGB888 as it has alpha or not. RGB
     // printers only.
     QImage rgb(const QImage& picture) const;
     // An opaque one in the printer's CMYK: four bytes a pixel, 0 no ink … 255 full, rows without

@@ -1,6 +1,7 @@
 #include "sheet/Sheet.h"
 
 #include "base/Error.h"
+#include "base/WideColour.h"
 #include "sheet/SheetInk.h"
 
 #include <QColorSpace>
@@ -33,12 +34,19 @@ QSize sheetPixels(Millimetres width, Millimetres height, DotsPerInch resolution)
     return {int(columns), int(rows)};
 }
 
-QImage flattened(const QImage& filmImage) {
-    QImage page(filmImage.size(), QImage::Format_RGB888);
+QImage onPaper(const QImage& filmImage) {
+    const bool wide = isWide(filmImage);
+    QImage page(filmImage.size(), wide ? QImage::Format_RGBX64 : QImage::Format_RGB888);
     page.fill(Qt::white);
     QPainter painter(&page);
     painter.drawImage(0, 0, filmImage);
     painter.end();
+    page.setColorSpace(wide ? wideSpace() : QColorSpace(QColorSpace::SRgb));
+    return page;
+}
+
+QImage flattened(const QImage& filmImage) {
+    QImage page = inSrgb(onPaper(filmImage));
     page.setColorSpace(QColorSpace::SRgb);
     return page;
 }

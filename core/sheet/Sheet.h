@@ -36,7 +36,7 @@ struct JobLine {
 
 // A film image at its printed size with what is printed round it.
 struct Sheet {
-    QImage image;                                // ink side up, the film's printed size, sRGB
+    QImage image; // ink side up, the film's printed size; sRGB or wide
     Millimetres filmWidth{210}, filmHeight{297}; // printed size
     SheetSettings settings;
     JobLine job;
@@ -49,7 +49,10 @@ struct Sheet {
 QSize sheetPixels(Millimetres width, Millimetres height, DotsPerInch resolution);
 // The page in mm for this film; throws Error when the paper is smaller than the film or unknown.
 QSizeF pageSize(const Sheet& sheet);
-// The film image on white, opaque (Format_RGB888, sRGB): what the printer is sent.
+// The film image on white, opaque, in its own colours: RGB888 in sRGB, or wide (RGBX64).
+QImage onPaper(const QImage& filmImage);
+// The same in sRGB (Format_RGB888): what is seen, and what a printer without an ICC profile is
+// sent.
 QImage flattened(const QImage& filmImage);
 // Draws the whole page with a painter whose unit is the millimetre and whose origin is the page's
 // upper left corner: used by the PDF, the printer and the preview.

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "base/Png.h"
 #include "base/ProgramName.h"
+#include "base/WideColour.h"
 #include "sheet/PrinterColour.h"
 #include "sheet/SheetInk.h"
 
@@ -26,11 +27,12 @@ QSize pagePixels(const Sheet& sheet, const SheetLayout& layout) {
 
 // The film on its page, without what is printed round it.
 QImage filmOnPage(const Sheet& sheet, const SheetLayout& layout) {
-    QImage page(pagePixels(sheet, layout), QImage::Format_RGB888);
+    const QImage film = onPaper(sheet.image);
+    QImage page(pagePixels(sheet, layout), film.format());
     page.fill(Qt::white);
     QPainter painter(&page);
     const double unit = pixelsPerMillimetre(sheet.settings.resolution);
-    painter.drawImage((layout.film.topLeft() * unit).toPoint(), flattened(sheet.image));
+    painter.drawImage((layout.film.topLeft() * unit).toPoint(), film);
     return page;
 }
 
@@ -45,9 +47,7 @@ void addMarks(QImage& page, const Sheet& sheet, const SheetLayout& layout) {
 QByteArray rgbPage(const Sheet& sheet, const SheetLayout& layout, const PrinterColour* colour) {
     QImage page = filmOnPage(sheet, layout);
     addMarks(page, sheet, layout);
-    if (colour) {
-        page = colour->rgb(page);
-    }
+    page = colour ? colour->rgb(page) : inSrgb(page);
     QByteArray bytes;
     bytes.reserve(qsizetype(page.width()) * page.height() * 3);
     for (int y = 0; y < page.height(); ++y) {

@@ -1,6 +1,7 @@
 #include "texture/Bleed.h"
 
 #include "parallel/ParallelFor.h"
+#include "texture/LinearLight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,12 +33,15 @@ private:
         return down_[std::size_t(row) * std::size_t(width_) + std::size_t(column)];
     }
     void sweep(const QImage& image, int begin, int end, int radius) {
+        const PixelCode code(image);
         std::vector<int> since(static_cast<std::size_t>(end - begin), radius + 1);
         for (int row = 0; row < image.height(); ++row) {
             const auto* pixels = image.constScanLine(row);
             for (int column = begin; column < end; ++column) {
                 int& rows = since[std::size_t(column - begin)];
-                rows = pixels[4 * column + 3] ? 0 : std::min(rows + 1, radius + 1);
+                rows = code.alpha(pixels + column * code.bytes()) != 0
+                           ? 0
+                           : std::min(rows + 1, radius + 1);
                 at(row, column) = std::int16_t(rows <= radius ? -rows : none);
             }
         }
@@ -58,7 +62,8 @@ private:
     std::vector<std::int16_t> down_;
 };
 
-void continueRow(std::uint32_t* pixels, std::ptrdiff_t stride, int width, const std::int16_t* down,
+template <typename Pixel>
+void continueRow(Pixel* pixels, std::ptrdiff_t stride, int width, const std::int16_t* down,
                  double radius) {
     const int reach = int(radius);
     const double limit = radius * radius;
@@ -96,13 +101,13 @@ void continueRow(std::uint32_t* pixels, std::ptrdiff_t stride, int width, const 
 }
 
 // The first and the last printed pixel of a row; the first is past the last where none is printed.
-std::pair<int, int> printedPart(const uchar* pixels, int width) {
+std::pair<int, int> printedPart(const PixelCode& code, const uchar* pixels, int width) {
     int first = 0;
-    while (first < width && pixels[4 * first + 3] == 0) {
+    while (first < width && code.alpha(pixels + first * code.bytes()) == 0) {
         ++first;
     }
     int last = width - 1;
-    while (last > first && pixels[4 * last + 3] == 0) {
+    while (last > first && code.alpha(pixels + last * code.bytes()) == 0) {
         --last;
     }
     return {first, last};
@@ -110,9 +115,10 @@ std::pair<int, int> printedPart(const uchar* pixels, int width) {
 
 // The box round all printed pixels and what is within `margin` pixels of them.
 QRect reachedBox(const QImage& image, int margin) {
+    const PixelCode code(image);
     std::vector<std::pair<int, int>> parts(std::size_t(image.height()));
     parallelFor(0, image.height(), [&](int row) {
-        parts[std::size_t(row)] = printedPart(image.constScanLine(row), image.width());
+        parts[std::size_t(row)] = printedPart(code, image.constScanLine(row), image.width());
     });
     QRect printed;
     for (int row = 0; row < image.height(); ++row) {
@@ -128,14 +134,16 @@ QRect reachedBox(const QImage& image, int margin) {
 
 // The pixels of a part of an image as an image of its own. Not to outlive it.
 QImage partOf(QImage& image, const QRect& box) {
-    return {image.bits() + box.y() * image.bytesPerLine() + 4 * qsizetype(box.x()), box.width(),
-            box.height(), image.bytesPerLine(), image.format()};
+    const qsizetype left = PixelCode(image).bytes() * qsizetype(box.x());
+    return {image.bits() + box.y() * image.bytesPerLine() + left, box.width(), box.height(),
+            image.bytesPerLine(), image.format()};
 }
 
+template <typename Pixel>
 void continueWithin(QImage& image, double within) {
     const ColumnDistances distances(image, int(within));
-    auto* pixels = reinterpret_cast<std::uint32_t*>(image.bits());
-    const auto stride = image.bytesPerLine() / std::ptrdiff_t(sizeof(std::uint32_t));
+    auto* pixels = reinterpret_cast<Pixel*>(image.bits());
+    const auto stride = image.bytesPerLine() / std::ptrdiff_t(sizeof(Pixel));
     parallelFor(0, image.height(), [&, width = image.width()](int row) {
         continueRow(pixels + row * stride, stride, width, distances.row(row), within);
     });
@@ -148,7 +156,11 @@ void continueColour(QImage& image, double radius) {
     const QRect box = within < 1 ? QRect() : reachedBox(image, int(within));
     if (!box.isEmpty()) {
         QImage part = partOf(image, box);
-        continueWithin(part, within);
+        if (PixelCode(image).isWide()) {
+            continueWithin<std::uint64_t>(part, within);
+        } else {
+            continueWithin<std::uint32_t>(part, within);
+        }
     }
 }
 

@@ -1,15 +1,23 @@
 #include "texture/BodyColours.h"
 
+#include "base/WideColour.h"
+
+#include <algorithm>
+
 namespace dipwright {
 
-BodyColours::BodyColours(const TexturedMesh& model) : model_(model) {
+BodyColours::BodyColours(const TexturedMesh& model)
+    : model_(model),
+      wide_(std::any_of(model.textures.begin(), model.textures.end(), dipwright::isWide)) {
     for (std::size_t texture = 0; texture < model.textures.size(); ++texture) {
         const bool repeats = textureRepeats(model, int(texture));
-        textures_.push_back({TextureSampler(model.textures[texture], repeats),
+        const QImage& picture = model.textures[texture];
+        textures_.push_back({TextureSampler(wide_ ? inWide(picture) : picture, repeats),
                              repeats ? nullptr : ChartMap::of(model, int(texture))});
     }
     for (const Material& material : model.materials) {
-        plain_.push_back(linearColour(material.colour));
+        const LinearColour plain = linearColour(material.colour);
+        plain_.push_back(wide_ ? wideLight(plain) : plain);
     }
 }
 

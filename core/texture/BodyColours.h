@@ -16,12 +16,16 @@ class BodyColours {
 public:
     explicit BodyColours(const TexturedMesh& model);
 
+    // Whether colours are shares of wide colour's primaries, of all where one texture is wide.
+    bool isWide() const { return wide_; }
+
     // Null where a body triangle has a plain colour: without texture or texture coordinates.
     const BodyTexture* texture(std::uint32_t bodyTriangle) const;
     const LinearColour& plain(std::uint32_t bodyTriangle) const;
 
 private:
     const TexturedMesh& model_;
+    bool wide_;
     std::vector<BodyTexture> textures_; // as the model's
     std::vector<LinearColour> plain_;   // a material each
 };

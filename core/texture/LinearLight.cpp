@@ -1,7 +1,10 @@
 #include "texture/LinearLight.h"
 
+#include "base/WideColour.h"
+
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace dipwright {
 
@@ -25,6 +28,30 @@ std::array<std::uint8_t, encodingSteps + 1> makeEncodingTable() {
         table[step] = std::uint8_t(std::lround(255 * srgbFromLinear(double(step) / encodingSteps)));
     }
     return table;
+}
+
+std::vector<float> makeWideTable() {
+    std::vector<float> table;
+    for (int value = 0; value <= 65535; ++value) {
+        table.push_back(float(linearFromSrgb(double(value) / 65535)));
+    }
+    return table;
+}
+
+// The linear light of every sixteen-bit value.
+const std::vector<float>& wideTable() {
+    static const std::vector<float> table = makeWideTable();
+    return table;
+}
+
+LinearColour weighted(const LightWeights& weights, const LinearColour& light) {
+    LinearColour sum;
+    for (int channel = 0; channel < 3; ++channel) {
+        const std::array<double, 3>& row = weights[std::size_t(channel)];
+        sum[channel] = float(row[0] * double(light[0]) + row[1] * double(light[1]) +
+                             row[2] * double(light[2]));
+    }
+    return sum.max(0.0f).min(1.0f);
 }
 
 } // namespace
@@ -51,6 +78,46 @@ LinearColour linearColour(const QColor& colour) {
     const std::array<float, 256>& table = linearTable();
     return {table[std::size_t(colour.red())], table[std::size_t(colour.green())],
             table[std::size_t(colour.blue())]};
+}
+
+LinearColour wideLight(const LinearColour& srgb) {
+    return weighted(srgbToWideLight, srgb);
+}
+
+LinearColour srgbLight(const LinearColour& wide) {
+    return weighted(wideToSrgbLight, wide);
+}
+
+PixelCode::PixelCode(const QImage& picture) : wide_(dipwright::isWide(picture)) {}
+
+int PixelCode::alpha(const unsigned char* pixel) const {
+    return wide_ ? int(reinterpret_cast<const std::uint16_t*>(pixel)[3]) : int(pixel[3]);
+}
+
+LinearColour PixelCode::light(const unsigned char* pixel) const {
+    if (wide_) {
+        const auto* numbers = reinterpret_cast<const std::uint16_t*>(pixel);
+        const std::vector<float>& table = wideTable();
+        return {table[numbers[0]], table[numbers[1]], table[numbers[2]]};
+    }
+    const std::array<float, 256>& table = linearTable();
+    return {table[pixel[0]], table[pixel[1]], table[pixel[2]]};
+}
+
+void PixelCode::write(unsigned char* pixel, const LinearColour& light, int alpha) const {
+    if (wide_) {
+        auto* numbers = reinterpret_cast<std::uint16_t*>(pixel);
+        for (int channel = 0; channel < 3; ++channel) {
+            const double share = std::clamp(double(light[channel]), 0.0, 1.0);
+            numbers[channel] = std::uint16_t(std::lround(65535 * srgbFromLinear(share)));
+        }
+        numbers[3] = std::uint16_t(alpha);
+        return;
+    }
+    for (int channel = 0; channel < 3; ++channel) {
+        pixel[channel] = encodedByte(light[channel]);
+    }
+    pixel[3] = std::uint8_t(alpha);
 }
 
 } // namespace dipwright

@@ -1,6 +1,7 @@
 #include "texture/ReverseTexture.h"
 
 #include "base/Error.h"
+#include "base/WideColour.h"
 #include "parallel/ParallelFor.h"
 #include "texture/Bleed.h"
 #include "texture/BodyColours.h"
@@ -54,14 +55,14 @@ struct CellPlaces {
 
 class FilmPainter {
 public:
-    FilmPainter(const LaidFilm& laid, const ReverseMap& map, const ReverseTextureOptions& options,
-                QImage& image)
+    FilmPainter(const LaidFilm& laid, const ReverseMap& map, const BodyColours& colours,
+                const ReverseTextureOptions& options, QImage& image)
         : laid_(laid), grid_(laid.film().grid), model_(laid.body().model), map_(map),
-          colours_(model_), ink_(options.ink), share_(options.share ? &*options.share : nullptr),
+          colours_(colours), ink_(options.ink), share_(options.share ? &*options.share : nullptr),
           columns_(grid_, image.width(), grid_.columns - 1, columnAt),
           rows_(grid_, image.height(), grid_.rows - 1, rowAt),
           pixelSize_(float(grid_.width / image.width()), float(grid_.depth / image.height())),
-          bits_(image.bits()), stride_(image.bytesPerLine()) {}
+          code_(image), bits_(image.bits()), stride_(image.bytesPerLine()) {}
 
     // What painting one row of cells has come to.
     struct PaintedRow {
@@ -145,7 +146,7 @@ private:
         return share_->allWithin(alongTheBody * size, corner);
     }
     unsigned char* bytesOf(const Pixel& pixel) const {
-        return bits_ + pixel.row * stride_ + 4 * pixel.column;
+        return bits_ + pixel.row * stride_ + code_.bytes() * pixel.column;
     }
 
     double paint(const FilmPiece& piece, std::span<Pixel> pixels) const {
@@ -283,11 +284,7 @@ private:
                               weights[1] * stretches[corners[1]] +
                               weights[2] * stretches[corners[2]];
         const InkCompensation::Ink ink = ink_.print(ink_.faded(wanted, pixel.share), stretch);
-        unsigned char* bytes = bytesOf(pixel);
-        for (int channel = 0; channel < 3; ++channel) {
-            bytes[channel] = encodedByte(ink.colour[channel]);
-        }
-        bytes[3] = 255;
+        code_.write(bytesOf(pixel), ink.colour, code_.opaque());
         return ink.fallsShort ? double(pixelSize_.prod() * stretch) : 0;
     }
 
@@ -295,12 +292,13 @@ private:
     const solver::FilmGrid& grid_;
     const TexturedMesh& model_;
     const ReverseMap& map_;
-    BodyColours colours_;
+    const BodyColours& colours_;
     InkCompensation ink_;
     const PaintShare* share_; // may be null
     CellPlaces columns_;
     CellPlaces rows_;
     Eigen::Vector2f pixelSize_; // mm
+    PixelCode code_;
     unsigned char* bits_;
     std::ptrdiff_t stride_;
 };
@@ -311,19 +309,24 @@ ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions&
                               const Progress& progress) {
     progress(0, Text::tr("Reversing the texture"));
     ReverseTexture result;
-    result.image = QImage(options.pixels, QImage::Format_RGBA8888);
+    const BodyColours colours(laid.body().model);
+    result.image =
+        QImage(options.pixels, colours.isWide() ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
     if (result.image.isNull()) {
         throw Error(
             Text::tr("The film's image is too large for this computer's memory; choose a lower "
                      "resolution"),
             QStringLiteral("%1 × %2").arg(options.pixels.width()).arg(options.pixels.height()));
     }
-    result.image.fill(0);
+    if (colours.isWide()) {
+        result.image.setColorSpace(wideSpace());
+    }
+    result.image.fill(Qt::transparent);
     const ReverseMap map(laid);
     result.seamTriangles = map.seamCount();
     progress(0.1, Text::tr("Reversing the texture"));
 
-    const FilmPainter painter(laid, map, options, result.image);
+    const FilmPainter painter(laid, map, colours, options, result.image);
     const solver::FilmGrid& grid = laid.film().grid;
     std::vector<FilmPainter::PaintedRow> painted(std::size_t(grid.rows - 1));
     parallelFor(0, grid.rows - 1, [&](int row) {
@@ -339,7 +342,7 @@ ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions&
     continueColour(result.image, options.bleed / pixelSize);
     for (const FilmPainter::PaintedRow& row : painted) {
         for (unsigned char* pixel : row.left) {
-            std::fill_n(pixel, 4, std::uint8_t(0));
+            std::fill_n(pixel, PixelCode(result.image).bytes(), std::uint8_t(0));
         }
     }
     progress(1, Text::tr("Reversing the texture"));

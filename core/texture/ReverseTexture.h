@@ -22,7 +22,8 @@ struct ReverseTextureOptions {
 };
 
 struct ReverseTexture {
-    QImage image;                  // RGBA8888, sRGB, alpha 0 where nothing is printed
+    QImage image; // alpha 0 where nothing is printed; wide where a texture is, else
+                  // RGBA8888 in sRGB
     std::size_t seamTriangles = 0; // film triangles that crossed from chart to chart
     double shortfallArea = 0; // mm² of body whose density cannot be reached within the ink limit
 };

@@ -1,5 +1,7 @@
 #include "texture/TextureSampler.h"
 
+#include "base/WideColour.h"
+
 #include "parallel/ParallelFor.h"
 
 #include <Eigen/SVD>
@@ -14,6 +16,33 @@ namespace {
 constexpr int mostTaps = 8;
 constexpr float fullLight = 65535;
 
+using LightTexel = std::array<std::uint16_t, 4>;
+
+LightTexel lightTexel(const LinearColour& light) {
+    LightTexel texel{};
+    for (int channel = 0; channel < 3; ++channel) {
+        texel[std::size_t(channel)] =
+            std::uint16_t(std::lrint(std::min(light[channel], 1.0f) * fullLight));
+    }
+    return texel;
+}
+
+// Of a wide picture, on white.
+std::vector<LightTexel> lightTexels(const QImage& wide) {
+    const PixelCode code(wide);
+    const auto columns = std::size_t(wide.width());
+    std::vector<LightTexel> texels(columns * std::size_t(wide.height()));
+    parallelFor(0, wide.height(), [&](int row) {
+        const uchar* pixel = wide.constScanLine(row);
+        for (std::size_t column = 0; column < columns; ++column, pixel += code.bytes()) {
+            const float opacity = float(code.alpha(pixel)) / float(code.opaque());
+            texels[std::size_t(row) * columns + column] =
+                lightTexel(opacity * code.light(pixel) + 1 - opacity);
+        }
+    });
+    return texels;
+}
+
 bool isOpaque(const QImage& image) {
     for (int row = 0; row < image.height(); ++row) {
         const auto* texel = image.constScanLine(row);
@@ -26,9 +55,11 @@ bool isOpaque(const QImage& image) {
     return true;
 }
 
-// Without see-through texels, and its rows one after another without gaps.
+// Without see-through texels, and its rows one after another without gaps. A wide picture is read
+// from its first level.
 QImage onWhite(const QImage& image) {
-    if (isOpaque(image) && image.bytesPerLine() == 4 * qsizetype(image.width())) {
+    const bool gapless = image.bytesPerLine() == 4 * qsizetype(image.width());
+    if (isWide(image) || (isOpaque(image) && gapless)) {
         return image;
     }
     QImage opaque = image.copy();
@@ -76,7 +107,8 @@ std::vector<Cover> halvingCovers(int length) {
 TextureSampler::TextureSampler(const QImage& image, bool repeats)
     : image_(onWhite(image)), encoded_(image_.constBits()), linear_(linearTable()),
       repeats_(repeats) {
-    levels_.push_back({image.width(), image.height(), {}});
+    levels_.push_back({image.width(), image.height(),
+                       isWide(image) ? lightTexels(image) : std::vector<LightTexel>()});
     while (levels_.back().width > 1 || levels_.back().height > 1) {
         levels_.push_back(halved(levels_.back()));
     }
@@ -111,11 +143,7 @@ TextureSampler::Level TextureSampler::halved(const Level& level) const {
                 }
                 sum += rows[row].weights[std::size_t(down)] * line;
             }
-            std::array<std::uint16_t, 4>& texel = half.texels[row * columns.size() + column];
-            for (int channel = 0; channel < 3; ++channel) {
-                texel[std::size_t(channel)] =
-                    std::uint16_t(std::lrint(std::min(sum[channel], 1.0f) * fullLight));
-            }
+            half.texels[row * columns.size() + column] = lightTexel(sum);
         }
     });
     return half;

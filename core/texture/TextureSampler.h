@@ -26,7 +26,8 @@ struct TextureFootprint {
 // const and may go on on many threads.
 class TextureSampler {
 public:
-    // `image` has Format_RGBA8888. `repeats`: coordinates outside [0, 1] wrap; else they are
+    // `image` has Format_RGBA8888 or is wide; its colours are read as shares of its own primaries.
+    // `repeats`: coordinates outside [0, 1] wrap; else they are
     // clamped.
     TextureSampler(const QImage& image, bool repeats);
 
@@ -45,7 +46,8 @@ public:
 private:
     struct Level {
         int width = 0, height = 0;
-        std::vector<std::array<std::uint16_t, 4>> texels; // linear light; empty for the first level
+        std::vector<std::array<std::uint16_t, 4>>
+            texels; // linear light; empty for a first level of eight bits
     };
     // The four texels round a place and their weights.
     struct Corners {

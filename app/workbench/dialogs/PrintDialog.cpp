@@ -203,19 +203,28 @@ void PrintDialog::showSheet(std::size_t number) {
         const SheetPreview page = sheetPreview(sheets_[number]);
         preview_->setPicture(page.page, page.size);
         if (proof_->currentIndex() > 0) {
-            startProof(page, proofing);
+            startProof(sheets_[number], page, proofing);
         }
     } catch (const Error&) {
         preview_->clear(); // the verdict says why
     }
 }
 
-void PrintDialog::startProof(const SheetPreview& page, int proofing) {
+void PrintDialog::startProof(const Sheet& sheet, const SheetPreview& page, int proofing) {
+    // The film itself and not the page as it is seen: that holds no more colours than a screen's.
+    Sheet small = sheet;
+    const double scale = page.page.width() / page.size.width();
+    small.image = sheet.image.scaled((page.film.size() * scale).toSize(), Qt::IgnoreAspectRatio,
+                                     Qt::SmoothTransformation);
     jobs_.start(std::make_unique<ValueJob<PrintProof>>(
         tr("Proofing the colours"),
-        [page = page.page, profile = *outcome_.result->project.profiles.printer,
+        [small, profile = *outcome_.result->project.profiles.printer,
          marked = proof_->currentIndex() == 2](const Progress&) {
-            return printProof(page, *printerColour(profile), marked);
+            PrintProof proof = printProof(onPaper(small.image), *printerColour(profile), marked);
+            Sheet proofed = small;
+            proofed.image = proof.page;
+            proof.page = sheetPreview(proofed).page;
+            return proof;
         },
         [this, proofing, size = page.size](const PrintProof& proof) {
             if (proofing == proofing_) {

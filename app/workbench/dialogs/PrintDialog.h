@@ -41,7 +41,7 @@ private:
     QWidget* makePreview();
     void choosePaper(); // for all sheets
     void showSheet(std::size_t number);
-    void startProof(const SheetPreview& page, int proofing);
+    void startProof(const Sheet& sheet, const SheetPreview& page, int proofing);
     void saveFile();
     void findPrinters();
     void showPrinters(const QStringList& printers);

@@ -65,6 +65,7 @@ private slots:
     void sheetsAreWrittenAsFiles();
     void filesKeepToWhatThePrinterReaches();
     void sheetsAreInThePrintersColours();
+    void wideColoursReachAWidePrinter();
     void projectKeepsItsProfile();
     void refusalsPrintNothing();
     void wrongUsageIsToldApart();
@@ -247,6 +248,37 @@ void PrintCommandTest::sheetsAreInThePrintersColours() {
     QCOMPARE(QImage(folder_.filePath("proof.png")).size(), found.size());
     QVERIFY(
         output("qpdf", {"--qdf", folder_.filePath("colour.pdf"), "-"}).contains(wide.iccProfile()));
+}
+
+// Adobe RGB's green is none of sRGB's, and no stop there cuts it off.
+void PrintCommandTest::wideColoursReachAWidePrinter() {
+    const QColorSpace wide(QColorSpace::AdobeRgb);
+    const QString icc = folder_.filePath("adobe.icc");
+    QFile file(icc);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(wide.iccProfile());
+    file.close();
+    QVERIFY(cli({"profile", "set", "printer", "Adobe", "--icc", icc}).exitCode == 0);
+    const QColor green(20, 230, 20);
+    QImage picture(60, 80, QImage::Format_RGB888);
+    picture.setColorSpace(wide);
+    picture.fill(green);
+    QVERIFY(picture.save(folder_.filePath("green.png")));
+    for (const QString& name : {QString("wide.pdf"), QString("wide.tiff")}) {
+        const QString path = folder_.filePath(name);
+        const Outcome outcome =
+            cli(QStringList{"print", turtle, "--immersion", "1", "--to", path, "--profile", "Adobe",
+                            "--film-image", folder_.filePath("green.png")} +
+                coarse);
+        QVERIFY2(outcome.exitCode == 0, outcome.err);
+        QVERIFY2(outcome.out.contains("0.0 % of the printed colour is out"), outcome.out);
+        output("pdfimages", {"-png", path, folder_.filePath("wide")}); // of the PDF
+        QImage found(name.endsWith("pdf") ? folder_.filePath("wide-000.png") : path);
+        QVERIFY(!found.isNull());
+        found.setColorSpace(QColorSpace()); // the numbers themselves
+        const QColor middle = found.pixelColor(found.width() / 2, found.height() / 2);
+        QVERIFY2(middle == green, qPrintable(name + middle.name()));
+    }
 }
 
 void PrintCommandTest::projectKeepsItsProfile() {

@@ -2,6 +2,7 @@
 #include "base/Png.h"
 
 #include "base/Error.h"
+#include "base/WideColour.h"
 #include "parallel/Threads.h"
 
 #include <QBuffer>
@@ -70,6 +71,15 @@ private slots:
         QCOMPARE(again.colorSpace(), QColorSpace(QColorSpace::AdobeRgb));
         image.setColorSpace(QColorSpace());
         QVERIFY(!stored(image).colorSpace().isValid());
+    }
+
+    void wideColourKeepsItsSixteenBits() {
+        QImage image = inWide(picture({300, 200}, QImage::Format_RGBA8888));
+        image.setPixelColor(3, 4, QColor::fromRgba64(12345, 54321, 257, 40000));
+        const QImage again = stored(image);
+        QCOMPARE(again.format(), QImage::Format_RGBA64);
+        QVERIFY(again == image);
+        QCOMPARE(again.colorSpace().iccProfile(), wideSpace().iccProfile());
     }
 
     void givesTheSameBytesOnAnyNumberOfThreads() {

@@ -1,4 +1,5 @@
 #include "DippedByHand.h"
+#include "base/WideColour.h"
 
 #include "geometry/Shapes.h"
 
@@ -32,7 +33,8 @@ std::vector<double> gradedPlaces(double length, int count) {
 TexturedMesh modelWith(const TriangleMesh& mesh, const QImage& picture) {
     TexturedMesh model = plainModel(mesh, QColor(200, 200, 200));
     model.materials[0].texture = 0;
-    model.textures.push_back(picture.convertToFormat(QImage::Format_RGBA8888));
+    model.textures.push_back(isWide(picture) ? picture
+                                             : picture.convertToFormat(QImage::Format_RGBA8888));
     return model;
 }
 

@@ -3,6 +3,8 @@
 #include "TestProfiles.h"
 
 #include "base/Error.h"
+#include "base/Png.h"
+#include "base/WideColour.h"
 #include "import/ReadPictures.h"
 #include "sheet/PrinterColour.h"
 
@@ -233,6 +235,7 @@ class PictureColourTest : public QObject {
 private slots:
     void printerIsSentWhatTheTextureMeans_data();
     void printerIsSentWhatTheTextureMeans();
+    void colourBeyondSrgbIsKept();
     void profileOfAnotherKindIsRefused();
     void cutOffInksAreNoPicture();
 };
@@ -240,10 +243,17 @@ private slots:
 void PictureColourTest::printerIsSentWhatTheTextureMeans_data() {
     QTest::addColumn<QString>("type");
     QTest::addColumn<int>("channels");
+    QTest::addColumn<QByteArray>("printer");
+    QTest::addColumn<int>("reached"); // patches, at the least
+    const QByteArray wide = QColorSpace(QColorSpace::AdobeRgb).iccProfile();
+    QTest::newRow("wide printer, grey") << "png" << int(Kind::Grey) << wide << patches;
+    QTest::newRow("wide printer, wide picture") << "png" << int(Kind::Rgb) << wide << patches;
+    QTest::newRow("wide printer, inks") << "tiff16" << int(Kind::Cmyk) << wide << patches / 2;
     for (const Kind kind : {Kind::Grey, Kind::Rgb, Kind::Cmyk}) {
         for (const char* type : {"png", "jpeg", "tiff", "tiff16"}) {
             if (kind != Kind::Cmyk || qstrcmp(type, "png") != 0) {
-                QTest::addRow("%s of %d", type, int(kind)) << QString(type) << int(kind);
+                QTest::addRow("%s of %d", type, int(kind))
+                    << QString(type) << int(kind) << paleRgbProfile() << 8;
             }
         }
     }
@@ -254,7 +264,8 @@ void PictureColourTest::printerIsSentWhatTheTextureMeans() {
     QFETCH(int, channels);
     const auto kind = Kind(channels);
     const QByteArray profile = profileOf(kind);
-    const QByteArray printer = paleRgbProfile();
+    QFETCH(QByteArray, printer);
+    QFETCH(int, reached);
     const QByteArray written = file(type, kind, profile);
     const QImage texture = readPictures({{written, QStringLiteral("texture")}}).front();
     const QImage stored = kind == Kind::Rgb ? QImage::fromData(written) : QImage(); // JPEG: a loss
@@ -284,9 +295,33 @@ void PictureColourTest::printerIsSentWhatTheTextureMeans() {
         largest = std::max(largest, double(cmsDeltaE(&best, &lab)));
         ++judged;
     }
-    QVERIFY2(judged >= 8, qPrintable(QString::number(judged)));
+    QVERIFY2(judged >= reached, qPrintable(QString::number(judged)));
     qInfo() << judged << "patches, largest difference" << largest;
     QVERIFY2(largest <= 1, qPrintable(QString::number(largest)));
+}
+
+// Adobe RGB's green is no colour of sRGB, and a printer that reaches it is not told another one.
+void PictureColourTest::colourBeyondSrgbIsKept() {
+    const QByteArray adobe = QColorSpace(QColorSpace::AdobeRgb).iccProfile();
+    QImage picture(8, 8, QImage::Format_RGB888);
+    picture.fill(QColor(20, 230, 20));
+    picture.setColorSpace(QColorSpace::AdobeRgb);
+    const QImage texture = readPictures({{pngBytes(picture, {}), QStringLiteral("green")}}).front();
+    QVERIFY(isWide(texture));
+    const auto colour = [](const QByteArray& printer) {
+        return PrinterColour(printer, RenderingIntent::RelativeColorimetric, false, "printer");
+    };
+    QCOMPARE(colour(adobe).rgb(texture).pixelColor(4, 4), QColor(20, 230, 20));
+    QCOMPARE(colour(adobe).gamutWarning(texture).share, 0.0);
+    QCOMPARE(colour(QColorSpace(QColorSpace::SRgb).iccProfile()).gamutWarning(texture).share, 1.0);
+    // Saved with a project and read again it is the same to the last bit.
+    const QImage again = readPictures({{pngBytes(texture, {}), QStringLiteral("saved")}}).front();
+    QVERIFY(again == texture);
+    // What sRGB holds takes no more room than ever.
+    picture.fill(QColor(200, 120, 90));
+    picture.setColorSpace(QColorSpace::AdobeRgb);
+    const QImage brown = readPictures({{pngBytes(picture, {}), QStringLiteral("brown")}}).front();
+    QCOMPARE(brown.format(), QImage::Format_RGBA8888);
 }
 
 void PictureColourTest::profileOfAnotherKindIsRefused() {

@@ -2,6 +2,7 @@
 #include "texture/ReverseTexture.h"
 #include "DippedByHand.h"
 #include "base/Units.h"
+#include "base/WideColour.h"
 #include "geometry/Shapes.h"
 #include "parallel/Threads.h"
 #include "texture/LinearLight.h"
@@ -96,6 +97,7 @@ private Q_SLOTS:
     void finePatternIsAveragedInLinearLight();
     void bodyWithoutTextureIsItsColour();
     void textureWithoutCoordinatesIsTheColour();
+    void colourBeyondSrgbStaysAsItIs();
     void nothingIsPrintedBeyondTheBleed();
     void inkFollowsTheStretch();
     void colourThatCannotBeHadIsReported();
@@ -253,6 +255,47 @@ void ReverseTextureTest::textureWithoutCoordinatesIsTheColour() {
     const ReverseTexture texture =
         reversed(model, test::flatUnderBox(test::a4Grid(), boxSize), uncompensated());
     QCOMPARE(texture.image.pixelColor(620, 877), QColor(10, 200, 30));
+}
+
+void ReverseTextureTest::colourBeyondSrgbStaysAsItIs() {
+    const DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize);
+    // What sRGB holds comes out alike, be it told in sRGB or in wide numbers.
+    const QImage picture = drawn(waves, {512, 512});
+    ReverseTextureOptions options;
+    options.pixels = a4Pixels;
+    const QImage plain = reversed(test::boxWithPicture(boxSize, picture), film, options).image;
+    const QImage wide =
+        reversed(test::boxWithPicture(boxSize, inWide(picture)), film, options).image;
+    QVERIFY(isWide(wide) && wide.colorSpace() == wideSpace());
+    const QImage seen = inSrgb(wide);
+    const unsigned char* other = plain.constBits();
+    forEachPixel(seen, [&](const Eigen::Vector2d&, const unsigned char* pixel) {
+        QCOMPARE(int(pixel[3]), int(other[3]));
+        for (int channel = 0; pixel[3] != 0 && channel < 3; ++channel) {
+            QVERIFY(std::abs(pixel[channel] - other[channel]) <= 1);
+        }
+        other += 4;
+    });
+    // And what it does not hold is not cut off, in the bleed neither.
+    QImage green(64, 64, QImage::Format_RGBA64);
+    green.setColorSpace(QColorSpace::AdobeRgb);
+    green.fill(QColor(20, 230, 20));
+    green.convertToColorSpace(wideSpace());
+    QVERIFY(!isHeldBySrgb(green));
+    const QImage printed =
+        reversed(test::boxWithPicture(boxSize, green), film, uncompensated()).image;
+    const auto* meant = reinterpret_cast<const quint16*>(green.constScanLine(0));
+    int judged = 0;
+    for (int row = 0; row < printed.height(); ++row) {
+        const auto* pixel = reinterpret_cast<const quint16*>(printed.constScanLine(row));
+        for (int column = 0; column < printed.width(); ++column, pixel += 4) {
+            for (int channel = 0; pixel[3] != 0 && channel < 3; ++channel) {
+                QVERIFY(std::abs(int(pixel[channel]) - int(meant[channel])) <= 20);
+                ++judged;
+            }
+        }
+    }
+    QVERIFY(judged > 100000);
 }
 
 void ReverseTextureTest::nothingIsPrintedBeyondTheBleed() {
