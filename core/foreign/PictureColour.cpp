@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QtEndian>
 
+#include <algorithm>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
@@ -272,11 +273,9 @@ Transform transformTo(Target target, const QByteArray& profile, cmsUInt32Number 
     const ProfileHandle from = profileFrom(profile);
     const ProfileHandle to =
         wide ? profileFrom(wideSpace().iccProfile()) : ProfileHandle(cmsCreate_sRGBProfile());
-    // Tables in between are too coarse for sixteen bits.
     Transform transform(
         from ? cmsCreateTransform(from.get(), pixels, to.get(), wide ? TYPE_RGBA_16 : TYPE_RGBA_8,
-                                  INTENT_RELATIVE_COLORIMETRIC,
-                                  wide ? cmsFLAGS_NOOPTIMIZE : cmsFLAGS_HIGHRESPRECALC)
+                                  INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_HIGHRESPRECALC)
              : nullptr);
     if (!transform) {
         throw Error(Text::tr("The picture's ICC profile is damaged or not for its pixels; save it "
@@ -303,22 +302,32 @@ QImage emptyTexture(QSize size, Target target) {
     return texture;
 }
 
-QImage converted(const InkPicture& picture, const QByteArray& profile, const QString& where,
-                 Target target) {
-    const Transform transform = transformTo(target, profile, TYPE_CMYK_16, where);
-    QImage texture = emptyTexture(picture.size, target);
-    const auto width = std::size_t(picture.size.width());
-    for (int y = 0; y < texture.height(); ++y) {
-        cmsDoTransform(transform.get(), &picture.inks[std::size_t(y) * width], texture.scanLine(y),
-                       cmsUInt32Number(width));
-    }
-    return texture;
+cmsUInt32Number numbersOf(const InkPicture&, const QByteArray&) {
+    return TYPE_CMYK_16;
+}
+cmsUInt32Number numbersOf(const QImage&, const QByteArray& profile) {
+    return spaceOf(profile) == "GRAY" ? TYPE_GRAY_16 : TYPE_RGB_16;
 }
 
-// Alpha, every fourth number, as the picture has it.
-void copyAlpha(const quint16* from, uchar* to, std::size_t width, Target target) {
+// One row at a time: a large picture is not held once more in sixteen bits.
+void convertRow(cmsHTRANSFORM transform, const InkPicture& picture, int y, QImage& row, Target) {
+    const auto width = std::size_t(row.width());
+    cmsDoTransform(transform, &picture.inks[std::size_t(y) * width], row.bits(),
+                   cmsUInt32Number(width));
+}
+void convertRow(cmsHTRANSFORM transform, const QImage& picture, int y, QImage& row, Target target) {
+    const bool grey = T_COLORSPACE(cmsGetTransformInputFormat(transform)) == PT_GRAY;
+    const auto width = std::size_t(row.width());
+    const QImage source = picture.copy(0, y, row.width(), 1).convertToFormat(QImage::Format_RGBA64);
+    const auto* pixel = reinterpret_cast<const quint16*>(source.constBits());
+    std::vector<quint16> numbers;
     for (std::size_t x = 0; x < width; ++x) {
-        const quint16 alpha = from[4 * x + 3];
+        numbers.insert(numbers.end(), pixel + 4 * x, pixel + 4 * x + (grey ? 1 : 3));
+    }
+    uchar* to = row.bits();
+    cmsDoTransform(transform, numbers.data(), to, cmsUInt32Number(width));
+    for (std::size_t x = 0; x < width; ++x) { // lcms2 writes colours and leaves alpha
+        const quint16 alpha = pixel[4 * x + 3];
         if (target == Target::Wide) {
             reinterpret_cast<quint16*>(to)[4 * x + 3] = alpha;
         } else {
@@ -327,33 +336,58 @@ void copyAlpha(const quint16* from, uchar* to, std::size_t width, Target target)
     }
 }
 
-QImage converted(const QImage& picture, const QByteArray& profile, const QString& where,
+QSize sizeOf(const InkPicture& picture) {
+    return picture.size;
+}
+QSize sizeOf(const QImage& picture) {
+    return picture.size();
+}
+
+template <typename Picture>
+QImage converted(const Picture& picture, const QByteArray& profile, const QString& where,
                  Target target) {
-    const bool grey = spaceOf(profile) == "GRAY";
-    const Transform transform =
-        transformTo(target, profile, grey ? TYPE_GRAY_16 : TYPE_RGB_16, where);
-    const QImage source = picture.convertToFormat(QImage::Format_RGBA64);
-    QImage texture = emptyTexture(picture.size(), target);
-    texture.setDotsPerMeterX(picture.dotsPerMeterX());
-    texture.setDotsPerMeterY(picture.dotsPerMeterY());
-    const auto width = std::size_t(picture.width());
-    std::vector<quint16> row;
+    const Transform transform = transformTo(target, profile, numbersOf(picture, profile), where);
+    QImage texture = emptyTexture(sizeOf(picture), target);
+    QImage row = emptyTexture({texture.width(), 1}, target);
     for (int y = 0; y < texture.height(); ++y) {
-        row.clear();
-        const auto* pixel = reinterpret_cast<const quint16*>(source.constScanLine(y));
-        for (std::size_t x = 0; x < width; ++x) {
-            row.insert(row.end(), pixel + 4 * x, pixel + 4 * x + (grey ? 1 : 3));
-        }
-        cmsDoTransform(transform.get(), row.data(), texture.scanLine(y), cmsUInt32Number(width));
-        copyAlpha(pixel, texture.scanLine(y), width, target);
+        convertRow(transform.get(), picture, y, row, target);
+        std::copy_n(row.constBits(), row.bytesPerLine(), texture.scanLine(y));
     }
     return texture;
 }
 
+// Only colours that come out at an end of sRGB's range can be beyond it.
+bool touchesEnds(const uchar* row, int width) {
+    for (const uchar* pixel = row; pixel < row + qsizetype(width) * 4; pixel += 4) {
+        const auto [least, most] = std::minmax({pixel[0], pixel[1], pixel[2]});
+        if (least != most && (least == 0 || most == 255)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 template <typename Picture>
 QImage widerWhereNeeded(const Picture& picture, const QByteArray& profile, const QString& where) {
-    QImage wide = converted(picture, profile, where, Target::Wide);
-    return isHeldBySrgb(wide) ? converted(picture, profile, where, Target::Srgb) : wide;
+    QImage texture = converted(picture, profile, where, Target::Srgb);
+    const Transform toWide = transformTo(Target::Wide, profile, numbersOf(picture, profile), where);
+    QImage row = emptyTexture({texture.width(), 1}, Target::Wide);
+    for (int y = 0; y < texture.height(); ++y) {
+        if (touchesEnds(texture.constScanLine(y), texture.width())) {
+            convertRow(toWide.get(), picture, y, row, Target::Wide);
+            if (!isHeldBySrgb(row)) {
+                texture = QImage(); // first, for there is not room for much
+                return converted(picture, profile, where, Target::Wide);
+            }
+        }
+    }
+    return texture;
+}
+
+QImage withResolutionOf(const QImage& picture, QImage texture) {
+    texture.setDotsPerMeterX(picture.dotsPerMeterX());
+    texture.setDotsPerMeterY(picture.dotsPerMeterY());
+    return texture;
 }
 
 } // namespace
@@ -390,11 +424,11 @@ QImage textureOf(const QImage& picture, const QByteArray& profile, const QString
         texture.setColorSpace(wideSpace());
         return texture;
     }
-    return widerWhereNeeded(picture, profile, where);
+    return withResolutionOf(picture, widerWhereNeeded(picture, profile, where));
 }
 
 QImage srgbOf(const QImage& picture, const QByteArray& profile, const QString& where) {
-    return converted(picture, profile, where, Target::Srgb);
+    return withResolutionOf(picture, converted(picture, profile, where, Target::Srgb));
 }
 
 } // namespace dipwright
