@@ -1550,6 +1550,41 @@
     </message>
 </context>
 <context>
+    <name>ProjectDifferences</name>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+    <message>
+        <source>Immersions</source>
+        <translation>Tauchvorgänge</translation>
+    </message>
+    <message>
+        <source>Marks for the join</source>
+        <translation>Marken für die Fuge</translation>
+    </message>
+    <message>
+        <source>Marks for zones</source>
+        <translation>Marken für Zonen</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s profile</source>
+        <translation>Druckerprofil</translation>
+    </message>
+    <message>
+        <source>Film&apos;s profile</source>
+        <translation>Filmprofil</translation>
+    </message>
+    <message>
+        <source>Tank&apos;s profile</source>
+        <translation>Beckenprofil</translation>
+    </message>
+</context>
+<context>
     <name>ProjectFile</name>
     <message>
         <source>Another program has written the project since it was read, nothing is saved; look at what it holds now and do it again</source>
@@ -2286,6 +2321,34 @@
         <source>How much of it is taken off.</source>
         <translation>Wie viel davon abgezogen wird.</translation>
     </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Dipping</source>
+        <translation>Tauchen</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Fuge</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Toleranzen</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -2505,6 +2568,21 @@
     <message>
         <source>The file is larger than %1 MB, more than what is asked for here takes; choose another one</source>
         <translation>Die Datei ist größer als %1 MB, mehr als das, wonach hier gefragt ist, braucht; wählen Sie eine andere</translation>
+    </message>
+</context>
+<context>
+    <name>SnapshotEdits</name>
+    <message>
+        <source>Take Snapshot “%1”</source>
+        <translation>Schnappschuss „%1“ aufnehmen</translation>
+    </message>
+    <message>
+        <source>Remove Snapshot “%1”</source>
+        <translation>Schnappschuss „%1“ entfernen</translation>
+    </message>
+    <message>
+        <source>Go Back to “%1”</source>
+        <translation>Zu „%1“ zurückgehen</translation>
     </message>
 </context>
 <context>
@@ -6285,26 +6363,6 @@ Dehnung</translation>
         <translation>Projekt</translation>
     </message>
     <message>
-        <source>Model</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
-        <source>Film</source>
-        <translation>Film</translation>
-    </message>
-    <message>
-        <source>Dipping</source>
-        <translation>Tauchen</translation>
-    </message>
-    <message>
-        <source>Sheet</source>
-        <translation>Bogen</translation>
-    </message>
-    <message>
-        <source>Ink</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
         <source>The result is up to date.</source>
         <translation>Das Ergebnis ist aktuell.</translation>
     </message>
@@ -6323,14 +6381,6 @@ Dehnung</translation>
     <message>
         <source>Remove this immersion</source>
         <translation>Diesen Tauchvorgang entfernen</translation>
-    </message>
-    <message>
-        <source>Join</source>
-        <translation>Fuge</translation>
-    </message>
-    <message>
-        <source>Tolerances</source>
-        <translation>Toleranzen</translation>
     </message>
 </context>
 <context>
@@ -7025,6 +7075,97 @@ mm je mm</translation>
     <message>
         <source>; scatter of a place %1 mm, of a whole part %2 mm</source>
         <translation>; Streuung einer Stelle %1 mm, eines ganzen Teils %2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SnapshotsDialog</name>
+    <message>
+        <source>&amp;Take Snapshot</source>
+        <translation>Schnappschuss &amp;aufnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Go Back to It</source>
+        <translation>&amp;Dorthin zurückgehen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation>Schnappschüsse</translation>
+    </message>
+    <message>
+        <source>Snapshots, the oldest first</source>
+        <translation>Schnappschüsse, die ältesten zuerst</translation>
+    </message>
+    <message>
+        <source>Name of the snapshot</source>
+        <translation>Name des Schnappschusses</translation>
+    </message>
+    <message>
+        <source>Under which the project&apos;s settings are kept in its file</source>
+        <translation>Unter dem die Einstellungen des Projekts in seiner Datei behalten werden</translation>
+    </message>
+    <message>
+        <source>Compared with</source>
+        <translation>Verglichen mit</translation>
+    </message>
+    <message>
+        <source>What differs</source>
+        <translation>Was sich unterscheidet</translation>
+    </message>
+    <message>
+        <source>The settings become those of the snapshot: a step that can be undone. Model, photos and parts stay.</source>
+        <translation>Die Einstellungen werden die des Schnappschusses: ein Schritt, der sich rückgängig machen lässt. Modell, Fotos und Teile bleiben.</translation>
+    </message>
+    <message>
+        <source>Compared with the project as it is now</source>
+        <translation>Verglichen mit dem Projekt, wie es jetzt ist</translation>
+    </message>
+    <message>
+        <source>Compared with %1</source>
+        <translation>Verglichen mit %1</translation>
+    </message>
+    <message>
+        <source>no result</source>
+        <translation>kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>Body painted altogether</source>
+        <translation>Körper insgesamt bemalt</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Largest stretch of 95 % of the film on the body</source>
+        <translation>Größte Dehnung von 95 % des Films auf dem Körper</translation>
+    </message>
+    <message>
+        <source>Area that is not certain</source>
+        <translation>Fläche, die nicht verlässlich ist</translation>
+    </message>
+    <message>
+        <source>A snapshot keeps the project&apos;s settings under a name, in its file.</source>
+        <translation>Ein Schnappschuss behält die Einstellungen des Projekts unter einem Namen in seiner Datei.</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>All settings are the same.</source>
+        <translation>Alle Einstellungen sind gleich.</translation>
+    </message>
+    <message>
+        <source>Settings that differ: %1</source>
+        <translation>Einstellungen, die sich unterscheiden: %1</translation>
     </message>
 </context>
 <context>
@@ -8005,6 +8146,14 @@ mm je mm</translation>
     <message>
         <source>See the body through the film</source>
         <translation>Den Körper durch den Film hindurch sehen</translation>
+    </message>
+    <message>
+        <source>Snapsho&amp;ts…</source>
+        <translation>Schnappschüsse …</translation>
+    </message>
+    <message>
+        <source>Keep the project&apos;s settings under a name, compare them, and go back</source>
+        <translation>Die Einstellungen des Projekts unter einem Namen behalten, vergleichen und zurückgehen</translation>
     </message>
 </context>
 <context>

@@ -1550,6 +1550,41 @@
     </message>
 </context>
 <context>
+    <name>ProjectDifferences</name>
+    <message>
+        <source>Yes</source>
+        <translation>Sim</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Não</translation>
+    </message>
+    <message>
+        <source>Immersions</source>
+        <translation>Imersões</translation>
+    </message>
+    <message>
+        <source>Marks for the join</source>
+        <translation>Marcas para a junção</translation>
+    </message>
+    <message>
+        <source>Marks for zones</source>
+        <translation>Marcas para zonas</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s profile</source>
+        <translation>Perfil da impressora</translation>
+    </message>
+    <message>
+        <source>Film&apos;s profile</source>
+        <translation>Perfil do filme</translation>
+    </message>
+    <message>
+        <source>Tank&apos;s profile</source>
+        <translation>Perfil do tanque</translation>
+    </message>
+</context>
+<context>
     <name>ProjectFile</name>
     <message>
         <source>Another program has written the project since it was read, nothing is saved; look at what it holds now and do it again</source>
@@ -2286,6 +2321,34 @@
         <source>How much of it is taken off.</source>
         <translation>Quanto disso é tirado.</translation>
     </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Filme</translation>
+    </message>
+    <message>
+        <source>Dipping</source>
+        <translation>Imersão</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Junção</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Folha</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>Tinta</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Tolerâncias</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -2505,6 +2568,21 @@
     <message>
         <source>The file is larger than %1 MB, more than what is asked for here takes; choose another one</source>
         <translation>O arquivo tem mais de %1 MB, mais do que precisa o que se pede aqui; escolha outro</translation>
+    </message>
+</context>
+<context>
+    <name>SnapshotEdits</name>
+    <message>
+        <source>Take Snapshot “%1”</source>
+        <translation>Tirar instantâneo “%1”</translation>
+    </message>
+    <message>
+        <source>Remove Snapshot “%1”</source>
+        <translation>Remover instantâneo “%1”</translation>
+    </message>
+    <message>
+        <source>Go Back to “%1”</source>
+        <translation>Voltar a “%1”</translation>
     </message>
 </context>
 <context>
@@ -6285,26 +6363,6 @@ estiramento</translation>
         <translation>Projeto</translation>
     </message>
     <message>
-        <source>Model</source>
-        <translation>Modelo</translation>
-    </message>
-    <message>
-        <source>Film</source>
-        <translation>Filme</translation>
-    </message>
-    <message>
-        <source>Dipping</source>
-        <translation>Imersão</translation>
-    </message>
-    <message>
-        <source>Sheet</source>
-        <translation>Folha</translation>
-    </message>
-    <message>
-        <source>Ink</source>
-        <translation>Tinta</translation>
-    </message>
-    <message>
         <source>The result is up to date.</source>
         <translation>O resultado está atualizado.</translation>
     </message>
@@ -6323,14 +6381,6 @@ estiramento</translation>
     <message>
         <source>Remove this immersion</source>
         <translation>Remover esta imersão</translation>
-    </message>
-    <message>
-        <source>Join</source>
-        <translation>Junção</translation>
-    </message>
-    <message>
-        <source>Tolerances</source>
-        <translation>Tolerâncias</translation>
     </message>
 </context>
 <context>
@@ -7025,6 +7075,97 @@ mm por mm</translation>
     <message>
         <source>; scatter of a place %1 mm, of a whole part %2 mm</source>
         <translation>; dispersão de um lugar %1 mm, de uma peça inteira %2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SnapshotsDialog</name>
+    <message>
+        <source>&amp;Take Snapshot</source>
+        <translation>&amp;Tirar instantâneo</translation>
+    </message>
+    <message>
+        <source>&amp;Go Back to It</source>
+        <translation>&amp;Voltar a ele</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Remover</translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation>Instantâneos</translation>
+    </message>
+    <message>
+        <source>Snapshots, the oldest first</source>
+        <translation>Instantâneos, os mais antigos primeiro</translation>
+    </message>
+    <message>
+        <source>Name of the snapshot</source>
+        <translation>Nome do instantâneo</translation>
+    </message>
+    <message>
+        <source>Under which the project&apos;s settings are kept in its file</source>
+        <translation>Sob o qual as definições do projeto são guardadas em seu arquivo</translation>
+    </message>
+    <message>
+        <source>Compared with</source>
+        <translation>Comparado com</translation>
+    </message>
+    <message>
+        <source>What differs</source>
+        <translation>O que difere</translation>
+    </message>
+    <message>
+        <source>The settings become those of the snapshot: a step that can be undone. Model, photos and parts stay.</source>
+        <translation>As definições passam a ser as do instantâneo: um passo que pode ser desfeito. Modelo, fotos e peças ficam.</translation>
+    </message>
+    <message>
+        <source>Compared with the project as it is now</source>
+        <translation>Comparado com o projeto como está agora</translation>
+    </message>
+    <message>
+        <source>Compared with %1</source>
+        <translation>Comparado com %1</translation>
+    </message>
+    <message>
+        <source>no result</source>
+        <translation>sem resultado</translation>
+    </message>
+    <message>
+        <source>Body painted altogether</source>
+        <translation>Corpo pintado ao todo</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Largest stretch of 95 % of the film on the body</source>
+        <translation>Maior estiramento de 95 % do filme no corpo</translation>
+    </message>
+    <message>
+        <source>Area that is not certain</source>
+        <translation>Área que não é confiável</translation>
+    </message>
+    <message>
+        <source>A snapshot keeps the project&apos;s settings under a name, in its file.</source>
+        <translation>Um instantâneo guarda as definições do projeto sob um nome, em seu arquivo.</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Definição</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Agora</translation>
+    </message>
+    <message>
+        <source>All settings are the same.</source>
+        <translation>Todas as definições são iguais.</translation>
+    </message>
+    <message>
+        <source>Settings that differ: %1</source>
+        <translation>Definições que diferem: %1</translation>
     </message>
 </context>
 <context>
@@ -8005,6 +8146,14 @@ mm por mm</translation>
     <message>
         <source>See the body through the film</source>
         <translation>Ver o corpo através do filme</translation>
+    </message>
+    <message>
+        <source>Snapsho&amp;ts…</source>
+        <translation>Instan&amp;tâneos…</translation>
+    </message>
+    <message>
+        <source>Keep the project&apos;s settings under a name, compare them, and go back</source>
+        <translation>Guardar as definições do projeto sob um nome, compará-las e voltar</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "dialogs/NewProjectDialog.h"
 #include "dialogs/PrintHistoryDialog.h"
+#include "dialogs/SnapshotsDialog.h"
 #include "document/RecentProjects.h"
 #include "main/WindowActions.h"
 #include "main/Workbench.h"
@@ -36,6 +37,7 @@ DocumentController::DocumentController(const WindowActions& actions, DocumentSes
     on(actions.open, &DocumentController::askOpen);
     on(actions.save, &DocumentController::save);
     on(actions.saveAs, &DocumentController::saveAs);
+    on(actions.snapshots, &DocumentController::showSnapshots);
     on(actions.printHistory, &DocumentController::showPrintHistory);
 }
 
@@ -158,6 +160,13 @@ void DocumentController::fillRecentMenu(QMenu& menu) {
     if (menu.isEmpty()) {
         menu.addAction(tr("None yet"))->setEnabled(false);
     }
+}
+
+void DocumentController::showSnapshots() {
+    auto* dialog =
+        new SnapshotsDialog(*session_.document(), workbench_.preferences().unit, &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 void DocumentController::showPrintHistory() {

@@ -30,6 +30,7 @@ public:
     // Another program has written the file since: whether the document is saved all the same.
     bool askToReplaceChanged(const QString& path);
     void fillRecentMenu(QMenu& menu);
+    void showSnapshots();
     void showPrintHistory();                  // from which a project can be opened
     void takeFiles(const QList<QUrl>& files); // dropped on the window
 

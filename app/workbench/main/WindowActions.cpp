@@ -71,6 +71,8 @@ std::vector<WindowActions::Entry> WindowActions::fileEntries() {
          QKeySequence::Save},
         {&A::saveAs, "saveAs", "", tr("Save &As…"), tr("Save the project as another file"),
          key("Ctrl+Shift+S")},
+        {&A::snapshots, "snapshots", "", tr("Snapsho&ts…"),
+         tr("Keep the project's settings under a name, compare them, and go back")},
         {&A::exportResults, "exportResults", "export", tr("&Export Results…"),
          tr("Write sheets, stretch maps, proof, films and report to a folder"), key("Ctrl+E")},
         {&A::exportPdf, "exportPdf", "sheet", tr("Sheet as P&DF…"),
@@ -257,9 +259,9 @@ void WindowActions::enable(const WindowState& state) {
     const bool any = state.document != nullptr;
     const std::size_t immersions = any ? state.document->project().immersions.size() : 0;
     for (QAction* action :
-         {saveAs, replaceModel, replaceTexture, fit,     oblique,  front, right,
-          top,    back,         left,           bottom,  parallel, rings, water,
-          body,   section,      seeThrough,     measure, live,     zones, findPoses}) {
+         {saveAs,  snapshots,  replaceModel, replaceTexture, fit,      oblique,  front, right,
+          top,     back,       left,         bottom,         parallel, rings,    water, body,
+          section, seeThrough, measure,      live,           zones,    findPoses}) {
         action->setEnabled(any);
     }
     filmLook->setEnabled(any);

@@ -28,8 +28,8 @@ class WindowActions : public QObject {
 public:
     explicit WindowActions(QWidget& window); // adds them to it
 
-    QAction *newWindow, *newProject, *open, *save, *saveAs, *exportResults, *exportPdf, *exportPng,
-        *exportCradles, *print, *printHistory, *calibrate, *profiles, *close, *quit;
+    QAction *newWindow, *newProject, *open, *save, *saveAs, *snapshots, *exportResults, *exportPdf,
+        *exportPng, *exportCradles, *print, *printHistory, *calibrate, *profiles, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
         *replaceModel, *replaceTexture, *preferences;
     QAction *run, *cancel, *live, *certainty, *tolerances, *findPoses, *play;

@@ -48,7 +48,7 @@ void WindowMenus::makeFileMenu(QMenu& menu, const WindowActions& a) {
     menu.addActions({a.newProject, a.newWindow, a.open});
     recent_ = menu.addMenu(tr("Open &Recent"));
     menu.addSeparator();
-    addGroups(menu, {{a.save, a.saveAs},
+    addGroups(menu, {{a.save, a.saveAs, a.snapshots},
                      {a.print, a.printHistory, a.calibrate, a.exportResults, a.exportPdf,
                       a.exportPng, a.exportCradles},
                      {a.close, a.quit}});

@@ -1,6 +1,7 @@
 #include "panels/ProjectTree.h"
 
 #include "look/Icons.h"
+#include "panels/PropertySpecs.h"
 
 #include <QContextMenuEvent>
 #include <QHeaderView>
@@ -63,21 +64,23 @@ void ProjectTree::rebuild() {
         clear();
         if (document_) {
             const Project& project = document_->project();
-            auto* root = addItem(invisibleRootItem(), project.name, QStringLiteral("document-new"),
-                                 {ProjectPart::Project});
-            addItem(root, tr("Model"), QStringLiteral("body"), {ProjectPart::Model});
-            addItem(root, tr("Film"), QStringLiteral("film"), {ProjectPart::Film});
-            addItem(root, tr("Dipping"), QStringLiteral("process"), {ProjectPart::Process});
+            const auto add = [&](QTreeWidgetItem* parent, const char* iconName,
+                                 const ProjectNode& node) {
+                return addItem(parent, partName(node, project), QLatin1String(iconName), node);
+            };
+            auto* root = add(invisibleRootItem(), "document-new", {ProjectPart::Project});
+            add(root, "body", {ProjectPart::Model});
+            add(root, "film", {ProjectPart::Film});
+            add(root, "process", {ProjectPart::Process});
             for (std::size_t number = 0; number < project.immersions.size(); ++number) {
-                addItem(root, project.immersions[number].name, QStringLiteral("immersion"),
-                        {ProjectPart::Immersion, number});
+                add(root, "immersion", {ProjectPart::Immersion, number});
             }
             if (project.immersions.size() > 1) {
-                addItem(root, tr("Join"), QStringLiteral("join"), {ProjectPart::Share});
+                add(root, "join", {ProjectPart::Share});
             }
-            addItem(root, tr("Sheet"), QStringLiteral("sheet"), {ProjectPart::Sheet});
-            addItem(root, tr("Ink"), QStringLiteral("ink"), {ProjectPart::Ink});
-            addItem(root, tr("Tolerances"), QStringLiteral("tolerance"), {ProjectPart::Tolerance});
+            add(root, "sheet", {ProjectPart::Sheet});
+            add(root, "ink", {ProjectPart::Ink});
+            add(root, "tolerance", {ProjectPart::Tolerance});
             expandAll();
         }
     }

@@ -459,6 +459,30 @@ std::vector<PropertySection> toleranceProperties() {
 
 } // namespace
 
+QString partName(const ProjectNode& node, const Project& project) {
+    switch (node.part) {
+    case ProjectPart::Project:
+        return project.name;
+    case ProjectPart::Model:
+        return Text::tr("Model");
+    case ProjectPart::Film:
+        return Text::tr("Film");
+    case ProjectPart::Process:
+        return Text::tr("Dipping");
+    case ProjectPart::Share:
+        return Text::tr("Join");
+    case ProjectPart::Sheet:
+        return Text::tr("Sheet");
+    case ProjectPart::Ink:
+        return Text::tr("Ink");
+    case ProjectPart::Tolerance:
+        return Text::tr("Tolerances");
+    case ProjectPart::Immersion:
+        break;
+    }
+    return project.immersions[node.immersion].name;
+}
+
 std::vector<PropertySection> propertySections(const ProjectNode& node) {
     switch (node.part) {
     case ProjectPart::Project:

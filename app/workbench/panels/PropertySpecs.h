@@ -11,6 +11,9 @@ struct PropertySection {
     std::vector<PropertySpec> specs;
 };
 
+// "Film", "Dipping"; of the project and of an immersion: their own names.
+QString partName(const ProjectNode& node, const Project& project);
+
 std::vector<PropertySection> propertySections(const ProjectNode& node);
 
 } // namespace dipwright

@@ -12,6 +12,8 @@
 #include "panels/ProjectTree.h"
 #include "panels/StretchPanel.h"
 #include "printing/PrintHistory.h"
+#include "project/ProjectStore.h"
+#include "project/Snapshots.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -392,6 +394,52 @@ private slots:
         start->click();
         driver.find<QPushButton>("stopSearch")->click();
         QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), patience());
+    }
+
+    void aSnapshotIsComparedAndGoneBackTo() {
+        const WindowDriver driver(*window_);
+        QVERIFY(!driver.action("snapshots")->isEnabled());
+        QVERIFY(makeProject());
+        Document& document = *window_->document();
+        const Project before = document.project();
+        driver.trigger("snapshots");
+        auto* dialog = driver.find<QDialog>("snapshots");
+        const auto button = [dialog](const char* name) {
+            return dialog->findChild<QPushButton*>(QLatin1String(name));
+        };
+        QVERIFY(!button("takeSnapshot")->isEnabled() && !button("goBack")->isEnabled());
+        dialog->findChild<QLineEdit*>(QStringLiteral("snapshotName"))
+            ->setText(QStringLiteral("As drawn"));
+        button("takeSnapshot")->click();
+        const auto* said = dialog->findChild<QLabel*>(QStringLiteral("difference"));
+        QVERIFY2(said->text().contains(QStringLiteral("same")), qPrintable(said->text()));
+        document.edit(QStringLiteral("Change"), {}, [](Project& project) {
+            project.ink.limit = 1.25;
+            project.immersions[0].offset[0] = Millimetres(7);
+        });
+        const auto* table = dialog->findChild<QTableWidget*>();
+        QStringList rows;
+        for (int row = 0; row < table->rowCount(); ++row) {
+            rows << table->item(row, 0)->text() + u'|' + table->item(row, 1)->text() + u'|' +
+                        table->item(row, 2)->text();
+        }
+        const QString all = rows.join(u'\n');
+        QVERIFY2(all.contains(QStringLiteral("1.25")) && all.contains(QStringLiteral("7 mm")),
+                 qPrintable(all));
+        // It is in the file, and what is opened has it.
+        const QString path = folder_.filePath(QStringLiteral("snapshots.dipw"));
+        saveProject(document.project(), path);
+        QCOMPARE(snapshots(loadProject(path)).size(), std::size_t(1));
+        button("goBack")->click();
+        QCOMPARE(document.project().ink.limit, before.ink.limit);
+        QVERIFY(document.project().immersions == before.immersions);
+        QCOMPARE(document.project().model, before.model);
+        QCOMPARE(snapshots(document.project()).size(), std::size_t(1));
+        document.undoStack().undo();
+        QCOMPARE(document.project().ink.limit, 1.25);
+        button("removeSnapshot")->click();
+        QVERIFY(snapshots(document.project()).empty());
+        dialog->close();
     }
 
     void theViewLooksInside() {

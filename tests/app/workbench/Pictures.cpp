@@ -9,6 +9,7 @@
 #include "dialogs/PrintDialog.h"
 #include "dialogs/PrintHistoryDialog.h"
 #include "dialogs/ProfilesDialog.h"
+#include "dialogs/SnapshotsDialog.h"
 #include "document/RecentProjects.h"
 #include "look/Languages.h"
 #include "look/Theme.h"
@@ -263,6 +264,23 @@ void photographHistory(MainWindow& window, Workbench& workbench, const Photograp
     camera.take(dialog, QStringLiteral("print-history"));
 }
 
+void photographSnapshots(MainWindow& window, Workbench& workbench, const Photographer& camera) {
+    Document& document = *window.document();
+    takeSnapshot(document, QStringLiteral("As drawn"));
+    document.edit({}, {}, [](Project& project) {
+        project.ink.limit = 1.25;
+        project.film.swellX = 1.04;
+        project.immersions.front().rotation[1] = Degrees(20);
+    });
+    takeSnapshot(document, QStringLiteral("Turned, and with the swell of Tuesday's film"));
+    SnapshotsDialog dialog(document, workbench.preferences().unit);
+    dialog.show();
+    camera.take(dialog, QStringLiteral("snapshots"));
+    for (int step = 0; step < 3; ++step) {
+        document.undoStack().undo();
+    }
+}
+
 void photographDialogs(MainWindow& window, Workbench& workbench, const Photographer& camera) {
     NewProjectDialog create({}, workbench.preferences());
     create.show();
@@ -275,6 +293,7 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
         camera.take(preferences, QStringLiteral("preferences-%1").arg(tab));
     }
     photographHistory(window, workbench, camera);
+    photographSnapshots(window, workbench, camera);
     PrintDialog print(window.session().outcome(), 0, window.document()->path());
     print.show();
     QTest::qWait(1500); // it looks for printers

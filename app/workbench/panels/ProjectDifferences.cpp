@@ -1,0 +1,106 @@
+#include "panels/ProjectDifferences.h"
+
+#include "document/ProjectValue.h"
+#include "panels/PropertySpecs.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QLocale>
+#include <algorithm>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ProjectDifferences)
+};
+
+QString valueText(const PropertySpec& spec, const QJsonValue& value, LengthUnit unit) {
+    if (value.isArray()) {
+        QStringList parts;
+        for (const auto& part : value.toArray()) {
+            parts << valueText(spec, part, unit);
+        }
+        return parts.join(QStringLiteral("; "));
+    }
+    if (value.isDouble()) {
+        return QLocale().toString(value.toDouble() * shownPerStored(spec.unit, unit), 'g', 6) +
+               unitSuffix(spec.unit, unit);
+    }
+    if (value.isBool()) {
+        return value.toBool() ? Text::tr("Yes") : Text::tr("No");
+    }
+    if (value.isString()) {
+        return spec.words.value(value.toString(), value.toString());
+    }
+    return spec.absent.isEmpty() ? QStringLiteral("–") : spec.absent;
+}
+
+class Differences {
+public:
+    Differences(const Project& first, const Project& second, LengthUnit unit)
+        : first_(first), second_(second), unit_(unit) {}
+
+    void addPart(const ProjectNode& node) {
+        for (const PropertySection& section : propertySections(node)) {
+            for (const PropertySpec& spec : section.specs) {
+                const QJsonValue before = valueAt(first_, spec.path);
+                const QJsonValue after = valueAt(second_, spec.path);
+                if (before != after) {
+                    add(QStringLiteral("%1 · %2").arg(partName(node, first_), spec.label),
+                        valueText(spec, before, unit_), valueText(spec, after, unit_));
+                }
+            }
+        }
+    }
+    void add(const QString& setting, const QString& before, const QString& after) {
+        if (before != after) {
+            found_.push_back({setting, before, after});
+        }
+    }
+    std::vector<ProjectDifference> found() && { return std::move(found_); }
+
+private:
+    const Project &first_, &second_;
+    LengthUnit unit_;
+    std::vector<ProjectDifference> found_;
+};
+
+} // namespace
+
+std::vector<ProjectDifference> projectDifferences(const Project& first, const Project& second,
+                                                  LengthUnit unit) {
+    Differences differences(first, second, unit);
+    const auto count = [](std::size_t number) { return QLocale().toString(qulonglong(number)); };
+    for (const ProjectPart part :
+         {ProjectPart::Project, ProjectPart::Model, ProjectPart::Film, ProjectPart::Process}) {
+        differences.addPart({part, 0});
+    }
+    differences.add(Text::tr("Immersions"), count(first.immersions.size()),
+                    count(second.immersions.size()));
+    const std::size_t both = std::min(first.immersions.size(), second.immersions.size());
+    for (std::size_t number = 0; number < both; ++number) {
+        differences.addPart({ProjectPart::Immersion, number});
+    }
+    for (const ProjectPart part :
+         {ProjectPart::Share, ProjectPart::Sheet, ProjectPart::Ink, ProjectPart::Tolerance}) {
+        differences.addPart({part, 0});
+    }
+    differences.add(Text::tr("Marks for the join"), count(first.share.marks.size()),
+                    count(second.share.marks.size()));
+    differences.add(Text::tr("Marks for zones"), count(first.tolerance.marks.size()),
+                    count(second.tolerance.marks.size()));
+    const auto nameOfAny = [](const auto& profile) {
+        return profile ? profile->name : QStringLiteral("–");
+    };
+    differences.add(Text::tr("Printer's profile"), nameOfAny(first.profiles.printer),
+                    nameOfAny(second.profiles.printer));
+    differences.add(Text::tr("Film's profile"), nameOfAny(first.profiles.film),
+                    nameOfAny(second.profiles.film));
+    differences.add(Text::tr("Tank's profile"), nameOfAny(first.profiles.tank),
+                    nameOfAny(second.profiles.tank));
+    return std::move(differences).found();
+}
+
+} // namespace dipwright

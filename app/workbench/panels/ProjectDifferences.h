@@ -1,0 +1,19 @@
+// In which settings two states of a project differ, in the words of its fields.
+#pragma once
+
+#include "panels/Units.h"
+#include "project/Project.h"
+
+namespace dipwright {
+
+struct ProjectDifference {
+    QString setting;       // "Film · Swell"
+    QString first, second; // what it is in either
+};
+
+// In the order of the project's parts; empty for equal settings. What is no setting (model, photos,
+// parts) is left out.
+std::vector<ProjectDifference> projectDifferences(const Project& first, const Project& second,
+                                                  LengthUnit unit);
+
+} // namespace dipwright

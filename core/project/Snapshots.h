@@ -1,0 +1,35 @@
+// Named states of a project, kept in its file beside project.json: entries snapshots/N.json.
+//
+// A snapshot has the settings. What was found out since (parts as built, photos), the model and the
+// snapshots themselves are the project's and stay as they are when it goes back to one.
+#pragma once
+
+#include "project/Project.h"
+
+#include <vector>
+
+namespace dipwright {
+
+struct Snapshot {
+    QString name;
+    QString taken;        // ISO date and time, local
+    QJsonObject state;    // as project.json
+    QJsonObject measures; // of the result that fitted then: numbers by name; empty: there was none
+    bool operator==(const Snapshot&) const = default;
+};
+
+inline constexpr std::size_t mostSnapshots = 50;
+
+// The oldest first. Entries that are no snapshots are passed over.
+std::vector<Snapshot> snapshots(const Project& project);
+// The project with these, in place of those it has; where they are more than mostSnapshots, or
+// than 64 MiB, without the oldest.
+Project withSnapshots(Project project, const std::vector<Snapshot>& kept);
+// Of the project as it is.
+Snapshot snapshotOf(const Project& project, const QString& name, const QString& taken,
+                    const QJsonObject& measures);
+// The project as it was, as far as a snapshot has it. Throws Error where its values are out of
+// range.
+Project atSnapshot(const Project& project, const Snapshot& snapshot);
+
+} // namespace dipwright
