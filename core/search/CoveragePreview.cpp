@@ -80,6 +80,21 @@ bool isSeenFromBelow(const HeightField& heights, const Eigen::Vector3f& place, f
     return place.y() <= heights.lowestAt(place) + slack;
 }
 
+// The y of the normal of the steepest face that turns up and is still painted. Film is laid along a
+// face of u by g − (1 − g) u of its length, g falling from 1 at the beginning u₁ of the fade to 0
+// at z = u₀ + u₀ (u₀ − u₁), u₀ being the overhang (docs/film-model.md, "Where film does not go");
+// where that is less than 1/t it is stretched by more than the t at which it tears.
+float steepestPainted(const FilmSettings& film, const ProcessSettings& process) {
+    const double overhang = std::sin(radians(process.overhang));
+    if (!solver::isProductionFilm(film.lattice, film.support)) {
+        return float(overhang);
+    }
+    const double fade = std::sin(radians(process.overhang) - radians(film.gripFade));
+    const double zero = overhang + overhang * (overhang - fade);
+    const double laid = zero - (zero - fade) / process.tearStretch;
+    return float((std::sqrt((1 - fade) * (1 - fade) + 4 * laid) - (1 - fade)) / 2);
+}
+
 // Marks 2 all that hangs together with what is marked 1 over triangles for which `holds`.
 template <typename Holds>
 void spread(std::vector<std::uint8_t>& covered, const std::vector<std::uint32_t>& opposite,
@@ -128,7 +143,7 @@ PreviewedCoverage CoveragePreview::at(const Immersion& immersion, const FilmSett
         heights.add(places[corners[0]], places[corners[1]], places[corners[2]]);
     }
     const Eigen::Vector3f upward = pose.linear().row(1).transpose();
-    const auto steepest = float(std::sin(radians(process.overhang)));
+    const float steepest = steepestPainted(film, process);
     const float deepest =
         process.depth ? float(process.depth->value()) : std::numeric_limits<float>::infinity();
     const solver::FilmGrid grid = filmGrid(film);
