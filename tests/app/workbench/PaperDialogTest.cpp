@@ -1,4 +1,5 @@
 // The dialogs between the program and the printer: profiles and calibration.
+#include "Patience.h"
 #include "dialogs/CalibrationDialog.h"
 #include "dialogs/PrintDialog.h"
 #include "dialogs/ProfilesDialog.h"
@@ -162,7 +163,7 @@ private slots:
             }
             return false;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(told(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(told(), patience());
         QVERIFY(!button(dialog, "Print")->isEnabled());
         QVERIFY(button(dialog, "Save as File…")->isEnabled());
     }

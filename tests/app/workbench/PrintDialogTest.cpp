@@ -1,5 +1,6 @@
 // The print dialog as a user works it: what arrives at a real (software) printer is measured.
 #include "dialogs/PrintDialog.h"
+#include "Patience.h"
 
 #include "ChessSheet.h"
 #include "PaperMeasure.h"
@@ -58,11 +59,11 @@ private slots:
         QSignalSpy printed(&dialog, &PrintDialog::printed);
         QVERIFY(named<QCheckBox>(dialog, "Top")->isChecked());
         QVERIFY(named<QCheckBox>(dialog, "Below")->isChecked());
-        QTRY_VERIFY_WITH_TIMEOUT(named<QLabel>(dialog, "Pages: 2"), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(named<QLabel>(dialog, "Pages: 2"), patience());
         auto* print = named<QPushButton>(dialog, "Print");
         QVERIFY(print->isEnabled());
         print->click();
-        QTRY_COMPARE_WITH_TIMEOUT(printed.count(), 1, 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(printed.count(), 1, patience());
         QCOMPARE(dialog.result(), int(QDialog::Accepted));
         const std::vector<PrintRecord> kept = PrintHistory().records();
         QCOMPARE(kept.size(), std::size_t(2));

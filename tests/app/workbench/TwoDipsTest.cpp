@@ -1,6 +1,7 @@
 // The job of two dips through the real window: a second pose, run, the join moved and moved back,
 // the cradles written, and both sheets printed on a real CUPS.
 #include "PaperMeasure.h"
+#include "Patience.h"
 #include "PrivateCups.h"
 #include "WindowDriver.h"
 #include "panels/ProjectTree.h"
@@ -136,9 +137,9 @@ private slots:
         answerWithFolder(folder_.path());
         driver().trigger("exportCradles");
         QTRY_VERIFY_WITH_TIMEOUT(
-            QFileInfo::exists(folder_.filePath(QStringLiteral("cradle-1.stl"))), 120000);
+            QFileInfo::exists(folder_.filePath(QStringLiteral("cradle-1.stl"))), patience());
         QTRY_VERIFY_WITH_TIMEOUT(
-            !window_->isEmpty() && driver().action("exportCradles")->isEnabled(), 120000);
+            !window_->isEmpty() && driver().action("exportCradles")->isEnabled(), patience());
     }
 
     void bothSheetsGoToThePrinter() {
@@ -150,11 +151,11 @@ private slots:
             QVERIFY2(tick && tick->isChecked(), qPrintable(immersion.name));
         }
         QTRY_VERIFY_WITH_TIMEOUT(labelled<QLabel>(dialog, QStringLiteral("Pages: 2")) != nullptr,
-                                 60000);
+                                 patience());
         QPushButton* print = labelled<QPushButton>(dialog, QStringLiteral("Print"));
         QVERIFY(print->isEnabled());
         print->click();
-        QTRY_COMPARE_WITH_TIMEOUT(cups_.received(QStringLiteral("pigment")).size(), 2, 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(cups_.received(QStringLiteral("pigment")).size(), 2, patience());
         for (const QString& file : cups_.received(QStringLiteral("pigment"))) {
             QVERIFY(std::abs(pdfPage(file).width() - 210) < 0.1);
             QVERIFY(std::abs(pdfPage(file).height() - 297) < 0.1);
