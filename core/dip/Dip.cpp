@@ -143,9 +143,17 @@ void requireStable(const DippedFilm& film, double travel, const QString& where) 
 solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process) {
+    const solver::FilmGrid grid =
+        isGraded(film) ? filmUnderBody(film, undersideOf(body, process), immersion.offset)
+                       : filmGrid(film);
+    return dipSetup(body, field, immersion, film, grid, process);
+}
+
+solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
+                          const Immersion& immersion, const FilmSettings& film,
+                          const solver::FilmGrid& grid, const ProcessSettings& process) {
     solver::DipSetup setup;
-    setup.film = isGraded(film) ? filmUnderBody(film, undersideOf(body, process), immersion.offset)
-                                : filmGrid(film);
+    setup.film = grid;
     setup.field.distance = field.distance.data();
     setup.field.size = field.size;
     setup.field.spacing = field.spacing;

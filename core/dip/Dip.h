@@ -22,9 +22,14 @@ struct FilmFrame {
 };
 using FilmObserver = std::function<void(const FilmFrame&)>;
 
+// What a solver is to simulate; with the points of `grid`, of the same film, in place of those that
+// filmUnderBody() chooses.
 solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process);
+solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
+                          const Immersion& immersion, const FilmSettings& film,
+                          const solver::FilmGrid& grid, const ProcessSettings& process);
 
 // Simulates dips as a batch; their ends are in them. Throws Error when the solver fails, Cancelled
 // soon after `isCancelled` has said so, which is asked from one thread at a time.

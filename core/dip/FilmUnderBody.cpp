@@ -30,13 +30,6 @@ constexpr double wantedSamples = 4'000;
 constexpr float steepest = 0.01f;   // faces that turn down by less stand upright
 constexpr double cellsOfMargin = 4; // past what the film is expected to be drawn in
 
-// How far from beyond its shadow film is drawn onto the body: as if the film that the faces have
-// more than their shadow came evenly from all round a disc of that size.
-double drawIn(const Underside& underside) {
-    const double round = 2 * std::sqrt(pi * underside.shadowArea);
-    return round > 0 ? (underside.area - underside.shadowArea) / round : 0;
-}
-
 double narrowest(std::vector<float> thickness) {
     if (thickness.empty()) {
         return 0;
@@ -98,6 +91,13 @@ Underside undersideOf(const PosedBody& body, const ProcessSettings& process) {
     return undersideOf(body.model.mesh, body.query, Eigen::Isometry3d::Identity(), process);
 }
 
+// As if the film that the faces have more than their shadow came evenly from all round a disc of
+// that size.
+double drawIn(const Underside& underside) {
+    const double round = 2 * std::sqrt(pi * underside.shadowArea);
+    return round > 0 ? (underside.area - underside.shadowArea) / round : 0;
+}
+
 Millimetres automaticCell(const Underside& underside, const FilmSettings& film) {
     const double longest = underside.shadow.isEmpty() ? 0 : underside.shadow.sizes().maxCoeff();
     const double coarsest = longest / leastCellsAlong;
@@ -114,20 +114,15 @@ bool isGraded(const FilmSettings& film) {
            solver::isProductionFilm(film.lattice, film.support);
 }
 
-solver::FilmGrid filmUnderBody(const FilmSettings& film, const Underside& underside,
-                               const std::array<Millimetres, 2>& offset) {
+solver::FilmGrid gradedFilm(const FilmSettings& film, const Eigen::AlignedBox2d& shadow,
+                            double drawIn, Millimetres cell,
+                            const std::array<Millimetres, 2>& offset) {
     solver::FilmGrid grid = filmGrid(film);
-    if (!isGraded(film)) {
-        return grid;
-    }
-    const double cell = film.resolution == FilmResolution::Cell
-                            ? film.cell.value()
-                            : automaticCell(underside, film).value();
-    const double margin = drawIn(underside) + cellsOfMargin * cell;
+    const double margin = drawIn + cellsOfMargin * cell.value();
     const auto lines = [&](int axis, double length) {
         const double middle = offset[std::size_t(axis)].value();
-        return gradedLines(length, underside.shadow.min()[axis] + middle - margin,
-                           underside.shadow.max()[axis] + middle + margin, cell, film.refinement,
+        return gradedLines(length, shadow.min()[axis] + middle - margin,
+                           shadow.max()[axis] + middle + margin, cell.value(), film.refinement,
                            fewestLines);
     };
     grid.columnPlaces = lines(0, grid.width);
@@ -142,6 +137,16 @@ solver::FilmGrid filmUnderBody(const FilmSettings& film, const Underside& unders
                     QStringLiteral("film.cell_mm"));
     }
     return grid;
+}
+
+solver::FilmGrid filmUnderBody(const FilmSettings& film, const Underside& underside,
+                               const std::array<Millimetres, 2>& offset) {
+    if (!isGraded(film)) {
+        return filmGrid(film);
+    }
+    const Millimetres cell =
+        film.resolution == FilmResolution::Cell ? film.cell : automaticCell(underside, film);
+    return gradedFilm(film, underside.shadow, drawIn(underside), cell, offset);
 }
 
 } // namespace dipwright

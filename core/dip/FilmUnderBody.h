@@ -30,8 +30,16 @@ Millimetres automaticCell(const Underside& underside, const FilmSettings& film);
 // Whether the points of a film depend on the body. Those of the paper's film never do.
 bool isGraded(const FilmSettings& film);
 
-// The film for a dip with the body at an offset; filmGrid() where it is not graded. Throws Error
-// where it would have more than maximumFilmGrid points.
+// From how far beyond its shadow a body is expected to draw film in, mm.
+double drawIn(const Underside& underside);
+// A graded film with cells of a side over the body's shadow, over what is drawn in from round it
+// and over a margin of some cells. `shadow`: as of an Underside. Throws Error where it would have
+// more than maximumFilmGrid points.
+solver::FilmGrid gradedFilm(const FilmSettings& film, const Eigen::AlignedBox2d& shadow,
+                            double drawIn, Millimetres cell,
+                            const std::array<Millimetres, 2>& offset);
+// The film for a dip with the body at an offset; filmGrid() where it is not graded. Throws as
+// gradedFilm() does.
 solver::FilmGrid filmUnderBody(const FilmSettings& film, const Underside& underside,
                                const std::array<Millimetres, 2>& offset);
 
