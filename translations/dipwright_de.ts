@@ -869,10 +869,6 @@
         <translation>Richtungen werden nach der Form des Körpers beurteilt</translation>
     </message>
     <message>
-        <source>This part belongs to another search; make all parts from the same project with the same options</source>
-        <translation>Dieser Teil gehört zu einer anderen Suche; erzeugen Sie alle Teile aus demselben Projekt mit denselben Optionen</translation>
-    </message>
-    <message>
         <source>part %1 of %2</source>
         <translation>Teil %1 von %2</translation>
     </message>
@@ -943,6 +939,10 @@
     <message>
         <source>All weights are 0; give one of them more</source>
         <translation>Alle Gewichte sind 0; geben Sie einem mehr</translation>
+    </message>
+    <message>
+        <source>This part belongs to another search; make all parts from the same project with the same options and solver</source>
+        <translation>Dieser Teil gehört zu einer anderen Suche; erzeugen Sie alle Teile aus demselben Projekt mit denselben Optionen und demselben Löser</translation>
     </message>
 </context>
 <context>

@@ -869,10 +869,6 @@
         <translation>Avaliando direções pela forma do corpo</translation>
     </message>
     <message>
-        <source>This part belongs to another search; make all parts from the same project with the same options</source>
-        <translation>Esta parte é de outra busca; faça todas as partes do mesmo projeto com as mesmas opções</translation>
-    </message>
-    <message>
         <source>part %1 of %2</source>
         <translation>parte %1 de %2</translation>
     </message>
@@ -943,6 +939,10 @@
     <message>
         <source>All weights are 0; give one of them more</source>
         <translation>Todos os pesos são 0; dê mais a um deles</translation>
+    </message>
+    <message>
+        <source>This part belongs to another search; make all parts from the same project with the same options and solver</source>
+        <translation>Esta parte é de outra busca; faça todas as partes do mesmo projeto com as mesmas opções e o mesmo solucionador</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@ const QString immersionsOption = QStringLiteral("immersions");
 const QString candidatesOption = QStringLiteral("candidates");
 const QString directionsOption = QStringLiteral("directions");
 const QString refinedOption = QStringLiteral("refined");
+const QString finerOption = QStringLiteral("finer");
 const QString confirmedOption = QStringLiteral("confirmed");
 const QString seedOption = QStringLiteral("seed");
 const QString weightOption = QStringLiteral("weight");
@@ -120,6 +121,7 @@ SearchSettings settingsOf(const QCommandLineParser& parser) {
         wholeNumberOption(parser, directionsOption, directionsRange.least, directionsRange.most);
     settings.refined =
         wholeNumberOption(parser, refinedOption, refinedRange.least, refinedRange.most);
+    settings.finer = wholeNumberOption(parser, finerOption, finerRange.least, finerRange.most);
     settings.confirmed =
         wholeNumberOption(parser, confirmedOption, confirmedRange.least, confirmedRange.most);
     settings.seed = wholeNumberOption(parser, seedOption, seedRange.least, seedRange.most);
@@ -177,6 +179,11 @@ public:
               QStringLiteral("Of the best, how many to refine, 0 to 50; %1 without it.")
                   .arg(usual.refined),
               usual.refined);
+        count(finerOption,
+              QStringLiteral("Of the best, how many to rank by a finer film, 1 to 100; %1 without "
+                             "it.")
+                  .arg(usual.finer),
+              usual.finer);
         count(confirmedOption,
               QStringLiteral("Of the best, how many to dip with the project's own film, 0 to 20; "
                              "%1 without it.")
@@ -240,8 +247,8 @@ private:
         SolverChoice solver = solverOf(parser, project, registry);
         const SearchPart part =
             withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {
-                return searchPart(searchSubject(project), settings, module, number, count,
-                                  console.progress());
+                return searchPart(searchSubject(project, solver.solver.id), settings, module,
+                                  number, count, console.progress());
             });
         printWarnings(solver.notes, console.out());
         writeWhole(out, [&](QIODevice& device) { device.write(partFile(part)); });
@@ -264,8 +271,8 @@ private:
         SolverChoice solver = solverOf(parser, project, registry);
         const SearchResult result =
             withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {
-                return searchPoses(searchSubject(project), settings, module, parts, {},
-                                   console.progress());
+                return searchPoses(searchSubject(project, solver.solver.id), settings, module,
+                                   parts, {}, console.progress());
             });
         printWarnings(solver.notes, console.out());
         printRanking(result, settings, console.out());

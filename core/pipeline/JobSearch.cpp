@@ -14,24 +14,26 @@ struct Text {
 };
 
 // Of all that the dips of a search depend on; its poses are not among that.
-QByteArray identityOf(const Project& project) {
+QByteArray identityOf(const Project& project, const QString& solver) {
     const QJsonObject whole = toJson(project);
     QJsonObject counting;
     for (const char* key : {"model", "film", "process", "body", "tolerance"}) {
         counting[QLatin1String(key)] = whole[QLatin1String(key)];
     }
+    counting[QLatin1String("solver")] = solver;
     return QCryptographicHash::hash(QJsonDocument(counting).toJson(QJsonDocument::Compact),
                                     QCryptographicHash::Sha256);
 }
 
 } // namespace
 
-SearchSubject searchSubject(const Project& project) {
+SearchSubject searchSubject(const Project& project, const QString& solver) {
     if (!project.model) {
         throw Error(Text::tr("The project has no model, import one first"), project.name);
     }
-    return {project.name,    identityOf(project),     project.model,           project.film,
-            project.process, project.fieldResolution, project.tolerance.marks, project.immersions};
+    return {
+        project.name,    identityOf(project, solver), project.model,           project.film,
+        project.process, project.fieldResolution,     project.tolerance.marks, project.immersions};
 }
 
 } // namespace dipwright

@@ -6,7 +6,7 @@
 
 namespace dipwright {
 
-// What is searched for, of a project. Throws Error where it has no model.
-SearchSubject searchSubject(const Project& project);
+// What is searched for, of a project, by the solver of this id. Throws Error where it has no model.
+SearchSubject searchSubject(const Project& project, const QString& solver);
 
 } // namespace dipwright

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double samplesOfBody = 6000;
 constexpr double stretchUnits = 4096;
+static_assert(largestStretch * stretchUnits <= 65535);
 constexpr double keptBelow = 0.99; // share of what is painted that the largest stretch leaves out
 constexpr double gatheredBelow = 0.9; // λ2 of film that is pushed together so that it may fold
 constexpr double markedWorth = 0.5;   // of film with marks, against film without

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 namespace dipwright {
 namespace {
@@ -124,15 +125,17 @@ public:
            const solver::SolverModule& module, const Progress& progress)
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
           body_(subject.model, subject.marks, settings.zoneWeights),
-          coarse_(subject, body_, module, PoseDips::Film::Coarse, progress.part(0, fieldShare)) {
+          coarse_(subject, body_, module, coarseDetail, progress.part(0, fieldShare)) {
         progress_(fieldShare, Text::tr("Judging directions by the body's shape"));
         const CoveragePreview preview(subject.model->mesh);
         candidates_ = poseCandidates(preview, zoneWeights(subject, preview, settings), subject.film,
                                      subject.process, settings, progress);
         const int each = settings.immersions;
         const int rounds = int(tilts.size());
-        wanted_ = int(candidates_.chosen.size() + subject.immersions.size()) +
-                  settings.refined * each * (4 * rounds + 6) + each * (settings.confirmed + 1);
+        const int tried = int(candidates_.chosen.size());
+        wanted_ = tried + settings.refined * each * (4 * rounds + 6) +
+                  each * (std::min(settings.finer, tried) + std::min(settings.confirmed, tried)) +
+                  3 * int(subject.immersions.size());
         result_.equator = body_.equator();
     }
 
@@ -153,7 +156,7 @@ public:
         for (const SearchPart& part : parts) {
             if (part.key != key) {
                 throw Error(Text::tr("This part belongs to another search; make all parts from the "
-                                     "same project with the same options"),
+                                     "same project with the same options and solver"),
                             Text::tr("part %1 of %2").arg(part.number).arg(part.count));
             }
             if (part.count != int(parts.size()) || ordered[std::size_t(part.number - 1)]) {
@@ -186,6 +189,7 @@ public:
         try {
             simulate();
             refine();
+            rankWithFinerFilm();
             confirm();
         } catch (const Cancelled&) {
             if (!isRefining_) {
@@ -366,33 +370,56 @@ private:
         rank();
     }
 
-    // The best with the job's own film, and its own poses for comparison.
-    void confirm() {
-        if (settings_.confirmed == 0) {
-            return;
-        }
-        const std::vector<Entry> ordered = ranked();
-        const std::size_t count = std::min(ordered.size(), std::size_t(settings_.confirmed));
+    // The best again, each dip once, with other film; and the job's own poses for comparison.
+    std::vector<Entry> dippedAgain(const std::vector<Entry>& entries, const DipDetail& detail,
+                                   bool isConfirmed) {
         std::vector<Immersion> immersions = subject_.immersions;
-        for (std::size_t index = 0; index < count; ++index) {
-            for (const Judged& dip : ordered[index].dips) {
-                immersions.push_back(dip->immersion);
+        std::map<const JudgedPose*, std::size_t> places;
+        for (const Entry& each : entries) {
+            for (const Judged& dip : each.dips) {
+                if (places.emplace(dip.get(), immersions.size()).second) {
+                    immersions.push_back(dip->immersion);
+                }
             }
         }
-        const PoseDips own(subject_, body_, module_, PoseDips::Film::Own, progress_.silent());
-        const std::vector<Judged> judged = dipped(own, immersions);
-        auto next = judged.begin();
+        const PoseDips dips(subject_, body_, module_, detail, progress_.silent());
+        const std::vector<Judged> judged = dipped(dips, immersions);
         if (!subject_.immersions.empty()) {
-            next += std::ptrdiff_t(subject_.immersions.size());
-            current_ = entry({judged.begin(), next}, true);
+            current_ =
+                entry({judged.begin(), judged.begin() + std::ptrdiff_t(subject_.immersions.size())},
+                      isConfirmed);
         }
-        best_ = ordered;
-        for (std::size_t index = 0; index < count; ++index) {
-            const auto end = next + settings_.immersions;
-            best_[index] = entry({next, end}, true);
-            next = end;
+        std::vector<Entry> again;
+        for (const Entry& each : entries) {
+            std::vector<Judged> both;
+            for (const Judged& dip : each.dips) {
+                both.push_back(judged[places.at(dip.get())]);
+            }
+            again.push_back(entry(std::move(both), isConfirmed));
         }
+        return again;
+    }
+
+    std::vector<Entry> first(int count) const {
+        std::vector<Entry> ordered = ranked();
+        ordered.resize(std::min(ordered.size(), std::size_t(count)));
+        return ordered;
+    }
+
+    // Coarse film tells which poses are worth a closer look; what it says of them is off by more
+    // than they differ (docs/pose-search.md). So only those that are looked at closer stay.
+    void rankWithFinerFilm() {
+        best_ = dippedAgain(first(settings_.finer), finerDetail, false);
         rank();
+    }
+
+    void confirm() {
+        if (settings_.confirmed > 0) {
+            const std::vector<Entry> all = ranked();
+            best_ = dippedAgain(first(settings_.confirmed), jobDetail, true);
+            best_.insert(best_.end(), all.begin() + std::ptrdiff_t(best_.size()), all.end());
+            rank();
+        }
     }
 
     // The best first: those that are confirmed, and then those that are not.

@@ -13,14 +13,13 @@ namespace dipwright {
 struct JudgedPose;
 
 struct SearchPart {
-    QByteArray key; // of the search: its subject and settings; not of the solver, see below
+    QByteArray key; // of the search: its subject and settings
     int number = 1, count = 1;
     std::vector<std::shared_ptr<const JudgedPose>> poses; // in the order in which they are dipped
 };
 
 // Part `number`, 1 … count (at most 1000), of searchPoses(): every count-th of its first dips.
-// All parts of a search are to be dipped by the same solver, which nothing checks. Throws as
-// searchPoses() does; Cancelled leaves nothing.
+// Throws as searchPoses() does; Cancelled leaves nothing.
 SearchPart searchPart(const SearchSubject& subject, const SearchSettings& settings,
                       const solver::SolverModule& module, int number, int count,
                       const Progress& progress);

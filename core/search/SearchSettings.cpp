@@ -117,7 +117,8 @@ QString measureName(Measure measure) {
 QString measureText(Measure measure, double value) {
     switch (measure) {
     case Measure::Stretch:
-        return QString::number(value, 'f', 2);
+        return value < largestStretch ? QString::number(value, 'f', 2)
+                                      : QStringLiteral("≥ %1").arg(largestStretch, 0, 'f', 0);
     case Measure::Join:
         return QStringLiteral("%1 mm").arg(value, 0, 'f', 0);
     default:
@@ -137,6 +138,7 @@ void requireValid(const SearchSettings& settings) {
     require(settings.simulated, simulatedRange.least, simulatedRange.most,
             QStringLiteral("candidates"));
     require(settings.refined, refinedRange.least, refinedRange.most, QStringLiteral("refined"));
+    require(settings.finer, finerRange.least, finerRange.most, QStringLiteral("finer"));
     require(settings.confirmed, confirmedRange.least, confirmedRange.most,
             QStringLiteral("confirmed"));
     require(settings.seed, seedRange.least, seedRange.most, QStringLiteral("seed"));

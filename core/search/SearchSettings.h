@@ -33,10 +33,12 @@ struct PerMeasure {
     bool operator==(const PerMeasure&) const = default;
 };
 using PoseMeasures = PerMeasure<double>;
+// Larger stretches are not told apart from it.
+inline constexpr double largestStretch = 15.99;
 
 QString measureKey(Measure measure);  // "quality", "trapped_air": on the command line
 QString measureName(Measure measure); // for the user: "Quality", "Trapped air"
-// "93.1 %", "1.84", "212 mm"
+// "93.1 %", "1.84", "≥ 16", "212 mm"
 QString measureText(Measure measure, double value);
 bool isMoreBetter(Measure measure);
 
@@ -45,7 +47,7 @@ struct SettingRange {
     int least, most;
 };
 inline constexpr SettingRange directionsRange{6, 20'000}, simulatedRange{6, 2000},
-    refinedRange{0, 50}, confirmedRange{0, 20}, seedRange{0, 1'000'000};
+    refinedRange{0, 50}, finerRange{1, 100}, confirmedRange{0, 20}, seedRange{0, 1'000'000};
 inline constexpr double mostWeight = 100, mostZoneWeight = 1000; // from 0 on
 
 struct SearchSettings {
@@ -53,6 +55,7 @@ struct SearchSettings {
     int directions = 2000; // judged by their geometry
     int simulated = 96;    // of those, each by one coarse dip
     int refined = 6;       // of the best, in angle, turn and offset
+    int finer = 12;        // of the best, with finer film, which ranks them
     int confirmed = 3;     // of the best, with the film and the field of the job
     int seed = 1;          // of the directions
     // Up to mostWeight each, not all of them 0 (docs/pose-search.md, "The objective").

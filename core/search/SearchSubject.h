@@ -8,8 +8,8 @@ namespace dipwright {
 
 struct SearchSubject {
     QString name;
-    QByteArray
-        identity; // the same for the same model, film, process and zones; ties parts together
+    QByteArray identity; // the same for the same model, film, process, zones and solver; ties parts
+                         // together
     std::shared_ptr<const TexturedMesh> model; // never null
     FilmSettings film;
     ProcessSettings process;

@@ -70,8 +70,9 @@ Project inFoundPoses(Project job, const SolverRegistry& registry) {
     SearchSettings search;
     search.immersions = 2;
     const solver::SolverModule& module = registry.module(job.process.solver);
-    job.immersions =
-        searchPoses(searchSubject(job), search, module, {}, {}, {}).ranking.front().immersions;
+    job.immersions = searchPoses(searchSubject(job, job.process.solver), search, module, {}, {}, {})
+                         .ranking.front()
+                         .immersions;
     for (Immersion& immersion : job.immersions) {
         immersion.name = QStringLiteral("found");
     }

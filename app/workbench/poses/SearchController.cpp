@@ -147,14 +147,14 @@ void SearchController::start() {
         tr("Searching poses"),
         [project = searched_, settings, watcher = watcher_,
          &registry = registry_](const Progress& progress) {
-            const SearchSubject subject = searchSubject(project);
             SolverChoice solver = chooseSolver(project.process.solver, registry);
             const SearchWatch watch = [&](const SearchState& state) {
                 watcher->watch(watcher, state, progress.cancelSwitch);
             };
             return Found(watcher->lastOf(
                 withFallback(solver, registry, [&](const solver::SolverModule& module) {
-                    return searchPoses(subject, settings, module, {}, watch, progress);
+                    return searchPoses(searchSubject(project, solver.solver.id), settings, module,
+                                       {}, watch, progress);
                 })));
         },
         [this, watcher = watcher_](const Found& found) {

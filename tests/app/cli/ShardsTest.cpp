@@ -59,13 +59,10 @@ private slots:
 private:
     QString path(const QString& name) const { return folder_.filePath(name); }
     QStringList search(const QString& job) const {
-        return {"optimize",     path(job),
-                "--immersions", "1",
-                "--candidates", "6",
-                "--directions", "60",
-                "--refined",    "0",
-                "--confirmed",  "0",
-                "--set",        "film.points=40x56"};
+        return {"optimize",     path(job), "--immersions", "1",
+                "--candidates", "6",       "--directions", "60",
+                "--refined",    "0",       "--finer",      "1",
+                "--confirmed",  "0",       "--set",        "film.points=40x56"};
     }
     QStringList shard(int number) const {
         return search(QStringLiteral("parts.dipw"))

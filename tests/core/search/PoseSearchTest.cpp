@@ -91,6 +91,36 @@ private slots:
         compare(search(board_, settings), once);
     }
 
+    // Otherwise what is ranked by it and what the job's film has confirmed could not stand in one
+    // table.
+    void finerFilmSaysWhatTheJobsFilmSays_data() {
+        QTest::addColumn<int>("body");
+        QTest::newRow("egg") << 0;
+        QTest::newRow("ring") << 1;
+        QTest::newRow("board") << 2;
+    }
+    void finerFilmSaysWhatTheJobsFilmSays() {
+        QFETCH(int, body);
+        const std::array<TriangleMesh, 3> meshes{ellipsoidMesh({14, 22, 10}, 40, 60),
+                                                 torusMesh(18, 6, 60, 24), boxMesh({6, 40, 40})};
+        SearchSubject subject = subjectOf(meshes[std::size_t(body)]);
+        subject.film.columns = subject.film.rows = 140; // 60 cells along the body
+        SearchSettings settings = sidesOnly(1);
+        const SearchResult ranked = search(subject, settings);
+        settings.confirmed = 6;
+        const SearchResult confirmed = search(subject, settings);
+        QVERIFY(!ranked.ranking.empty());
+        for (const RankedPoses& poses : ranked.ranking) {
+            const auto same = std::find_if(
+                confirmed.ranking.begin(), confirmed.ranking.end(),
+                [&](const RankedPoses& other) { return other.immersions == poses.immersions; });
+            QVERIFY(same != confirmed.ranking.end() && same->isConfirmed);
+            QVERIFY2(
+                std::abs(same->objective - poses.objective) < 0.015,
+                qPrintable(QStringLiteral("%1 and %2").arg(poses.objective).arg(same->objective)));
+        }
+    }
+
     void partsMakeTheSameRanking() {
         SearchSettings settings;
         settings.immersions = 2;
@@ -117,6 +147,12 @@ private slots:
         settings.seed = 2;
         QVERIFY_EXCEPTION_THROWN(searchPoses(board_, settings, module(), {one, two}, {}, {}),
                                  Error);
+        settings.seed = 1;
+        searchPoses(board_, settings, module(), {one, two}, {}, {});
+        SearchSubject elsewhere = board_; // as by another solver
+        elsewhere.identity = "other";
+        QVERIFY_EXCEPTION_THROWN(searchPoses(elsewhere, settings, module(), {one, two}, {}, {}),
+                                 Error);
         const QByteArray file = partFile(one);
         QVERIFY_EXCEPTION_THROWN(partFromFile(file.left(file.size() / 2), "half"), Error);
         QVERIFY_EXCEPTION_THROWN(partFromFile(file + "more", "more"), Error);
@@ -136,17 +172,23 @@ private slots:
     void aBodyOfRevolutionIsRankedAlikeHoweverItIsTurned() {
         SearchSettings settings;
         settings.directions = 600;
-        settings.simulated = 12;
-        settings.refined = 1;
+        settings.simulated = 24;
+        settings.refined = 3;
+        settings.finer = 4;
         settings.confirmed = 0;
-        TriangleMesh body = coneMesh(0.5, 40, 64);
-        const RankedPoses straight = search(subjectOf(body), settings).ranking.front();
+        const TriangleMesh body = coneMesh(0.5, 40, 64);
+        const auto fineSubjectOf = [](const TriangleMesh& mesh) {
+            SearchSubject subject = subjectOf(mesh);
+            subject.film.columns = subject.film.rows = 60; // does not show how it lies by the body
+            return subject;
+        };
+        const RankedPoses straight = search(fineSubjectOf(body), settings).ranking.front();
         for (const double angle : {17.0, 140.0}) {
             Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
             turn.rotate(Eigen::AngleAxisd(radians(Degrees(angle)), Eigen::Vector3d::UnitY()));
             const RankedPoses turned =
-                search(subjectOf(transformed(body, turn)), settings).ranking.front();
-            QVERIFY(std::abs(turned.objective - straight.objective) < 0.01);
+                search(fineSubjectOf(transformed(body, turn)), settings).ranking.front();
+            QVERIFY(std::abs(turned.objective - straight.objective) < 0.005);
             // The best tilt, but for the film's cells, which the body does not turn with.
             QVERIFY(std::abs(tiltOf(turned) - tiltOf(straight)) < 12);
         }
@@ -253,6 +295,11 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(requireValid(settings), Error);
         setWeight(settings, "zone_b", 7);
         QCOMPARE(settings.zoneWeights[1], 7.0);
+    }
+
+    void stretchThatIsNotMeasuredIsNotTold() {
+        QCOMPARE(measureText(Measure::Stretch, 1.844), QStringLiteral("1.84"));
+        QCOMPARE(measureText(Measure::Stretch, 65535.0 / 4096), QStringLiteral("≥ 16"));
     }
 
     void stretchedAndGatheredFilmShowsLess() {

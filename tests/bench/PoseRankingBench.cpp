@@ -1,0 +1,180 @@
+// How well coarse dips rank poses:
+//   pose_ranking_bench [solver=ID] [poses=N] JOB.dipw…
+// N directions of each job's body, chosen as a search chooses them, are dipped with the job's own
+// film and with coarser ones. A line a detail: milliseconds a dip, how the objective differs from
+// that of the own film (mean, standard deviation), the rank correlation with it (Spearman), how
+// many of the five best are among the twelve that the coarse dips put first, and what of the
+// objective is lost by taking the coarse dips' best, their best of three, of six and of twelve.
+// Then the mean difference of each measure.
+#include "pipeline/JobSearch.h"
+#include "project/ProjectStore.h"
+#include "search/PoseCandidates.h"
+#include "search/PoseDips.h"
+#include "solver/SolverRegistry.h"
+
+#include <QGuiApplication>
+#include <QTextStream>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+using namespace dipwright;
+
+namespace {
+
+struct Dips {
+    std::vector<PoseMeasures> measures; // a pose each
+    std::vector<double> objectives;
+    double seconds = 0;
+};
+
+std::vector<std::size_t> order(const std::vector<double>& values) {
+    std::vector<std::size_t> result(values.size());
+    std::iota(result.begin(), result.end(), std::size_t(0));
+    std::stable_sort(result.begin(), result.end(),
+                     [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
+    return result;
+}
+
+double rankCorrelation(const std::vector<double>& one, const std::vector<double>& other) {
+    std::vector<double> ranks(one.size());
+    const std::vector<std::size_t> first = order(one), second = order(other);
+    for (std::size_t rank = 0; rank < first.size(); ++rank) {
+        ranks[first[rank]] += double(rank);
+        ranks[second[rank]] -= double(rank);
+    }
+    const double n = double(one.size());
+    const double squares = std::inner_product(ranks.begin(), ranks.end(), ranks.begin(), 0.0);
+    return 1 - 6 * squares / (n * (n * n - 1));
+}
+
+class Ranking {
+public:
+    Ranking(const Project& project, const SolverRegistry& registry, const QString& solver,
+            int poses)
+        : subject_(searchSubject(project, solver)), module_(registry.module(solver)),
+          body_(subject_.model, subject_.marks, settings_.zoneWeights) {
+        settings_.simulated = poses;
+        const CoveragePreview preview(subject_.model->mesh);
+        const PoseCandidates candidates =
+            poseCandidates(preview, std::vector<float>(preview.areas().size(), 1), subject_.film,
+                           subject_.process, settings_, {});
+        for (const std::size_t chosen : candidates.chosen) {
+            immersions_.push_back(candidates.all[chosen].immersion);
+        }
+        own_ = dipped(jobDetail);
+    }
+
+    void tell(const DipDetail& detail, QTextStream& out) const {
+        const Dips dips = std::isinf(detail.cells) ? own_ : dipped(detail);
+        const std::size_t count = immersions_.size();
+        std::vector<double> more(count);
+        for (std::size_t pose = 0; pose < count; ++pose) {
+            more[pose] = dips.objectives[pose] - own_.objectives[pose];
+        }
+        const double mean = std::accumulate(more.begin(), more.end(), 0.0) / double(count);
+        double variance = 0;
+        for (const double each : more) {
+            variance += (each - mean) * (each - mean) / double(count);
+        }
+        const std::vector<std::size_t> coarse = order(dips.objectives),
+                                       own = order(own_.objectives);
+        int found = 0;
+        for (std::size_t rank = 0; rank < std::min<std::size_t>(5, count); ++rank) {
+            const auto end = coarse.begin() + std::ptrdiff_t(std::min<std::size_t>(12, count));
+            found += std::find(coarse.begin(), end, own[rank]) != end;
+        }
+        const auto lost = [&](std::size_t among) {
+            double best = 0;
+            for (std::size_t rank = 0; rank < std::min(among, count); ++rank) {
+                best = std::max(best, own_.objectives[coarse[rank]]);
+            }
+            return own_.objectives[own[0]] - best;
+        };
+        const QString name = std::isinf(detail.cells)
+                                 ? QStringLiteral("own film")
+                                 : QStringLiteral("%1 cells, field %2, travel %3")
+                                       .arg(detail.cells)
+                                       .arg(detail.field)
+                                       .arg(detail.travel);
+        out << QStringLiteral("  %1: %2 ms; objective %3 ± %4; rank %5; %6 of 5; lost %7 %8 %9 %10 "
+                              "of %11\n   ")
+                   .arg(name)
+                   .arg(1000 * dips.seconds / double(count), 0, 'f', 1)
+                   .arg(mean, 0, 'f', 4)
+                   .arg(std::sqrt(variance), 0, 'f', 4)
+                   .arg(rankCorrelation(dips.objectives, own_.objectives), 0, 'f', 3)
+                   .arg(found)
+                   .arg(lost(1), 0, 'f', 4)
+                   .arg(lost(3), 0, 'f', 4)
+                   .arg(lost(6), 0, 'f', 4)
+                   .arg(lost(12), 0, 'f', 4)
+                   .arg(own_.objectives[own[0]], 0, 'f', 4);
+        for (const Measure measure : allMeasures()) {
+            double difference = 0;
+            for (std::size_t pose = 0; pose < count; ++pose) {
+                difference += dips.measures[pose][measure] - own_.measures[pose][measure];
+            }
+            out << QStringLiteral(" %1 %2")
+                       .arg(measureKey(measure))
+                       .arg(difference / double(count), 0, 'f', 4);
+        }
+        out << "\n";
+        out.flush();
+    }
+
+    std::size_t poses() const { return immersions_.size(); }
+
+private:
+    Dips dipped(const DipDetail& detail) const {
+        const PoseDips poses(subject_, body_, module_, detail, {});
+        const auto begin = std::chrono::steady_clock::now();
+        Dips dips;
+        for (const auto& judged : poses.dip(immersions_, [](std::size_t) {})) {
+            dips.measures.push_back(body_.measures({judged.get()}));
+            dips.objectives.push_back(objective(dips.measures.back(), settings_, body_.equator()));
+        }
+        dips.seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return dips;
+    }
+
+    SearchSettings settings_;
+    SearchSubject subject_;
+    const solver::SolverModule& module_;
+    JudgedBody body_;
+    std::vector<Immersion> immersions_;
+    Dips own_;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QGuiApplication app(argc, argv);
+    QTextStream out(stdout);
+    QString solver = QStringLiteral("auto");
+    int poses = 96;
+    const SolverRegistry registry;
+    for (const QString& argument : QCoreApplication::arguments().mid(1)) {
+        if (argument.startsWith(QLatin1String("solver="))) {
+            solver = argument.mid(7);
+        } else if (argument.startsWith(QLatin1String("poses="))) {
+            poses = argument.mid(6).toInt();
+        } else {
+            const Project project = loadProject(argument);
+            const Ranking ranking(project, registry, solver, poses);
+            out << project.name << ", " << ranking.poses() << " poses\n";
+            ranking.tell(jobDetail, out);
+            for (const DipDetail& detail :
+                 {DipDetail{15, 128, 0.5}, DipDetail{20, 128, 0.5}, DipDetail{20, 128, 0.35},
+                  DipDetail{30, 128, 0.5}, DipDetail{40, 128, 0.5}, DipDetail{40, 128, 0.35},
+                  DipDetail{60, 128, 0}}) {
+                ranking.tell(detail, out);
+            }
+        }
+    }
+    return 0;
+}
