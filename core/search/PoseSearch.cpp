@@ -134,7 +134,8 @@ public:
         const int rounds = int(tilts.size());
         const int tried = int(candidates_.chosen.size());
         wanted_ = tried + settings.refined * each * (4 * rounds + 6) +
-                  each * (std::min(settings.finer, tried) + std::min(settings.confirmed, tried)) +
+                  each * (std::min(settings.finer + settings.refined, tried) +
+                          std::min(settings.confirmed, tried)) +
                   3 * int(subject.immersions.size());
         result_.equator = body_.equator();
     }
@@ -340,6 +341,7 @@ private:
     // Each of the best, one dip after the other, moves to the best pose next to it.
     void refine() {
         const std::size_t count = std::min(best_.size(), std::size_t(settings_.refined));
+        unrefined_.assign(best_.begin(), best_.begin() + std::ptrdiff_t(count));
         for (std::size_t round = 0; round < tilts.size() && count > 0; ++round) {
             for (std::size_t member = 0; member < std::size_t(settings_.immersions); ++member) {
                 refineMember(count, round, member);
@@ -407,9 +409,12 @@ private:
     }
 
     // Coarse film tells which poses are worth a closer look; what it says of them is off by more
-    // than they differ (docs/pose-search.md). So only those that are looked at closer stay.
+    // than they differ (docs/pose-search.md). So only those that are looked at closer stay, and
+    // those that were refined are looked at as they were before, too.
     void rankWithFinerFilm() {
-        best_ = dippedAgain(first(settings_.finer), finerDetail, false);
+        std::vector<Entry> entries = first(settings_.finer);
+        entries.insert(entries.end(), unrefined_.begin(), unrefined_.end());
+        best_ = dippedAgain(entries, finerDetail, false);
         rank();
     }
 
@@ -490,6 +495,7 @@ private:
     std::vector<Judged> poses_;      // of candidates_.chosen, as far as they are dipped
     std::vector<double> objectives_; // of each, the best it takes part in; −1: none
     std::vector<Entry> best_;
+    std::vector<Entry> unrefined_; // what refinement began with
     std::optional<Entry> current_;
     SearchResult result_;
     bool isRefining_ = false; // the first dips are all ranked
