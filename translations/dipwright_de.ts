@@ -944,6 +944,10 @@
         <source>This part belongs to another search; make all parts from the same project with the same options and solver</source>
         <translation>Dieser Teil gehört zu einer anderen Suche; erzeugen Sie alle Teile aus demselben Projekt mit denselben Optionen und demselben Löser</translation>
     </message>
+    <message>
+        <source>Narrow overlap</source>
+        <translation>Schmale Überlappung</translation>
+    </message>
 </context>
 <context>
     <name>ProfileSpecs</name>
@@ -2443,6 +2447,14 @@
     <message>
         <source>Not reached at %1</source>
         <translation>Nicht erreicht bei %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Overlap that is too narrow for %1 off</source>
+        <translation>Überlappung, zu schmal für %1 daneben</translation>
     </message>
 </context>
 <context>

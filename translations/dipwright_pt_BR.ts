@@ -944,6 +944,10 @@
         <source>This part belongs to another search; make all parts from the same project with the same options and solver</source>
         <translation>Esta parte é de outra busca; faça todas as partes do mesmo projeto com as mesmas opções e o mesmo solucionador</translation>
     </message>
+    <message>
+        <source>Narrow overlap</source>
+        <translation>Sobreposição estreita</translation>
+    </message>
 </context>
 <context>
     <name>ProfileSpecs</name>
@@ -2443,6 +2447,14 @@
     <message>
         <source>Not reached at %1</source>
         <translation>Não alcançado em %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>Overlap that is too narrow for %1 off</source>
+        <translation>Sobreposição estreita demais para um desvio de %1</translation>
     </message>
 </context>
 <context>

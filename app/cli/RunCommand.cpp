@@ -26,6 +26,7 @@ const QString lawsOption = QStringLiteral("laws");
 const QString tolerancesOption = QStringLiteral("tolerances");
 
 constexpr std::size_t mostPlaces = 8; // not reached, that are listed
+constexpr double toldNarrow = 0.005;  // share of the overlap
 
 QString number(double value, int decimals) {
     return QString::number(value, 'f', decimals);
@@ -99,10 +100,18 @@ void printShare(const JobResult& result, QTextStream& out) {
         return QStringLiteral("%1 mm² (%2 %)")
             .arg(number(area, 0), number(100 * area / areas.total(), 1));
     };
-    out << QStringLiteral("Shared out: %1 %2, %3 %4, both %5 in a band of %6 mm, neither %7\n")
+    out << QStringLiteral(
+               "Shared out: %1 %2, %3 %4, both %5 in a band of %6 to %7 mm, neither %8\n")
                .arg(result.immersions[0].immersion.name, part(areas.first),
                     result.immersions[1].immersion.name, part(areas.second), part(areas.both),
-                    number(result.share->overlap, 1), part(areas.none));
+                    number(result.share->overlap.least, 1), number(result.share->overlap.most, 1),
+                    part(areas.none));
+    if (result.share->narrow > toldNarrow) {
+        out << QStringLiteral("  %1 % of the overlap is too narrow: the second film shows there if "
+                              "it lies %2 mm off\n")
+                   .arg(number(100 * result.share->narrow, 0),
+                        number(result.project.share.registrationError.value(), 1));
+    }
     const std::vector<UnpaintedPlace>& places = result.share->unpainted;
     const std::size_t listed = std::min(places.size(), mostPlaces);
     for (const UnpaintedPlace& place : std::span(places).first(listed)) {

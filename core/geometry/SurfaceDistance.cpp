@@ -76,8 +76,8 @@ float arrival(const Eigen::Vector3f& a, float atA, const Eigen::Vector3f& b, flo
 
 } // namespace
 
-std::vector<float> surfaceDistance(const TriangleMesh& mesh, std::vector<float> begin,
-                                   float limit) {
+std::vector<float> surfaceDistance(const TriangleMesh& mesh, std::vector<float> begin, float limit,
+                                   const UnfoldedTriangles& measured) {
     const Rounds rounds(mesh);
     std::vector<float> distance = std::move(begin);
     using Entry = std::pair<float, std::uint32_t>;
@@ -97,15 +97,17 @@ std::vector<float> surfaceDistance(const TriangleMesh& mesh, std::vector<float> 
         done[position] = 1;
         rounds.forEach(position, [&](std::uint32_t triangle) {
             const auto& corners = mesh.triangles[triangle];
+            const std::array<Eigen::Vector3f, 3> places =
+                measured.empty() ? cornersOf(mesh, triangle) : measured[triangle];
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t c = corners[k];
                 if (done[c] != 0) {
                     continue;
                 }
-                const std::uint32_t a = corners[(k + 1) % 3];
-                const std::uint32_t b = corners[(k + 2) % 3];
-                const float reached = arrival(mesh.positions[a] - mesh.positions[c], distance[a],
-                                              mesh.positions[b] - mesh.positions[c], distance[b]);
+                const std::size_t a = (k + 1) % 3;
+                const std::size_t b = (k + 2) % 3;
+                const float reached = arrival(places[a] - places[k], distance[corners[a]],
+                                              places[b] - places[k], distance[corners[b]]);
                 if (reached < distance[c] && reached <= limit) {
                     distance[c] = reached;
                     front.emplace(reached, c);

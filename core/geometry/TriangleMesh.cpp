@@ -58,6 +58,11 @@ double triangleArea(const TriangleMesh& mesh, std::size_t triangle) {
     return areaNormal(mesh, triangle).norm() / 2;
 }
 
+std::array<Eigen::Vector3f, 3> cornersOf(const TriangleMesh& mesh, std::size_t triangle) {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+}
+
 Eigen::Vector3f triangleNormal(const TriangleMesh& mesh, std::size_t triangle) {
     const Eigen::Vector3d normal = areaNormal(mesh, triangle);
     const double length = normal.norm();

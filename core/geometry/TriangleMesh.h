@@ -23,6 +23,7 @@ BoundingBox boundingBox(const TriangleMesh& mesh);
 double volume(const TriangleMesh& mesh);
 double surfaceArea(const TriangleMesh& mesh);                        // mm²
 double triangleArea(const TriangleMesh& mesh, std::size_t triangle); // mm²
+std::array<Eigen::Vector3f, 3> cornersOf(const TriangleMesh& mesh, std::size_t triangle);
 // Unit normal, outward; zero for a degenerate triangle.
 Eigen::Vector3f triangleNormal(const TriangleMesh& mesh, std::size_t triangle);
 // Area-weighted unit normals, one a position.

@@ -31,9 +31,17 @@ SearchSubject searchSubject(const Project& project, const QString& solver) {
     if (!project.model) {
         throw Error(Text::tr("The project has no model, import one first"), project.name);
     }
-    return {
-        project.name,    identityOf(project, solver), project.model,           project.film,
-        project.process, project.fieldResolution,     project.tolerance.marks, project.immersions};
+    SearchSubject subject;
+    subject.name = project.name;
+    subject.identity = identityOf(project, solver);
+    subject.model = project.model;
+    subject.film = project.film;
+    subject.process = project.process;
+    subject.fieldResolution = project.fieldResolution;
+    subject.marks = project.tolerance.marks;
+    subject.registrationError = project.share.registrationError;
+    subject.immersions = project.immersions;
+    return subject;
 }
 
 } // namespace dipwright

@@ -105,7 +105,10 @@ QJsonObject shareJson(const BodyShare& share) {
             {"model_mm", QJsonArray{place.place.x(), place.place.y(), place.place.z()}}});
     }
     return {{"join_stretch", QJsonArray{share.joinStretch[0], share.joinStretch[1]}},
-            {"overlap_mm", share.overlap},
+            {"overlap_mm", share.overlap.middle},
+            {"overlap_least_mm", share.overlap.least},
+            {"overlap_most_mm", share.overlap.most},
+            {"overlap_too_narrow", share.narrow},
             {"first_mm2", share.areas.first},
             {"second_mm2", share.areas.second},
             {"both_mm2", share.areas.both},

@@ -22,7 +22,7 @@ const QColor background(252, 252, 252);
 const QColor ink(38, 42, 48);
 const QColor joinColour(255, 221, 87); // on painterColour(Painter::Both)
 const QColor pale(232, 235, 238);      // film that paints nothing
-constexpr double shownBand = 0.98;     // past it the other dip gives less than a hundredth
+constexpr float shownBand = 0.98f;     // past it the other dip gives less than a hundredth
 constexpr double joinWidth = 0.004;    // of the body's diagonal
 
 LinearColour linear(const QColor& colour) {
@@ -31,21 +31,23 @@ LinearColour linear(const QColor& colour) {
             light[std::size_t(colour.blue())]};
 }
 
-// Who paints a place `inside` mm from the join on a dip's side, where that dip or both reach it.
-Painter painterAt(float inside, double overlap, std::size_t dip) {
+// Who paints a place `inside` bands from the join on a dip's side, where that dip or both reach it.
+Painter painterAt(float inside, std::size_t dip) {
     const Painter own = dip == 0 ? Painter::First : Painter::Second;
     const Painter other = dip == 0 ? Painter::Second : Painter::First;
-    return std::abs(double(inside)) < shownBand * overlap / 2 ? Painter::Both
-           : inside > 0                                       ? own
-                                                              : other;
+    return std::abs(inside) < shownBand / 2 ? Painter::Both : inside > 0 ? own : other;
+}
+
+// How wide the line of the join is drawn, in bands.
+float joinWidthIn(const BodyShare& share, const Eigen::AlignedBox3f& box) {
+    return float(joinWidth * double(box.diagonal().norm()) / std::max(share.overlap.middle, 0.1));
 }
 
 // The body as paper would be: bright where it faces the reader, on white.
 class SharedBody {
 public:
     SharedBody(const ProofStage& stage, const BodyShare& share)
-        : stage_(stage), share_(share),
-          joinWidth_(float(joinWidth * double(stage.box.diagonal().norm()))) {}
+        : stage_(stage), share_(share), joinWidth_(joinWidthIn(share, stage.box)) {}
 
     LinearColour light(const BodyRay& ray) const {
         const RayHit hit = stage_.query.hit(ray.origin, ray.direction);
@@ -58,15 +60,14 @@ public:
 
 private:
     QColor colour(const SurfacePoint& point) const {
-        const SurfacePoint fine = share_.distance.mesh->onFine(point);
+        const SurfacePoint fine = share_.fade.mesh->onFine(point);
         if (share_.painters[fine.triangle] == Painter::None) {
             return painterColour(Painter::None);
         }
-        const float inside = share_.distance.at(point);
+        const float inside = share_.fade.at(point);
         const bool joins = share_.painters[fine.triangle] == Painter::Both;
-        return joins && std::abs(inside) < joinWidth_ / 2
-                   ? joinColour
-                   : painterColour(painterAt(inside, share_.overlap, 0));
+        return joins && std::abs(inside) < joinWidth_ / 2 ? joinColour
+                                                          : painterColour(painterAt(inside, 0));
     }
 
     const ProofStage& stage_;
@@ -127,28 +128,25 @@ std::vector<ShareLine> shareLines(const BodyShare& share, const QStringList& dip
 
 QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t dip, QSize pixels) {
     const PaintShare own = share.of(dip);
-    std::vector<float> inside, joining; // mm; not a number where it does not count
+    std::vector<float> inside, joining; // bands; not a number where it does not count
     for (const SurfacePoint& point : laid.contact().surface) {
-        const float distance = point.isValid() ? own.distance.at(point) : std::nanf("");
-        const bool joins =
-            point.isValid() &&
-            share.painters[own.distance.mesh->onFine(point).triangle] == Painter::Both;
+        const float distance = point.isValid() ? own.fade.at(point) : std::nanf("");
+        const bool joins = point.isValid() &&
+                           share.painters[own.fade.mesh->onFine(point).triangle] == Painter::Both;
         inside.push_back(own.isFirst ? distance : -distance);
         joining.push_back(joins ? std::abs(distance) : std::nanf(""));
     }
     const FilmValues values(laid, std::move(inside));
     const FilmValues joins(laid, std::move(joining));
     const solver::FilmGrid& grid = laid.film().grid;
-    const auto width =
-        float(joinWidth * double(boundingBox(laid.body().model.mesh).diagonal().norm()));
+    const float width = joinWidthIn(share, boundingBox(laid.body().model.mesh));
     const auto colour = [&](double column, double row) {
         const auto distance = float(values.at(column, row));
         if (!values.isPainted(column, row) || std::isnan(distance)) {
             return pale;
         }
-        return joins.at(column, row) < double(width) / 2
-                   ? joinColour
-                   : painterColour(painterAt(distance, share.overlap, dip));
+        return joins.at(column, row) < double(width) / 2 ? joinColour
+                                                         : painterColour(painterAt(distance, dip));
     };
     QImage picture(pixels, QImage::Format_RGB32);
     uchar* bits = picture.bits();

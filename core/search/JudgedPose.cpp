@@ -2,11 +2,16 @@
 
 #include "dip/TrappedAir.h"
 #include "geometry/SurfaceSamples.h"
+#include "share/FadeBand.h"
+#include "texture/SurfaceColours.h"
 #include "tolerance/Zones.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <map>
+#include <queue>
 
 namespace dipwright {
 namespace {
@@ -63,7 +68,7 @@ double percentile(std::vector<std::uint16_t>& values, double share) {
 
 JudgedBody::JudgedBody(std::shared_ptr<const TexturedMesh> model,
                        const std::vector<ZoneMark>& marks,
-                       const std::array<double, zoneCount>& zoneWeights)
+                       const std::array<double, zoneCount>& zoneWeights, Millimetres error)
     : model_(std::move(model)), area_(surfaceArea(model_->mesh)) {
     samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
     equator_ = std::sqrt(pi * area_);
@@ -78,9 +83,13 @@ JudgedBody::JudgedBody(std::shared_ptr<const TexturedMesh> model,
         }
     }
     linkNeighbours();
+    for (const LinearColour& colour : surfaceColours(*model_, samples_)) {
+        bands_.push_back(float(neededOverlap(colour, error.value(), 0)));
+    }
 }
 
 void JudgedBody::linkNeighbours() {
+    links_.resize(samples_.size());
     std::map<std::array<int, 3>, std::vector<std::uint32_t>> cells;
     std::vector<Eigen::Vector3f> places, normals;
     const auto cellOf = [&](const Eigen::Vector3f& place) {
@@ -101,9 +110,11 @@ void JudgedBody::linkNeighbours() {
                 continue;
             }
             for (const std::uint32_t other : found->second) {
-                if (double((places[other] - places[index]).norm()) <= joinReach_ &&
+                const float length = (places[other] - places[index]).norm();
+                if (double(length) <= joinReach_ &&
                     normals[other].dot(normals[index]) > 0) { // not through a thin wall
-                    links_.push_back({other, index});
+                    links_[index].push_back({other, length});
+                    links_[other].push_back({index, length});
                 }
             }
         }
@@ -111,15 +122,67 @@ void JudgedBody::linkNeighbours() {
     }
 }
 
+// By Dijkstra's way along the links; paint ends halfway between two places.
+std::vector<float> JudgedBody::depths(const std::vector<PaintedSample>& samples) const {
+    std::vector<float> depths(samples.size(), std::numeric_limits<float>::infinity());
+    using Entry = std::pair<float, std::uint32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    const auto arrive = [&](std::uint32_t sample, float depth) {
+        if (depth < depths[sample]) {
+            depths[sample] = depth;
+            front.emplace(depth, sample);
+        }
+    };
+    for (std::size_t sample = 0; sample < samples.size(); ++sample) {
+        if (samples[sample].larger == 0) {
+            depths[sample] = 0;
+            for (const Link& link : links_[sample]) {
+                if (samples[link.sample].larger != 0) {
+                    arrive(link.sample, link.length / 2);
+                }
+            }
+        }
+    }
+    while (!front.empty()) {
+        const auto [depth, sample] = front.top();
+        front.pop();
+        if (depth > depths[sample]) {
+            continue;
+        }
+        for (const Link& link : links_[sample]) {
+            arrive(link.sample, depth + link.length);
+        }
+    }
+    return depths;
+}
+
+// Whether both dips together reach less across a join there than it takes them to fade, for the
+// last of them may lie off.
+bool JudgedBody::isNarrow(std::size_t sample, const std::vector<const JudgedPose*>& dips) const {
+    const PaintedSample& last = dips.back()->samples[sample];
+    const double stretch = std::sqrt(double(last.larger) * last.smaller) / stretchUnits;
+    return double(dips[0]->depths[sample] + dips[1]->depths[sample]) <
+           double(bands_[sample]) * std::max(stretch, 1.0);
+}
+
 // Of n places a mm², each linked to all within r, a line crosses 2/3·n²·r³ links a mm (Cauchy and
 // Crofton; docs/pose-search.md, "The join").
-double JudgedBody::joinLength(const std::vector<std::uint8_t>& painters) const {
-    std::size_t crossings = 0;
-    for (const auto& [one, other] : links_) {
-        crossings += painters[one] + painters[other] == 3; // 1 and 2
+void JudgedBody::measureJoin(const std::vector<std::uint8_t>& painters,
+                             const std::vector<const JudgedPose*>& dips,
+                             PoseMeasures& measures) const {
+    std::size_t crossings = 0, narrow = 0;
+    for (std::size_t sample = 0; sample < links_.size(); ++sample) {
+        for (const Link& link : links_[sample]) {
+            if (painters[sample] == 1 && painters[link.sample] == 2) {
+                ++crossings;
+                narrow += isNarrow(sample, dips) || isNarrow(link.sample, dips);
+            }
+        }
     }
     const double density = double(samples_.size()) / area_;
-    return double(crossings) / (2.0 / 3 * density * density * std::pow(joinReach_, 3));
+    measures[Measure::Join] =
+        double(crossings) / (2.0 / 3 * density * density * std::pow(joinReach_, 3));
+    measures[Measure::Narrow] = double(narrow) / double(std::max<std::size_t>(crossings, 1));
 }
 
 JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) const {
@@ -133,6 +196,7 @@ JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) 
                                    laid.marks(place->triangle)};
         }
     }
+    pose.depths = depths(pose.samples);
     pose.trappedAir = trappedAir(laid.body(), airCells).area / area_;
     pose.filmUsed = filmUsedBy(laid);
     return pose;
@@ -178,7 +242,9 @@ PoseMeasures JudgedBody::measures(const std::vector<const JudgedPose*>& dips) co
         measures[Measure::FilmUsed] += dip->filmUsed / double(dips.size());
     }
     measures[Measure::TrappedAir] = std::min(measures[Measure::TrappedAir], 1.0);
-    measures[Measure::Join] = dips.size() == 2 ? joinLength(painters) : 0;
+    if (dips.size() == 2) {
+        measureJoin(painters, dips, measures);
+    }
     return measures;
 }
 

@@ -18,32 +18,45 @@ struct PaintedSample {
 struct JudgedPose {
     Immersion immersion;
     std::vector<PaintedSample> samples; // a place of the body each; empty: the dip failed
-    double trappedAir = 0;              // share of the surface
-    double filmUsed = 0;                // share of the sheet
+    std::vector<float> depths; // mm along the body from each place to where the dip's paint ends
+    double trappedAir = 0;     // share of the surface
+    double filmUsed = 0;       // share of the sheet
 };
 
 // The places that the dips of a body are judged at. Immutable; any thread may ask.
 class JudgedBody {
 public:
-    // Zones: those of `marks`, weighed by `zoneWeights`.
+    // The zones of `marks` are weighed by `zoneWeights`; one of two dips may lie `error` off the
+    // other.
     JudgedBody(std::shared_ptr<const TexturedMesh> model, const std::vector<ZoneMark>& marks,
-               const std::array<double, zoneCount>& zoneWeights);
+               const std::array<double, zoneCount>& zoneWeights, Millimetres error);
 
     std::size_t places() const { return samples_.size(); }
     double equator() const { return equator_; } // mm: the girth of a ball with this surface
 
     JudgedPose judged(const LaidFilm& laid, const Immersion& immersion) const;
-    // Of one or two dips together: each place counts for the one that paints it better.
+    // As JudgedPose has them. Infinite where the dip paints everything.
+    std::vector<float> depths(const std::vector<PaintedSample>& samples) const;
+    // Of one or two dips together, in this order: each place counts for the one that paints it
+    // better.
     PoseMeasures measures(const std::vector<const JudgedPose*>& dips) const;
 
 private:
+    struct Link {
+        std::uint32_t sample = 0;
+        float length = 0; // mm
+    };
+
     void linkNeighbours();
-    double joinLength(const std::vector<std::uint8_t>& painters) const;
+    bool isNarrow(std::size_t sample, const std::vector<const JudgedPose*>& dips) const;
+    void measureJoin(const std::vector<std::uint8_t>& painters,
+                     const std::vector<const JudgedPose*>& dips, PoseMeasures& measures) const;
 
     std::shared_ptr<const TexturedMesh> model_;
     std::vector<SurfacePoint> samples_;
     std::vector<float> weights_;
-    std::vector<std::array<std::uint32_t, 2>> links_; // samples within joinReach_ of each other
+    std::vector<std::vector<Link>> links_; // from each sample to those within joinReach_
+    std::vector<float> bands_; // mm: the overlap that each place takes, of film not drawn out
     double area_ = 0, joinReach_ = 0, equator_ = 0;
 };
 

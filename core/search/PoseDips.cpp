@@ -117,7 +117,8 @@ void PoseDips::dipBatch(const std::vector<Immersion>& immersions, std::size_t be
         const Immersion& immersion = immersions[begin + order[item]];
         const solver::DipSetup& setup = items[item].setup;
         DippedFilm film = dippedFilm(items[item], immersion);
-        JudgedPose pose{immersion, {}, 0, 0};
+        JudgedPose pose;
+        pose.immersion = immersion;
         if (isStable(film, setup.motion.travel)) {
             pose =
                 body_.judged(*layFilm(bodies[order[item]], std::move(film), process_), immersion);

@@ -124,7 +124,7 @@ public:
     Search(const SearchSubject& subject, const SearchSettings& settings,
            const solver::SolverModule& module, const Progress& progress)
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
-          body_(subject.model, subject.marks, settings.zoneWeights),
+          body_(subject.model, subject.marks, settings.zoneWeights, subject.registrationError),
           coarse_(subject, body_, module, coarseDetail, progress.part(0, fieldShare)) {
         progress_(fieldShare, Text::tr("Judging directions by the body's shape"));
         const CoveragePreview preview(subject.model->mesh);
@@ -180,7 +180,9 @@ public:
                                      "again"),
                             Text::tr("part %1 of %2").arg(part.number).arg(part.count));
             }
-            poses_.push_back(part.poses[place]);
+            JudgedPose pose = *part.poses[place];
+            pose.depths = body_.depths(pose.samples);
+            poses_.push_back(std::make_shared<const JudgedPose>(std::move(pose)));
         }
         done_ = int(poses_.size());
     }
@@ -302,7 +304,7 @@ private:
         return all;
     }
 
-    // The best of all pairs.
+    // The best of all pairs, each in the order that is better.
     std::vector<Entry> pairs(const std::vector<Judged>& pool) {
         struct Pair {
             std::uint32_t first, second;
@@ -333,7 +335,11 @@ private:
         });
         std::vector<Entry> entries;
         for (std::size_t index = 0; index < std::min(all.size(), comparedPairs); ++index) {
-            entries.push_back(entry({pool[all[index].first], pool[all[index].second]}, false));
+            const Judged& first = pool[all[index].first];
+            const Judged& second = pool[all[index].second];
+            Entry one = entry({first, second}, false);
+            Entry other = entry({second, first}, false);
+            entries.push_back(std::move(isBetter(other, one) ? other : one));
         }
         return entries;
     }

@@ -37,6 +37,7 @@ double goodness(Measure measure, double value, double equator) {
     case Measure::Wrinkled:
     case Measure::Torn:
     case Measure::TrappedAir:
+    case Measure::Narrow:
     case Measure::FilmUsed:
         break;
     }
@@ -77,16 +78,16 @@ Measure measureOf(const QString& key) {
 
 const std::array<Measure, measureCount>& allMeasures() {
     static constexpr std::array<Measure, measureCount> all{
-        Measure::Quality,    Measure::Coverage, Measure::Stretch,
-        Measure::Certain,    Measure::Wrinkled, Measure::Torn,
-        Measure::TrappedAir, Measure::Join,     Measure::FilmUsed};
+        Measure::Quality,  Measure::Coverage, Measure::Stretch,    Measure::Certain,
+        Measure::Wrinkled, Measure::Torn,     Measure::TrappedAir, Measure::Join,
+        Measure::Narrow,   Measure::FilmUsed};
     return all;
 }
 
 QString measureKey(Measure measure) {
-    static const std::array<const char*, measureCount> keys{"quality",     "coverage", "stretch",
-                                                            "certain",     "wrinkled", "torn",
-                                                            "trapped_air", "join",     "film_used"};
+    static const std::array<const char*, measureCount> keys{
+        "quality", "coverage",    "stretch", "certain",        "wrinkled",
+        "torn",    "trapped_air", "join",    "narrow_overlap", "film_used"};
     return QString::fromLatin1(keys[std::size_t(measure)]);
 }
 
@@ -108,6 +109,8 @@ QString measureName(Measure measure) {
         return Text::tr("Trapped air");
     case Measure::Join:
         return Text::tr("Join");
+    case Measure::Narrow:
+        return Text::tr("Narrow overlap");
     case Measure::FilmUsed:
         return Text::tr("Film used");
     }
@@ -131,6 +134,10 @@ bool isMoreBetter(Measure measure) {
            measure == Measure::Certain;
 }
 
+bool isOfTwoDips(Measure measure) {
+    return measure == Measure::Join || measure == Measure::Narrow;
+}
+
 void requireValid(const SearchSettings& settings) {
     require(settings.immersions, 1, 2, QStringLiteral("immersions"));
     require(settings.directions, directionsRange.least, directionsRange.most,
@@ -145,7 +152,7 @@ void requireValid(const SearchSettings& settings) {
     double sum = 0;
     for (const Measure measure : allMeasures()) {
         require(settings.weights[measure], 0, mostWeight, measureKey(measure));
-        const bool counts = settings.immersions == 2 || measure != Measure::Join;
+        const bool counts = settings.immersions == 2 || !isOfTwoDips(measure);
         sum += counts ? settings.weights[measure] : 0;
         if (const std::optional<double>& limit = settings.limits[measure]) {
             require(*limit, 0, greatestLimit(measure), measureKey(measure));
@@ -188,7 +195,7 @@ double printQuality(double larger, double smaller) {
 double objective(const PoseMeasures& measures, const SearchSettings& settings, double equator) {
     double sum = 0, weights = 0;
     for (const Measure measure : allMeasures()) {
-        if (measure != Measure::Join || settings.immersions == 2) {
+        if (!isOfTwoDips(measure) || settings.immersions == 2) {
             const double weight = settings.weights[measure];
             sum += weight * goodness(measure, measures[measure], equator);
             weights += weight;

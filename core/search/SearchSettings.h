@@ -20,9 +20,10 @@ enum class Measure : std::uint8_t {
     Torn,       // share of what is painted that lies on film that tore
     TrappedAir, // share of the surface that film cannot reach because air is caught there
     Join,       // mm of the line between two dips' shares; 0 of one dip
+    Narrow,     // share of it where both dips reach less than the films need to fade; likewise
     FilmUsed,   // share of the sheet within the box round what paints; of two dips the mean
 };
-inline constexpr std::size_t measureCount = 9;
+inline constexpr std::size_t measureCount = 10;
 const std::array<Measure, measureCount>& allMeasures();
 
 template <typename Value>
@@ -41,6 +42,7 @@ QString measureName(Measure measure); // for the user: "Quality", "Trapped air"
 // "93.1 %", "1.84", "≥ 16", "212 mm"
 QString measureText(Measure measure, double value);
 bool isMoreBetter(Measure measure);
+bool isOfTwoDips(Measure measure); // counts for pairs only
 
 // What the settings may be, ends included.
 struct SettingRange {
@@ -59,7 +61,7 @@ struct SearchSettings {
     int confirmed = 3;     // of the best, with the film and the field of the job
     int seed = 1;          // of the directions
     // Up to mostWeight each, not all of them 0 (docs/pose-search.md, "The objective").
-    PerMeasure<double> weights{{1, 0.5, 0.1, 0.5, 0.1, 0.5, 0.5, 0.1, 0.05}};
+    PerMeasure<double> weights{{1, 0.5, 0.1, 0.5, 0.1, 0.5, 0.5, 0.1, 0.2, 0.05}};
     std::array<double, zoneCount> zoneWeights{4, 2,
                                               1}; // of a place's quality, up to mostZoneWeight
     // The least that is wanted of a measure of which more is better, the most of any other. What
@@ -79,8 +81,8 @@ void setLimit(SearchSettings& settings, const QString& key, double value);
 // λ2 = 0.7, falling to 0 at 2.5 and at 0.2.
 double printQuality(double larger, double smaller);
 
-// 0 … 1: the mean of how good each measure is, by the weights. The join counts for two dips only,
-// against `equator`, mm: the girth of a ball with the body's surface.
+// 0 … 1: the mean of how good each measure is, by the weights. The join counts for two dips only
+// (isOfTwoDips), against `equator`, mm: the girth of a ball with the body's surface.
 double objective(const PoseMeasures& measures, const SearchSettings& settings, double equator);
 // How far the limits are missed, each as a share of the limit, together; 0: all are kept.
 double limitsMissed(const PoseMeasures& measures, const SearchSettings& settings);

@@ -14,8 +14,9 @@ struct SearchSubject {
     FilmSettings film;
     ProcessSettings process;
     int fieldResolution = 128;
-    std::vector<ZoneMark> marks;       // zones that matter more
-    std::vector<Immersion> immersions; // the job's own poses
+    std::vector<ZoneMark> marks;        // zones that matter more
+    Millimetres registrationError{0.7}; // of two dips against each other, to be prepared for
+    std::vector<Immersion> immersions;  // the job's own poses
 };
 
 } // namespace dipwright

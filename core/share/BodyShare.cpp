@@ -1,6 +1,6 @@
 #include "share/BodyShare.h"
 
-#include "geometry/SurfaceDistance.h"
+#include "share/FadeBand.h"
 #include "share/JoinPlaces.h"
 #include "share/MinimumCut.h"
 #include "share/ShareMarks.h"
@@ -23,13 +23,12 @@ struct Text {
 // Constants of ours (docs/film-model.md, "Two dips, one body").
 constexpr double fineTriangles = 40'000;   // about so many, if the body has fewer
 constexpr double joinWeight = 20;          // mm² of body at cost 1 that a mm of join is worth
-constexpr float nearReachEdge = 5;         // the cost of a mm² where the dip's film ends
+constexpr float nearReachEdge = 5;         // the cost of a mm² where the dip's film ends …
+constexpr float edgeMargin = 0.75f;        // … to nothing so many bands from there
 constexpr double smoothing = 3;            // mm, and no less than two fine triangles
 constexpr double reckonedStretches = 0.75; // share of the film along the join
 constexpr double worthASwap = 1.1;         // times as much drawn out
-constexpr double visibleStep = 0.1;        // of reflectance
-constexpr double darkest = 0.01;           // reflectance of printed black
-constexpr float farthest = 1e4f;           // mm
+constexpr float farthest = 1e4f;           // bands
 constexpr double leastUnpainted = 1;       // mm² of a place that is listed
 
 using Films = std::array<std::shared_ptr<const LaidFilm>, 2>;
@@ -37,12 +36,13 @@ using Suitabilities = std::array<Suitability, 2>;
 
 // What a dip reaches, position by position.
 struct Reach {
-    std::vector<float> depth;          // mm from its end; 0 past it, infinite where it reaches all
+    std::vector<float> depth; // bands from its end; 0 past it, infinite where it reaches all
     std::vector<std::uint8_t> touches; // 1 where it reaches a triangle round the position
 };
 using Reaches = std::array<Reach, 2>;
 
-Reach reachOf(const TriangleMesh& mesh, const std::vector<std::uint8_t>& reached) {
+Reach reachOf(const TriangleMesh& mesh, const std::vector<std::uint8_t>& reached,
+              const UnfoldedTriangles& bands) {
     std::vector<float> begin(mesh.positions.size(), std::numeric_limits<float>::infinity());
     std::vector<std::uint8_t> touches(mesh.positions.size());
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
@@ -51,7 +51,8 @@ Reach reachOf(const TriangleMesh& mesh, const std::vector<std::uint8_t>& reached
             touches[corner] |= reached[triangle];
         }
     }
-    return {surfaceDistance(mesh, std::move(begin)), std::move(touches)};
+    constexpr float everywhere = std::numeric_limits<float>::infinity();
+    return {surfaceDistance(mesh, std::move(begin), everywhere, bands), std::move(touches)};
 }
 
 float meanOf(const std::vector<float>& values, const std::array<std::uint32_t, 3>& corners) {
@@ -60,13 +61,13 @@ float meanOf(const std::vector<float>& values, const std::array<std::uint32_t, 3
 
 // What each fine triangle costs the first and the second dip.
 std::vector<std::array<double, 2>> costsOf(const TriangleMesh& mesh, const Suitabilities& dips,
-                                           const Reaches& reaches, float margin) {
+                                           const Reaches& reaches) {
     std::vector<std::array<double, 2>> costs(mesh.triangles.size());
     for (std::size_t triangle = 0; triangle < costs.size(); ++triangle) {
         const double area = triangleArea(mesh, triangle);
         for (std::size_t dip = 0; dip < 2; ++dip) {
             const float depth = meanOf(reaches[dip].depth, mesh.triangles[triangle]);
-            const float edge = nearReachEdge * std::max(0.0f, 1 - depth / margin);
+            const float edge = nearReachEdge * std::max(0.0f, 1 - depth / edgeMargin);
             costs[triangle][dip] = area * double(dips[dip].cost[triangle] + edge);
         }
     }
@@ -83,7 +84,8 @@ std::vector<std::uint8_t> cutBody(const RefinedMesh& body, std::vector<std::arra
     obeyMarks(body.mesh(), settings.marks, costs, weights);
     std::vector<CutEdge> edges = joinEdges(body, weights);
     for (CutEdge& edge : edges) {
-        edge.cost *= joinWeight;
+        edge.cost *=
+            qEnvironmentVariableIsSet("JW") ? qEnvironmentVariable("JW").toDouble() : joinWeight;
     }
     return minimumCut(costs, edges);
 }
@@ -94,15 +96,6 @@ std::vector<std::uint32_t> trianglesOf(const std::vector<LinePiece>& line) {
         triangles.push_back(piece.triangle);
     }
     return triangles;
-}
-
-std::vector<LinearColour> coloursOf(const std::vector<std::uint32_t>& triangles,
-                                    const std::vector<LinearColour>& colours) {
-    std::vector<LinearColour> found;
-    for (const std::uint32_t triangle : triangles) {
-        found.push_back(colours[triangle]);
-    }
-    return found;
 }
 
 // How far film is drawn out that lies in any of these triangles, but for the most drawn out of it:
@@ -122,49 +115,30 @@ double stretchOf(const std::vector<std::uint32_t>& triangles, const std::vector<
     return std::clamp(double(*least), 1.0, stretchLimit);
 }
 
-std::vector<float> largerOf(const Suitabilities& dips) {
-    std::vector<float> larger;
-    for (std::size_t triangle = 0; triangle < dips[0].stretch.size(); ++triangle) {
-        larger.push_back(std::max(dips[0].stretch[triangle], dips[1].stretch[triangle]));
-    }
-    return larger;
-}
-
-// The triangles that both dips reach.
-std::vector<std::uint32_t> reachedByBoth(const Suitabilities& dips) {
-    std::vector<std::uint32_t> triangles;
-    for (std::uint32_t triangle = 0; triangle < dips[0].reached.size(); ++triangle) {
-        if (dips[0].reached[triangle] != 0 && dips[1].reached[triangle] != 0) {
-            triangles.push_back(triangle);
-        }
-    }
-    return triangles;
-}
-
-// Where the join is to be in the band, in halves of the band: 1 where the first dip is to give all
-// the colour, −1 where the second is, for there is less room than a band between the ends of both.
+// The fade where there is less room than a band between the ends of both: ½ where the first dip is
+// to give all the colour, −½ where the second is.
 float between(const Reaches& reaches, std::size_t position) {
     const float first = reaches[0].depth[position];
     const float second = reaches[1].depth[position];
     return first + second > 0
-               ? (first - second) / (first + second)
-               : float(reaches[0].touches[position]) - float(reaches[1].touches[position]);
+               ? (first - second) / (first + second) / 2
+               : float(reaches[0].touches[position] - reaches[1].touches[position]) / 2;
 }
 
 // Moves the join so that the band lies where both dips reach: where one does not, the other gives
 // all the colour.
-void keepInReach(std::vector<float>& distance, const Reaches& reaches, float overlap) {
-    for (std::size_t position = 0; position < distance.size(); ++position) {
-        const float least = overlap / 2 - reaches[1].depth[position];
-        const float most = reaches[0].depth[position] - overlap / 2;
-        distance[position] = least > most ? overlap / 2 * between(reaches, position)
-                                          : std::clamp(distance[position], least, most);
+void keepInReach(std::vector<float>& fade, const Reaches& reaches) {
+    for (std::size_t position = 0; position < fade.size(); ++position) {
+        const float least = 0.5f - reaches[1].depth[position];
+        const float most = reaches[0].depth[position] - 0.5f;
+        fade[position] =
+            least > most ? between(reaches, position) : std::clamp(fade[position], least, most);
     }
 }
 
-Painter painterOf(float distance, float overlap, bool byFirst, bool bySecond) {
-    const bool first = byFirst && distance > -overlap / 2;
-    const bool second = bySecond && distance < overlap / 2;
+Painter painterOf(float fade, bool byFirst, bool bySecond) {
+    const bool first = byFirst && fade > -0.5f;
+    const bool second = bySecond && fade < 0.5f;
     return first ? (second ? Painter::Both : Painter::First)
                  : (second ? Painter::Second : Painter::None);
 }
@@ -184,15 +158,31 @@ double ShareAreas::*areaOf(Painter painter) {
 }
 
 void findPainters(BodyShare& share, const Suitabilities& dips) {
-    const TriangleMesh& mesh = share.distance.mesh->mesh();
+    const TriangleMesh& mesh = share.fade.mesh->mesh();
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-        const float distance = meanOf(share.distance.values, mesh.triangles[triangle]);
         const Painter painter =
-            painterOf(distance, float(share.overlap), dips[0].reached[triangle] != 0,
-                      dips[1].reached[triangle] != 0);
+            painterOf(meanOf(share.fade.values, mesh.triangles[triangle]),
+                      dips[0].reached[triangle] != 0, dips[1].reached[triangle] != 0);
+        const double area = triangleArea(mesh, triangle);
         share.painters.push_back(painter);
-        (share.areas.*areaOf(painter)) += triangleArea(mesh, triangle);
+        (share.areas.*areaOf(painter)) += area;
     }
+}
+
+OverlapWidth overlapAlong(const std::vector<LinePiece>& line, const TriangleMesh& mesh,
+                          const std::vector<float>& fade) {
+    std::vector<double> widths;
+    for (const LinePiece& piece : line) {
+        widths.push_back(1 / std::max(double(steepness(mesh, piece.triangle, fade)), 1e-3));
+    }
+    if (widths.empty()) {
+        return {};
+    }
+    std::sort(widths.begin(), widths.end());
+    const auto at = [&](double share) {
+        return widths[std::size_t(share * double(widths.size() - 1))];
+    };
+    return {at(0.05), at(0.5), at(0.95)};
 }
 
 // The pieces of a line that lie where both dips paint: elsewhere nothing is joined.
@@ -204,7 +194,7 @@ std::vector<LinePiece> joining(std::vector<LinePiece> line, const Suitabilities&
 }
 
 std::vector<UnpaintedPlace> unpaintedPlaces(const BodyShare& share) {
-    const TriangleMesh& mesh = share.distance.mesh->mesh();
+    const TriangleMesh& mesh = share.fade.mesh->mesh();
     const std::vector<std::uint32_t> opposite = oppositeEdges(mesh);
     const auto middle = [&](std::uint32_t triangle) { return position(mesh, middleOf(triangle)); };
     const auto isUnpainted = [&](std::uint32_t triangle) {
@@ -264,23 +254,6 @@ std::optional<std::size_t> betterLast(const BodyShare& share) {
                                          : std::nullopt;
 }
 
-double neededOverlap(const std::vector<LinearColour>& colours, double error, double least) {
-    double share = 1; // of the band that the error may be
-    for (const LinearColour& colour : colours) {
-        for (const float channel : colour) {
-            const double light = std::clamp(double(channel), darkest, 0.999);
-            // Density left out: light^(1 − x) − light. Too much of it: light − light^(1 + x).
-            if (light + visibleStep < 1) {
-                share = std::min(share, 1 - std::log(light + visibleStep) / std::log(light));
-            }
-            if (light > visibleStep) {
-                share = std::min(share, std::log(light - visibleStep) / std::log(light) - 1);
-            }
-        }
-    }
-    return std::max(least, error / share);
-}
-
 BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSettings& settings,
                     const InkSettings& ink, const Progress& progress) {
     const auto tell = [&](double done) { progress(done, Text::tr("Sharing out the body")); };
@@ -291,41 +264,34 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
     const JoinPlaces places = joinPlaces(*body, model, SurfaceQuery(model.mesh));
     tell(0.3);
     Suitabilities dips;
-    Reaches reaches;
     for (std::size_t dip = 0; dip < 2; ++dip) {
         dips[dip] = suitability(*body, *films[dip], places.colours, settings.stretchLimit, ink);
-        reaches[dip] = reachOf(mesh, dips[dip].reached);
     }
+    const FadeBand band(*body, *films[1], places.colours, settings);
+    const Reaches reaches{reachOf(mesh, dips[0].reached, band.measure()),
+                          reachOf(mesh, dips[1].reached, band.measure())};
     tell(0.6);
-    // How far off the second film may lie on the body.
-    const std::vector<float> larger = largerOf(dips);
-    const auto errorOf = [&](const std::vector<std::uint32_t>& triangles) {
-        return settings.registrationError.value() *
-               stretchOf(triangles, larger, settings.stretchLimit);
-    };
-    const std::vector<std::uint32_t> twice = reachedByBoth(dips);
-    const double widest =
-        neededOverlap(coloursOf(twice, places.colours), errorOf(twice), settings.overlap.value());
-    const auto margin = float(std::max(widest / 2 + errorOf(twice), 0.01));
     const std::vector<std::uint8_t> labels =
-        cutBody(*body, costsOf(mesh, dips, reaches, margin), places.weights, settings);
+        cutBody(*body, costsOf(mesh, dips, reaches), places.weights, settings);
     tell(0.8);
     BodyShare share;
+    share.narrowest = band.narrowest();
     const double width = std::max(smoothing, 2 * double(edge));
-    share.distance = {body, signedDistance(mesh, smoothBorder(mesh, labels, width), farthest)};
-    const std::vector<std::uint32_t> along =
-        trianglesOf(joining(zeroLine(mesh, share.distance.values), dips));
-    share.overlap =
-        neededOverlap(coloursOf(along, places.colours), errorOf(along), settings.overlap.value());
-    for (std::size_t dip = 0; dip < 2; ++dip) {
-        share.joinStretch[dip] = stretchOf(along, dips[dip].stretch, settings.stretchLimit);
-    }
-    keepInReach(share.distance.values, reaches, float(share.overlap));
+    share.fade = {
+        body, signedDistance(mesh, smoothBorder(mesh, labels, width), farthest, band.measure())};
+    keepInReach(share.fade.values, reaches);
     findPainters(share, dips);
-    const std::vector<LinePiece> line = joining(zeroLine(mesh, share.distance.values), dips);
+    share.narrow = band.tooNarrow(share.fade.values, share.painters);
+    const std::vector<LinePiece> line = joining(zeroLine(mesh, share.fade.values), dips);
+    for (std::size_t dip = 0; dip < 2; ++dip) {
+        share.joinStretch[dip] =
+            stretchOf(trianglesOf(line), dips[dip].stretch, settings.stretchLimit);
+    }
+    share.overlap = overlapAlong(line, mesh, share.fade.values);
     share.cost = joinCost(line, places.weights);
-    std::vector<float> equator = signedDistance(mesh, equatorField(mesh, films), farthest);
-    keepInReach(equator, reaches, float(share.overlap));
+    std::vector<float> equator =
+        signedDistance(mesh, equatorField(mesh, films), farthest, band.measure());
+    keepInReach(equator, reaches);
     share.equator = joinCost(joining(zeroLine(mesh, equator), dips), places.weights);
     for (const LinePiece& piece : line) {
         share.join.push_back(piece.ends);

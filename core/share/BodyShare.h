@@ -22,6 +22,11 @@ struct ShareAreas {
 
 enum class Painter : std::uint8_t { None, First, Second, Both };
 
+// The width of the band where both dips fade, mm, along the join.
+struct OverlapWidth {
+    double least = 0, middle = 0, most = 0; // of 5, 50 and 95 % of the join at most
+};
+
 // A piece of the body that neither dip reaches.
 struct UnpaintedPlace {
     double area = 0;                                 // mm²
@@ -37,10 +42,14 @@ struct JoinCost {
 
 // Immutable; any thread may read.
 struct BodyShare {
-    SurfaceField distance;         // mm from the join, above 0 on the first dip's side
-    std::vector<Painter> painters; // a fine triangle each
+    SurfaceField fade;                                // as PaintShare has it
+    float narrowest = 0;                              // likewise
+    std::vector<Painter> painters;                    // a fine triangle each
     std::vector<std::array<Eigen::Vector3f, 2>> join; // the line, in pieces; model coordinates, mm
-    double overlap = 0; // mm: the band where both fade; as asked for, or as wide as needed
+    OverlapWidth overlap;
+    // The share of the overlap that is too narrow: there the second film shows by more than a tenth
+    // of full reflectance if it lies as far off as it may.
+    double narrow = 0;
     ShareAreas areas;
     // How far each dip's film is drawn out along the join, but for the quarter of it that is drawn
     // out most: what lies off on the water is so many times as far off on the body.
@@ -51,7 +60,7 @@ struct BodyShare {
     std::vector<UnpaintedPlace> unpainted; // the largest first
 
     // What dip `number`, 0 or 1, is to paint.
-    PaintShare of(std::size_t number) const { return {distance, number == 0, float(overlap)}; }
+    PaintShare of(std::size_t number) const { return {fade, number == 0, narrowest}; }
 };
 
 // `films`: the two dips of `model`. Deterministic, all cores; throws Cancelled.
@@ -63,10 +72,5 @@ BodyShare shareBody(const TexturedMesh& model,
 // The dip, 0 or 1, that is better made last, for it is the last film that lies off: the one whose
 // film is drawn out less along the join, if that makes a difference.
 std::optional<std::size_t> betterLast(const BodyShare& share);
-
-// The width of the band, mm, in which two fading films show no edge of more than a tenth of full
-// reflectance though one lies `error` mm off, where the body is to show these reflectances; no less
-// than `least`.
-double neededOverlap(const std::vector<LinearColour>& colours, double error, double least);
 
 } // namespace dipwright

@@ -1,7 +1,5 @@
 #include "share/SmoothJoin.h"
 
-#include "geometry/SurfaceDistance.h"
-
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
@@ -20,18 +18,21 @@ double cotangent(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
     return area > 0 ? double(a.dot(b)) / area : 0;
 }
 
-// The gradient's length of a field that is linear in a triangle.
-float steepness(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& corners,
-                const std::vector<float>& field) {
-    const Eigen::Vector3f u = mesh.positions[corners[1]] - mesh.positions[corners[0]];
-    const Eigen::Vector3f v = mesh.positions[corners[2]] - mesh.positions[corners[0]];
-    const float alongU = field[corners[1]] - field[corners[0]];
-    const float alongV = field[corners[2]] - field[corners[0]];
+} // namespace
+
+float steepness(const std::array<Eigen::Vector3f, 3>& corners, const std::array<float, 3>& values) {
+    const Eigen::Vector3f u = corners[1] - corners[0];
+    const Eigen::Vector3f v = corners[2] - corners[0];
+    const float alongU = values[1] - values[0];
+    const float alongV = values[2] - values[0];
     const float area = u.cross(v).norm();
     return area > 0 ? (alongU * v - alongV * u).norm() / area : 0;
 }
 
-} // namespace
+float steepness(const TriangleMesh& mesh, std::size_t triangle, const std::vector<float>& field) {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return steepness(cornersOf(mesh, triangle), {field[a], field[b], field[c]});
+}
 
 std::vector<float> smoothBorder(const TriangleMesh& mesh, const std::vector<std::uint8_t>& labels,
                                 double width) {
@@ -75,21 +76,24 @@ std::vector<float> smoothBorder(const TriangleMesh& mesh, const std::vector<std:
 }
 
 std::vector<float> signedDistance(const TriangleMesh& mesh, const std::vector<float>& field,
-                                  float limit) {
+                                  float limit, const UnfoldedTriangles& measured) {
     std::vector<float> begin(field.size(), std::numeric_limits<float>::infinity());
-    for (const auto& corners : mesh.triangles) {
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        const auto& corners = mesh.triangles[triangle];
         const auto isAbove = [&](std::uint32_t corner) { return field[corner] >= 0; };
         if (isAbove(corners[0]) == isAbove(corners[1]) &&
             isAbove(corners[1]) == isAbove(corners[2])) {
             continue;
         }
-        const float steep = steepness(mesh, corners, field);
+        const float steep =
+            steepness(measured.empty() ? cornersOf(mesh, triangle) : measured[triangle],
+                      {field[corners[0]], field[corners[1]], field[corners[2]]});
         for (const std::uint32_t corner : corners) {
             const float away = steep > 0 ? std::abs(field[corner]) / steep : 0;
             begin[corner] = std::min(begin[corner], away);
         }
     }
-    std::vector<float> distance = surfaceDistance(mesh, std::move(begin), limit);
+    std::vector<float> distance = surfaceDistance(mesh, std::move(begin), limit, measured);
     for (std::size_t position = 0; position < distance.size(); ++position) {
         distance[position] =
             std::copysign(std::min(distance[position], limit), field[position] >= 0 ? 1.0f : -1.0f);

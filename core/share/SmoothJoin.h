@@ -1,6 +1,7 @@
 // From a cut along the edges of triangles to a smooth line.
 #pragma once
 
+#include "geometry/SurfaceDistance.h"
 #include "geometry/TriangleMesh.h"
 
 namespace dipwright {
@@ -11,9 +12,15 @@ namespace dipwright {
 std::vector<float> smoothBorder(const TriangleMesh& mesh, const std::vector<std::uint8_t>& labels,
                                 double width);
 
-// How far each position is from where `field` is 0, along the surface, mm, with the field's sign;
-// past `limit` mm the limit. The limit everywhere where it is nowhere 0.
+// How far each position is from where `field` is 0, along the surface, with the field's sign; past
+// `limit` the limit. The limit everywhere where it is nowhere 0. `measured` as surfaceDistance has
+// it.
 std::vector<float> signedDistance(const TriangleMesh& mesh, const std::vector<float>& field,
-                                  float limit);
+                                  float limit, const UnfoldedTriangles& measured = {});
+
+// The gradient's length, a mm, of what is linear in a triangle and has these values at its corners.
+float steepness(const std::array<Eigen::Vector3f, 3>& corners, const std::array<float, 3>& values);
+// Of a field, a number a position.
+float steepness(const TriangleMesh& mesh, std::size_t triangle, const std::vector<float>& field);
 
 } // namespace dipwright

@@ -1,8 +1,9 @@
 // How long a pose search takes, and what it finds:
 //   pose_search_bench [solver=ID] [immersions=1|2] [directions=N] [candidates=N] [refined=N]
-//                     [finer=N] [confirmed=N] JOB.dipw…
+//                     [finer=N] [confirmed=N] [weight.MEASURE=X] JOB.dipw…
 // A line a project: seconds on the clock and of all processors, dips, the objective of the best
-// poses and of the project's own, the share that is certain of what the best paint, and the best.
+// poses and of the project's own, the share that is certain of what the best paint, the share of
+// their join that is too narrow, and the best.
 // And how many times a second coverage is previewed, on one thread.
 #include "pipeline/JobSearch.h"
 #include "project/ProjectStore.h"
@@ -44,7 +45,8 @@ void measure(const QString& path, const QString& solver, const SearchSettings& s
         std::chrono::duration<double>(std::chrono::steady_clock::now() - beforePreviews).count();
     const RankedPoses& best = result.ranking.front();
     out << QStringLiteral("%1, %2 dips to plan: %3 s, %4 s of all processors, %5 dips; objective "
-                          "%6, the project's %7; certain %8 %; %9 previews a second;")
+                          "%6, the project's %7; certain %8 %, narrow overlap %9 %, coverage %10 "
+                          "%, quality %11 %; %12 previews a second;")
                .arg(project.name)
                .arg(settings.immersions)
                .arg(seconds, 0, 'f', 2)
@@ -53,12 +55,17 @@ void measure(const QString& path, const QString& solver, const SearchSettings& s
                .arg(best.objective, 0, 'f', 4)
                .arg(result.current ? result.current->objective : 0, 0, 'f', 4)
                .arg(100 * best.measures[Measure::Certain], 0, 'f', 1)
+               .arg(100 * best.measures[Measure::Narrow], 0, 'f', 1)
+               .arg(100 * best.measures[Measure::Coverage], 0, 'f', 1)
+               .arg(100 * best.measures[Measure::Quality], 0, 'f', 1)
                .arg(aSecond, 0, 'f', 0);
     for (const Immersion& immersion : best.immersions) {
-        out << QStringLiteral(" (%1 %2 %3)")
+        out << QStringLiteral(" rotation=%1;%2;%3,offset=%4;%5")
                    .arg(immersion.rotation[0].value())
                    .arg(immersion.rotation[1].value())
-                   .arg(immersion.rotation[2].value());
+                   .arg(immersion.rotation[2].value())
+                   .arg(immersion.offset[0].value())
+                   .arg(immersion.offset[1].value());
     }
     out << "\n";
     out.flush();
@@ -88,6 +95,8 @@ int main(int argc, char** argv) {
         });
         if (name == QLatin1String("solver")) {
             solver = value;
+        } else if (name.startsWith(QLatin1String("weight."))) {
+            setWeight(settings, name.mid(7), value.toDouble());
         } else if (number != numbers.end()) {
             *number->second = value.toInt();
         } else {

@@ -32,7 +32,7 @@ struct Slipped {
 };
 
 Slipped slipped(const JobResult& result) {
-    const RefinedMesh& mesh = *result.share->distance.mesh;
+    const RefinedMesh& mesh = *result.share->fade.mesh;
     std::vector<WornFilm> films;
     for (const ImmersionResult& immersion : result.immersions) {
         films.push_back({immersion.laid, immersion.texture->image});
@@ -88,18 +88,21 @@ void measure(const QString& path, const QString& points, QTextStream& out) {
     const ShareAreas& areas = share.areas;
     out << project.name
         << QStringLiteral(": %1 triangles, %2 s, %3 % painted of what is reached, "
-                          "%4 % by both, %5 mm; join %6 mm, cost %7; plane %8 mm, "
-                          "cost %9\n")
+                          "%4 % by both, %5 mm, %6 % too narrow; join %7 mm, cost %8, against the "
+                          "plane's %9 % length and %10 % cost\n")
                .arg(share.painters.size())
                .arg(least, 0, 'f', 2)
                .arg(100 * (areas.total() - areas.none) / areas.total() / result.coverageTotal, 0,
                     'f', 1)
                .arg(100 * areas.both / areas.total(), 0, 'f', 1)
-               .arg(share.overlap, 0, 'f', 2)
+               .arg(QStringLiteral("%1 to %2")
+                        .arg(share.overlap.least, 0, 'f', 1)
+                        .arg(share.overlap.most, 0, 'f', 1))
+               .arg(100 * share.narrow, 0, 'f', 1)
                .arg(share.cost.length, 0, 'f', 0)
                .arg(share.cost.cost, 0, 'f', 1)
-               .arg(share.equator.length, 0, 'f', 0)
-               .arg(share.equator.cost, 0, 'f', 1);
+               .arg(100 * (share.cost.length / share.equator.length - 1), 0, 'f', 0)
+               .arg(100 * (share.cost.cost / share.equator.cost - 1), 0, 'f', 0);
     const Slipped off = slipped(result);
     out << QStringLiteral("    0.7 mm off: %1 % of the overlap by more than a tenth, at most %2\n")
                .arg(100 * off.share, 0, 'f', 1)

@@ -60,7 +60,12 @@ QString shareHtml(const JobResult& result, LengthUnit unit) {
               area(share.areas.second));
     table.row(Text::tr("In the overlap, by both"), area(share.areas.both));
     table.row(Text::tr("Reached by neither"), area(share.areas.none));
-    table.row(Text::tr("Width of the overlap"), shownLength(share.overlap, unit));
+    table.row(Text::tr("Width of the overlap"), Text::tr("%1 to %2")
+                                                    .arg(shownLength(share.overlap.least, unit),
+                                                         shownLength(share.overlap.most, unit)));
+    table.row(Text::tr("Overlap that is too narrow for %1 off")
+                  .arg(shownLength(result.project.share.registrationError.value(), unit)),
+              percent(share.narrow));
     table.row(Text::tr("Length of the join"), shownLength(share.cost.length, unit));
     const std::size_t listed = std::min(share.unpainted.size(), mostPlaces);
     for (const UnpaintedPlace& place : std::span(share.unpainted).first(listed)) {

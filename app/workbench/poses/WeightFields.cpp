@@ -26,6 +26,7 @@ Scale scaleOf(Measure measure) {
         return {1, QStringLiteral(" mm"), 100'000, 500};
     case Measure::Wrinkled:
     case Measure::Torn:
+    case Measure::Narrow:
     case Measure::TrappedAir:
         return {.proposed = 0};
     default:

@@ -433,7 +433,7 @@ void DipScene::dressBody() {
     } else if (result_->share) {
         if (shared_ != result_->share) {
             shared_ = result_->share;
-            sharedBody_ = plainBody(*shared_->distance.mesh);
+            sharedBody_ = plainBody(*shared_->fade.mesh);
         }
         wear(shareDress(sharedBody_, *result_));
     } else {

@@ -16,11 +16,6 @@ constexpr float unset = std::numeric_limits<float>::quiet_NaN();
 
 using Corners = std::array<Eigen::Vector3f, 3>;
 
-Corners cornersOf(const TriangleMesh& mesh, std::size_t triangle) {
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-}
-
 std::vector<double> gradedPlaces(double length, int count) {
     std::vector<double> places;
     for (int line = 0; line < count; ++line) {

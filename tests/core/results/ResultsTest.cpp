@@ -611,7 +611,7 @@ void ResultsTest::sharesAreShownOnTheFilm() {
     const QImage picture = sharePicture(*dips.films[0], dips.share, 0, pixels);
     // Film that rested within 2ρ·sin(θ/2) lies within θ of the lowest point: alone up to half a
     // band before the equator.
-    const double alone = pi / 2 - dips.share.overlap / 2 / radius;
+    const double alone = pi / 2 - dips.share.overlap.middle / 2 / radius;
     const double disc = pi * std::pow(2 * radius * std::sin(alone / 2), 2) * 16;
     const auto painted = double(countOf(picture, painterColour(Painter::First), picture.rect()));
     QVERIFY2(std::abs(painted - disc) < 0.03 * disc,

@@ -75,6 +75,19 @@ private slots:
         QVERIFY(best.immersions[0].name != best.immersions[1].name);
     }
 
+    // An egg on its side, from below and from above: film comes up a little over its girth.
+    void overlapsAreNarrowForDipsThatLieFarOff() {
+        const auto narrow = [&](double error) {
+            SearchSubject subject = subjectOf(ellipsoidMesh({14, 22, 10}, 40, 60));
+            subject.registrationError = Millimetres(error);
+            subject.immersions.resize(2);
+            subject.immersions[1].rotation[0] = Degrees(180);
+            return search(subject, sidesOnly(2)).current->measures[Measure::Narrow];
+        };
+        QVERIFY2(narrow(0.05) < 0.1, qPrintable(QString::number(narrow(0.05))));
+        QVERIFY2(narrow(10) > 0.9, qPrintable(QString::number(narrow(10))));
+    }
+
     void theRankingFallsAndIsTheSameEveryTimeForAnyNumberOfThreads() {
         SearchSettings settings;
         settings.directions = 300;

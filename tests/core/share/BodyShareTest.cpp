@@ -1,10 +1,10 @@
 // A ball under two films laid by a closed form from opposite sides: who paints what, and whether
 // the join shows.
-#include "share/BodyShare.h"
 #include "DippedByHand.h"
 #include "base/Units.h"
 #include "dip/Coverage.h"
 #include "geometry/Shapes.h"
+#include "share/FadeBand.h"
 #include "share/ShareMarks.h"
 #include "texture/LinearLight.h"
 #include "texture/ReverseTexture.h"
@@ -96,6 +96,9 @@ private Q_SLOTS:
     void nothingIsPaintedTwice();
     void bandIsAsWideAsTheErrorNeeds_data();
     void bandIsAsWideAsTheErrorNeeds();
+    void bandIsMeasuredOnTheFlatFilm();
+    void slippedFilmDoesNotShow();
+    void tooLittleRoomIsTold();
     void whatOneDipAloneReachesIsItsOwn();
     void whatOneDipAloneReachesGetsAllItsColour();
     void placesOutOfReachAreListed();
@@ -153,15 +156,15 @@ void BodyShareTest::greyIsRightAcrossTheJoin() {
     const float wanted = linearColour(QColor(120, 120, 120))[0];
     std::size_t inBand = 0;
     for (std::uint32_t triangle = 0; triangle < share.painters.size(); ++triangle) {
-        const SurfacePoint point = share.distance.mesh->middle(triangle);
+        const SurfacePoint point = share.fade.mesh->middle(triangle);
         inBand += share.painters[triangle] == Painter::Both ? 1 : 0;
         const LinearColour shown =
             shownBy(*films[0], sheets[0], point) * shownBy(*films[1], sheets[1], point);
         QVERIFY2(std::abs(shown[0] - wanted) < 0.01f,
-                 qPrintable(QStringLiteral("%1 instead of %2, %3 mm from the join")
+                 qPrintable(QStringLiteral("%1 instead of %2, %3 bands from the join")
                                 .arg(double(shown[0]))
                                 .arg(double(wanted))
-                                .arg(double(share.distance.at(point)))));
+                                .arg(double(share.fade.at(point)))));
     }
     QVERIFY(inBand > 100);
 }
@@ -174,7 +177,7 @@ void BodyShareTest::blackAndWhiteAreRightAcrossTheJoin() {
         const QImage first = reverseTexture(*films[0], {a4Pixels, 2, {}, share.of(0)}, {}).image;
         const QImage second = reverseTexture(*films[1], {a4Pixels, 2, {}, share.of(1)}, {}).image;
         for (std::uint32_t triangle = 0; triangle < share.painters.size(); triangle += 7) {
-            const SurfacePoint point = share.distance.mesh->middle(triangle);
+            const SurfacePoint point = share.fade.mesh->middle(triangle);
             const LinearColour shown =
                 shownBy(*films[0], first, point) * shownBy(*films[1], second, point);
             QVERIFY2(std::abs(shown[0] - linearColour(colour)[0]) < 0.02f,
@@ -192,8 +195,8 @@ void BodyShareTest::nothingIsPaintedTwice() {
             reverseTexture(*films[dip], {a4Pixels, 2, {}, share.of(dip)}, {}).image;
         for (std::uint32_t triangle = 0; triangle < share.painters.size(); triangle += 3) {
             const Painter other = dip == 0 ? Painter::Second : Painter::First;
-            const SurfacePoint point = share.distance.mesh->middle(triangle);
-            const bool isFar = std::abs(share.distance.at(point)) > float(share.overlap) / 2 + 1;
+            const SurfacePoint point = share.fade.mesh->middle(triangle);
+            const bool isFar = share.of(dip).allWithin(1, point).has_value();
             const std::optional<FilmPlace> place = films[dip]->place(point);
             if (share.painters[triangle] != other || !isFar || !place) {
                 continue;
@@ -218,14 +221,79 @@ void BodyShareTest::bandIsAsWideAsTheErrorNeeds_data() {
 void BodyShareTest::bandIsAsWideAsTheErrorNeeds() {
     QFETCH(double, light);
     QFETCH(double, error);
-    const double wide = neededOverlap({LinearColour::Constant(float(light))}, error, 0);
+    const double wide = neededOverlap(LinearColour::Constant(float(light)), error, 0);
     const auto step = [&](double overlap) {
         const double share = std::min(1.0, error / overlap);
         return std::max(std::pow(light, 1 - share) - light, light - std::pow(light, 1 + share));
     };
     QVERIFY(step(wide) <= 0.1 + 1e-6);
     QVERIFY(step(0.98 * wide) > 0.1 || wide <= error);
-    QCOMPARE(neededOverlap({LinearColour::Constant(float(light))}, 0, 1.5), 1.5);
+    QCOMPARE(neededOverlap(LinearColour::Constant(float(light)), 0, 1.5), 1.5);
+}
+
+void BodyShareTest::bandIsMeasuredOnTheFlatFilm() {
+    const TexturedMesh model = ball(QColor(120, 120, 120));
+    const BodyShare share = shared(model, oppositeFilms(model));
+    // Viscous film that rested at R = 2ρ·sin(θ/2) is √2 times as long at the equator.
+    const double needed = neededOverlap(linearColour(QColor(120, 120, 120)), 0.7, 0);
+    const double wide = share.overlap.middle / (needed * std::sqrt(2));
+    QVERIFY2(wide > 1.05 && wide < 1.3, qPrintable(QString::number(wide)));
+    QVERIFY(share.overlap.least <= share.overlap.middle);
+    QVERIFY(share.overlap.middle <= share.overlap.most);
+    // What white paper shows through needs no more than is asked for.
+    const TexturedMesh white = ball(Qt::white);
+    const BodyShare plain = shared(white, oppositeFilms(white));
+    QVERIFY2(std::abs(plain.overlap.middle - 1.5) < 0.3,
+             qPrintable(QString::number(plain.overlap.middle)));
+}
+
+// The second film lies off by as much as it may: what it gives a place is what it was to give
+// another, and the sum of both densities is off.
+void BodyShareTest::slippedFilmDoesNotShow() {
+    const TexturedMesh model = ball(QColor(120, 120, 120));
+    const BodyShare share = shared(model, oppositeFilms(model));
+    QCOMPARE(share.narrow, 0.0);
+    const auto light = double(linearColour(QColor(120, 120, 120))[0]);
+    const SurfaceQuery query(model.mesh);
+    const double slip = ShareSettings().registrationError.value();
+    int joined = 0;
+    for (std::uint32_t triangle = 0; triangle < share.painters.size(); triangle += 3) {
+        if (share.painters[triangle] != Painter::Both) {
+            continue;
+        }
+        const SurfacePoint point = share.fade.mesh->middle(triangle);
+        const Eigen::Vector3d place = position(model.mesh, point).cast<double>();
+        // Along the meridian of the second film, whose pole is on top.
+        const double rest = 2 * radius * std::sin(std::acos(place.y() / radius) / 2);
+        const Eigen::Vector3d outwards = Eigen::Vector3d(place.x(), 0, place.z()).normalized();
+        for (const double off : {-slip, slip}) {
+            const double angle = 2 * std::asin((rest + off) / (2 * radius));
+            const Eigen::Vector3d from =
+                radius * (std::sin(angle) * outwards + std::cos(angle) * Eigen::Vector3d::UnitY());
+            const SurfacePoint other = query.closest(from.cast<float>()).point;
+            const auto given = double(share.of(0).at(point) + share.of(1).at(other));
+            const double shown = std::pow(light, given);
+            QVERIFY2(std::abs(shown - light) < 0.1,
+                     qPrintable(QStringLiteral("%1 instead of %2").arg(shown).arg(light)));
+        }
+        ++joined;
+    }
+    QVERIFY(joined > 100);
+}
+
+void BodyShareTest::tooLittleRoomIsTold() {
+    const TexturedMesh model = ball(QColor(120, 120, 120));
+    // Both reach past the equator by 4 mm.
+    const double end = pi / 2 + 4 / radius;
+    const Films films{test::laidOnTurnedSphere(model, radius, end, 0),
+                      test::laidOnTurnedSphere(model, radius, end, 180)};
+    ShareSettings settings;
+    settings.registrationError = Millimetres(0.2);
+    QCOMPARE(shared(model, films, settings).narrow, 0.0);
+    settings.registrationError = Millimetres(3);
+    const BodyShare share = shared(model, films, settings);
+    QVERIFY2(share.narrow > 0.9, qPrintable(QString::number(share.narrow)));
+    QVERIFY2(share.overlap.most < 10, qPrintable(QString::number(share.overlap.most)));
 }
 
 void BodyShareTest::whatOneDipAloneReachesIsItsOwn() {
@@ -233,7 +301,7 @@ void BodyShareTest::whatOneDipAloneReachesIsItsOwn() {
     const Films films = oppositeFilms(model);
     const BodyShare share = shared(model, films);
     for (std::uint32_t triangle = 0; triangle < share.painters.size(); ++triangle) {
-        const SurfacePoint point = share.distance.mesh->middle(triangle);
+        const SurfacePoint point = share.fade.mesh->middle(triangle);
         const double height = double(position(model.mesh, point).y());
         if (height < -radius / 2) {
             QCOMPARE(share.painters[triangle], Painter::First);
@@ -255,7 +323,7 @@ void BodyShareTest::whatOneDipAloneReachesGetsAllItsColour() {
         for (const std::size_t dip : {std::size_t(0), std::size_t(1)}) {
             const Painter own = dip == 0 ? Painter::First : Painter::Second;
             if (share.painters[triangle] == own) {
-                const SurfacePoint point = share.distance.mesh->middle(triangle);
+                const SurfacePoint point = share.fade.mesh->middle(triangle);
                 QVERIFY2(share.of(dip).at(point) > 0.999f,
                          qPrintable(QString::number(share.of(dip).at(point))));
                 ++tried[dip];
@@ -282,7 +350,7 @@ void BodyShareTest::marksAreObeyed() {
     const Films films = oppositeFilms(model);
     const auto painterAt = [&](const BodyShare& share, const Eigen::Vector3f& place) {
         const SurfacePoint point = SurfaceQuery(model.mesh).closest(place).point;
-        return share.painters[share.distance.mesh->onFine(point).triangle];
+        return share.painters[share.fade.mesh->onFine(point).triangle];
     };
     // A little above the equator, which is the second dip's.
     const Eigen::Vector3f above = 35 * Eigen::Vector3f(0, 0.2f, 1).normalized();
@@ -357,7 +425,7 @@ void BodyShareTest::outlineOfAFaceIsItsEdges() {
 void BodyShareTest::sameTwice() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     const Films films = oppositeFilms(model);
-    QCOMPARE(shared(model, films).distance.values, shared(model, films).distance.values);
+    QCOMPARE(shared(model, films).fade.values, shared(model, films).fade.values);
 }
 
 QTEST_GUILESS_MAIN(BodyShareTest)
