@@ -172,8 +172,11 @@ void JudgedBody::measureJoin(const std::vector<std::uint8_t>& painters,
                              PoseMeasures& measures) const {
     std::size_t crossings = 0, narrow = 0;
     for (std::size_t sample = 0; sample < links_.size(); ++sample) {
+        if (painters[sample] != 1) {
+            continue;
+        }
         for (const Link& link : links_[sample]) {
-            if (painters[sample] == 1 && painters[link.sample] == 2) {
+            if (painters[link.sample] == 2) {
                 ++crossings;
                 narrow += isNarrow(sample, dips) || isNarrow(link.sample, dips);
             }

@@ -4,9 +4,9 @@
 #include "parallel/ParallelFor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 
 namespace dipwright {
 namespace {
@@ -42,19 +42,6 @@ Eigen::AlignedBox2d roundedOut(const Eigen::AlignedBox2d& box, double step) {
             Eigen::Vector2d(((box.max() / step).array().ceil() * step).matrix())};
 }
 
-// Places in the batch, those of alike films one after the other.
-std::vector<std::size_t> alikeTogether(const std::vector<solver::DipSetup>& setups) {
-    std::vector<std::size_t> order(setups.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    const auto size = [&](std::size_t item) {
-        const solver::FilmGrid& film = setups[item].film;
-        return std::tie(film.columns, film.rows, film.columnPlaces, film.rowPlaces);
-    };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t one, std::size_t other) { return size(one) < size(other); });
-    return order;
-}
-
 } // namespace
 
 PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
@@ -70,60 +57,85 @@ PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
     field_ = cachedDistanceField(mesh, std::min(subject.fieldResolution, detail.field), progress);
 }
 
-std::vector<std::shared_ptr<const JudgedPose>>
-PoseDips::dip(const std::vector<Immersion>& immersions,
-              const std::function<void(std::size_t)>& batchDone) const {
-    std::vector<std::shared_ptr<const JudgedPose>> judged(immersions.size());
-    for (std::size_t begin = 0; begin < immersions.size(); begin += batchSize) {
-        const std::size_t end = std::min(begin + batchSize, immersions.size());
-        dipBatch(immersions, begin, end, judged);
+void PoseDips::dip(const std::vector<Immersion>& immersions,
+                   std::vector<std::shared_ptr<const JudgedPose>>& judged,
+                   const std::function<void(std::size_t)>& batchDone) const {
+    const std::vector<std::size_t> order = alikeTogether(immersions);
+    for (std::size_t begin = 0; begin < order.size(); begin += batchSize) {
+        const std::size_t end = std::min(begin + batchSize, order.size());
+        dipBatch(immersions, {order.begin() + std::ptrdiff_t(begin), end - begin}, judged);
         batchDone(end);
     }
-    return judged;
 }
 
-solver::DipSetup PoseDips::setupOf(const PosedBody& body, const Immersion& immersion) const {
-    if (isJobs_ || !isGraded(film_)) {
-        return dipSetup(body, *field_, immersion, film_, process_);
-    }
+// Whether the films are this search's choice, in which they can be made alike.
+bool PoseDips::choosesFilms() const {
+    return !isJobs_ && isGraded(film_);
+}
+
+// What of the sheet is to have fine cells.
+Eigen::AlignedBox2d PoseDips::fineCellsOf(const PosedBody& body) const {
     const Underside underside = undersideOf(body, process_);
     const Eigen::Vector2d further = Eigen::Vector2d::Constant(drawIn(underside));
     const Eigen::AlignedBox2d wanted(underside.shadow.min() - further,
                                      underside.shadow.max() + further);
-    const double step = alikeShare * longestEdgeOf(subject_.model->mesh);
+    return roundedOut(wanted, alikeShare * longestEdgeOf(subject_.model->mesh));
+}
+
+// The immersions' places, those of alike films one after the other.
+std::vector<std::size_t> PoseDips::alikeTogether(const std::vector<Immersion>& immersions) const {
+    std::vector<std::size_t> order(immersions.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    if (!choosesFilms()) {
+        return order;
+    }
+    std::vector<std::array<double, 6>> films(immersions.size());
+    parallelFor(std::size_t(0), films.size(), [&](std::size_t index) {
+        const Immersion& immersion = immersions[index];
+        const Eigen::AlignedBox2d box = fineCellsOf(posedBody(*subject_.model, immersion));
+        films[index] = {box.min().x(),
+                        box.min().y(),
+                        box.max().x(),
+                        box.max().y(),
+                        immersion.offset[0].value(),
+                        immersion.offset[1].value()};
+    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t one, std::size_t other) { return films[one] < films[other]; });
+    return order;
+}
+
+solver::DipSetup PoseDips::setupOf(const PosedBody& body, const Immersion& immersion) const {
+    if (!choosesFilms()) {
+        return dipSetup(body, *field_, immersion, film_, process_);
+    }
     const solver::FilmGrid grid =
-        gradedFilm(film_, roundedOut(wanted, step), 0, film_.cell, immersion.offset);
+        gradedFilm(film_, fineCellsOf(body), 0, film_.cell, immersion.offset);
     return dipSetup(body, *field_, immersion, film_, grid, process_);
 }
 
-void PoseDips::dipBatch(const std::vector<Immersion>& immersions, std::size_t begin,
-                        std::size_t end,
+void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
+                        std::span<const std::size_t> batch,
                         std::vector<std::shared_ptr<const JudgedPose>>& judged) const {
     cancelSwitch_.throwIfCancelled();
-    std::vector<std::shared_ptr<const PosedBody>> bodies(end - begin);
-    std::vector<solver::DipSetup> setups(end - begin);
-    parallelFor(std::size_t(0), setups.size(), [&](std::size_t index) {
-        const Immersion& immersion = immersions[begin + index];
-        bodies[index] = std::make_shared<const PosedBody>(posedBody(*subject_.model, immersion));
-        setups[index] = setupOf(*bodies[index], immersion);
+    std::vector<std::shared_ptr<const PosedBody>> bodies(batch.size());
+    std::vector<solver::BatchItem> items(batch.size());
+    parallelFor(std::size_t(0), items.size(), [&](std::size_t item) {
+        const Immersion& immersion = immersions[batch[item]];
+        bodies[item] = std::make_shared<const PosedBody>(posedBody(*subject_.model, immersion));
+        items[item].setup = setupOf(*bodies[item], immersion);
     });
-    const std::vector<std::size_t> order = alikeTogether(setups);
-    std::vector<solver::BatchItem> items(setups.size());
-    for (std::size_t item = 0; item < items.size(); ++item) {
-        items[item].setup = std::move(setups[order[item]]);
-    }
     simulateDips(items, module_, [this] { return cancelSwitch_.isCancelled(); });
     parallelFor(std::size_t(0), items.size(), [&](std::size_t item) {
-        const Immersion& immersion = immersions[begin + order[item]];
+        const Immersion& immersion = immersions[batch[item]];
         const solver::DipSetup& setup = items[item].setup;
         DippedFilm film = dippedFilm(items[item], immersion);
         JudgedPose pose;
         pose.immersion = immersion;
         if (isStable(film, setup.motion.travel)) {
-            pose =
-                body_.judged(*layFilm(bodies[order[item]], std::move(film), process_), immersion);
+            pose = body_.judged(*layFilm(bodies[item], std::move(film), process_), immersion);
         }
-        judged[begin + order[item]] = std::make_shared<const JudgedPose>(std::move(pose));
+        judged[batch[item]] = std::make_shared<const JudgedPose>(std::move(pose));
     });
 }
 

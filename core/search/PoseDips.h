@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <limits>
+#include <span>
 
 namespace dipwright {
 
@@ -24,15 +25,20 @@ public:
     PoseDips(const SearchSubject& subject, const JudgedBody& body,
              const solver::SolverModule& module, const DipDetail& detail, const Progress& progress);
 
-    // `batchDone` is told how many are done after each batch. A dip that fails to meet the film or
+    // Puts the dips in the places of their immersions in `judged`, which is as long and keeps what
+    // was done where an exception ends it; `batchDone` is told after each batch how many that are.
+    // Alike films are dipped together, whatever the order. A dip that fails to meet the film or
     // becomes unstable has no samples. Throws Error where the solver fails, Cancelled.
-    std::vector<std::shared_ptr<const JudgedPose>>
-    dip(const std::vector<Immersion>& immersions,
-        const std::function<void(std::size_t)>& batchDone) const;
+    void dip(const std::vector<Immersion>& immersions,
+             std::vector<std::shared_ptr<const JudgedPose>>& judged,
+             const std::function<void(std::size_t)>& batchDone) const;
 
 private:
+    bool choosesFilms() const;
+    Eigen::AlignedBox2d fineCellsOf(const PosedBody& body) const;
+    std::vector<std::size_t> alikeTogether(const std::vector<Immersion>& immersions) const;
     solver::DipSetup setupOf(const PosedBody& body, const Immersion& immersion) const;
-    void dipBatch(const std::vector<Immersion>& immersions, std::size_t begin, std::size_t end,
+    void dipBatch(const std::vector<Immersion>& immersions, std::span<const std::size_t> batch,
                   std::vector<std::shared_ptr<const JudgedPose>>& judged) const;
 
     const SearchSubject& subject_;

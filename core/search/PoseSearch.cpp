@@ -223,11 +223,13 @@ private:
     }
 
     std::vector<Judged> dipped(const PoseDips& dips, const std::vector<Immersion>& immersions) {
+        std::vector<Judged> judged(immersions.size());
         const int before = done_;
-        return dips.dip(immersions, [&](std::size_t done) {
+        dips.dip(immersions, judged, [&](std::size_t done) {
             done_ = before + int(done);
             tell();
         });
+        return judged;
     }
 
     void tell() {
@@ -244,25 +246,13 @@ private:
         }
     }
 
-    // The job's own poses and the first dips, ranked whenever there are twice as many.
+    // The job's own poses and the first dips.
     void simulate() {
-        constexpr std::size_t atOnce = 16;
         taken_ = done_;
         begin_ = std::chrono::steady_clock::now();
         own_ = dipped(coarse_, subject_.immersions);
-        std::size_t rankAt = atOnce;
-        while (poses_.size() < candidates_.chosen.size()) {
-            std::vector<Immersion> immersions;
-            const std::size_t until = std::min(poses_.size() + atOnce, candidates_.chosen.size());
-            for (std::size_t at = poses_.size(); at < until; ++at) {
-                immersions.push_back(candidates_.all[candidates_.chosen[at]].immersion);
-            }
-            const std::vector<Judged> judged = dipped(coarse_, immersions);
-            poses_.insert(poses_.end(), judged.begin(), judged.end());
-            if (poses_.size() >= rankAt) {
-                rankFirstDips();
-                rankAt = 2 * poses_.size();
-            }
+        if (poses_.empty()) {
+            dipFirst();
         }
         rankFirstDips();
         if (result_.ranking.empty()) {
@@ -271,14 +261,41 @@ private:
         isRefining_ = true;
     }
 
+    // Ranked whenever there are twice as many.
+    void dipFirst() {
+        std::vector<Immersion> immersions;
+        for (const std::size_t chosen : candidates_.chosen) {
+            immersions.push_back(candidates_.all[chosen].immersion);
+        }
+        poses_.resize(immersions.size());
+        const int before = done_;
+        std::size_t rankAt = 0;
+        coarse_.dip(immersions, poses_, [&](std::size_t done) {
+            done_ = before + int(done);
+            if (done >= rankAt && done < poses_.size()) {
+                rankFirstDips();
+                rankAt = 2 * done;
+            }
+            tell();
+        });
+    }
+
     void rankFirstDips() {
         best_.clear();
         objectives_.assign(poses_.size(), -1);
-        std::vector<Judged> pool = poses_;
+        std::vector<Judged> pool;
+        std::vector<std::size_t> places; // in poses_, of as many as are from there
+        for (std::size_t place = 0; place < poses_.size(); ++place) {
+            if (poses_[place]) {
+                pool.push_back(poses_[place]);
+                places.push_back(place);
+            }
+        }
         if (own_.size() == std::size_t(settings_.immersions)) {
             pool.insert(pool.end(), own_.begin(), own_.end());
         }
-        std::vector<Entry> all = settings_.immersions == 1 ? singles(pool) : pairs(pool);
+        std::vector<Entry> all =
+            settings_.immersions == 1 ? singles(pool, places) : pairs(pool, places);
         std::stable_sort(all.begin(), all.end(), isBetter);
         for (Entry& each : all) {
             if (best_.size() == keptPoses) {
@@ -294,18 +311,20 @@ private:
         rank();
     }
 
-    std::vector<Entry> singles(const std::vector<Judged>& pool) {
+    std::vector<Entry> singles(const std::vector<Judged>& pool,
+                               const std::vector<std::size_t>& places) {
         std::vector<Entry> all(pool.size());
         parallelFor(std::size_t(0), pool.size(),
                     [&](std::size_t index) { all[index] = entry({pool[index]}, false); });
-        for (std::size_t index = 0; index < objectives_.size(); ++index) {
-            objectives_[index] = all[index].ranked.objective;
+        for (std::size_t index = 0; index < places.size(); ++index) {
+            objectives_[places[index]] = all[index].ranked.objective;
         }
         return all;
     }
 
     // The best of all pairs, each in the order that is better.
-    std::vector<Entry> pairs(const std::vector<Judged>& pool) {
+    std::vector<Entry> pairs(const std::vector<Judged>& pool,
+                             const std::vector<std::size_t>& places) {
         struct Pair {
             std::uint32_t first, second;
             double limitsMissed = 0, objective = 0;
@@ -324,8 +343,9 @@ private:
         });
         for (const Pair& pair : all) {
             for (const std::size_t member : {pair.first, pair.second}) {
-                if (member < objectives_.size()) {
-                    objectives_[member] = std::max(objectives_[member], pair.objective);
+                if (member < places.size()) {
+                    double& objective = objectives_[places[member]];
+                    objective = std::max(objective, pair.objective);
                 }
             }
         }
@@ -333,14 +353,14 @@ private:
             return one.limitsMissed != other.limitsMissed ? one.limitsMissed < other.limitsMissed
                                                           : one.objective > other.objective;
         });
-        std::vector<Entry> entries;
-        for (std::size_t index = 0; index < std::min(all.size(), comparedPairs); ++index) {
+        std::vector<Entry> entries(std::min(all.size(), comparedPairs));
+        parallelFor(std::size_t(0), entries.size(), [&](std::size_t index) {
             const Judged& first = pool[all[index].first];
             const Judged& second = pool[all[index].second];
             Entry one = entry({first, second}, false);
             Entry other = entry({second, first}, false);
-            entries.push_back(std::move(isBetter(other, one) ? other : one));
-        }
+            entries[index] = std::move(isBetter(other, one) ? other : one);
+        });
         return entries;
     }
 
@@ -498,7 +518,7 @@ private:
     PoseDips coarse_;
     PoseCandidates candidates_;
     std::vector<Judged> own_;        // the job's own poses
-    std::vector<Judged> poses_;      // of candidates_.chosen, as far as they are dipped
+    std::vector<Judged> poses_;      // of candidates_.chosen; null until it is dipped
     std::vector<double> objectives_; // of each, the best it takes part in; −1: none
     std::vector<Entry> best_;
     std::vector<Entry> unrefined_; // what refinement began with

@@ -132,7 +132,9 @@ private:
         const PoseDips poses(subject_, body_, module_, detail, {});
         const auto begin = std::chrono::steady_clock::now();
         Dips dips;
-        for (const auto& judged : poses.dip(immersions_, [](std::size_t) {})) {
+        std::vector<std::shared_ptr<const JudgedPose>> all(immersions_.size());
+        poses.dip(immersions_, all, [](std::size_t) {});
+        for (const auto& judged : all) {
             dips.measures.push_back(body_.measures({judged.get()}));
             dips.objectives.push_back(objective(dips.measures.back(), settings_, body_.equator()));
         }
