@@ -45,7 +45,7 @@ CornerGrid inLine(CornerGrid grid) {
 }
 
 // Corners moved to where the picture has them; those that it does not have are left out.
-CornerGrid refined(const cv::Mat& grey, const CornerGrid& grid) {
+CornerGrid refined(const GreyLevels& grey, const CornerGrid& grid) {
     std::vector<GridPlace> places;
     for (const auto& [at, place] : grid.corners) {
         if (grid.hasSteps(at)) {
@@ -68,7 +68,7 @@ CornerGrid refined(const cv::Mat& grey, const CornerGrid& grid) {
 }
 
 // By rows.
-std::vector<SeenCorner> refined(const cv::Mat& grey, const std::vector<SeenCorner>& corners) {
+std::vector<SeenCorner> refined(const GreyLevels& grey, const std::vector<SeenCorner>& corners) {
     CornerGrid grid;
     for (const SeenCorner& corner : corners) {
         grid.corners[{corner.column, corner.row}] = corner.place;
@@ -117,8 +117,9 @@ std::vector<SeenBoard> findBoards(const QImage& photo) {
             break;
         }
     }
+    const GreyLevels levels = levelsOf(grey);
     for (SeenBoard& board : boards) {
-        board.corners = refined(grey, board.corners);
+        board.corners = refined(levels, board.corners);
     }
     return boards;
 }

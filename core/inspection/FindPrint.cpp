@@ -68,8 +68,8 @@ double alike(const cv::Mat& grey, const Expected& at, const Eigen::Vector2d& pla
 class PhotoSearch {
 public:
     PhotoSearch(const QImage& photo, const std::vector<PrintedCorner>& corners)
-        : corners_(corners), grey_(greyOf(photo)), size_(photo.size()) {
-        cv::GaussianBlur(grey_, blurred_, {}, 1);
+        : corners_(corners), grey_(levelsOf(greyOf(photo))), size_(photo.size()) {
+        cv::GaussianBlur(grey_.front(), blurred_, {}, 1);
     }
 
     // Those that face the camera, with nothing of the body before them.
@@ -152,7 +152,8 @@ private:
     }
 
     const std::vector<PrintedCorner>& corners_;
-    cv::Mat grey_, blurred_;
+    GreyLevels grey_;
+    cv::Mat blurred_;
     QSize size_;
 };
 
@@ -316,10 +317,6 @@ FoundPrint findPrint(const std::vector<QImage>& photos, const TriangleMesh& mode
     const QSize size = photos.front().size();
     const int count = int(photos.size());
     const SurfaceQuery body(model);
-    std::vector<PhotoSearch> searches;
-    for (const QImage& photo : photos) {
-        searches.emplace_back(photo, corners);
-    }
     FoundPrint print;
     print.view = fitPartCamera(clicked, count, size, where, settings.lens);
     for (int round = 0; round < rounds; ++round) {
@@ -328,7 +325,7 @@ FoundPrint findPrint(const std::vector<QImage>& photos, const TriangleMesh& mode
         for (int photo = 0; photo < count; ++photo) {
             progress(double(round * count + photo) / double(rounds * count),
                      Text::tr("Finding corners in photo %1").arg(photo + 1));
-            const PhotoSearch& search = searches[std::size_t(photo)];
+            const PhotoSearch search(photos[std::size_t(photo)], corners); // large
             PhotoCorners found(search, corners, search.expected(print.view, photo, body));
             found.find();
             if (found.count() < std::size_t(leastPairs) ||

@@ -108,6 +108,7 @@ std::vector<TextureCorner> cornersIn(const QImage& texture) {
     const Eigen::Vector2d scale(double(full.cols) / grey.cols, double(full.rows) / grey.rows);
     cv::Mat blurred;
     cv::GaussianBlur(grey, blurred, {}, 1);
+    const GreyLevels levels = levelsOf(grey);
     std::vector<TextureCorner> corners;
     for (const CornerGrid& grid : findGrids(blurred, findSaddles(blurred))) {
         for (const auto& [at, place] : grid.corners) {
@@ -116,7 +117,7 @@ std::vector<TextureCorner> cornersIn(const QImage& texture) {
             }
             const GridSteps steps = grid.steps(at);
             if (const auto exact =
-                    refinedCorner(grey, place, steps.right, steps.down, BoardShape::Flat)) {
+                    refinedCorner(levels, place, steps.right, steps.down, BoardShape::Flat)) {
                 TextureCorner corner{*exact, steps.right, steps.down, false};
                 corner.isDark = isDarkBetween(grey, corner);
                 for (Eigen::Vector2d* texels : {&corner.place, &corner.right, &corner.down}) {

@@ -1,7 +1,6 @@
 #include "inspection/RefineCorner.h"
 
 #include "inspection/LeastSquares.h"
-#include "inspection/Saddles.h"
 
 #include <Eigen/LU>
 
@@ -13,14 +12,16 @@ namespace dipwright {
 
 namespace {
 
-constexpr double reach = 0.36;  // of the steps, all round: short of the dots
-constexpr double farthest = 15; // pixels to each side
+constexpr double reach = 0.36;    // of the steps, all round: short of the dots
+constexpr double farthest = 15;   // pixels to each side
+constexpr double mostMoved = 0.7; // of that reach
 constexpr std::size_t leastPixels = 30;
 constexpr double mostMisfit = 0.2; // of the contrast, rms
 constexpr Eigen::Index bends = 7;  // the first of the two parameters
 constexpr double bendUnit = 100;   // pixels: of what a bend of 1 is half the inverse radius
 
 struct Window {
+    Eigen::Matrix2d inverse;             // of what makes a circle of 1 the window's ellipse
     std::vector<Eigen::Vector2d> places; // from the corner's first place
     std::vector<double> values;
 };
@@ -33,13 +34,12 @@ Window windowRound(const cv::Mat& grey, const Eigen::Vector2d& place, const Eige
         return Eigen::Vector2d(step * std::min(reach, farthest / step.norm()));
     };
     steps << cut(right), cut(down);
-    const Eigen::Matrix2d inverse = steps.inverse();
     const Eigen::Vector2d box = steps.cwiseAbs().rowwise().sum();
-    Window window;
+    Window window{steps.inverse(), {}, {}};
     for (int row = int(place.y() - box.y()); row <= int(place.y() + box.y()); ++row) {
         for (int column = int(place.x() - box.x()); column <= int(place.x() + box.x()); ++column) {
             const Eigen::Vector2d from = Eigen::Vector2d(column + 0.5, row + 0.5) - place;
-            const bool isIn = (inverse * from).squaredNorm() <= 1;
+            const bool isIn = (window.inverse * from).squaredNorm() <= 1;
             if (isIn && row >= 0 && column >= 0 && row < grey.rows && column < grey.cols) {
                 window.places.push_back(from);
                 window.values.push_back(double(grey.at<float>(row, column)));
@@ -76,11 +76,9 @@ double firstContrast(const Window& window, const Eigen::VectorXd& start) {
     return sum / weight;
 }
 
-} // namespace
-
-std::optional<Eigen::Vector2d> refinedCorner(const cv::Mat& grey, const Eigen::Vector2d& place,
-                                             const Eigen::Vector2d& right,
-                                             const Eigen::Vector2d& down, BoardShape shape) {
+std::optional<Eigen::Vector2d> fittedCorner(const cv::Mat& grey, const Eigen::Vector2d& place,
+                                            const Eigen::Vector2d& right,
+                                            const Eigen::Vector2d& down, BoardShape shape) {
     const Window window = windowRound(grey, place, right, down);
     if (window.values.size() < leastPixels) {
         return std::nullopt;
@@ -105,10 +103,35 @@ std::optional<Eigen::Vector2d> refinedCorner(const cv::Mat& grey, const Eigen::V
     }
     const Eigen::Vector2d moved = fit.parameters.head<2>();
     const double misfit = std::sqrt(fit.residuals.squaredNorm() / double(window.values.size()));
-    const double most = std::min(right.norm(), down.norm()) / 4;
-    const bool isCorner = fit.residuals.allFinite() && fit.determined && moved.norm() < most &&
+    const bool isCorner = fit.residuals.allFinite() && fit.determined &&
+                          (window.inverse * moved).norm() < mostMoved &&
                           misfit < mostMisfit * std::abs(fit.parameters[5]);
     return isCorner ? std::optional<Eigen::Vector2d>(place + moved) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<Eigen::Vector2d> refinedCorner(const GreyLevels& levels, Eigen::Vector2d place,
+                                             const Eigen::Vector2d& right,
+                                             const Eigen::Vector2d& down, BoardShape shape) {
+    std::size_t level = 0;
+    for (double step = std::max(right.norm(), down.norm());
+         reach * step > farthest && level + 1 < levels.size(); step /= 2) {
+        ++level;
+    }
+    for (;; --level) {
+        const cv::Mat& grey = levels[level];
+        const Eigen::Vector2d scale(double(grey.cols) / levels.front().cols,
+                                    double(grey.rows) / levels.front().rows);
+        const auto found = fittedCorner(grey, place.cwiseProduct(scale), right.cwiseProduct(scale),
+                                        down.cwiseProduct(scale), shape);
+        if (level == 0) {
+            return found;
+        }
+        if (found) { // else perhaps of the larger picture, which shows less round it
+            place = found->cwiseQuotient(scale);
+        }
+    }
 }
 
 } // namespace dipwright

@@ -105,6 +105,15 @@ cv::Mat shortened(const cv::Mat& grey, int side) {
     return small;
 }
 
+GreyLevels levelsOf(const cv::Mat& grey) {
+    constexpr int least = 64; // pixels of the longer side
+    GreyLevels levels{grey};
+    for (int side = std::max(grey.cols, grey.rows) / 2; side >= least; side /= 2) {
+        levels.push_back(shortened(levels.back(), side));
+    }
+    return levels;
+}
+
 double greyAt(const cv::Mat& grey, const Eigen::Vector2d& place) {
     const double x = std::clamp(place.x() - 0.5, 0.0, grey.cols - 1.0);
     const double y = std::clamp(place.y() - 0.5, 0.0, grey.rows - 1.0);

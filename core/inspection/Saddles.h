@@ -17,6 +17,9 @@ namespace dipwright {
 cv::Mat greyOf(const QImage& picture);
 // The same with its longer side shortened to `side` pixels, each the mean of those it stands for.
 cv::Mat shortened(const cv::Mat& grey, int side);
+// The picture itself, and on and on the one before at half its size.
+using GreyLevels = std::vector<cv::Mat>;
+GreyLevels levelsOf(const cv::Mat& grey);
 // Between the pixels' middles, at a place counted from the picture's corner; the edge goes on
 // outside.
 double greyAt(const cv::Mat& grey, const Eigen::Vector2d& place);

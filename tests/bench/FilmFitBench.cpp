@@ -5,6 +5,7 @@
 //     film_fit_bench [CELL]      cells of the fit, mm; those of the truth are three quarters of it
 #include "../core/inspection/PhotographedPart.h"
 #include "base/Error.h"
+#include "solver/SolverRegistry.h"
 
 #include <QGuiApplication>
 #include <QTextStream>
@@ -41,7 +42,7 @@ int main(int argc, char** argv) {
     const double cell = argc > 1 ? std::atof(argv[1]) : 1.5;
     const SolverRegistry registry{QStringList{DIPWRIGHT_PLUGINS}};
     const solver::SolverModule& module = registry.module(QStringLiteral("pbd-cpu"));
-    const test::TrueCamera camera({{20, -35}, {140, -30}}, {0, 0, 0}, 280, 3.4, 4000);
+    const auto cameras = test::camerasRound({{20, -35}, {140, -30}}, 280, 3.4, 4000);
     out << "height, hidden relaxation s, noise px | off: swell X %, Y %, relaxation %, shift X mm, "
            "Z mm, turn deg | of 6 intervals hold | mm before, after | rounds, dips\n";
     for (const double height : {1.0, 1.3, 1.6}) {
@@ -49,13 +50,13 @@ int main(int argc, char** argv) {
                                            test::Hidden{1.01, 1.02, 1.5, -0.8, 0.6, -2},
                                            test::Hidden{1.09, 1.08, 10, 0.4, 1.5, 0.8}}) {
             const test::PhotographedPart part(test::eggToFit(height, cell), hidden, 0.75 * cell,
-                                              registry);
+                                              module);
             for (const double noise : {0.0, 1.0}) {
                 out << height << ", " << hidden.relaxation << ", " << noise << " | ";
                 try {
                     const FilmFit fit =
-                        fitFilm(part.project(), part.field(),
-                                part.pairs(camera, 2, 8, 12, noise, 1), {}, module, {});
+                        fitFilm(part.project(), part.field(), part.pairs(cameras, 8, 12, noise, 1),
+                                {}, module, {});
                     int held = 0;
                     const auto tell = [&](FitQuantity quantity, double truth, bool isShare) {
                         out << QString::number(offOf(fit, quantity, truth, isShare), 'f', 2) << ' ';

@@ -61,20 +61,6 @@ std::shared_ptr<const LaidFilm> dipped(const Project& project, const QString& so
     return runJob(project, registry, options, nullptr, {}).immersions[0].laid;
 }
 
-// The chessboard on the sheet where the film that was made covers the body, grey elsewhere.
-Print printOf(const LaidFilm& laid, QSizeF sheet, double square) {
-    return [&laid, sheet, square](const SurfacePoint& point) {
-        const auto place = laid.place(point);
-        if (!place) {
-            return 0.6;
-        }
-        const double x = double(place->rest.x()) * sheet.width() / laid.film().grid.width;
-        const double y = double(place->rest.y()) * sheet.height() / laid.film().grid.depth;
-        const int number = int(std::floor(x / square)) + int(std::floor(y / square));
-        return number % 2 == 0 ? 0.05 : 0.85;
-    };
-}
-
 // From below, where the film came from, aside by a part.
 PhotoCamera cameraOf(const LaidFilm& laid, double aside) {
     const PosedBody& body = laid.body();
@@ -178,7 +164,7 @@ void measure(const Case& one, const QString& folder, const QString& solver, QTex
     std::vector<QImage> pictures;
     for (const PhotoCamera& camera : cameras) {
         clickOnBody(mesh, camera, int(photos.size()), clicked);
-        pictures.push_back(partPhoto(mesh, printOf(*done, sheet, one.square), camera, {}));
+        pictures.push_back(partPhoto(mesh, chessboardPrint(*done, sheet, one.square), camera, {}));
         photos.push_back({one.sample, {}, pictures.back()});
     }
     for (const bool keepsCamera : {true, false}) {

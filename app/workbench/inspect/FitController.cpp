@@ -55,13 +55,23 @@ FitController::FitController(const DipSession& session, JobRunner& jobs,
 }
 
 void FitController::setMeasured(std::shared_ptr<const MeasuredPart> measured) {
-    if (measured != measured_) {
-        measured_ = std::move(measured);
-        fitted_ = nullptr;
-        page_->setFitted(nullptr);
-    }
+    const bool isOther = measured != measured_;
+    measured_ = std::move(measured);
     page_->setReady(measured_ && !measured_->places.empty(),
                     measured_ && measured_->project.inspection.keepsCamera);
+    if (isOther || used_) { // else a refusal stays to be read
+        showFitted();
+    }
+}
+
+void FitController::showFitted() {
+    const Document* document = session_.document();
+    const bool isUsed = fitted_ && document && used_ && document->project() == *used_;
+    if (isUsed || (fitted_ && fittedTo_ == measured_)) {
+        page_->setFitted(fitted_, isUsed);
+    } else {
+        page_->setFitted(nullptr, false);
+    }
 }
 
 void FitController::fit() {
@@ -72,13 +82,14 @@ void FitController::fit() {
             return std::make_shared<const FittedPart>(fitted(*measured, registry, progress));
         },
         [this, measured = measured_](const Fitted& found) {
-            if (measured == measured_) { // else the project has changed on the way
-                fitted_ = found;
-                page_->setFitted(found);
-            }
+            fitted_ = found;
+            fittedTo_ = measured;
+            used_.reset();
+            showFitted(); // unless the project has changed on the way
         },
         [this](const std::exception_ptr& failure) {
             fitted_ = nullptr;
+            used_.reset();
             page_->setRefusal(sentenceOf(failure));
             messages_.log(sentenceOf(failure));
         }));
@@ -91,6 +102,8 @@ void FitController::use() {
     }
     try {
         useFit(*document, *fitted_, notesOfToday());
+        used_ = document->project();
+        showFitted();
     } catch (const Error&) {
         messages_.fail(tr("Use in Project"), std::current_exception());
     }

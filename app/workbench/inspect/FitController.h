@@ -18,11 +18,13 @@ public:
                   Messages& messages, QWidget& window);
 
     FitPage* page() const { return page_; } // belongs to who puts it into a window
-    // What is known of the part at hand; null: nothing. A fit to another one is no longer shown.
+    // What is known of the part at hand; null: nothing. A fit to another one is not shown, but as
+    // long as the project is what its use has made.
     void setMeasured(std::shared_ptr<const MeasuredPart> measured);
 
 private:
     void fit();
+    void showFitted();
     void use();
     void save(const QString& profile);
     void exportFit();
@@ -33,8 +35,9 @@ private:
     Messages& messages_;
     QWidget& window_;
     FitPage* page_;
-    std::shared_ptr<const MeasuredPart> measured_;
+    std::shared_ptr<const MeasuredPart> measured_, fittedTo_;
     std::shared_ptr<const FittedPart> fitted_;
+    std::optional<Project> used_; // the project with what was fitted
 };
 
 } // namespace dipwright

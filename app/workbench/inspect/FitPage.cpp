@@ -61,7 +61,7 @@ FitPage::FitPage(QWidget* parent)
     layout->addWidget(words_);
     layout->addWidget(correlations_);
     layout->addStretch(1);
-    setFitted(nullptr);
+    setFitted(nullptr, false);
 }
 
 QWidget* FitPage::makeButtons() {
@@ -103,8 +103,9 @@ void FitPage::setReady(bool ready, bool hasBody) {
     say();
 }
 
-void FitPage::setFitted(std::shared_ptr<const FittedPart> fitted) {
+void FitPage::setFitted(std::shared_ptr<const FittedPart> fitted, bool isUsed) {
     fitted_ = std::move(fitted);
+    isUsed_ = isUsed;
     refusal_.clear();
     showQuantities();
     showCorrelations();
@@ -113,7 +114,7 @@ void FitPage::setFitted(std::shared_ptr<const FittedPart> fitted) {
 }
 
 void FitPage::setRefusal(const QString& sentence) {
-    setFitted(nullptr);
+    setFitted(nullptr, false);
     refusal_ = sentence;
     say();
 }
@@ -125,6 +126,7 @@ void FitPage::setBusy(bool busy) {
 
 void FitPage::showQuantities() {
     quantities_->clear();
+    quantities_->setRowCount(0);
     quantities_->setVisible(fitted_ != nullptr);
     if (!fitted_) {
         return;
@@ -147,16 +149,17 @@ void FitPage::showQuantities() {
 
 void FitPage::showCorrelations() {
     correlations_->clear();
+    correlations_->setRowCount(0);
     const int count = fitted_ ? int(fitted_->fit.quantities.size()) : 0;
     correlations_->setVisible(count > 1);
     if (count < 2) {
         return;
     }
     QStringList names{tr("Correlation")};
-    for (int i = 0; i < count; ++i) {
-        names << QString::number(i + 1);
+    for (int i = 1; i < count; ++i) { // the last is told in its row
+        names << QString::number(i);
     }
-    correlations_->setColumnCount(count + 1);
+    correlations_->setColumnCount(count);
     correlations_->setHorizontalHeaderLabels(names);
     correlations_->horizontalHeader()->setMinimumSectionSize(20);
     correlations_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -177,13 +180,16 @@ void FitPage::showCorrelations() {
 
 void FitPage::enable() {
     fit_->setEnabled(ready_ && !busy_);
-    for (QPushButton* button : {use_, save_, export_}) {
-        button->setEnabled(fitted_ && !busy_);
-    }
+    use_->setEnabled(fitted_ && !isUsed_ && !busy_);
+    save_->setEnabled(fitted_ && !busy_);
+    export_->setEnabled(fitted_ && !busy_);
 }
 
 void FitPage::say() {
-    if (!ready_) {
+    if (isUsed_) {
+        hint_->setText(tr("The project has film, placement and depth as they were found here. To "
+                          "fit again, find the corners anew."));
+    } else if (!ready_) {
         hint_->setText(tr("Find the corners of the print on the page “Dipped Part” first: film and "
                           "dip are fitted to them."));
     } else if (!hasBody_) {

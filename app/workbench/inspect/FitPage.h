@@ -27,8 +27,8 @@ public:
 
     // Whether there are places of the print to fit to, and whether places of the body besides.
     void setReady(bool ready, bool hasBody);
-    // Null: nothing was fitted, or something has changed since.
-    void setFitted(std::shared_ptr<const FittedPart> fitted);
+    // Null: nothing was fitted, or something has changed since. `isUsed`: the project has it.
+    void setFitted(std::shared_ptr<const FittedPart> fitted, bool isUsed);
     void setRefusal(const QString& sentence); // instead of a fit
     void setBusy(bool busy);
 
@@ -47,7 +47,7 @@ private:
 
     std::shared_ptr<const FittedPart> fitted_;
     QString refusal_;
-    bool ready_ = false, hasBody_ = false, busy_ = false;
+    bool ready_ = false, hasBody_ = false, busy_ = false, isUsed_ = false;
     QLabel *hint_, *words_;
     QPushButton *fit_, *use_, *save_, *export_;
     QTableWidget *quantities_, *correlations_;

@@ -4,6 +4,7 @@
 #include "CliProcess.h"
 #include "TestFiles.h"
 #include "project/ProjectStore.h"
+#include "solver/SolverRegistry.h"
 
 #include <QImage>
 #include <QJsonArray>
@@ -41,9 +42,10 @@ private slots:
         QVERIFY(folder_.isValid());
         qputenv("DIPWRIGHT_PROFILE_PATH", path("profiles").toLocal8Bit());
         const SolverRegistry registry{QStringList{DIPWRIGHT_PLUGINS}};
-        const PhotographedPart part(eggToFit(1, 2.6), hidden, 2.6, registry);
-        const TrueCamera camera({{20, -35}, {140, -30}}, {0, 0, 0}, 280, 3.4, 2000);
-        const FitPairs pairs = part.pairs(camera, 2, 16, 12, 0.3, 1);
+        const PhotographedPart part(eggToFit(1, 2.6), hidden, 2.6,
+                                    registry.module(QStringLiteral("pbd-cpu")));
+        const auto cameras = camerasRound({{20, -35}, {140, -30}}, 280, 3.4, 2000);
+        const FitPairs pairs = part.pairs(cameras, 16, 12, 0.3, 1);
         saveProject(part.project(), path("job.dipw"));
         QByteArray body("photo,x_px,y_px,x_mm,y_mm,z_mm\n");
         for (const PlacePair& pair : pairs.body) {

@@ -18,25 +18,7 @@ using namespace dipwright::test;
 
 namespace {
 
-constexpr double swellX = 1.12, swellY = 1.05, rate = 0.004, limit = 0.1;
-
-double grown(double seconds) {
-    return 1 + limit * (1 - std::exp(-rate * (seconds - 70) / limit));
-}
-
-// As it is so many seconds after the film was laid on the water.
-QImage photoAt(double seconds) {
-    FloatingPage film = filmPage(), card = cardPage();
-    film.turn = turned(-3, swellX * grown(seconds), swellY * grown(seconds));
-    film.middle = {-90, 0};
-    card.turn = turned(12);
-    card.middle = {125, -10};
-    TankCamera camera;
-    camera.size = {1600, 1200};
-    camera.k1 = -0.05;
-    camera.tiltDegrees = 5;
-    return tankPhoto({card, film}, camera, {.jpegQuality = 0, .seed = unsigned(seconds)});
-}
+const GrowingFilm film;
 
 QByteArray number(quint32 value, int bytes) {
     QByteArray text;
@@ -96,7 +78,7 @@ private slots:
         QVERIFY(folder_.isValid());
         qputenv("DIPWRIGHT_PROFILE_PATH", path("profiles").toLocal8Bit());
         for (const int seconds : times_) {
-            const QImage picture = photoAt(seconds);
+            const QImage picture = tankPhoto(film, seconds, 0);
             // The second was made with a camera that stores pictures flipped, and says so.
             const bool isFlipped = seconds == times_[1];
             const QByteArray taken = QTime(14, 0).addSecs(seconds).toString("hh:mm:ss").toLatin1();
@@ -139,10 +121,10 @@ private slots:
             return found.value(QLatin1String(key)).toArray().at(part).toDouble();
         };
         QCOMPARE(found.value("date").toString(), QStringLiteral("2026-11-22"));
-        QVERIFY(std::abs(value("swell", 0) / swellX - 1) < 0.001);
-        QVERIFY(std::abs(value("swell", 1) / swellY - 1) < 0.001);
-        QVERIFY(std::abs(value("growth_per_s", 0) / rate - 1) < 0.05);
-        QVERIFY(std::abs(value("growth_limit", 0) / limit - 1) < 0.05);
+        QVERIFY(std::abs(value("swell", 0) / film.swellX - 1) < 0.001);
+        QVERIFY(std::abs(value("swell", 1) / film.swellY - 1) < 0.001);
+        QVERIFY(std::abs(value("growth_per_s", 0) / film.rate - 1) < 0.05);
+        QVERIFY(std::abs(value("growth_limit", 0) / film.limit - 1) < 0.05);
         QVERIFY(!QImage(path("out/unevenness.png")).isNull());
         QVERIFY(bytesOf(path("out/unevenness.csv")).count('\n') > 300);
         if (qEnvironmentVariableIsSet("DIPWRIGHT_PICTURES")) {

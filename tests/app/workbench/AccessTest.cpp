@@ -255,9 +255,7 @@ private:
     std::unique_ptr<MainWindow> window_;
 };
 
-int main(int argc, char* argv[]) {
-    const WindowApplication application(argc, argv);
-    AccessTest test;
-    return QTest::qExec(&test, argc, argv);
+int main(int argc, char** argv) {
+    return runWindowTest<AccessTest>(argc, argv);
 }
 #include "AccessTest.moc"

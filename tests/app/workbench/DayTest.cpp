@@ -441,9 +441,7 @@ private:
     std::unique_ptr<Workbench> workbench_;
 };
 
-int main(int argc, char* argv[]) {
-    const WindowApplication application(argc, argv);
-    DayTest test;
-    return QTest::qExec(&test, argc, argv);
+int main(int argc, char** argv) {
+    return runWindowTest<DayTest>(argc, argv);
 }
 #include "DayTest.moc"

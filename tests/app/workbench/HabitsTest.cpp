@@ -597,9 +597,7 @@ private:
     std::unique_ptr<MainWindow> window_;
 };
 
-int main(int argc, char* argv[]) {
-    const WindowApplication application(argc, argv);
-    HabitsTest test;
-    return QTest::qExec(&test, argc, argv);
+int main(int argc, char** argv) {
+    return runWindowTest<HabitsTest>(argc, argv);
 }
 #include "HabitsTest.moc"

@@ -1,8 +1,7 @@
 // The page on which a dipped part is held against its photos, used as a user would.
+#include "InspectionWindow.h"
 #include "PartPhoto.h"
 #include "Patience.h"
-#include "WindowDriver.h"
-#include "geometry/Shapes.h"
 #include "inspect/BuiltPage.h"
 #include "inspect/PartPage.h"
 #include "panels/NumberBox.h"
@@ -12,14 +11,11 @@
 #include "texture/Chessboard.h"
 
 #include <QCheckBox>
-#include <QDir>
-#include <QDockWidget>
-#include <QDragEnterEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QTableWidget>
 
 using namespace dipwright;
@@ -33,33 +29,6 @@ PhotoCamera camera() {
     return camera;
 }
 
-// Of a film that has come to lie on a body, with the chessboard on its sheet.
-QImage photoOf(const LaidFilm& laid, const TriangleMesh& mesh) {
-    return partPhoto(mesh,
-                     [&](const SurfacePoint& point) {
-                         const auto place = laid.place(point);
-                         if (!place) {
-                             return 0.6;
-                         }
-                         const Eigen::Vector2d squares = place->rest.cast<double>() / chessSquare;
-                         return (int(std::floor(squares.x())) + int(std::floor(squares.y()))) % 2 ==
-                                        0
-                                    ? 0.05
-                                    : 0.85;
-                     },
-                     camera(), {});
-}
-
-void drop(QWidget& widget, const QString& path) {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(path)});
-    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&widget, &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&widget, &event);
-}
-
 } // namespace
 
 class InspectionPageTest : public QObject {
@@ -67,27 +36,21 @@ class InspectionPageTest : public QObject {
 
 private slots:
     void initTestCase() {
-        workbench_ = std::make_unique<Workbench>(home_.path());
-        window_ = std::make_unique<MainWindow>(*workbench_);
-        window_->resize(1280, 800);
-        window_->show();
-        WindowDriver driver(*window_);
+        window_ = std::make_unique<InspectionWindow>(home_.path());
         Project sphere = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/sphere.dipw"));
         makeCoarse(sphere);
-        saveProject(sphere, home_.filePath(QStringLiteral("ball.dipw")));
-        QVERIFY(driver.open(home_.filePath(QStringLiteral("ball.dipw"))));
-        QVERIFY(driver.run());
-        const JobResult& job = *window_->document()->result();
-        const QImage photo =
-            photoOf(*job.immersions[0].laid, window_->document()->project().model->mesh);
-        QVERIFY(photo.save(photo_));
-        driver.find<QDockWidget>("inspectionDock")->show();
-        driver.find<QDockWidget>("inspectionDock")->raise();
+        QVERIFY(window_->open(sphere));
+        QVERIFY(window_->driver().run());
+        const LaidFilm& laid = *window_->window().document()->result()->immersions[0].laid;
+        const QSizeF sheet(sphere.film.width.value(), sphere.film.height.value());
+        QVERIFY(
+            partPhoto(sphere.model->mesh, chessboardPrint(laid, sheet, chessSquare), camera(), {})
+                .save(photo_));
     }
 
     void photosAreDroppedOnThePage() {
-        WindowDriver driver(*window_);
-        drop(*page(), photo_);
+        WindowDriver& driver = window_->driver();
+        InspectionWindow::drop(*page(), {photo_});
         QTRY_COMPARE_WITH_TIMEOUT(part().photos.size(), std::size_t(1), patience());
         QCOMPARE(part().photos[0].sha256.size(), 64);
         QVERIFY(!driver.find<PhotoView>("partPhoto")->isEmpty());
@@ -99,14 +62,14 @@ private slots:
         QFile file(bad);
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write("once upon a time") > 0);
         file.close();
-        drop(*page(), bad);
-        QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>(), patience());
-        window_->findChild<QMessageBox*>()->close();
+        InspectionWindow::drop(*page(), {bad});
+        QTRY_VERIFY_WITH_TIMEOUT(window_->window().findChild<QMessageBox*>(), patience());
+        window_->window().findChild<QMessageBox*>()->close();
         QCOMPARE(part().photos.size(), std::size_t(1));
     }
 
     void aPairIsClickedInThePhotoAndOnTheBody() {
-        WindowDriver driver(*window_);
+        WindowDriver& driver = window_->driver();
         auto* view = driver.find<PhotoView>("partPhoto");
         QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
         QVERIFY(page()->pending());
@@ -133,18 +96,19 @@ private slots:
     }
 
     void tooFewPairsAreRefused() {
-        WindowDriver driver(*window_);
+        WindowDriver& driver = window_->driver();
         driver.find<QPushButton>("measurePairs")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>(), patience());
-        QVERIFY(window_->findChild<QMessageBox*>()->text().contains(QStringLiteral("pairs")) ||
-                window_->findChild<QMessageBox*>()->informativeText().contains(
-                    QStringLiteral("pairs")));
-        window_->findChild<QMessageBox*>()->close();
+        QTRY_VERIFY_WITH_TIMEOUT(window_->window().findChild<QMessageBox*>(), patience());
+        QVERIFY(
+            window_->window().findChild<QMessageBox*>()->text().contains(QStringLiteral("pairs")) ||
+            window_->window().findChild<QMessageBox*>()->informativeText().contains(
+                QStringLiteral("pairs")));
+        window_->window().findChild<QMessageBox*>()->close();
     }
 
     void cornersAreFoundAndShown() {
-        WindowDriver driver(*window_);
-        window_->document()->edit(QStringLiteral("pairs"), {}, [](Project& project) {
+        WindowDriver& driver = window_->driver();
+        window_->window().document()->edit(QStringLiteral("pairs"), {}, [](Project& project) {
             for (int i = 0; i < 10; ++i) {
                 const double around = 0.7 + 0.18 * i, up = 0.5 * std::sin(3.0 * i) + 0.2;
                 const Eigen::Vector3d place =
@@ -172,7 +136,7 @@ private slots:
     }
 
     void aPartIsKeptAndTheCorrectionSeenBeforeItIsUsed() {
-        WindowDriver driver(*window_);
+        WindowDriver& driver = window_->driver();
         auto* keep = driver.find<QPushButton>("keepPart");
         QVERIFY(!keep->isEnabled()); // nobody has accepted it
         driver.find<QLineEdit>("acceptedBy")->setText(QStringLiteral("Ada"));
@@ -186,7 +150,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(
             driver.find<QLabel>("builtWords")->text().contains(QStringLiteral("repeat")),
             patience());
-        PicturePanel* picture = window_->findChild<BuiltPage*>()->findChild<PicturePanel*>();
+        PicturePanel* picture = window_->page<BuiltPage>()->findChild<PicturePanel*>();
         QVERIFY(!picture->view().isEmpty());
         QVERIFY(!built().corrects); // seen, not used
         driver.find<NumberBox>("correctionStrength")->setValue(50);
@@ -197,14 +161,14 @@ private slots:
         // The same photos twice would count as two parts that agree.
         QTRY_VERIFY_WITH_TIMEOUT(keep->isEnabled(), patience());
         keep->click();
-        QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>(), patience());
-        window_->findChild<QMessageBox*>()->close();
+        QTRY_VERIFY_WITH_TIMEOUT(window_->window().findChild<QMessageBox*>(), patience());
+        window_->window().findChild<QMessageBox*>()->close();
         QCOMPARE(built().parts.size(), std::size_t(1));
     }
 
     // A film so coarse makes no fit that comes to rest, which is said where the fit would stand.
     void aFitThatIsRefusedSaysWhy() {
-        WindowDriver driver(*window_);
+        WindowDriver& driver = window_->driver();
         auto* fit = driver.find<QPushButton>("fitFilm");
         QTRY_VERIFY_WITH_TIMEOUT(fit->isEnabled(), patience());
         fit->click();
@@ -216,11 +180,17 @@ private slots:
         QCOMPARE(quantities->rowCount(), 0);
         QVERIFY(words->text().contains(QStringLiteral("does not come to rest")));
         QVERIFY(!driver.find<QPushButton>("useFit")->isEnabled());
-        photograph();
+    }
+
+    void canBeLookedAt() {
+        auto* pages = window_->find<QTabWidget>("inspection");
+        window_->photograph(QStringLiteral("inspection"), pages->count(),
+                            [pages](int number) { pages->setCurrentIndex(number); });
+        pages->setCurrentIndex(0);
     }
 
     void whatWasMeasuredIsNotShownForAnotherProject() {
-        WindowDriver driver(*window_);
+        WindowDriver& driver = window_->driver();
         driver.find<QCheckBox>("partKeepsCamera")->click();
         QCOMPARE(driver.find<QTableWidget>("partFigures")->rowCount(), 0);
         QVERIFY(!driver.find<QPushButton>("fitFilm")->isEnabled());
@@ -233,69 +203,35 @@ private slots:
 
     void theProjectKeepsPhotosAndPairs() {
         const QString copy = home_.filePath(QStringLiteral("copy.dipw"));
-        saveProject(window_->document()->project(), copy);
+        saveProject(window_->project(), copy);
         const Project read = loadProject(copy);
         QCOMPARE(read.inspection, part());
         QCOMPARE(read.inspection.pairs.size(), std::size_t(10));
     }
 
-    void cleanupTestCase() {
-        window_.reset();
-        workbench_.reset();
-    }
+    void cleanupTestCase() { window_.reset(); }
 
 private:
-    PartPage* page() const { return window_->findChild<PartPage*>(); }
-    const AsBuilt& built() const { return window_->document()->project().asBuilt; }
-    const InspectedPart& part() const { return window_->document()->project().inspection; }
-    QString hint() const { return WindowDriver(*window_).find<QLabel>("partHint")->text(); }
+    PartPage* page() const { return window_->page<PartPage>(); }
+    const AsBuilt& built() const { return window_->project().asBuilt; }
+    const InspectedPart& part() const { return window_->project().inspection; }
+    QString hint() const { return window_->find<QLabel>("partHint")->text(); }
 
     void clickBody() {
-        window_->findChild<Timeline*>()->setPosition(0); // the body stands over the film
-        DipView& view = window_->view();
+        window_->page<Timeline>()->setPosition(0); // the body stands over the film
+        DipView& view = window_->window().view();
         view.picture();
-        const auto box = boundingBox(window_->document()->project().model->mesh);
+        const auto box = boundingBox(window_->project().model->mesh);
         QTest::mouseClick(&view, Qt::LeftButton, {},
                           view.positionOf(Eigen::Vector3f(0, box.sizes().y() / 2, 0)).toPoint());
     }
 
-    // For whom wants to look at it: every size, light and dark.
-    void photograph() {
-        const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES");
-        if (folder.isEmpty()) {
-            return;
-        }
-        for (const bool dark : {false, true}) {
-            Preferences preferences = workbench_->preferences();
-            preferences.theme = dark ? ThemeChoice::Dark : ThemeChoice::Light;
-            workbench_->setPreferences(preferences);
-            for (const QSize size : {QSize(1280, 800), QSize(2560, 1440)}) {
-                window_->resize(size);
-                for (int tab = 0; tab < 4; ++tab) {
-                    window_->findChild<QTabWidget*>(QStringLiteral("inspection"))
-                        ->setCurrentIndex(tab);
-                    QTest::qWait(500);
-                    window_->view().picture();
-                    window_->grab().save(
-                        QStringLiteral("%1/inspection-%2-%3-%4.png")
-                            .arg(folder, dark ? QStringLiteral("dark") : QStringLiteral("light"))
-                            .arg(size.width())
-                            .arg(tab));
-                }
-            }
-        }
-        window_->findChild<QTabWidget*>(QStringLiteral("inspection"))->setCurrentIndex(0);
-    }
-
     QTemporaryDir home_;
     const QString photo_ = home_.filePath(QStringLiteral("ball.png"));
-    std::unique_ptr<Workbench> workbench_;
-    std::unique_ptr<MainWindow> window_;
+    std::unique_ptr<InspectionWindow> window_;
 };
 
 int main(int argc, char** argv) {
-    const WindowApplication application(argc, argv);
-    InspectionPageTest test;
-    return QTest::qExec(&test, argc, argv);
+    return runWindowTest<InspectionPageTest>(argc, argv);
 }
 #include "InspectionPageTest.moc"

@@ -228,9 +228,7 @@ void QuestionsTest::whatAModelNamesElsewhereIsReadOnlyWhenAsked() {
     QCOMPARE(window_->document()->project().model->textures.at(0).size(), QSize(8, 8));
 }
 
-int main(int argc, char* argv[]) {
-    const WindowApplication application(argc, argv);
-    QuestionsTest test;
-    return QTest::qExec(&test, argc, argv);
+int main(int argc, char** argv) {
+    return runWindowTest<QuestionsTest>(argc, argv);
 }
 #include "QuestionsTest.moc"

@@ -175,9 +175,7 @@ private:
     std::array<QImage, 2> sheets_;
 };
 
-int main(int argc, char* argv[]) {
-    const WindowApplication application(argc, argv);
-    TwoDipsTest test;
-    return QTest::qExec(&test, argc, argv);
+int main(int argc, char** argv) {
+    return runWindowTest<TwoDipsTest>(argc, argv);
 }
 #include "TwoDipsTest.moc"

@@ -25,6 +25,14 @@ private:
     std::unique_ptr<QApplication> application_;
 };
 
+// What the program of such a test does.
+template <typename Test>
+int runWindowTest(int argc, char** argv) {
+    const WindowApplication application(argc, argv);
+    Test test;
+    return QTest::qExec(&test, argc, argv);
+}
+
 // A film and sheets so coarse that a job is quick.
 void makeCoarse(Project& project);
 

@@ -2,6 +2,7 @@
 #include "inspection/BuiltPlaces.h"
 #include "PhotographedPart.h"
 #include "correction/SheetCorrection.h"
+#include "solver/SolverRegistry.h"
 
 #include <QStandardPaths>
 #include <QtTest>
@@ -10,9 +11,9 @@ using namespace dipwright;
 
 namespace {
 
-const SolverRegistry& registry() {
+const solver::SolverModule& solverModule() {
     static const SolverRegistry plugins{QStringList{DIPWRIGHT_PLUGINS}};
-    return plugins;
+    return plugins.module(QStringLiteral("pbd-cpu"));
 }
 
 } // namespace
@@ -28,9 +29,9 @@ private slots:
     void aBodyAsideIsAPrintAside() {
         const Project believed = test::eggToFit(1, 2.4);
         const test::Hidden aside{1.03, 1.03, std::numeric_limits<double>::infinity(), 1.1, -0.7, 0};
-        const test::PhotographedPart part(believed, aside, 2.4, registry());
-        const test::TrueCamera camera({{20, -35}, {140, -30}}, {0, 0, 0}, 280, 3.4, 4000);
-        const FitPairs pairs = part.pairs(camera, 2, 24, 20, 0.3, 1);
+        const test::PhotographedPart part(believed, aside, 2.4, solverModule());
+        const auto cameras = test::camerasRound({{20, -35}, {140, -30}}, 280, 3.4, 4000);
+        const FitPairs pairs = part.pairs(cameras, 24, 20, 0.3, 1);
         const PartView view = fitPartCamera(pairs.body, pairs.photos, pairs.picture, pairs.where);
         const auto places =
             builtPlaces(pairs.printed, view, pairs.picture, {part.believedFilm()},

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "inspection/JointFit.h"
 #include "inspection/SimulatedPlaces.h"
+#include "solver/SolverRegistry.h"
 
 #include <QStandardPaths>
 #include <QtTest>
@@ -24,8 +25,9 @@ const solver::SolverModule& solverModule() {
     return registry().module(QStringLiteral("pbd-cpu"));
 }
 
-test::TrueCamera camera() {
-    return {{{20, -35}, {140, -30}}, {0, 0, 0}, 280, 3.4, 4000};
+const std::vector<test::PhotoCamera>& cameras() {
+    static const auto two = test::camerasRound({{20, -35}, {140, -30}}, 280, 3.4, 4000);
+    return two;
 }
 
 const FittedQuantity& found(const FilmFit& fit, FitQuantity quantity) {
@@ -69,12 +71,12 @@ private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
         part_ = std::make_unique<test::PhotographedPart>(test::eggToFit(1.3, 2), hidden, 1.5,
-                                                         registry());
+                                                         solverModule());
     }
 
     // Perfect pairs: what is left is what other film points make of it.
     void whatWasHiddenIsFound() {
-        const FilmFit fitted = fit(part_->pairs(camera(), 2, 16, 12, 0.0, 1), wanted());
+        const FilmFit fitted = fit(part_->pairs(cameras(), 16, 12, 0.0, 1), wanted());
         tell(fitted);
         VERIFY_NEAR(found(fitted, FitQuantity::SwellX).after, hidden.swellX, 0.001);
         VERIFY_NEAR(found(fitted, FitQuantity::SwellY).after, hidden.swellY, 0.001);
@@ -89,7 +91,7 @@ private slots:
     }
 
     void sixteenCornersEachAPixelOffAreEnough() {
-        const FilmFit fitted = fit(part_->pairs(camera(), 2, 8, 12, 1.0, 1));
+        const FilmFit fitted = fit(part_->pairs(cameras(), 8, 12, 1.0, 1));
         tell(fitted);
         VERIFY_NEAR(found(fitted, FitQuantity::SwellX).after / hidden.swellX, 1, 0.003);
         VERIFY_NEAR(found(fitted, FitQuantity::SwellY).after / hidden.swellY, 1, 0.003);
@@ -104,7 +106,7 @@ private slots:
     // the dips near it are simulated once, and film and camera fitted to each photo.
     void intervalsHoldTheTruthAsOftenAsTheySay() {
         constexpr int photos = 200;
-        const FitPairs perfect = part_->pairs(camera(), 2, 8, 12, 0, 1);
+        const FitPairs perfect = part_->pairs(cameras(), 8, 12, 0, 1);
         SimulatedPlaces places(part_->project(), part_->field(), perfect.printed, solverModule(),
                                perfect.where);
         std::vector<FitUnknown> unknowns;
@@ -122,7 +124,8 @@ private slots:
             FitPairs noisy = perfect;
             for (std::size_t i = 0; i < noisy.printed.size(); ++i) {
                 if (near.places[i]) {
-                    noisy.printed[i].pixel = camera().seen(noisy.printed[i].photo, *near.places[i]);
+                    noisy.printed[i].pixel =
+                        cameras()[std::size_t(noisy.printed[i].photo)].seen(*near.places[i]);
                     noisy.printed[i].pixel += Eigen::Vector2d(off(random), off(random));
                 }
             }
@@ -149,7 +152,7 @@ private slots:
     }
 
     void whatPairsCannotTellApartIsRefused() {
-        const FitPairs good = part_->pairs(camera(), 1, 16, 12, 0.5, 1);
+        const FitPairs good = part_->pairs({cameras().front()}, 16, 12, 0.5, 1);
         // A ball looks the same from all round: who only knows its print may as well have walked
         // round it.
         FitPairs printAlone = good;
@@ -180,7 +183,7 @@ private slots:
     void canBeCancelled() {
         Progress progress;
         progress.cancelSwitch.cancel();
-        const FitPairs pairs = part_->pairs(camera(), 1, 16, 12, 0.5, 1);
+        const FitPairs pairs = part_->pairs({cameras().front()}, 16, 12, 0.5, 1);
         QVERIFY_EXCEPTION_THROWN(
             fitFilm(part_->project(), part_->field(), pairs, {}, solverModule(), progress),
             Cancelled);

@@ -1,30 +1,18 @@
 #include "PartPhoto.h"
 
 #include "geometry/SurfaceQuery.h"
-#include "parallel/ParallelFor.h"
 
 #include <cmath>
 
 namespace dipwright::test {
 
 Eigen::Vector2d PhotoCamera::seen(const Eigen::Vector3d& place) const {
-    const Eigen::Vector3d from = pose * place;
-    const Eigen::Vector2d plain = focalLength * from.head<2>() / from.z();
-    const double r2 = plain.squaredNorm();
-    const Eigen::Vector2d middle(size.width() / 2.0, size.height() / 2.0);
-    return middle + middle.norm() * plain * (1 + k1 * r2 + k2 * r2 * r2);
+    return pixelOf(pose * place);
 }
 
-Eigen::Vector3d PhotoCamera::sight(const Eigen::Vector2d& pixel) const {
-    const Eigen::Vector2d middle(size.width() / 2.0, size.height() / 2.0);
-    const Eigen::Vector2d target = (pixel - middle) / middle.norm();
-    Eigen::Vector2d plain = target;
-    for (int round = 0; round < 12; ++round) {
-        const double r2 = plain.squaredNorm();
-        plain = target / (1 + k1 * r2 + k2 * r2 * r2);
-    }
-    return pose.linear().transpose() *
-           Eigen::Vector3d(plain.x() / focalLength, plain.y() / focalLength, 1);
+bool PhotoCamera::faces(const Eigen::Vector3d& place, const Eigen::Vector3d& outward) const {
+    constexpr double leastCosine = 0.35;
+    return (eye() - place).normalized().dot(outward) > leastCosine;
 }
 
 PhotoCamera cameraFrom(const Eigen::Vector3d& from, const Eigen::Vector3d& at,
@@ -38,32 +26,31 @@ PhotoCamera cameraFrom(const Eigen::Vector3d& from, const Eigen::Vector3d& at,
     return camera;
 }
 
+Print chessboardPrint(const LaidFilm& laid, QSizeF sheet, double square) {
+    const Eigen::Vector2d squares(sheet.width() / laid.film().grid.width / square,
+                                  sheet.height() / laid.film().grid.depth / square);
+    return [&laid, squares](const SurfacePoint& point) {
+        const auto place = laid.place(point);
+        if (!place) {
+            return 0.6;
+        }
+        const Eigen::Vector2d at = place->rest.cast<double>().cwiseProduct(squares);
+        return (int(std::floor(at.x())) + int(std::floor(at.y()))) % 2 == 0 ? 0.05 : 0.85;
+    };
+}
+
 QImage partPhoto(const TriangleMesh& body, const Print& print, const PhotoCamera& camera,
                  const PhotoLight& light) {
     constexpr int samples = 4;
     constexpr double background = 0.3;
     const SurfaceQuery query(body);
     const Eigen::Vector3f eye = camera.eye().cast<float>();
-    const int width = camera.size.width();
-    std::vector<float> plane(std::size_t(width) * std::size_t(camera.size.height()));
-    parallelFor(0, camera.size.height(), [&](int y) {
-        for (int x = 0; x < width; ++x) {
-            // Within a pixel a lens is straight.
-            const Eigen::Vector3d corner = camera.sight(Eigen::Vector2d(x, y));
-            const Eigen::Vector3d right = camera.sight(Eigen::Vector2d(x + 1, y)) - corner;
-            const Eigen::Vector3d down = camera.sight(Eigen::Vector2d(x, y + 1)) - corner;
-            double sum = 0;
-            for (int i = 0; i < samples * samples; ++i) {
-                const double u = (i % samples + 0.5) / samples, v = (i / samples + 0.5) / samples;
-                const Eigen::Vector3d sight = corner + u * right + v * down;
-                const SurfacePoint hit = query.hit(eye, sight.cast<float>()).point;
-                sum += hit.isValid() ? print(hit) : background;
-            }
-            plane[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
-                float(sum / (samples * samples));
-        }
-    });
-    return developed(std::move(plane), camera.size, light);
+    const Eigen::Matrix3d toModel = camera.pose.linear().transpose();
+    const LightFrom lightFrom = [&](const Eigen::Vector3d& sight) {
+        const SurfacePoint hit = query.hit(eye, (toModel * sight).cast<float>()).point;
+        return hit.isValid() ? print(hit) : background;
+    };
+    return photograph(camera, samples, lightFrom, light);
 }
 
 } // namespace dipwright::test

@@ -1,23 +1,22 @@
-// Photos of a part, made by another way than they are read: rays from a pinhole camera with a lens
-// of given distortion onto the body, whose print is asked place by place.
+// Photos of a part: rays onto the body, whose print is asked place by place.
 #pragma once
 
-#include "PhotoLight.h"
-#include "geometry/TriangleMesh.h"
+#include "Photograph.h"
+#include "dip/LaidFilm.h"
+
+#include <Eigen/Geometry>
 
 #include <functional>
 
 namespace dipwright::test {
 
-struct PhotoCamera {
-    QSize size{1344, 1344};   // the paper's
-    double focalLength = 2.2; // half diagonals
-    double k1 = 0, k2 = 0;
-    // From the model to the camera: right, down and forward in the picture.
+struct PhotoCamera : PhotoLens {
+    // From the model to the camera.
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 
-    Eigen::Vector2d seen(const Eigen::Vector3d& place) const;  // pixels
-    Eigen::Vector3d sight(const Eigen::Vector2d& pixel) const; // in the model's frame
+    Eigen::Vector2d seen(const Eigen::Vector3d& place) const; // pixels
+    // Whether it looks at the body there, and not all too much along it.
+    bool faces(const Eigen::Vector3d& place, const Eigen::Vector3d& outward) const;
     Eigen::Vector3d eye() const { return pose.inverse() * Eigen::Vector3d::Zero().eval(); }
 };
 
@@ -27,6 +26,10 @@ PhotoCamera cameraFrom(const Eigen::Vector3d& from, const Eigen::Vector3d& at,
 
 // How much light a place of the body sends back, 0 … 1.
 using Print = std::function<double(const SurfacePoint& place)>;
+
+// Of a film that has come to lie on a body: chess squares of `square` mm from the middle of its
+// sheet, grey where it covers nothing. Keeps the reference.
+Print chessboardPrint(const LaidFilm& laid, QSizeF sheet, double square);
 
 QImage partPhoto(const TriangleMesh& body, const Print& print, const PhotoCamera& camera,
                  const PhotoLight& light);

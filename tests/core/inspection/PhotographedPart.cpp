@@ -2,32 +2,35 @@
 
 #include "DippedByHand.h"
 #include "base/Units.h"
-#include "dip/LaidFilm.h"
+#include "dip/Dip.h"
 #include "geometry/Shapes.h"
-#include "pipeline/Pipeline.h"
-#include "tolerance/Contributors.h"
-
-#include <Eigen/Geometry>
+#include "geometry/SurfaceQuery.h"
+#include "production/reference/ReferenceFilm.h"
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace dipwright::test {
 namespace {
 
-constexpr double k1 = -0.06;
 constexpr double square = 8; // mm, of the sheet's chessboard
 
-std::shared_ptr<const LaidFilm> laidOf(const Project& project, const SolverRegistry& registry) {
-    JobOptions options;
-    options.estimatesCertainty = false;
-    return runJob(project, registry, options, nullptr, {}).immersions.front().laid;
-}
+class ReferenceTank : public solver::SolverModule {
+public:
+    const char* unavailableReason() const override { return nullptr; }
+    const char* device() const override { return "reference"; }
+    std::unique_ptr<solver::FilmSolver> create() const override {
+        return reference::makeReferenceFilm();
+    }
+    bool runBatch(std::span<solver::BatchItem>, solver::CancelFunction, void*) const override {
+        return false; // nobody asks for many
+    }
+};
 
 std::optional<Eigen::Vector3d> lies(const LaidFilm& laid, const Eigen::Vector2d& sheet,
-                                    const FilmSettings& film) {
-    const Eigen::Vector2d rest(sheet.x() * film.swellX, sheet.y() * film.swellY);
-    const auto place = laid.flat(rest.cast<float>());
+                                    const Eigen::Vector2d& swell) {
+    const auto place = laid.flat(sheet.cwiseProduct(swell).cast<float>());
     const auto found = place ? laid.onBody(*place) : std::nullopt;
     return found ? std::optional<Eigen::Vector3d>(laid.body().modelToPose.inverse() *
                                                   found->cast<double>())
@@ -36,40 +39,34 @@ std::optional<Eigen::Vector3d> lies(const LaidFilm& laid, const Eigen::Vector2d&
 
 } // namespace
 
-TrueCamera::TrueCamera(const std::vector<Standpoint>& from, const Eigen::Vector3d& middle,
-                       double distance, double focalLength, int pixels)
-    : focalLength_(focalLength), pixels_(pixels) {
+std::vector<PhotoCamera> camerasRound(const std::vector<Standpoint>& from, double distance,
+                                      double focalLength, int pixels) {
+    const Eigen::Vector3d aside(1.5, -2, 0); // nobody looks at the very middle
+    std::vector<PhotoCamera> cameras;
     for (const Standpoint& at : from) {
         const double round = at.round * pi / 180, above = at.above * pi / 180;
         const Eigen::Vector3d out(std::cos(above) * std::sin(round), std::sin(above),
                                   std::cos(above) * std::cos(round));
-        const Eigen::Vector3d right = Eigen::Vector3d::UnitY().cross(out).normalized();
-        Eigen::Matrix3d turn;
-        turn << right.transpose(), (-out.cross(right)).transpose(), (-out).transpose();
-        const Eigen::Vector3d aside(1.5, -2, 0); // nobody looks at the very middle
-        photos_.push_back({turn, -turn * (middle + distance * out) + aside});
+        PhotoCamera camera = cameraFrom(distance * out, {0, 0, 0}, {0, 1, 0});
+        camera.pose.translation() += aside;
+        camera.size = {pixels, pixels};
+        camera.focalLength = focalLength;
+        camera.k1 = -0.06;
+        cameras.push_back(camera);
     }
+    return cameras;
 }
 
-Eigen::Vector2d TrueCamera::seen(int photo, const Eigen::Vector3d& model) const {
-    const Photo& at = photos_[std::size_t(photo)];
-    const Eigen::Vector3d from = at.turn * model + at.shift;
-    const Eigen::Vector2d q = focalLength_ * from.head<2>() / from.z();
-    const double half = std::sqrt(0.5) * pixels_;
-    return Eigen::Vector2d::Constant(pixels_ / 2.0) + half * (1 + k1 * q.squaredNorm()) * q;
-}
-
-bool TrueCamera::faces(int photo, const Eigen::Vector3d& model,
-                       const Eigen::Vector3d& outward) const {
-    constexpr double leastCosine = 0.35;
-    const Photo& at = photos_[std::size_t(photo)];
-    const Eigen::Vector3d sight = (at.turn * model + at.shift).normalized();
-    return (at.turn * outward).dot(sight) < -leastCosine;
+const solver::SolverModule& referenceTank() {
+    static const ReferenceTank tank;
+    return tank;
 }
 
 PhotographedPart::PhotographedPart(Project believed, const Hidden& hidden, double cell,
-                                   const SolverRegistry& registry)
-    : believed_(std::move(believed)) {
+                                   const solver::SolverModule& program,
+                                   const solver::SolverModule& tank)
+    : believed_(std::move(believed)),
+      field_(cachedDistanceField(believed_.model->mesh, believed_.fieldResolution, {})) {
     Project real = believed_;
     real.film.swellX = hidden.swellX;
     real.film.swellY = hidden.swellY;
@@ -80,16 +77,29 @@ PhotographedPart::PhotographedPart(Project believed, const Hidden& hidden, doubl
     immersion.offset[0] = immersion.offset[0] + Millimetres(hidden.shiftX);
     immersion.offset[1] = immersion.offset[1] + Millimetres(hidden.shiftZ);
     immersion.rotation[1] = immersion.rotation[1] + Degrees(hidden.turn);
-    const auto truly = laidOf(real, registry);
-    meant_ = laidOf(believed_, registry);
+    truly_ = dipped(real, tank);
+    meant_ = dipped(believed_, program);
+    gatherCorners(hidden.swellX, hidden.swellY);
+}
+
+std::shared_ptr<const LaidFilm> PhotographedPart::dipped(const Project& project,
+                                                         const solver::SolverModule& module) const {
+    const Immersion& immersion = project.immersions.front();
+    auto body = std::make_shared<const PosedBody>(posedBody(*project.model, immersion));
+    DippedFilm film =
+        simulateDip(*body, *field_, immersion, project.film, project.process, module, {}, {});
+    return layFilm(std::move(body), std::move(film), project.process);
+}
+
+void PhotographedPart::gatherCorners(double swellX, double swellY) {
     const TriangleMesh& mesh = believed_.model->mesh;
-    field_ = cachedDistanceField(mesh, believed_.fieldResolution, {});
     const SurfaceQuery query(mesh);
     for (double x = -9 * square; x <= 9 * square; x += square) {
         for (double y = -9 * square; y <= 9 * square; y += square) {
             const Eigen::Vector2d sheet(x, y);
-            const auto at = lies(*truly, sheet, real.film);
-            const auto wanted = lies(*meant_, sheet, believed_.film);
+            const auto at = lies(*truly_, sheet, {swellX, swellY});
+            const auto wanted =
+                lies(*meant_, sheet, {believed_.film.swellX, believed_.film.swellY});
             if (at && wanted) {
                 const Eigen::Vector3f outward =
                     triangleNormal(mesh, query.closest(at->cast<float>()).point.triangle);
@@ -106,19 +116,19 @@ PhotographedPart::PhotographedPart(Project believed, const Hidden& hidden, doubl
     }
 }
 
-FitPairs PhotographedPart::pairs(const TrueCamera& camera, int photos, int printed, int body,
+FitPairs PhotographedPart::pairs(const std::vector<PhotoCamera>& cameras, int printed, int body,
                                  double noise, int seed) const {
     std::mt19937 random{std::uint32_t(seed)};
     std::normal_distribution<double> off(0, 1);
-    const auto seen = [&](int photo, const Eigen::Vector3d& at) {
+    const auto seen = [&](const PhotoCamera& camera, const Eigen::Vector3d& at) {
         const double x = off(random), y = off(random);
-        return Eigen::Vector2d(camera.seen(photo, at) + noise * Eigen::Vector2d(x, y));
+        return Eigen::Vector2d(camera.seen(at) + noise * Eigen::Vector2d(x, y));
     };
     // As many of those that face the camera, every so many of them.
-    const auto facing = [&](const std::vector<Corner>& all, int photo, int count) {
+    const auto facing = [](const std::vector<Corner>& all, const PhotoCamera& camera, int count) {
         std::vector<Corner> found;
         for (const Corner& corner : all) {
-            if (camera.faces(photo, corner.lies, corner.outward)) {
+            if (camera.faces(corner.lies, corner.outward)) {
                 found.push_back(corner);
             }
         }
@@ -129,16 +139,17 @@ FitPairs PhotographedPart::pairs(const TrueCamera& camera, int photos, int print
         return some;
     };
     FitPairs pairs;
-    pairs.photos = photos;
-    pairs.picture = camera.picture();
+    pairs.photos = int(cameras.size());
+    pairs.picture = cameras.front().size;
     pairs.where = QStringLiteral("pairs.csv");
-    for (int photo = 0; photo < photos; ++photo) {
-        for (const Corner& corner : facing(corners_, photo, printed)) {
+    for (int photo = 0; photo < pairs.photos; ++photo) {
+        const PhotoCamera& camera = cameras[std::size_t(photo)];
+        for (const Corner& corner : facing(corners_, camera, printed)) {
             pairs.printed.push_back(
-                {photo, seen(photo, corner.lies), 0, corner.sheet, corner.meant});
+                {photo, seen(camera, corner.lies), 0, corner.sheet, corner.meant});
         }
-        for (const Corner& place : facing(body_, photo, body)) {
-            pairs.body.push_back({photo, seen(photo, place.lies), place.lies});
+        for (const Corner& place : facing(body_, camera, body)) {
+            pairs.body.push_back({photo, seen(camera, place.lies), place.lies});
         }
     }
     return pairs;

@@ -1,12 +1,9 @@
-// A part dipped with a film whose numbers are hidden, photographed by a camera of its own: what a
+// A part dipped with a film whose numbers are hidden, photographed by cameras of its own: what a
 // fit is given, and what it has to find.
 #pragma once
 
-#include "dip/LaidFilm.h"
+#include "PartPhoto.h"
 #include "inspection/FilmFit.h"
-#include "solver/SolverRegistry.h"
-
-#include <random>
 
 namespace dipwright::test {
 
@@ -16,43 +13,38 @@ struct Hidden {
     double shiftX = 0, shiftZ = 0, turn = 0;
 };
 
-// Where a camera stands: degrees round the vertical, and above the horizon; it looks at the middle
-// of the body.
+// Where a camera stands: degrees round the vertical, and above the horizon.
 struct Standpoint {
     double round = 0, above = 0;
 };
 
-// Pinholes written down once more, with distortion; `pixels` wide and as high.
-class TrueCamera {
-public:
-    TrueCamera(const std::vector<Standpoint>& from, const Eigen::Vector3d& middle, double distance,
-               double focalLength, int pixels);
-    Eigen::Vector2d seen(int photo, const Eigen::Vector3d& model) const;
-    bool faces(int photo, const Eigen::Vector3d& model, const Eigen::Vector3d& outward) const;
-    QSize picture() const { return {pixels_, pixels_}; }
+// One camera, seen from several places; looks all but at the model's origin from `distance` mm.
+// `pixels` wide and as high.
+std::vector<PhotoCamera> camerasRound(const std::vector<Standpoint>& from, double distance,
+                                      double focalLength, int pixels);
 
-private:
-    struct Photo {
-        Eigen::Matrix3d turn;
-        Eigen::Vector3d shift;
-    };
-    std::vector<Photo> photos_;
-    double focalLength_; // half diagonals
-    int pixels_;
-};
+// A solver whose film is that of solvers/production/reference, which shares no arithmetic with the
+// one that is fitted: a tank that the program knows nothing of. Slow.
+const solver::SolverModule& referenceTank();
 
 // The project as its owner believes it to be, and the film that was really on the body, of other
 // cells and with other steps.
 class PhotographedPart {
 public:
+    // `cell`: of the film in the tank, mm.
     PhotographedPart(Project believed, const Hidden& hidden, double cell,
-                     const SolverRegistry& registry);
+                     const solver::SolverModule& program, const solver::SolverModule& tank);
+    PhotographedPart(Project believed, const Hidden& hidden, double cell,
+                     const solver::SolverModule& both)
+        : PhotographedPart(std::move(believed), hidden, cell, both, both) {}
 
     const Project& project() const { return believed_; }
     const DistanceField& field() const { return *field_; }
     std::shared_ptr<const LaidFilm> believedFilm() const { return meant_; }
-    // `printed` places in each photo and `body` of the body's own, each off by `noise` pixels.
-    FitPairs pairs(const TrueCamera& camera, int photos, int printed, int body, double noise,
+    std::shared_ptr<const LaidFilm> filmInTank() const { return truly_; }
+    // A photo from each camera: `printed` places in each and `body` of the body's own, each off by
+    // `noise` pixels.
+    FitPairs pairs(const std::vector<PhotoCamera>& cameras, int printed, int body, double noise,
                    int seed) const;
 
 private:
@@ -60,9 +52,13 @@ private:
         Eigen::Vector2d sheet;
         Eigen::Vector3d lies, outward, meant;
     };
+    std::shared_ptr<const LaidFilm> dipped(const Project& project,
+                                           const solver::SolverModule& module) const;
+    void gatherCorners(double swellX, double swellY);
+
     Project believed_;
     std::shared_ptr<const DistanceField> field_;
-    std::shared_ptr<const LaidFilm> meant_;
+    std::shared_ptr<const LaidFilm> meant_, truly_;
     std::vector<Corner> corners_; // of a chessboard on the sheet, all that are on the body
     std::vector<Corner> body_;    // spread over it
 };

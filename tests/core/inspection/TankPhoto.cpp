@@ -1,6 +1,5 @@
 #include "TankPhoto.h"
 
-#include "parallel/ParallelFor.h"
 #include "sheet/WatchPage.h"
 
 #include <Eigen/Geometry>
@@ -52,27 +51,6 @@ double reflected(const std::vector<FloatingPage>& pages, const Eigen::Vector2d& 
     return 0.2 + 0.03 * std::sin(water.x() / 9) * std::sin(water.y() / 13);
 }
 
-std::vector<float> reflected(const std::vector<FloatingPage>& pages, const TankCamera& camera) {
-    constexpr int samples = 3;
-    const int width = camera.size.width(), height = camera.size.height();
-    std::vector<float> plane(std::size_t(width) * std::size_t(height));
-    parallelFor(0, height, [&](int y) {
-        for (int x = 0; x < width; ++x) {
-            // Within a pixel a lens is straight.
-            const Eigen::Vector2d corner = camera.looksAt(Eigen::Vector2d(x, y));
-            const Eigen::Vector2d right = camera.looksAt(Eigen::Vector2d(x + 1, y)) - corner;
-            const Eigen::Vector2d down = camera.looksAt(Eigen::Vector2d(x, y + 1)) - corner;
-            double sum = 0;
-            for (int i = 0; i < samples * samples; ++i) {
-                const double u = (i % samples + 0.5) / samples, v = (i / samples + 0.5) / samples;
-                sum += reflected(pages, corner + u * right + v * down) / (samples * samples);
-            }
-            plane[std::size_t(y) * std::size_t(width) + std::size_t(x)] = float(sum);
-        }
-    });
-    return plane;
-}
-
 // The camera's axes in the tank's frame, by columns: right, down and forward in the picture.
 Eigen::Matrix3d axesOf(const TankCamera& camera) {
     return (Eigen::AngleAxisd(camera.tiltDegrees * pi / 180, Eigen::Vector3d::UnitX()) *
@@ -94,31 +72,38 @@ Eigen::Vector2d FloatingPage::onWater(const Eigen::Vector2d& onPage) const {
 }
 
 Eigen::Vector2d TankCamera::seen(const Eigen::Vector2d& water, double above) const {
-    const Eigen::Vector3d from = axesOf(*this).transpose() *
-                                 (Eigen::Vector3d(water.x(), water.y(), -above) - placeOf(*this));
-    const Eigen::Vector2d plain = focalLength * from.head<2>() / from.z();
-    const double r2 = plain.squaredNorm();
-    const Eigen::Vector2d middle(size.width() / 2.0, size.height() / 2.0);
-    return middle + middle.norm() * plain * (1 + k1 * r2 + k2 * r2 * r2);
-}
-
-Eigen::Vector2d TankCamera::looksAt(const Eigen::Vector2d& pixel, double above) const {
-    const Eigen::Vector2d middle(size.width() / 2.0, size.height() / 2.0);
-    const Eigen::Vector2d target = (pixel - middle) / middle.norm();
-    Eigen::Vector2d plain = target;
-    for (int round = 0; round < 12; ++round) {
-        const double r2 = plain.squaredNorm();
-        plain = target / (1 + k1 * r2 + k2 * r2 * r2);
-    }
-    const Eigen::Vector3d ray =
-        axesOf(*this) * Eigen::Vector3d(plain.x() / focalLength, plain.y() / focalLength, 1);
-    const Eigen::Vector3d from = placeOf(*this);
-    return (from + ray * ((-above - from.z()) / ray.z())).head<2>();
+    return pixelOf(axesOf(*this).transpose() *
+                   (Eigen::Vector3d(water.x(), water.y(), -above) - placeOf(*this)));
 }
 
 QImage tankPhoto(const std::vector<FloatingPage>& pages, const TankCamera& camera,
                  const PhotoLight& light) {
-    return developed(reflected(pages, camera), camera.size, light);
+    constexpr int samples = 3;
+    const Eigen::Matrix3d axes = axesOf(camera);
+    const Eigen::Vector3d from = placeOf(camera);
+    const LightFrom lightFrom = [&](const Eigen::Vector3d& sight) {
+        const Eigen::Vector3d ray = axes * sight;
+        return reflected(pages, (from - ray * (from.z() / ray.z())).head<2>());
+    };
+    return photograph(camera, samples, lightFrom, light);
+}
+
+double GrowingFilm::times(double seconds) const {
+    return 1 + limit * (1 - std::exp(-rate * (seconds - begin) / limit));
+}
+
+QImage tankPhoto(const GrowingFilm& growing, double seconds, int jpegQuality) {
+    FloatingPage film = filmPage(), card = cardPage();
+    const double times = growing.times(seconds);
+    film.turn = turned(-3, growing.swellX * times, growing.swellY * times);
+    film.middle = {-90, 0};
+    card.turn = turned(12);
+    card.middle = {125, -10};
+    TankCamera camera;
+    camera.size = {1600, 1200};
+    camera.k1 = -0.05;
+    camera.tiltDegrees = 5;
+    return tankPhoto({card, film}, camera, {.jpegQuality = jpegQuality, .seed = unsigned(seconds)});
 }
 
 FloatingPage filmPage() {

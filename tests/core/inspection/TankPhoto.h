@@ -1,14 +1,7 @@
-// Photos of a tank, made by another way than they are read: rays from a pinhole camera with a lens
-// of given distortion onto the water, on which the printed pages lie. All in linear light, then
-// encoded.
+// Photos of a tank: rays onto the water, on which the printed pages lie.
 #pragma once
 
-#include "PhotoLight.h"
-
-#include <Eigen/Core>
-
-#include <QImage>
-#include <functional>
+#include "Photograph.h"
 
 namespace dipwright::test {
 
@@ -25,23 +18,31 @@ struct FloatingPage {
     Eigen::Vector2d onWater(const Eigen::Vector2d& onPage) const; // both from their own middle: mm
 };
 
-struct TankCamera {
-    QSize size{2000, 1500};
-    double focalLength = 1.5; // half diagonals
-    double k1 = 0, k2 = 0;
+struct TankCamera : PhotoLens {
     double height = 700;                     // mm over the water
     double tiltDegrees = 0, rollDegrees = 0; // from looking straight down, and about its axis
     Eigen::Vector2d over = Eigen::Vector2d::Zero(); // the place on the water that it looks at
 
+    TankCamera() : PhotoLens{{2000, 1500}, 1.5} {}
     // Pixels from the picture's corner; `above` mm over the water.
     Eigen::Vector2d seen(const Eigen::Vector2d& water, double above = 0) const;
-    // The place at that height which is seen there.
-    Eigen::Vector2d looksAt(const Eigen::Vector2d& pixel, double above = 0) const;
 };
 
 // Of pages on the water itself, not drawn aside.
 QImage tankPhoto(const std::vector<FloatingPage>& pages, const TankCamera& camera,
                  const PhotoLight& light);
+
+// A film that grows as the film model has it, from when the dip begins.
+struct GrowingFilm {
+    double swellX = 1.12, swellY = 1.05; // when the dip begins
+    double rate = 0.004, limit = 0.1;
+    double begin = 70; // seconds after it was laid
+
+    double times(double seconds) const; // how long it is then, times what it is at the begin
+};
+
+// It and its card, so many seconds after it was laid. `jpegQuality`: as of PhotoLight.
+QImage tankPhoto(const GrowingFilm& film, double seconds, int jpegQuality);
 
 // The film's page and the card's, A4 and A5, as they are printed.
 FloatingPage filmPage();

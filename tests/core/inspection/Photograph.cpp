@@ -1,4 +1,4 @@
-#include "PhotoLight.h"
+#include "Photograph.h"
 
 #include "parallel/ParallelFor.h"
 
@@ -58,11 +58,8 @@ QImage throughJpeg(const QImage& picture, int quality) {
     return QImage::fromData(buffer.data(), "JPEG");
 }
 
-} // namespace
-
-QImage developed(std::vector<float> reflected, QSize size, const PhotoLight& light) {
+QImage developed(Plane plane, QSize size, const PhotoLight& light) {
     const int width = size.width(), height = size.height();
-    Plane plane = std::move(reflected);
     shine(plane, width, height, light);
     plane = blurred(plane, width, height, light.blur, true);
     plane = blurred(plane, width, height, light.blur, false);
@@ -80,6 +77,48 @@ QImage developed(std::vector<float> reflected, QSize size, const PhotoLight& lig
         }
     }
     return light.jpegQuality > 0 ? throughJpeg(picture, light.jpegQuality) : picture;
+}
+
+} // namespace
+
+Eigen::Vector2d PhotoLens::pixelOf(const Eigen::Vector3d& place) const {
+    const Eigen::Vector2d plain = focalLength * place.head<2>() / place.z();
+    const double r2 = plain.squaredNorm();
+    const Eigen::Vector2d middle(size.width() / 2.0, size.height() / 2.0);
+    return middle + middle.norm() * plain * (1 + k1 * r2 + k2 * r2 * r2);
+}
+
+Eigen::Vector3d PhotoLens::sight(const Eigen::Vector2d& pixel) const {
+    const Eigen::Vector2d middle(size.width() / 2.0, size.height() / 2.0);
+    const Eigen::Vector2d target = (pixel - middle) / middle.norm();
+    Eigen::Vector2d plain = target;
+    for (int round = 0; round < 12; ++round) {
+        const double r2 = plain.squaredNorm();
+        plain = target / (1 + k1 * r2 + k2 * r2 * r2);
+    }
+    return {plain.x() / focalLength, plain.y() / focalLength, 1};
+}
+
+QImage photograph(const PhotoLens& lens, int samples, const LightFrom& lightFrom,
+                  const PhotoLight& light) {
+    const int width = lens.size.width(), height = lens.size.height();
+    Plane plane(std::size_t(width) * std::size_t(height));
+    parallelFor(0, height, [&](int y) {
+        for (int x = 0; x < width; ++x) {
+            // Within a pixel a lens is straight.
+            const Eigen::Vector3d corner = lens.sight(Eigen::Vector2d(x, y));
+            const Eigen::Vector3d right = lens.sight(Eigen::Vector2d(x + 1, y)) - corner;
+            const Eigen::Vector3d down = lens.sight(Eigen::Vector2d(x, y + 1)) - corner;
+            double sum = 0;
+            for (int i = 0; i < samples * samples; ++i) {
+                const double u = (i % samples + 0.5) / samples, v = (i / samples + 0.5) / samples;
+                sum += lightFrom(corner + u * right + v * down);
+            }
+            plane[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
+                float(sum / (samples * samples));
+        }
+    });
+    return developed(std::move(plane), lens.size, light);
 }
 
 } // namespace dipwright::test
