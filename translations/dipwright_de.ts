@@ -4166,6 +4166,18 @@
         <source>The photo does not say how long the camera&apos;s lens was, which is needed where the card lies above the film; give its focal length as of a 35 mm camera</source>
         <translation>Das Foto nennt die Brennweite der Kamera nicht, die nötig ist, wo die Karte über dem Film liegt; geben Sie sie bezogen auf Kleinbild (35 mm) an</translation>
     </message>
+    <message>
+        <source>The photos show the film from %1 to %2 s after it was laid on the water, and the dip begins after %3 s, of which they tell nothing; correct the times, or photograph the film from before the dip begins</source>
+        <translation>Die Fotos zeigen den Film von %1 bis %2 s nach dem Auflegen, und das Tauchen beginnt nach %3 s, worüber sie nichts sagen; berichtigen Sie die Zeiten, oder fotografieren Sie den Film von vor dem Tauchen an</translation>
+    </message>
+    <message>
+        <source>The swell is that after %1 s, and the dip begins after %2 s: what the film grows between is not in it</source>
+        <translation>Die Quellung ist die nach %1 s, und das Tauchen beginnt nach %2 s: was der Film dazwischen wächst, ist nicht darin</translation>
+    </message>
+    <message>
+        <source>The card&apos;s corners lie %1 px from where those of a flat card would; lay it flat, and correct what is told of the lens&apos;s distortion, the focal length and the card&apos;s height, or leave them out</source>
+        <translation>Die Ecken der Karte liegen %1 px neben denen einer ebenen Karte; legen Sie sie eben hin, und berichtigen Sie die Angaben zur Verzeichnung, zur Brennweite und zur Höhe der Karte, oder lassen Sie sie weg</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::FilmWatchController</name>
@@ -4294,6 +4306,10 @@
     <message>
         <source>Fits placement, swell and relaxation, as far as the photos tell them.</source>
         <translation>Passt Lage, Quellung und Relaxation an, soweit die Fotos sie verraten.</translation>
+    </message>
+    <message>
+        <source>The project has film, placement and depth as they were found here. To fit again, find the corners anew.</source>
+        <translation>Das Projekt hat Film, Lage und Tiefe, wie sie hier gefunden wurden. Um erneut anzupassen, suchen Sie die Ecken neu.</translation>
     </message>
 </context>
 <context>
@@ -4682,10 +4698,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
 </context>
 <context>
     <name>dipwright::InspectionController</name>
-    <message>
-        <source>The photos are of different sizes; take those of one camera, held the same way</source>
-        <translation>Die Fotos sind verschieden groß; nehmen Sie solche einer Kamera, gleich gehalten</translation>
-    </message>
     <message>
         <source>The model&apos;s texture has no chess squares to look for; dip the chessboard, or measure the pairs alone</source>
         <translation>Die Textur des Modells hat keine Schachfelder, die sich suchen ließen; tauchen Sie das Schachbrett oder messen Sie nur die Paare</translation>
@@ -5236,21 +5248,17 @@ zuerst eintaucht</translation>
         <source>the number of a photo, two numbers of pixels, the number of a dip, and two and three of millimetres, joined by commas</source>
         <translation>die Nummer eines Fotos, zwei Zahlen in Pixeln, die Nummer eines Tauchgangs und zwei und drei in Millimetern, durch Kommas verbunden</translation>
     </message>
+    <message>
+        <source>The photos are of different sizes; take those of one camera, held the same way</source>
+        <translation>Die Fotos sind verschieden groß; nehmen Sie solche einer Kamera, gleich gehalten</translation>
+    </message>
+    <message>
+        <source>With this photo those of the part have %1 million pixels together, and %2 may be held at once; give fewer, or smaller ones</source>
+        <translation>Mit diesem Foto haben die des Teils zusammen %1 Millionen Pixel, und %2 dürfen zugleich gehalten werden; nehmen Sie weniger oder kleinere</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PartPage</name>
-    <message>
-        <source>%1 ± %2 px</source>
-        <translation>%1 ± %2 px</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
     <message>
         <source>Photo of the dipped part</source>
         <translation>Foto des getauchten Teils</translation>
@@ -5262,22 +5270,6 @@ zuerst eintaucht</translation>
     <message>
         <source>N</source>
         <translation>N</translation>
-    </message>
-    <message>
-        <source>R ± σ</source>
-        <translation>R ± σ</translation>
-    </message>
-    <message>
-        <source>Of diagonal</source>
-        <translation>Der Diagonale</translation>
-    </message>
-    <message>
-        <source>95 %</source>
-        <translation>95 %</translation>
-    </message>
-    <message>
-        <source>Worst</source>
-        <translation>Größte</translation>
     </message>
     <message>
         <source>Places</source>
@@ -5414,6 +5406,26 @@ zuerst eintaucht</translation>
     <message>
         <source>%1 pairs. Drag a place to correct it; Delete removes it. Then find the corners, or measure the pairs alone.</source>
         <translation>%1 Paare. Ziehen Sie eine Stelle, um sie zu berichtigen; Entf löscht sie. Dann suchen Sie die Ecken oder messen nur die Paare.</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>R ± σ, px</source>
+        <translation>R ± σ, px</translation>
+    </message>
+    <message>
+        <source>R, %</source>
+        <translation>R, %</translation>
+    </message>
+    <message>
+        <source>95 %, mm</source>
+        <translation>95 %, mm</translation>
+    </message>
+    <message>
+        <source>Worst, mm</source>
+        <translation>Größte, mm</translation>
     </message>
 </context>
 <context>

@@ -4166,6 +4166,18 @@
         <source>The photo does not say how long the camera&apos;s lens was, which is needed where the card lies above the film; give its focal length as of a 35 mm camera</source>
         <translation>A foto não diz a distância focal da câmera, necessária quando o cartão fica acima do filme; informe-a como em uma câmera de 35 mm</translation>
     </message>
+    <message>
+        <source>The photos show the film from %1 to %2 s after it was laid on the water, and the dip begins after %3 s, of which they tell nothing; correct the times, or photograph the film from before the dip begins</source>
+        <translation>As fotos mostram o filme de %1 a %2 s depois de posto na água, e a imersão começa após %3 s, sobre o que elas nada dizem; corrija os tempos, ou fotografe o filme desde antes de a imersão começar</translation>
+    </message>
+    <message>
+        <source>The swell is that after %1 s, and the dip begins after %2 s: what the film grows between is not in it</source>
+        <translation>O inchamento é o de %1 s, e a imersão começa após %2 s: o que o filme cresce entre os dois não está nele</translation>
+    </message>
+    <message>
+        <source>The card&apos;s corners lie %1 px from where those of a flat card would; lay it flat, and correct what is told of the lens&apos;s distortion, the focal length and the card&apos;s height, or leave them out</source>
+        <translation>Os cantos do cartão estão a %1 px de onde estariam os de um cartão plano; deite-o plano, e corrija o que se diz da distorção da lente, da distância focal e da altura do cartão, ou deixe isso de fora</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::FilmWatchController</name>
@@ -4294,6 +4306,10 @@
     <message>
         <source>Fits placement, swell and relaxation, as far as the photos tell them.</source>
         <translation>Ajusta posição, inchamento e relaxação, até onde as fotos os mostram.</translation>
+    </message>
+    <message>
+        <source>The project has film, placement and depth as they were found here. To fit again, find the corners anew.</source>
+        <translation>O projeto tem filme, posição e profundidade como foram achados aqui. Para ajustar outra vez, procure os cantos de novo.</translation>
     </message>
 </context>
 <context>
@@ -4682,10 +4698,6 @@ impresso em cartão rígido e impermeável</translation>
 </context>
 <context>
     <name>dipwright::InspectionController</name>
-    <message>
-        <source>The photos are of different sizes; take those of one camera, held the same way</source>
-        <translation>As fotos têm tamanhos diferentes; use as de uma só câmera, segurada do mesmo modo</translation>
-    </message>
     <message>
         <source>The model&apos;s texture has no chess squares to look for; dip the chessboard, or measure the pairs alone</source>
         <translation>A textura do modelo não tem quadrados de xadrez a procurar; mergulhe o tabuleiro ou meça só os pares</translation>
@@ -5236,21 +5248,17 @@ desce primeiro</translation>
         <source>the number of a photo, two numbers of pixels, the number of a dip, and two and three of millimetres, joined by commas</source>
         <translation>o número de uma foto, dois números em pixels, o número de uma imersão, e dois e três em milímetros, separados por vírgulas</translation>
     </message>
+    <message>
+        <source>The photos are of different sizes; take those of one camera, held the same way</source>
+        <translation>As fotos têm tamanhos diferentes; use as de uma só câmera, segurada do mesmo modo</translation>
+    </message>
+    <message>
+        <source>With this photo those of the part have %1 million pixels together, and %2 may be held at once; give fewer, or smaller ones</source>
+        <translation>Com esta foto, as da peça têm juntas %1 milhões de pixels, e %2 podem ser mantidos ao mesmo tempo; use menos, ou menores</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PartPage</name>
-    <message>
-        <source>%1 ± %2 px</source>
-        <translation>%1 ± %2 px</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
     <message>
         <source>Photo of the dipped part</source>
         <translation>Foto da peça mergulhada</translation>
@@ -5262,22 +5270,6 @@ desce primeiro</translation>
     <message>
         <source>N</source>
         <translation>N</translation>
-    </message>
-    <message>
-        <source>R ± σ</source>
-        <translation>R ± σ</translation>
-    </message>
-    <message>
-        <source>Of diagonal</source>
-        <translation>Da diagonal</translation>
-    </message>
-    <message>
-        <source>95 %</source>
-        <translation>95 %</translation>
-    </message>
-    <message>
-        <source>Worst</source>
-        <translation>Pior</translation>
     </message>
     <message>
         <source>Places</source>
@@ -5414,6 +5406,26 @@ desce primeiro</translation>
     <message>
         <source>%1 pairs. Drag a place to correct it; Delete removes it. Then find the corners, or measure the pairs alone.</source>
         <translation>%1 pares. Arraste um ponto para corrigi-lo; Delete o remove. Depois procure os cantos ou meça só os pares.</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>R ± σ, px</source>
+        <translation>R ± σ, px</translation>
+    </message>
+    <message>
+        <source>R, %</source>
+        <translation>R, %</translation>
+    </message>
+    <message>
+        <source>95 %, mm</source>
+        <translation>95 %, mm</translation>
+    </message>
+    <message>
+        <source>Worst, mm</source>
+        <translation>Pior, mm</translation>
     </message>
 </context>
 <context>

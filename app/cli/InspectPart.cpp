@@ -108,12 +108,7 @@ std::vector<PartPhoto> readPartPhotos(const QStringList& files, const Progress& 
     for (qsizetype i = 0; i < files.size(); ++i) {
         progress(double(i) / double(files.size()), files[i]);
         Photo photo = readPhotoFile(files[i], progress);
-        photos.push_back({files[i], photo.sha256, std::move(photo.picture), photo.taken});
-        if (photos.back().picture.size() != photos.front().picture.size()) {
-            throw Error(QStringLiteral("The photos are of different sizes; take those of one "
-                                       "camera, held the same way"),
-                        files[i]);
-        }
+        addPartPhoto(photos, {files[i], photo.sha256, std::move(photo.picture), photo.taken});
     }
     return photos;
 }

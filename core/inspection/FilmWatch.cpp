@@ -8,6 +8,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace dipwright {
 
@@ -42,12 +43,54 @@ QString swellText(const Measured& swell) {
     return Text::tr("%1 ± %2").arg(number(swell.value, 4), number(swell.off, 4));
 }
 
+double secondsOf(const WatchedPhoto& photo, double begin) {
+    return photo.seconds.value_or(begin);
+}
+
+// Growth between three moments and more says nothing of a dip that begins long before or after.
+void requireBeginSeen(const FilmWatch& watch) {
+    constexpr double beyond = 0.25; // of the time from the first photo to the last
+    std::set<double> moments;
+    for (const WatchedPhoto& photo : watch.photos) {
+        moments.insert(secondsOf(photo, watch.begin));
+    }
+    if (moments.size() < 3) {
+        return;
+    }
+    const double first = *moments.begin(), last = *moments.rbegin();
+    if (watch.begin < first - beyond * (last - first) ||
+        watch.begin > last + beyond * (last - first)) {
+        throw Error(Text::tr("The photos show the film from %1 to %2 s after it was laid on the "
+                             "water, and the dip begins after %3 s, of which they tell nothing; "
+                             "correct the times, or photograph the film from before the dip begins")
+                        .arg(number(first, 0), number(last, 0), number(watch.begin, 0)),
+                    watch.photos.front().where);
+    }
+}
+
+QStringList noGrowthSentences(const FilmWatch& watch) {
+    QStringList sentences{
+        Text::tr("Growth is not measured: that takes photos at three moments or more, "
+                 "from before the dip begins to after it ends")};
+    const auto away = [&](const WatchedPhoto& photo) {
+        return std::abs(secondsOf(photo, watch.begin) - watch.begin);
+    };
+    const auto nearest = std::min_element(
+        watch.photos.begin(), watch.photos.end(),
+        [&](const WatchedPhoto& a, const WatchedPhoto& b) { return away(a) < away(b); });
+    if (nearest != watch.photos.end() && away(*nearest) >= 1) {
+        sentences << Text::tr("The swell is that after %1 s, and the dip begins after %2 s: what "
+                              "the film grows between is not in it")
+                         .arg(number(secondsOf(*nearest, watch.begin), 0), number(watch.begin, 0));
+    }
+    return sentences;
+}
+
 QStringList growthSentences(const FilmWatch& watch) {
     const GrowthFit& growth = watch.growth;
     switch (growth.known) {
     case GrowthKnown::No:
-        return {Text::tr("Growth is not measured: that takes photos at three moments or more, "
-                         "from before the dip begins to after it ends")};
+        return noGrowthSentences(watch);
     case GrowthKnown::None:
         return {Text::tr("The film did not grow between the photos by more than they can tell")};
     case GrowthKnown::RateOnly:
@@ -131,15 +174,14 @@ FlatFilm measureFlatFilm(const QImage& photo, const FlatSettings& settings, cons
 
 FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin, double rulerError) {
     FilmWatch watch{std::move(photos), {}, begin, rulerError};
-    const auto secondsOf = [begin](const WatchedPhoto& photo) {
-        return photo.seconds.value_or(begin);
-    };
-    std::stable_sort(
-        watch.photos.begin(), watch.photos.end(),
-        [&](const WatchedPhoto& a, const WatchedPhoto& b) { return secondsOf(a) < secondsOf(b); });
+    std::stable_sort(watch.photos.begin(), watch.photos.end(),
+                     [&](const WatchedPhoto& a, const WatchedPhoto& b) {
+                         return secondsOf(a, begin) < secondsOf(b, begin);
+                     });
+    requireBeginSeen(watch);
     std::vector<SwellAt> moments;
     for (const WatchedPhoto& photo : watch.photos) {
-        moments.push_back({secondsOf(photo), photo.film.swellX, photo.film.swellY});
+        moments.push_back({secondsOf(photo, begin), photo.film.swellX, photo.film.swellY});
     }
     watch.growth = fitGrowth(moments, begin);
     watch.growth.swellX = withRulers(watch.growth.swellX, rulerError);

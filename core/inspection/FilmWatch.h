@@ -39,7 +39,8 @@ struct FilmWatch {
 
 // What follows from the photos together; at least one. Those without a time are taken to have been
 // made when the dip begins. The swell's interval holds how exactly the rulers were read; growth is
-// told by photos of one scale and has nothing of it.
+// told by photos of one scale and has nothing of it. Throws Error where three moments and more say
+// nothing of when the dip begins.
 FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin, double rulerError = 0);
 
 // What was known besides when the photos were made.

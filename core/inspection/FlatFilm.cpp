@@ -11,6 +11,7 @@
 #include <Eigen/QR>
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -24,6 +25,8 @@ struct Text {
 };
 
 constexpr double sure95 = 1.959964; // standard deviations to either side
+// Of half the picture's diagonal: a card is flat, and corners are found to a tenth of that.
+constexpr double mostCardOff = 0.001;
 constexpr double mm = 100; // millimetres to a unit of the fit, so that its numbers are near 1
 
 using Places = std::vector<Eigen::Vector2d>;
@@ -109,6 +112,11 @@ public:
         return projected(waterOf(p).inverse(), undistorted(filmSeen_[corner], lensOf(p)));
     }
     double pixels() const { return plane_.unit(); } // to a unit of the residuals
+    // Root mean square of what the card's corners are off, in units of the fit.
+    double cardOff(const Eigen::VectorXd& residuals) const {
+        const double count = double(card_.size());
+        return residuals.tail(2 * Eigen::Index(card_.size())).norm() / std::sqrt(count);
+    }
 
 private:
     static Eigen::Matrix3d waterOf(const Eigen::VectorXd& p) {
@@ -196,6 +204,18 @@ void requireDetermined(const LeastSquaresFit& fit, const QString& where) {
     }
 }
 
+// What is told of camera and card may be wrong without any scatter of the film's to show it.
+void requireFlatCard(const FlatFit& problem, const LeastSquaresFit& fit, const QString& where) {
+    const double off = problem.cardOff(fit.residuals);
+    if (!(off < mostCardOff)) {
+        throw Error(Text::tr("The card's corners lie %1 px from where those of a flat card would; "
+                             "lay it flat, and correct what is told of the lens's distortion, the "
+                             "focal length and the card's height, or leave them out")
+                        .arg(QLocale().toString(off * problem.pixels(), 'f', 1)),
+                    where);
+    }
+}
+
 void requireBoth(const SeenBoard& film, const SeenBoard& card, const QString& where) {
     requireCorners(film,
                    Text::tr("Only %1 corners of the film's chessboard are seen and it takes %2; "
@@ -228,6 +248,7 @@ FlatFilm fitFlatFilm(const SeenBoard& film, const SeenBoard& card, QSize picture
     const LeastSquaresFit fit =
         robustLeastSquares(residualsOf(problem), problem.count(), problem.start());
     requireDetermined(fit, where);
+    requireFlatCard(problem, fit, where);
     // By the median, which a few places where something else was taken for a corner do not move.
     const double freedom = double(problem.count() - fit.parameters.size()) / problem.count();
     const double sigma = medianLength(fit.residuals) / medianOfDistances / std::sqrt(freedom);

@@ -207,6 +207,24 @@ std::vector<PrintedPlace> readPlaces(const QByteArray& table, int photos, const 
     return places;
 }
 
+void addPartPhoto(std::vector<PartPhoto>& photos, PartPhoto photo) {
+    const QSize size = photo.picture.size();
+    if (!photos.empty() && photos.front().picture.size() != size) {
+        throw Error(Text::tr("The photos are of different sizes; take those of one camera, held "
+                             "the same way"),
+                    photo.where);
+    }
+    const qint64 pixels = qint64(size.width()) * size.height() * qint64(photos.size() + 1);
+    if (pixels > mostPartPixels) {
+        throw Error(Text::tr("With this photo those of the part have %1 million pixels together, "
+                             "and %2 may be held at once; give fewer, or smaller ones")
+                        .arg(pixels / 1'000'000)
+                        .arg(mostPartPixels / 1'000'000),
+                    photo.where);
+    }
+    photos.push_back(std::move(photo));
+}
+
 QImage pairsPicture(const PartPhoto& photo, int index, const std::vector<PlacePair>& pairs,
                     const PartView& view, double times) {
     QImage picture = photo.picture.convertToFormat(QImage::Format_RGB32);

@@ -25,6 +25,13 @@ struct PartPhoto {
     std::optional<QDateTime> taken = std::nullopt;
 };
 
+// Photos of one part are all held at once, 4 bytes a pixel.
+inline constexpr qint64 mostPartPixels = 400'000'000;
+
+// One more photo of a part. Throws Error where it is of another size than the others, or where they
+// have more than mostPartPixels together; `photos` is then as it was.
+void addPartPhoto(std::vector<PartPhoto>& photos, PartPhoto photo);
+
 // The photo, with a line from where each of its places is expected to where it is seen, as in the
 // paper's Figure 8, `times` as long as it is.
 QImage pairsPicture(const PartPhoto& photo, int index, const std::vector<PlacePair>& pairs,

@@ -30,13 +30,7 @@ std::vector<PartPhoto> photosOf(const InspectedPart& part,
     std::vector<PartPhoto> photos;
     for (const InspectedPhoto& photo : part.photos) {
         const auto found = known.find(photo.file);
-        photos.push_back(found == known.end() ? readPart(photo.file, progress) : found->second);
-        if (photos.back().picture.size() != photos.front().picture.size()) {
-            throw Error(InspectionController::tr(
-                            "The photos are of different sizes; take those of one camera, "
-                            "held the same way"),
-                        photo.file);
-        }
+        addPartPhoto(photos, found == known.end() ? readPart(photo.file, progress) : found->second);
     }
     return photos;
 }
@@ -168,23 +162,36 @@ void InspectionController::showDocument() {
 
 void InspectionController::showProject() {
     const Document* document = session_.document();
-    if (measured_ && !(document && measuresAlike(measured_->project, document->project()))) {
-        measured_ = nullptr;
-    }
+    const bool holds =
+        measured_ && document && measuresAlike(measured_->project, document->project());
+    const auto measured = holds ? measured_ : nullptr; // an undone change brings it back
     part_->setPart(document ? document->project().inspection : InspectedPart{});
-    part_->setMeasured(measured_);
-    fit_->setMeasured(measured_);
-    built_->setMeasured(measured_);
+    part_->setMeasured(measured);
+    fit_->setMeasured(measured);
+    built_->setMeasured(measured);
 }
 
 void InspectionController::readPhotos(const QStringList& files) {
+    std::vector<PartPhoto> known;
+    if (const Document* document = session_.document()) {
+        for (const InspectedPhoto& photo : document->project().inspection.photos) {
+            if (const auto read = photos_.find(photo.file); read != photos_.end()) {
+                known.push_back(read->second);
+            }
+        }
+    }
     startJob(
         jobs_, messages_, tr("Reading photos"), tr("Photos"),
-        [files](const Progress& progress) {
-            std::vector<PartPhoto> photos;
+        [files, known](const Progress& progress) {
+            std::vector<PartPhoto> photos = known;
             for (qsizetype i = 0; i < files.size(); ++i) {
                 progress(double(i) / double(files.size()), files[i]);
-                photos.push_back(readPart(files[i], progress));
+                const bool isKnown =
+                    std::any_of(photos.begin(), photos.end(),
+                                [&](const PartPhoto& photo) { return photo.where == files[i]; });
+                if (!isKnown) {
+                    addPartPhoto(photos, readPart(files[i], progress));
+                }
             }
             return photos;
         },

@@ -28,11 +28,10 @@ QString number(double value, int decimals) {
 
 QStringList cells(const PartFigures& figures) {
     return {QString::number(figures.count),
-            PartPage::tr("%1 ± %2 px")
-                .arg(number(figures.meanPixels, 2), number(figures.deviationPixels, 2)),
-            PartPage::tr("%1 %").arg(number(100 * figures.shareOfDiagonal, 3)),
-            PartPage::tr("%1 mm").arg(number(figures.percentile95, 2)),
-            PartPage::tr("%1 mm").arg(number(figures.worst, 2))};
+            PartPage::tr("%1 ± %2").arg(number(figures.meanPixels, 2),
+                                        number(figures.deviationPixels, 2)),
+            number(100 * figures.shareOfDiagonal, 3), number(figures.percentile95, 2),
+            number(figures.worst, 2)};
 }
 
 QToolButton* toolButton(const char* name, const char* picture, const QString& help) {
@@ -58,7 +57,7 @@ PartPage::PartPage(QWidget* parent)
     figures_->setAccessibleName(tr("How far the print lies off"));
     figures_->setColumnCount(5);
     figures_->setHorizontalHeaderLabels(
-        {tr("N"), tr("R ± σ"), tr("Of diagonal"), tr("95 %"), tr("Worst")});
+        {tr("N"), tr("R ± σ, px"), tr("R, %"), tr("95 %, mm"), tr("Worst, mm")});
     const QStringList help{tr("Places"), tr("Mean distance in the photo and its deviation"),
                            tr("The mean over the photo's diagonal, as in the paper's Table II"),
                            tr("On the body, across the line of sight: 95 % are nearer"),

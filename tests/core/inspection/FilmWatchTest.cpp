@@ -3,6 +3,7 @@
 
 #include "base/Error.h"
 #include "inspection/FilmWatch.h"
+#include "project/FilmOnWater.h"
 #include "sheet/WatchPage.h"
 
 #include <QtTest>
@@ -143,6 +144,8 @@ private slots:
     void growthsIntervalsHoldTheTruthAsOftenAsTheySay();
     void growthThatPhotosDoNotTellIsNotTold();
     void profileSaysWhatWasMeasured();
+    void degenerateSetsAreRefused();
+    void aDipThatPhotosDoNotShowIsRefused();
     void badPicturesGetASentence();
 };
 
@@ -427,6 +430,60 @@ void FilmWatchTest::profileSaysWhatWasMeasured() {
     QCOMPARE(profile.measured.swellX, profile.swellX);
     QVERIFY(profile.measured.growthRate == profile.growthRate);
     QCOMPARE(profileFromJson(toJson(profile), QStringLiteral("profile")), Profile(profile));
+}
+
+void FilmWatchTest::degenerateSetsAreRefused() {
+    std::mt19937 random(23);
+    const Tank scene = tank(1.1, 1.05);
+    const auto refusal = [&](QSize film, QSize card, const FlatSettings& settings) {
+        try {
+            fitFlatFilm(cornersOf(scene.film, BoardKind::Film, film, scene.camera, 0.05, random),
+                        cornersOf(scene.card, BoardKind::Card, card, scene.camera, 0.05, random),
+                        scene.camera.size, settings, QStringLiteral("photo"));
+        } catch (const Error& error) {
+            return error.message();
+        }
+        return QString();
+    };
+    const QSize film(10, 6), card(10, 13);
+    QCOMPARE(refusal(film, card, {}), QString());
+    // A single row of corners, of either.
+    QVERIFY(refusal({60, 1}, card, {}).contains(QStringLiteral("both whole")));
+    QVERIFY(refusal({1, 60}, card, {}).contains(QStringLiteral("both whole")));
+    QVERIFY(refusal(film, {130, 1}, {}).contains(QStringLiteral("both whole")));
+    // Lenses and heights that are none of this photo's.
+    for (const Lens lens : {Lens{-0.3, 0}, Lens{0.5, 0}, Lens{-1, -1}, Lens{1, 1}, Lens{-1, 1}}) {
+        FlatSettings settings;
+        settings.lens = lens;
+        QVERIFY(refusal(film, card, settings).contains(QStringLiteral("distortion")));
+    }
+    FlatSettings settings;
+    settings.cardAbove = -mostCardAbove;
+    settings.focalLength = 0.23; // half diagonals: the shortest that can be told
+    QVERIFY(refusal(film, card, settings).contains(QStringLiteral("height")));
+    settings.cardAbove = mostCardAbove;
+    QVERIFY(!refusal(film, card, settings).isEmpty());
+}
+
+void FilmWatchTest::aDipThatPhotosDoNotShowIsRefused() {
+    std::mt19937 random(29);
+    const std::vector<double> late{300, 310, 320, 330};
+    for (const auto& [times, begin] :
+         {std::pair(twoMinutes, 3600.0), std::pair(late, 70.0), std::pair(late, 400.0)}) {
+        try {
+            watched(times, begin, 0, 0, 0.05, random);
+            QFAIL("told");
+        } catch (const Error& error) {
+            QVERIFY(error.message().contains(QStringLiteral("tell nothing")));
+        }
+    }
+    // One moment says what the film was then.
+    const auto words = [&](double seconds) {
+        return watchSentences(watched({seconds, seconds, seconds}, 70, 0.003, 0.1, 0.05, random))
+            .join(u' ');
+    };
+    QVERIFY(words(190).contains(QStringLiteral("after 190 s")));
+    QVERIFY(!words(70).contains(QStringLiteral("grows between")));
 }
 
 void FilmWatchTest::badPicturesGetASentence() {
