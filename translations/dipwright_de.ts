@@ -3883,7 +3883,11 @@
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1 bis %2 {1 ?}</translation>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 is known to about %2 % only: a tenth of it moves none of the places seen by more than %3 mm; give more of them, or %4</source>
+        <translation>%1 ist nur auf etwa %2 % bekannt: ein Zehntel davon bewegt keine der gesehenen Stellen um mehr als %3 mm; geben Sie mehr davon, oder %4</translation>
     </message>
 </context>
 <context>
@@ -4199,7 +4203,7 @@
     </message>
     <message>
         <source>Film on the Water</source>
-        <translation>Film auf dem Wasser</translation>
+        <translation>Film im Becken</translation>
     </message>
     <message>
         <source>The photo %1 is another one than was added.</source>
@@ -4708,7 +4712,7 @@ auf steife, wasserfeste Karte gedruckt</translation>
     </message>
     <message>
         <source>Film on the Water</source>
-        <translation>Film auf dem Wasser</translation>
+        <translation>Film im Becken</translation>
     </message>
     <message>
         <source>Choose What Was Dipped</source>
@@ -7454,6 +7458,10 @@ mm je mm</translation>
     <message>
         <source>The picture is damaged: its ICC profile is cut off; save it anew</source>
         <translation>Das Bild ist beschädigt: Sein ICC-Profil ist abgeschnitten; speichern Sie es neu</translation>
+    </message>
+    <message>
+        <source>Pictures in HEIF are not read here; save it as JPEG, or let the camera write JPEG</source>
+        <translation>Bilder in HEIF werden hier nicht gelesen; speichern Sie es als JPEG, oder lassen Sie die Kamera JPEG schreiben</translation>
     </message>
 </context>
 <context>

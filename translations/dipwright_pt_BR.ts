@@ -3883,7 +3883,11 @@
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1 a %2 {1 ?}</translation>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>%1 is known to about %2 % only: a tenth of it moves none of the places seen by more than %3 mm; give more of them, or %4</source>
+        <translation>%1 só se conhece a cerca de %2 %: um décimo não move nenhum dos lugares vistos mais de %3 mm; dê mais deles, ou %4</translation>
     </message>
 </context>
 <context>
@@ -7454,6 +7458,10 @@ mm por mm</translation>
     <message>
         <source>The picture is damaged: its ICC profile is cut off; save it anew</source>
         <translation>A imagem está danificada: seu perfil ICC foi cortado; salve-a de novo</translation>
+    </message>
+    <message>
+        <source>Pictures in HEIF are not read here; save it as JPEG, or let the camera write JPEG</source>
+        <translation>Imagens em HEIF não são lidas aqui; salve-a como JPEG, ou faça a câmera gravar JPEG</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,8 @@ QImage asTexture(QImage image, const QByteArray& profile, const QString& where,
     return image;
 }
 
+const QByteArray heif = "heif"; // that Qt reads where a plugin for it is installed
+
 // Qt's name for the format, by the first bytes; empty for all that is not read. A name in a model
 // says nothing: an SVG called .png would draw what it likes, from wherever it likes.
 QByteArray formatOf(const QByteArray& bytes) {
@@ -62,7 +64,12 @@ QByteArray formatOf(const QByteArray& bytes) {
         bytes.startsWith(QByteArrayView("MM\0*", 4))) {
         return "tiff";
     }
-    return bytes.startsWith("RIFF") && bytes.mid(8, 4) == "WEBP" ? "webp" : QByteArray();
+    if (bytes.startsWith("RIFF") && bytes.mid(8, 4) == "WEBP") {
+        return "webp";
+    }
+    const QByteArray brand = bytes.mid(8, 4);
+    return bytes.mid(4, 4) == "ftyp" && (brand.startsWith("hei") || brand == "mif1") ? heif
+                                                                                     : QByteArray();
 }
 
 } // namespace
@@ -97,6 +104,11 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
     reader.setAutoTransform(turned == Turned::Upright);
     reader.setFormat(format);
     reader.setDevice(&buffer);
+    if (format == heif && !reader.canRead()) {
+        throw Error(Text::tr("Pictures in HEIF are not read here; save it as JPEG, or let the "
+                             "camera write JPEG"),
+                    where);
+    }
     if (format.isEmpty() || !reader.canRead()) {
         throw Error(Text::tr("The file is not a picture that can be read; save it as PNG or JPEG"),
                     where);

@@ -15,10 +15,10 @@ public:
     static void prepare();
 
     // To RGBA8888 in sRGB or, a texture with colours that this does not hold, wide. PNG, JPEG, BMP,
-    // TIFF and WebP by their content; nothing else is tried. Throws Error, naming `where`, for what
-    // is no such picture, has no pixels or more than Budgets.h allows; nothing is decoded before
-    // its size is known to do. Upright: a photo, to be looked at; in sRGB, turned as the camera was
-    // held, where the file says how.
+    // TIFF and WebP by their content, and HEIF where Qt has a plugin for it; nothing else is tried.
+    // Throws Error, naming `where`, for what is no such picture, has no pixels or more than
+    // Budgets.h allows; nothing is decoded before its size is known to do. Upright: a photo, to be
+    // looked at; in sRGB, turned as the camera was held, where the file says how.
     enum class Turned { AsStored, Upright };
     QImage read(const QByteArray& bytes, const QString& where, Turned turned = Turned::AsStored);
 

@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QFileInfo>
+#include <QImageReader>
 #include <cmath>
 
 namespace dipwright {
@@ -40,6 +41,16 @@ bool isCutOff(const QByteArray& bytes) {
 }
 
 } // namespace
+
+QStringList photoPatterns() {
+    QStringList patterns{QStringLiteral("*.jpg"), QStringLiteral("*.jpeg"), QStringLiteral("*.png"),
+                         QStringLiteral("*.tif"), QStringLiteral("*.tiff"), QStringLiteral("*.bmp"),
+                         QStringLiteral("*.webp")};
+    if (QImageReader::supportedImageFormats().contains("heif")) {
+        patterns << QStringLiteral("*.heic") << QStringLiteral("*.heif");
+    }
+    return patterns;
+}
 
 Photo readPhotoFile(const QString& path, const Progress& progress) {
     requireWithin(Budget::FileBytes, QFileInfo(path).size(), path);

@@ -5,7 +5,7 @@
 
 #include <QDateTime>
 #include <QImage>
-#include <QString>
+#include <QStringList>
 #include <optional>
 
 namespace dipwright {
@@ -18,6 +18,9 @@ struct Photo {
     // Of the lens, in half diagonals of the picture.
     std::optional<double> focalLength;
 };
+
+// For file dialogs: "*.jpg" and the like, of photos that can be read here.
+QStringList photoPatterns();
 
 // From a file that the user has chosen, read by dipwright-reader in a process of its own.
 // Throws Error for what cannot be read or is more than Budgets.h allows; Cancelled.

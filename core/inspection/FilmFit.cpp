@@ -327,6 +327,7 @@ FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPai
         }
         unknowns.push_back(unknown);
         values.push_back(value);
+        fit.doubt += whyUnsure(solution, i, search.near());
         fit.quantities.push_back({unknown, dips.before(unknown), dips.told(unknown, value),
                                   dips.told(unknown, value - off),
                                   dips.told(unknown, value + off)});

@@ -52,6 +52,8 @@ struct FilmFit {
     Eigen::MatrixXd correlation; // of them
     // What the pairs do not determine, where nothing was named that is to be fitted: as it was.
     std::vector<FitUnknown> left;
+    // Why relaxation is not known to a tenth, and what to photograph; empty where it is.
+    QString doubt;
     std::vector<FitOff> off;                  // a printed place each
     PartView view;                            // its figures are not filled in
     double beforePixels = 0, afterPixels = 0; // root mean square distance

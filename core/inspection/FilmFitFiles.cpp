@@ -70,6 +70,7 @@ QByteArray jsonOf(const FilmFit& fit, const FitPairs& pairs, const std::vector<F
                                                        : QJsonValue()},
                            {"quantities", quantitiesJson(fit)},
                            {"not_told", left},
+                           {"doubt", fit.doubt},
                            {"places", qint64(fit.off.size())},
                            {"places_used", qint64(used)},
                            {"places_of_the_body", qint64(pairs.body.size())},
@@ -181,6 +182,9 @@ QStringList fitSentences(const FilmFit& fit) {
     for (const FitUnknown& unknown : fit.left) {
         sentences << Text::tr("%1 is not told by these pairs and stays as it was")
                          .arg(fitQuantityText(unknown.quantity));
+    }
+    if (!fit.doubt.isEmpty()) {
+        sentences << fit.doubt;
     }
     const auto number = [](double value, int decimals) {
         return QLocale().toString(value, 'f', decimals);

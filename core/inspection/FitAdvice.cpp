@@ -17,15 +17,15 @@ constexpr double exchangeable = 0.8; // correlation past which two are named tog
 constexpr double moves = 0.02;       // mm: farther from their place, for all that may be off, than
                                      // none of the places goes
 
-// As far as any of the places goes for what the unknown may be off.
-double farthest(const PlacesNear& near, std::size_t unknown) {
+// As far as any of the places goes for so much of the unknown, mm.
+double farthest(const PlacesNear& near, std::size_t unknown, double of) {
     double most = 0;
     for (std::size_t i = 0; i < near.places.size(); ++i) {
         if (near.places[i]) {
             most = std::max(most, near.slopes[i].col(Eigen::Index(unknown)).norm());
         }
     }
-    return most * fitScale(near.unknowns[unknown].quantity).mostOff;
+    return most * of;
 }
 
 QString advice(FitQuantity quantity) {
@@ -62,7 +62,7 @@ QString whyUnknown(const JointSolution& solution, const std::vector<FitUnknown>&
                    const std::vector<bool>& isFree, std::size_t unknown, const PlacesNear& near,
                    bool hasBodyPairs) {
     const QString name = fitQuantityText(unknowns[unknown].quantity);
-    if (farthest(near, unknown) < moves) {
+    if (farthest(near, unknown, fitScale(unknowns[unknown].quantity).mostOff) < moves) {
         return Text::tr("%1 moves none of the places, so that the pairs do not tell it; %2")
             .arg(name, advice(FitQuantity::Depth));
     }
@@ -98,6 +98,21 @@ QString whyUnknown(const JointSolution& solution, const std::vector<FitUnknown>&
     }
     return Text::tr("The pairs do not tell %1 well enough; give more of them, or %2")
         .arg(name, advice(unknowns[unknown].quantity));
+}
+
+QString whyUnsure(const JointSolution& solution, std::size_t unknown, const PlacesNear& near) {
+    const double tenth = std::log(1.1), off = solution.off[Eigen::Index(unknown)];
+    if (near.unknowns[unknown].quantity != FitQuantity::Relaxation || off <= tenth) {
+        return {};
+    }
+    const QLocale locale;
+    return Text::tr(
+               "%1 is known to about %2 % only: a tenth of it moves none of the places seen by "
+               "more than %3 mm; give more of them, or %4")
+        .arg(fitQuantityText(FitQuantity::Relaxation),
+             locale.toString(100 * std::expm1(off), 'f', 0),
+             locale.toString(farthest(near, unknown, tenth), 'f', 3),
+             advice(FitQuantity::Relaxation));
 }
 
 } // namespace dipwright

@@ -16,4 +16,7 @@ QString whyUnknown(const JointSolution& solution, const std::vector<FitUnknown>&
                    const std::vector<bool>& isFree, std::size_t unknown, const PlacesNear& near,
                    bool hasBodyPairs);
 
+// Of relaxation that is found, but known to no better than a tenth of it; else empty.
+QString whyUnsure(const JointSolution& solution, std::size_t unknown, const PlacesNear& near);
+
 } // namespace dipwright

@@ -1,5 +1,6 @@
 #include "inspect/FilmPage.h"
 
+#include "import/ReadPhotos.h"
 #include "inspection/FilmWatchFiles.h"
 #include "look/Icons.h"
 #include "panels/NumberBox.h"
@@ -219,8 +220,7 @@ QWidget* FilmPage::makePhotoButtons() {
     measure_->setObjectName(QStringLiteral("measureFilm"));
     connect(add, &QPushButton::clicked, this, [this] {
         const QStringList files = QFileDialog::getOpenFileNames(
-            this, tr("Photos of the Film"), {},
-            tr("Photos (%1)").arg(QStringLiteral("*.jpg *.jpeg *.png *.tif *.tiff *.bmp *.webp")));
+            this, tr("Photos of the Film"), {}, tr("Photos (%1)").arg(photoPatterns().join(u' ')));
         if (!files.isEmpty()) {
             emit photosChosen(files);
         }

@@ -1,5 +1,6 @@
 #include "inspect/PartPage.h"
 
+#include "import/ReadPhotos.h"
 #include "look/Icons.h"
 
 #include <QCheckBox>
@@ -117,9 +118,9 @@ QWidget* PartPage::makePhotoBar() {
         row->addWidget(button);
     }
     connect(add, &QPushButton::clicked, this, [this] {
-        const QStringList files = QFileDialog::getOpenFileNames(
-            this, tr("Photos of the Dipped Part"), {},
-            tr("Photos (%1)").arg(QStringLiteral("*.jpg *.jpeg *.png *.tif *.tiff *.bmp *.webp")));
+        const QStringList files =
+            QFileDialog::getOpenFileNames(this, tr("Photos of the Dipped Part"), {},
+                                          tr("Photos (%1)").arg(photoPatterns().join(u' ')));
         if (!files.isEmpty()) {
             emit photosChosen(files);
         }

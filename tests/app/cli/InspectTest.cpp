@@ -149,10 +149,15 @@ private slots:
         QTest::newRow("cut off") << bytesOf(photos_.first()).left(4000);
         QTest::newRow("no picture") << QByteArray("once upon a time");
         QTest::newRow("empty") << QByteArray();
+        QTest::newRow("HEIF") << QByteArray::fromHex("0000001866747970686569630000000068656963") +
+                                     QByteArray(200, 'x');
         QTest::newRow("no board") << encoded(QImage(800, 600, QImage::Format_Grayscale8), "PNG");
         QImage vast(12'000, 9'000, QImage::Format_Grayscale8);
         vast.fill(128);
         QTest::newRow("100 megapixels") << encoded(vast, "JPEG");
+        const QImage whole(photos_.first());
+        QTest::newRow("half a board") << encoded(
+            whole.copy(whole.width() * 2 / 5, 0, whole.width() * 3 / 5, whole.height()), "PNG");
         QTest::newRow("mirrored") << encoded(QImage(photos_.first()).mirrored(true, false), "PNG");
     }
 

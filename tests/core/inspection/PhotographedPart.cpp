@@ -28,15 +28,6 @@ public:
     }
 };
 
-std::optional<Eigen::Vector3d> lies(const LaidFilm& laid, const Eigen::Vector2d& sheet,
-                                    const Eigen::Vector2d& swell) {
-    const auto place = laid.flat(sheet.cwiseProduct(swell).cast<float>());
-    const auto found = place ? laid.onBody(*place) : std::nullopt;
-    return found ? std::optional<Eigen::Vector3d>(laid.body().modelToPose.inverse() *
-                                                  found->cast<double>())
-                 : std::nullopt;
-}
-
 } // namespace
 
 std::vector<PhotoCamera> camerasRound(const std::vector<Standpoint>& from, double distance,
@@ -55,6 +46,16 @@ std::vector<PhotoCamera> camerasRound(const std::vector<Standpoint>& from, doubl
         cameras.push_back(camera);
     }
     return cameras;
+}
+
+std::optional<Eigen::Vector3d> onModel(const LaidFilm& laid, const Eigen::Vector2d& sheet,
+                                       const FilmSettings& film) {
+    const Eigen::Vector2d rest(sheet.x() * film.swellX, sheet.y() * film.swellY);
+    const auto place = laid.flat(rest.cast<float>());
+    const auto found = place ? laid.onBody(*place) : std::nullopt;
+    return found ? std::optional<Eigen::Vector3d>(laid.body().modelToPose.inverse() *
+                                                  found->cast<double>())
+                 : std::nullopt;
 }
 
 const solver::SolverModule& referenceTank() {
@@ -79,7 +80,8 @@ PhotographedPart::PhotographedPart(Project believed, const Hidden& hidden, doubl
     immersion.rotation[1] = immersion.rotation[1] + Degrees(hidden.turn);
     truly_ = dipped(real, tank);
     meant_ = dipped(believed_, program);
-    gatherCorners(hidden.swellX, hidden.swellY);
+    real_ = real.film;
+    gatherCorners();
 }
 
 std::shared_ptr<const LaidFilm> PhotographedPart::dipped(const Project& project,
@@ -91,15 +93,14 @@ std::shared_ptr<const LaidFilm> PhotographedPart::dipped(const Project& project,
     return layFilm(std::move(body), std::move(film), project.process);
 }
 
-void PhotographedPart::gatherCorners(double swellX, double swellY) {
+void PhotographedPart::gatherCorners() {
     const TriangleMesh& mesh = believed_.model->mesh;
     const SurfaceQuery query(mesh);
     for (double x = -9 * square; x <= 9 * square; x += square) {
         for (double y = -9 * square; y <= 9 * square; y += square) {
             const Eigen::Vector2d sheet(x, y);
-            const auto at = lies(*truly_, sheet, {swellX, swellY});
-            const auto wanted =
-                lies(*meant_, sheet, {believed_.film.swellX, believed_.film.swellY});
+            const auto at = onModel(*truly_, sheet, real_);
+            const auto wanted = onModel(*meant_, sheet, believed_.film);
             if (at && wanted) {
                 const Eigen::Vector3f outward =
                     triangleNormal(mesh, query.closest(at->cast<float>()).point.triangle);
@@ -132,6 +133,7 @@ FitPairs PhotographedPart::pairs(const std::vector<PhotoCamera>& cameras, int pr
                 found.push_back(corner);
             }
         }
+        count = std::min(count, int(found.size()));
         std::vector<Corner> some;
         for (int i = 0; i < count; ++i) {
             some.push_back(found[std::size_t(i) * found.size() / std::size_t(count)]);

@@ -42,8 +42,9 @@ public:
     const DistanceField& field() const { return *field_; }
     std::shared_ptr<const LaidFilm> believedFilm() const { return meant_; }
     std::shared_ptr<const LaidFilm> filmInTank() const { return truly_; }
-    // A photo from each camera: `printed` places in each and `body` of the body's own, each off by
-    // `noise` pixels.
+    const FilmSettings& settingsInTank() const { return real_; }
+    // A photo from each camera: `printed` places in each, or all that it sees where that is fewer,
+    // and `body` of the body's own, each off by `noise` pixels.
     FitPairs pairs(const std::vector<PhotoCamera>& cameras, int printed, int body, double noise,
                    int seed) const;
 
@@ -54,14 +55,20 @@ private:
     };
     std::shared_ptr<const LaidFilm> dipped(const Project& project,
                                            const solver::SolverModule& module) const;
-    void gatherCorners(double swellX, double swellY);
+    void gatherCorners();
 
     Project believed_;
+    FilmSettings real_;
     std::shared_ptr<const DistanceField> field_;
     std::shared_ptr<const LaidFilm> meant_, truly_;
     std::vector<Corner> corners_; // of a chessboard on the sheet, all that are on the body
     std::vector<Corner> body_;    // spread over it
 };
+
+// Where a place of the sheet lies on the model on which that film has come to lie; nothing where it
+// does not lie on the body.
+std::optional<Eigen::Vector3d> onModel(const LaidFilm& laid, const Eigen::Vector2d& sheet,
+                                       const FilmSettings& film);
 
 // An egg 56 mm wide and so many times as high, on film with cells of so many mm.
 Project eggToFit(double height, double cell);
