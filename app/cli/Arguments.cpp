@@ -32,6 +32,11 @@ Setting parsedSetting(const QString& text) {
     return {text.left(equals).trimmed(), text.mid(equals + 1).trimmed()};
 }
 
+[[noreturn]] void throwMissing(const QString& argument) {
+    throw UsageError(QStringLiteral("%1 is missing, see --help").arg(argument),
+                     QStringLiteral("command line"));
+}
+
 [[noreturn]] void throwTooMany(const QString& argument) {
     throw UsageError(QStringLiteral("There is one argument too many, see --help"), argument);
 }
@@ -41,8 +46,7 @@ Setting parsedSetting(const QString& text) {
 QString positionalArgument(const QCommandLineParser& parser, const QString& name) {
     const QStringList arguments = parser.positionalArguments();
     if (arguments.value(0).isEmpty()) {
-        throw UsageError(QStringLiteral("%1 is missing, see --help").arg(name),
-                         QStringLiteral("command line"));
+        throwMissing(name);
     }
     if (arguments.size() > 1) {
         throwTooMany(arguments.at(1));
@@ -134,7 +138,26 @@ QString projectPath(const QCommandLineParser& parser) {
 }
 
 Project projectArgument(const QCommandLineParser& parser) {
-    Project project = loadProject(projectPath(parser));
+    return readProject(projectPath(parser), parser);
+}
+
+void declareProjects(CommandSyntax& syntax) {
+    syntax.addPositionalArgument(
+        QStringLiteral("JOB.dipw"),
+        QStringLiteral("The project, or several that are done one after the other."));
+    declareSettings(syntax);
+}
+
+QStringList projectPaths(const QCommandLineParser& parser) {
+    const QStringList paths = parser.positionalArguments();
+    if (paths.isEmpty() || paths.contains(QString())) {
+        throwMissing(QStringLiteral("JOB.dipw"));
+    }
+    return paths;
+}
+
+Project readProject(const QString& path, const QCommandLineParser& parser) {
+    Project project = loadProject(path);
     applySettings(project, parser);
     return project;
 }

@@ -37,6 +37,10 @@ void applySettings(Project& project, const QCommandLineParser& parser);
 void declareProject(CommandSyntax& syntax);
 QString projectPath(const QCommandLineParser& parser);
 Project projectArgument(const QCommandLineParser& parser);
+// The same for a command that takes several; throws UsageError where there is none.
+void declareProjects(CommandSyntax& syntax);
+QStringList projectPaths(const QCommandLineParser& parser);
+Project readProject(const QString& path, const QCommandLineParser& parser);
 
 // What the user is to know of how a result came about, a line each.
 void printWarnings(const QStringList& warnings, QTextStream& out);

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "parallel/Tasks.h"
 #include "pipeline/Pipeline.h"
+#include "pipeline/SmallerFilm.h"
 #include "pipeline/WriteResults.h"
 
 #include <QCoreApplication>
@@ -184,6 +185,11 @@ void printSummary(const JobResult& result, QTextStream& out) {
     if (result.tolerances) {
         printZones(result.tolerances->zones, out);
     }
+    if (const std::optional<SmallerFilm> smaller = smallerFilm(result)) {
+        out << QStringLiteral("%1 % of the film is used: %2, %3 × %4 mm, is enough\n")
+                   .arg(number(100 * filmUsed(result), 0), smaller->format,
+                        number(smaller->width.value(), 0), number(smaller->height.value(), 0));
+    }
     out << QStringLiteral("Covered altogether: %1 %\n").arg(number(100 * result.coverageTotal, 1));
 }
 
@@ -210,9 +216,11 @@ public:
     }
 
     void declare(CommandSyntax& syntax) const override {
-        declareProject(syntax);
+        declareProjects(syntax);
         syntax.addOption(
-            {outOption, QStringLiteral("The folder for the results; earlier results are replaced."),
+            {outOption,
+             QStringLiteral("The folder for the results, in which each of several projects "
+                            "has one of its own; earlier results are replaced."),
              QStringLiteral("DIR")});
         syntax.addOption({solverOption,
                           QStringLiteral("The solver plugin, in place of the project's choice."),
@@ -248,19 +256,27 @@ public:
             throw UsageError(QStringLiteral("Name the folder for the results with --out DIR"),
                              QStringLiteral("--out"));
         }
+        const QStringList projects = projectPaths(parser);
         const ThreadLimit threads = threadLimit(parser);
-        JobOptions options;
-        options.solver = parser.value(solverOption);
         const SolverRegistry registry;
         Tasks waking; // a GPU takes longer to wake than a project to read
         waking.run([&] {
-            registry.module(options.solver.isEmpty() ? QStringLiteral("auto") : options.solver);
+            registry.module(parser.isSet(solverOption) ? parser.value(solverOption)
+                                                       : QStringLiteral("auto"));
         });
-        Project project = projectArgument(parser);
-        if (parser.isSet(dpiOption)) {
-            setByOption(project, QStringLiteral("sheet.dpi"), parser.value(dpiOption),
-                        QStringLiteral("--dpi"));
+        const JobOptions options = jobOptions(parser);
+        if (projects.size() == 1) {
+            runOne(projects.front(), folder, registry, options, parser, console.progress(),
+                   console);
+        } else {
+            runAll(projects, folder, registry, options, parser, console);
         }
+    }
+
+private:
+    static JobOptions jobOptions(const QCommandLineParser& parser) {
+        JobOptions options;
+        options.solver = parser.value(solverOption);
         options.estimatesCertainty = !parser.isSet(certaintyOption);
         options.variesLaws = parser.isSet(lawsOption);
         options.tellsTolerances = parser.isSet(tolerancesOption);
@@ -272,10 +288,57 @@ public:
         }
         options.makesCradles = parser.isSet(cradleOption);
         applyFilmImage(options, parser);
-        const JobResult result =
-            runAndWrite(project, registry, options, folder, console.progress());
+        return options;
+    }
+
+    static void runOne(const QString& path, const QString& folder, const SolverRegistry& registry,
+                       const JobOptions& options, const QCommandLineParser& parser,
+                       const Progress& progress, Console& console) {
+        Project project = readProject(path, parser);
+        if (parser.isSet(dpiOption)) {
+            setByOption(project, QStringLiteral("sheet.dpi"), parser.value(dpiOption),
+                        QStringLiteral("--dpi"));
+        }
+        const JobResult result = runAndWrite(project, registry, options, folder, progress);
         printSummary(result, console.out());
         console.out() << QStringLiteral("Wrote %1\n").arg(folder);
+    }
+
+    // One after the other; one that fails is told and leaves the others alone.
+    static void runAll(const QStringList& projects, const QString& folder,
+                       const SolverRegistry& registry, const JobOptions& options,
+                       const QCommandLineParser& parser, Console& console) {
+        const QStringList folders = resultFolders(projects, folder);
+        const Progress progress = console.progress();
+        qsizetype done = 0;
+        for (qsizetype number = 0; number < projects.size(); ++number) {
+            console.out() << QStringLiteral("Project %1 of %2: %3\n")
+                                 .arg(number + 1)
+                                 .arg(projects.size())
+                                 .arg(projects[number]);
+            const auto count = double(projects.size());
+            try {
+                runOne(projects[number], folders[number], registry, options, parser,
+                       progress.part(double(number) / count, double(number + 1) / count), console);
+                ++done;
+            } catch (const UsageError&) {
+                throw;
+            } catch (const Error& error) {
+                console.error(error);
+            } catch (const Cancelled&) {
+                throw Error(QStringLiteral("Cancelled: %1 of %2 projects were done")
+                                .arg(done)
+                                .arg(projects.size()),
+                            projects[number]);
+            }
+            console.out().flush(); // what is done is told while the next one runs
+        }
+        if (done < projects.size()) {
+            throw Error(QStringLiteral("%1 of %2 projects were done, the others failed as told")
+                            .arg(done)
+                            .arg(projects.size()),
+                        folder);
+        }
     }
 };
 

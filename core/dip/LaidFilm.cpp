@@ -89,4 +89,21 @@ bool edgeIsOnBody(const LaidFilm& laid) {
     return false;
 }
 
+Eigen::AlignedBox2f usedFilm(const LaidFilm& laid) {
+    const DippedFilm& film = laid.film();
+    Eigen::AlignedBox2f box;
+    for (std::size_t point = 0; point < film.positions.size(); ++point) {
+        if (laid.painted().points[point] != 0) {
+            box.extend(restPosition(film.grid, point));
+        }
+    }
+    return box;
+}
+
+double usedShare(const LaidFilm& laid) {
+    const solver::FilmGrid& grid = laid.film().grid;
+    const Eigen::AlignedBox2f box = usedFilm(laid);
+    return box.isEmpty() ? 0 : double(box.volume()) / (grid.width * grid.depth);
+}
+
 } // namespace dipwright

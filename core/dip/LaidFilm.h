@@ -73,4 +73,9 @@ std::shared_ptr<const LaidFilm> layFilm(std::shared_ptr<const PosedBody> body, D
 // lies the film may lie over itself.
 bool edgeIsOnBody(const LaidFilm& laid);
 
+// The box round the flat film that paints, in restPosition()'s frame, mm; empty where none does.
+// And its area over that of the film, 0 … 1.
+Eigen::AlignedBox2f usedFilm(const LaidFilm& laid);
+double usedShare(const LaidFilm& laid);
+
 } // namespace dipwright

@@ -224,7 +224,7 @@ QImage printedImage(const QImage& filmImage, const SheetInputs& inputs, const Pr
 void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison& comparison) {
     const ImmersionResult* earlier = run.earlier(number);
     Tasks measuring;
-    if (!hasDipped(earlier, now.inputs.texture.dip)) {
+    if (!now.coverage) { // just dipped, or taken over from dips that were kept
         measuring.run([&] { measure(now); });
     }
     if (!earlier || earlier->inputs != now.inputs) {

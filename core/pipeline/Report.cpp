@@ -3,6 +3,7 @@
 #include "correction/RepeatingError.h"
 
 #include "pipeline/JobTolerances.h"
+#include "pipeline/SmallerFilm.h"
 
 #include <QJsonArray>
 
@@ -250,6 +251,16 @@ QJsonObject filmJson(const Project& project) {
             {"relaxation", word(hasMeasuredRelaxation(project.film, project.profiles))}};
 }
 
+// How much of the film the dips use, and a format that would do.
+QJsonObject filmUseJson(const JobResult& result) {
+    QJsonObject json{{"used", filmUsed(result)}};
+    if (const std::optional<SmallerFilm> smaller = smallerFilm(result)) {
+        json["enough"] = smaller->format;
+        json["enough_mm"] = QJsonArray{smaller->width.value(), smaller->height.value()};
+    }
+    return json;
+}
+
 // What repeats in the parts before, and whether the sheets were corrected by it; a dip each.
 QJsonObject asBuiltJson(const JobResult& result) {
     const AsBuilt& built = result.project.asBuilt;
@@ -292,6 +303,7 @@ QJsonObject report(const Project& project, const JobResult& result) {
                                             {"device", result.solver.device},
                                             {"version", result.solver.version}}},
                      {"film", filmJson(project)},
+                     {"film_use", filmUseJson(result)},
                      {"immersions", immersions},
                      {"coverage_total", result.coverageTotal},
                      {"notes", QJsonArray::fromStringList(result.notes)}};

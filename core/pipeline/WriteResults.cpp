@@ -15,7 +15,9 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFileInfo>
 #include <QJsonDocument>
+#include <QSet>
 
 #include <functional>
 #include <mutex>
@@ -269,6 +271,21 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
     writing.wait();
     commit(results, progress);
     return result;
+}
+
+QStringList resultFolders(const QStringList& projects, const QString& folder) {
+    QStringList folders;
+    QSet<QString> taken; // as systems that tell no small letters from large ones see it
+    for (const QString& project : projects) {
+        const QString name = QFileInfo(project).completeBaseName();
+        QString own = name;
+        for (int number = 2; taken.contains(own.toLower()); ++number) {
+            own = QStringLiteral("%1-%2").arg(name).arg(number);
+        }
+        taken.insert(own.toLower());
+        folders.append(folder + QLatin1Char('/') + own);
+    }
+    return folders;
 }
 
 } // namespace dipwright

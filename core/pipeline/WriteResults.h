@@ -12,6 +12,10 @@ namespace dipwright {
 void writeResults(const Project& project, const JobResult& result, const QString& folder,
                   const Progress& progress);
 
+// Where the results of several projects go: for each a folder in `folder` with its file's name,
+// made different from the others by a number.
+QStringList resultFolders(const QStringList& projects, const QString& folder);
+
 // Writes the cradles of the result, made if it has none, into `folder` in the same way, and nothing
 // else. Returns them.
 std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,

@@ -33,18 +33,6 @@ bool isMarked(const PaintedSample& sample, solver::PointMark mark) {
     return solver::has(sample.marks, mark);
 }
 
-// The share of the sheet within the box round the film that paints.
-double filmUsedBy(const LaidFilm& laid) {
-    const DippedFilm& film = laid.film();
-    Eigen::AlignedBox2f box;
-    for (std::size_t point = 0; point < film.positions.size(); ++point) {
-        if (laid.painted().points[point] != 0) {
-            box.extend(restPosition(film.grid, point));
-        }
-    }
-    return box.isEmpty() ? 0 : double(box.volume()) / (film.grid.width * film.grid.depth);
-}
-
 // Of two dips that paint a place, the one whose film is worth more there.
 double worth(const PaintedSample& sample) {
     if (sample.larger == 0) {
@@ -201,7 +189,7 @@ JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) 
     }
     pose.depths = depths(pose.samples);
     pose.trappedAir = trappedAir(laid.body(), airCells).area / area_;
-    pose.filmUsed = filmUsedBy(laid);
+    pose.filmUsed = usedShare(laid);
     return pose;
 }
 

@@ -26,6 +26,8 @@ Preferences loadPreferences() {
     preferences.printerProfile = settings.value(QStringLiteral("printerProfile")).toString();
     preferences.liveUpdate =
         settings.value(QStringLiteral("liveUpdate"), standard.liveUpdate).toBool();
+    preferences.keepsResults =
+        settings.value(QStringLiteral("keepsResults"), standard.keepsResults).toBool();
     settings.beginGroup(QStringLiteral("shortcuts"));
     for (const QString& action : settings.childKeys()) {
         preferences.shortcuts[action] =
@@ -46,6 +48,7 @@ void savePreferences(const Preferences& preferences) {
     settings.setValue(QStringLiteral("filmProfile"), preferences.filmProfile);
     settings.setValue(QStringLiteral("printerProfile"), preferences.printerProfile);
     settings.setValue(QStringLiteral("liveUpdate"), preferences.liveUpdate);
+    settings.setValue(QStringLiteral("keepsResults"), preferences.keepsResults);
     settings.remove(QStringLiteral("shortcuts"));
     settings.beginGroup(QStringLiteral("shortcuts"));
     for (auto shortcut = preferences.shortcuts.begin(); shortcut != preferences.shortcuts.end();

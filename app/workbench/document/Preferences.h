@@ -21,7 +21,8 @@ struct Preferences {
     QString filmPreset = QStringLiteral("A4"); // of new projects
     QString filmProfile;                       // of new projects; empty: none
     QString printerProfile;                    // of new projects; empty: none
-    bool liveUpdate = true; // simulate again after each change, once there is a result
+    bool liveUpdate = true;   // simulate again after each change, once there is a result
+    bool keepsResults = true; // beside a project's file, for who opens it again
     QMap<QString, QKeySequence> shortcuts; // by the action's name, where not the default
     bool operator==(const Preferences&) const = default;
 };

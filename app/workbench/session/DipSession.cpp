@@ -17,6 +17,7 @@ void DipSession::setDocument(Document* document) {
     document_ = document;
     immersion_ = 0;
     outcome_ = {};
+    kept_ = nullptr;
     recordings_.clear();
     if (document) {
         connect(document, &Document::projectChanged, this, &DipSession::projectChanged);
@@ -52,7 +53,7 @@ void DipSession::run(std::size_t mostPoints) {
     running_ = true;
     live_ = makeRecordings(document_->project(), mostPoints);
     dip_ = jobs_.start(std::make_unique<DipJob>(
-        document_->project(), registry_, document_->result(), live_,
+        document_->project(), registry_, document_->result() ? document_->result() : kept_, live_,
         [this](const DipOutcome& outcome) { takeOutcome(outcome); },
         [this](bool cancelled, std::exception_ptr failure) {
             stop(cancelled ? nullptr : failure);

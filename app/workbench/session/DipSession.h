@@ -21,6 +21,8 @@ public:
     // Runs what is out of date; nothing where nothing is. While jobs run, it is done after them,
     // and a dip that runs on older values is cancelled. `mostPoints`: of the recorded film.
     void run(std::size_t mostPoints);
+    // What the first run of the document can take over, in the place of an earlier result.
+    void setKept(std::shared_ptr<const JobResult> kept) { kept_ = std::move(kept); }
     // Cancels all jobs. A dip that runs is over for the session at once, with stopped(); its job
     // ends on the worker thread when it next reports its progress.
     void cancel();
@@ -56,6 +58,7 @@ private:
     std::size_t immersion_ = 0;
     DipRecordings recordings_, live_;
     DipOutcome outcome_;
+    std::shared_ptr<const JobResult> kept_;
     CancelSwitch dip_; // the one that runs
     bool running_ = false;
     bool wanted_ = false; // again, once the jobs that run now have ended

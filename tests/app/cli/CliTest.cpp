@@ -102,6 +102,21 @@ private slots:
         QVERIFY(!QImage(path("told/immersion-1/tolerance.png")).isNull());
     }
 
+    void severalProjectsAreRunOneAfterTheOther() {
+        const Outcome all =
+            cli(QStringList{"run", path("ball.dipw"), path("missing.dipw"), path("ball.dipw"),
+                            "--out", path("queue"), "--no-certainty"} +
+                quickly);
+        QCOMPARE(all.exitCode, 1);
+        QVERIFY2(all.err.contains("missing.dipw") && all.err.contains("2 of 3"), all.err);
+        QVERIFY2(all.out.contains("Project 3 of 3"), all.out);
+        QCOMPARE(QDir(path("queue")).entryList(QDir::Dirs | QDir::NoDotAndDotDot),
+                 (QStringList{"ball", "ball-2"}));
+        QCOMPARE(bytesOf(path("queue/ball/immersion-1/sheet.png")),
+                 bytesOf(path("queue/ball-2/immersion-1/sheet.png")));
+        QCOMPARE(cli({"run", "--out", path("queue")}).exitCode, 2);
+    }
+
     void theSheetHasItsSizeItsResolutionAndItsProfile() {
         const QImage sheet(path("out/immersion-1/sheet.png"));
         QCOMPARE(sheet.size(), QSize(472, 472)); // 120 mm at 100 dpi
