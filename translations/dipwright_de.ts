@@ -421,6 +421,113 @@
     </message>
 </context>
 <context>
+    <name>GuidePlaces</name>
+    <message>
+        <source>Dip ▸ Check Certainty</source>
+        <translation>Tauchen ▸ Verlässlichkeit prüfen</translation>
+    </message>
+    <message>
+        <source>Dip ▸ Tolerances</source>
+        <translation>Tauchen ▸ Toleranzen</translation>
+    </message>
+    <message>
+        <source>File ▸ New Project</source>
+        <translation>Datei ▸ Neues Projekt</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Reload Model</source>
+        <translation>Modell neu laden</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Fuge</translation>
+    </message>
+    <message>
+        <source>File ▸ Print</source>
+        <translation>Datei ▸ Drucken</translation>
+    </message>
+    <message>
+        <source>ICC profile</source>
+        <translation>ICC-Profil</translation>
+    </message>
+    <message>
+        <source>Dip ▸ Find Poses</source>
+        <translation>Tauchen ▸ Lagen suchen</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>File ▸ Print History</source>
+        <translation>Datei ▸ Druckverlauf</translation>
+    </message>
+    <message>
+        <source>File ▸ Calibrate Printer</source>
+        <translation>Datei ▸ Drucker kalibrieren</translation>
+    </message>
+    <message>
+        <source>Edit ▸ Profiles</source>
+        <translation>Bearbeiten ▸ Profile</translation>
+    </message>
+    <message>
+        <source>Measuring a dipped part</source>
+        <translation>Ein getauchtes Teil messen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>As Built</source>
+        <translation>Wie gebaut</translation>
+    </message>
+    <message>
+        <source>Measuring a film</source>
+        <translation>Einen Film messen</translation>
+    </message>
+    <message>
+        <source>File ▸ Snapshots</source>
+        <translation>Datei ▸ Schnappschüsse</translation>
+    </message>
+    <message>
+        <source>File ▸ Job Queue</source>
+        <translation>Datei ▸ Warteschlange</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>Protokoll</translation>
+    </message>
+</context>
+<context>
     <name>ImmersionEdits</name>
     <message>
         <source>Add Immersion</source>
@@ -503,6 +610,21 @@
     <message>
         <source>The film profile %1 has what was measured</source>
         <translation>Das Filmprofil %1 hat die Messung übernommen</translation>
+    </message>
+</context>
+<context>
+    <name>KeptDips</name>
+    <message>
+        <source>The dips cannot be kept: %1</source>
+        <translation>Die Tauchvorgänge können nicht aufbewahrt werden: %1</translation>
+    </message>
+    <message>
+        <source>Reading the kept dips</source>
+        <translation>Aufbewahrte Tauchvorgänge werden gelesen</translation>
+    </message>
+    <message>
+        <source>The kept dips are damaged and not used; a run makes them again</source>
+        <translation>Die aufbewahrten Tauchvorgänge sind beschädigt und werden nicht verwendet; ein Lauf macht sie neu</translation>
     </message>
 </context>
 <context>
@@ -2456,6 +2578,14 @@
         <source>Overlap that is too narrow for %1 off</source>
         <translation>Überlappung, zu schmal für %1 daneben</translation>
     </message>
+    <message>
+        <source>Most of the film stays empty: %1, %2 × %3, is enough.</source>
+        <translation>Das meiste vom Film bleibt leer: %1, %2 × %3, genügt.</translation>
+    </message>
+    <message>
+        <source>Take this film</source>
+        <translation>Diesen Film nehmen</translation>
+    </message>
 </context>
 <context>
     <name>ResultFolder</name>
@@ -3008,6 +3138,37 @@
     </message>
 </context>
 <context>
+    <name>dipwright::BodyMenu</name>
+    <message>
+        <source>&amp;Lay This Face Down</source>
+        <translation>Diese Fläche nach &amp;unten legen</translation>
+    </message>
+    <message>
+        <source>This Face Must Be &amp;Good (Zone A)</source>
+        <translation>Diese Fläche muss &amp;gut werden (Zone A)</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Verschieben</translation>
+    </message>
+    <message>
+        <source>Turn Body</source>
+        <translation>Körper drehen</translation>
+    </message>
+    <message>
+        <source>Move Body</source>
+        <translation>Körper verschieben</translation>
+    </message>
+    <message>
+        <source>Lay Face Down</source>
+        <translation>Fläche nach unten legen</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::BodyPrinter</name>
     <message>
         <source>Printing the body</source>
@@ -3536,6 +3697,25 @@
     <message>
         <source>The results are out of date: they were made before the last changes.</source>
         <translation>Die Ergebnisse sind veraltet: Sie entstanden vor den letzten Änderungen.</translation>
+    </message>
+    <message>
+        <source>The results are out of date; run the dip again first.</source>
+        <translation>Die Ergebnisse sind veraltet; starten Sie zuerst das Tauchen neu.</translation>
+    </message>
+    <message>
+        <source>Film %1</source>
+        <translation>Film %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::DipKeeper</name>
+    <message>
+        <source>Looking for results</source>
+        <translation>Ergebnisse werden gesucht</translation>
+    </message>
+    <message>
+        <source>The results are those of the dips kept beside the project.</source>
+        <translation>Die Ergebnisse sind die der Tauchvorgänge, die neben dem Projekt aufbewahrt sind.</translation>
     </message>
 </context>
 <context>
@@ -4776,6 +4956,29 @@ auf steife, wasserfeste Karte gedruckt</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::JobQueue</name>
+    <message>
+        <source>%1 % of the body painted</source>
+        <translation>%1 % des Körpers bemalt</translation>
+    </message>
+    <message>
+        <source>Cancelling …</source>
+        <translation>Wird abgebrochen …</translation>
+    </message>
+    <message>
+        <source>The queue has ended. Projects done: %1</source>
+        <translation>Die Warteschlange ist zu Ende. Fertige Projekte: %1</translation>
+    </message>
+    <message>
+        <source>, failed: %1</source>
+        <translation>, gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>, cancelled: %1</source>
+        <translation>, abgebrochen: %1</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::JoinFields</name>
     <message>
         <source>The whole face</source>
@@ -5653,6 +5856,14 @@ Dehnung</translation>
     <message>
         <source>Film p&amp;rofile of new projects</source>
         <translation>Filmp&amp;rofil neuer Projekte</translation>
+    </message>
+    <message>
+        <source>Keep results beside the project</source>
+        <translation>Ergebnisse neben dem Projekt aufbewahren</translation>
+    </message>
+    <message>
+        <source>The dips of a saved project are kept in a file NAME.dips beside it, up to 64 MB, and its results are there when it is opened again.</source>
+        <translation>Die Tauchvorgänge eines gespeicherten Projekts werden in einer Datei NAME.dips daneben aufbewahrt, bis zu 64 MB, und seine Ergebnisse sind da, wenn es wieder geöffnet wird.</translation>
     </message>
 </context>
 <context>
@@ -6610,6 +6821,139 @@ Dehnung</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::QueueDialog</name>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Gescheitert</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Job Queue</source>
+        <translation>Warteschlange</translation>
+    </message>
+    <message>
+        <source>Projects in the queue</source>
+        <translation>Projekte in der Warteschlange</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Was daraus wurde</translation>
+    </message>
+    <message>
+        <source>Took</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Folder for the results</source>
+        <translation>Ordner für die Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Each project that is added has a folder with its name in this one.</source>
+        <translation>Jedes Projekt, das hinzugefügt wird, hat in diesem einen Ordner mit seinem Namen.</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>&amp;Wählen …</translation>
+    </message>
+    <message>
+        <source>Results &amp;into</source>
+        <translation>Ergebnisse &amp;in</translation>
+    </message>
+    <message>
+        <source>&amp;Add Projects…</source>
+        <translation>Projekte &amp;hinzufügen …</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel Chosen</source>
+        <translation>&amp;Gewählte abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel A&amp;ll</source>
+        <translation>&amp;Alle abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Ended</source>
+        <translation>&amp;Beendete entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Open Project</source>
+        <translation>Projekt &amp;öffnen</translation>
+    </message>
+    <message>
+        <source>Add Projects</source>
+        <translation>Projekte hinzufügen</translation>
+    </message>
+    <message>
+        <source>Folder for the Results</source>
+        <translation>Ordner für die Ergebnisse</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1
+Results: %2</source>
+        <translation>%1
+Ergebnisse: %2</translation>
+    </message>
+    <message>
+        <source>Add projects: they are run one after the other as they are saved, and their results written.</source>
+        <translation>Fügen Sie Projekte hinzu: Sie werden nacheinander gerechnet, wie sie gespeichert sind, und ihre Ergebnisse geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 ended</source>
+        <translation>%1 von %2 beendet</translation>
+    </message>
+    <message>
+        <source>, about %1 left</source>
+        <translation>, noch etwa %1</translation>
+    </message>
+    <message>
+        <source>Projects are still being run. Stop them?</source>
+        <translation>Es werden noch Projekte gerechnet. Beenden?</translation>
+    </message>
+    <message>
+        <source>What is done is kept.</source>
+        <translation>Was fertig ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Them</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::ReadPhotos</name>
     <message>
         <source>The photo cannot be read; check its name and permissions</source>
@@ -6669,6 +7013,10 @@ Dehnung</translation>
     <message>
         <source>Tolerances</source>
         <translation>Toleranzen</translation>
+    </message>
+    <message>
+        <source>Film used</source>
+        <translation>Film genutzt</translation>
     </message>
 </context>
 <context>
@@ -8072,10 +8420,6 @@ mm je mm</translation>
         <translation>&amp;Handbuch</translation>
     </message>
     <message>
-        <source>How everything works</source>
-        <translation>Wie alles funktioniert</translation>
-    </message>
-    <message>
         <source>&amp;What Is This?</source>
         <translation>&amp;Was ist das?</translation>
     </message>
@@ -8187,6 +8531,70 @@ mm je mm</translation>
         <source>Keep the project&apos;s settings under a name, compare them, and go back</source>
         <translation>Die Einstellungen des Projekts unter einem Namen behalten, vergleichen und zurückgehen</translation>
     </message>
+    <message>
+        <source>&amp;Job Queue…</source>
+        <translation>&amp;Warteschlange …</translation>
+    </message>
+    <message>
+        <source>Run several projects one after the other, and go on working</source>
+        <translation>Mehrere Projekte nacheinander rechnen und weiterarbeiten</translation>
+    </message>
+    <message>
+        <source>Turn the body by 15°</source>
+        <translation>Den Körper um 15° drehen</translation>
+    </message>
+    <message>
+        <source>Move the body over the film</source>
+        <translation>Den Körper über dem Film verschieben</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;X by 15°</source>
+        <translation>Um &amp;X um 15° drehen</translation>
+    </message>
+    <message>
+        <source>Turn about X by −15°</source>
+        <translation>Um X um −15° drehen</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;Y by 15°</source>
+        <translation>Um &amp;Y um 15° drehen</translation>
+    </message>
+    <message>
+        <source>Turn about Y by −15°</source>
+        <translation>Um Y um −15° drehen</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;Z by 15°</source>
+        <translation>Um &amp;Z um 15° drehen</translation>
+    </message>
+    <message>
+        <source>Turn about Z by −15°</source>
+        <translation>Um Z um −15° drehen</translation>
+    </message>
+    <message>
+        <source>Move to the &amp;Right by 5 mm</source>
+        <translation>5 mm nach &amp;rechts schieben</translation>
+    </message>
+    <message>
+        <source>Move to the &amp;Left by 5 mm</source>
+        <translation>5 mm nach &amp;links schieben</translation>
+    </message>
+    <message>
+        <source>Move &amp;Up the Sheet by 5 mm</source>
+        <translation>5 mm den Bogen hin&amp;auf schieben</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down the Sheet by 5 mm</source>
+        <translation>5 mm den Bogen hin&amp;unter schieben</translation>
+    </message>
+    <message>
+        <source>Move to the Film&apos;s &amp;Middle</source>
+        <translation>In die &amp;Mitte des Films schieben</translation>
+    </message>
+    <message>
+        <source>How everything works, beginning with what has the focus</source>
+        <translation>Wie alles geht, beginnend mit dem, was den Fokus hat</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::WindowLayout</name>
@@ -8280,6 +8688,14 @@ mm je mm</translation>
     <message>
         <source>Film Wears</source>
         <translation>Film trägt</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Body</source>
+        <translation>&amp;Körper drehen</translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve Body</source>
+        <translation>Körper &amp;verschieben</translation>
     </message>
 </context>
 <context>

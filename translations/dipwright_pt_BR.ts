@@ -421,6 +421,113 @@
     </message>
 </context>
 <context>
+    <name>GuidePlaces</name>
+    <message>
+        <source>Dip ▸ Check Certainty</source>
+        <translation>Imersão ▸ Verificar confiabilidade</translation>
+    </message>
+    <message>
+        <source>Dip ▸ Tolerances</source>
+        <translation>Imersão ▸ Tolerâncias</translation>
+    </message>
+    <message>
+        <source>File ▸ New Project</source>
+        <translation>Arquivo ▸ Novo projeto</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Esquerda</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Meio</translation>
+    </message>
+    <message>
+        <source>timeline</source>
+        <translation>linha do tempo</translation>
+    </message>
+    <message>
+        <source>Reload Model</source>
+        <translation>Recarregar modelo</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Junção</translation>
+    </message>
+    <message>
+        <source>File ▸ Print</source>
+        <translation>Arquivo ▸ Imprimir</translation>
+    </message>
+    <message>
+        <source>ICC profile</source>
+        <translation>perfil ICC</translation>
+    </message>
+    <message>
+        <source>Dip ▸ Find Poses</source>
+        <translation>Imersão ▸ Procurar poses</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Estiramento</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textura</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Prova</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Folha</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Relatório</translation>
+    </message>
+    <message>
+        <source>File ▸ Print History</source>
+        <translation>Arquivo ▸ Histórico de impressão</translation>
+    </message>
+    <message>
+        <source>File ▸ Calibrate Printer</source>
+        <translation>Arquivo ▸ Calibrar impressora</translation>
+    </message>
+    <message>
+        <source>Edit ▸ Profiles</source>
+        <translation>Editar ▸ Perfis</translation>
+    </message>
+    <message>
+        <source>Measuring a dipped part</source>
+        <translation>Medir uma peça mergulhada</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>As Built</source>
+        <translation>Como saiu</translation>
+    </message>
+    <message>
+        <source>Measuring a film</source>
+        <translation>Medir um filme</translation>
+    </message>
+    <message>
+        <source>File ▸ Snapshots</source>
+        <translation>Arquivo ▸ Instantâneos</translation>
+    </message>
+    <message>
+        <source>File ▸ Job Queue</source>
+        <translation>Arquivo ▸ Fila de trabalhos</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>registro</translation>
+    </message>
+</context>
+<context>
     <name>ImmersionEdits</name>
     <message>
         <source>Add Immersion</source>
@@ -503,6 +610,21 @@
     <message>
         <source>The film profile %1 has what was measured</source>
         <translation>O perfil de filme %1 recebeu a medição</translation>
+    </message>
+</context>
+<context>
+    <name>KeptDips</name>
+    <message>
+        <source>The dips cannot be kept: %1</source>
+        <translation>As imersões não podem ser guardadas: %1</translation>
+    </message>
+    <message>
+        <source>Reading the kept dips</source>
+        <translation>Lendo as imersões guardadas</translation>
+    </message>
+    <message>
+        <source>The kept dips are damaged and not used; a run makes them again</source>
+        <translation>As imersões guardadas estão danificadas e não são usadas; uma execução as refaz</translation>
     </message>
 </context>
 <context>
@@ -2456,6 +2578,14 @@
         <source>Overlap that is too narrow for %1 off</source>
         <translation>Sobreposição estreita demais para um desvio de %1</translation>
     </message>
+    <message>
+        <source>Most of the film stays empty: %1, %2 × %3, is enough.</source>
+        <translation>A maior parte do filme fica vazia: %1, %2 × %3, basta.</translation>
+    </message>
+    <message>
+        <source>Take this film</source>
+        <translation>Usar este filme</translation>
+    </message>
 </context>
 <context>
     <name>ResultFolder</name>
@@ -3008,6 +3138,37 @@
     </message>
 </context>
 <context>
+    <name>dipwright::BodyMenu</name>
+    <message>
+        <source>&amp;Lay This Face Down</source>
+        <translation>&amp;Pôr esta face para baixo</translation>
+    </message>
+    <message>
+        <source>This Face Must Be &amp;Good (Zone A)</source>
+        <translation>Esta face precisa ficar &amp;boa (zona A)</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Girar</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Mover</translation>
+    </message>
+    <message>
+        <source>Turn Body</source>
+        <translation>Girar corpo</translation>
+    </message>
+    <message>
+        <source>Move Body</source>
+        <translation>Mover corpo</translation>
+    </message>
+    <message>
+        <source>Lay Face Down</source>
+        <translation>Pôr face para baixo</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::BodyPrinter</name>
     <message>
         <source>Printing the body</source>
@@ -3536,6 +3697,25 @@
     <message>
         <source>The results are out of date: they were made before the last changes.</source>
         <translation>Os resultados estão desatualizados: foram feitos antes das últimas mudanças.</translation>
+    </message>
+    <message>
+        <source>The results are out of date; run the dip again first.</source>
+        <translation>Os resultados estão desatualizados; execute a imersão de novo antes.</translation>
+    </message>
+    <message>
+        <source>Film %1</source>
+        <translation>Filme %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::DipKeeper</name>
+    <message>
+        <source>Looking for results</source>
+        <translation>Procurando resultados</translation>
+    </message>
+    <message>
+        <source>The results are those of the dips kept beside the project.</source>
+        <translation>Os resultados são os das imersões guardadas ao lado do projeto.</translation>
     </message>
 </context>
 <context>
@@ -4776,6 +4956,29 @@ impresso em cartão rígido e impermeável</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::JobQueue</name>
+    <message>
+        <source>%1 % of the body painted</source>
+        <translation>%1 % do corpo pintado</translation>
+    </message>
+    <message>
+        <source>Cancelling …</source>
+        <translation>Cancelando …</translation>
+    </message>
+    <message>
+        <source>The queue has ended. Projects done: %1</source>
+        <translation>A fila terminou. Projetos concluídos: %1</translation>
+    </message>
+    <message>
+        <source>, failed: %1</source>
+        <translation>, com falha: %1</translation>
+    </message>
+    <message>
+        <source>, cancelled: %1</source>
+        <translation>, cancelados: %1</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::JoinFields</name>
     <message>
         <source>The whole face</source>
@@ -5653,6 +5856,14 @@ estiramento</translation>
     <message>
         <source>Film p&amp;rofile of new projects</source>
         <translation>Pe&amp;rfil de filme de novos projetos</translation>
+    </message>
+    <message>
+        <source>Keep results beside the project</source>
+        <translation>Guardar resultados ao lado do projeto</translation>
+    </message>
+    <message>
+        <source>The dips of a saved project are kept in a file NAME.dips beside it, up to 64 MB, and its results are there when it is opened again.</source>
+        <translation>As imersões de um projeto salvo são guardadas num arquivo NOME.dips ao lado dele, até 64 MB, e seus resultados estão lá quando ele é aberto de novo.</translation>
     </message>
 </context>
 <context>
@@ -6610,6 +6821,139 @@ estiramento</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::QueueDialog</name>
+    <message>
+        <source>Waiting</source>
+        <translation>Aguardando</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Em execução</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Concluído</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Falhou</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Cancelado</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Job Queue</source>
+        <translation>Fila de trabalhos</translation>
+    </message>
+    <message>
+        <source>Projects in the queue</source>
+        <translation>Projetos na fila</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projeto</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>What came of it</source>
+        <translation>O que resultou</translation>
+    </message>
+    <message>
+        <source>Took</source>
+        <translation>Duração</translation>
+    </message>
+    <message>
+        <source>Folder for the results</source>
+        <translation>Pasta dos resultados</translation>
+    </message>
+    <message>
+        <source>Each project that is added has a folder with its name in this one.</source>
+        <translation>Cada projeto adicionado tem nesta uma pasta com seu nome.</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>&amp;Escolher…</translation>
+    </message>
+    <message>
+        <source>Results &amp;into</source>
+        <translation>Resultados e&amp;m</translation>
+    </message>
+    <message>
+        <source>&amp;Add Projects…</source>
+        <translation>&amp;Adicionar projetos…</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel Chosen</source>
+        <translation>&amp;Cancelar escolhidos</translation>
+    </message>
+    <message>
+        <source>Cancel A&amp;ll</source>
+        <translation>Cancelar &amp;todos</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Ended</source>
+        <translation>&amp;Remover terminados</translation>
+    </message>
+    <message>
+        <source>&amp;Open Project</source>
+        <translation>A&amp;brir projeto</translation>
+    </message>
+    <message>
+        <source>Add Projects</source>
+        <translation>Adicionar projetos</translation>
+    </message>
+    <message>
+        <source>Folder for the Results</source>
+        <translation>Pasta dos resultados</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1
+Results: %2</source>
+        <translation>%1
+Resultados: %2</translation>
+    </message>
+    <message>
+        <source>Add projects: they are run one after the other as they are saved, and their results written.</source>
+        <translation>Adicione projetos: eles são executados um depois do outro, como estão salvos, e seus resultados, escritos.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 ended</source>
+        <translation>%1 de %2 terminados</translation>
+    </message>
+    <message>
+        <source>, about %1 left</source>
+        <translation>, faltam cerca de %1</translation>
+    </message>
+    <message>
+        <source>Projects are still being run. Stop them?</source>
+        <translation>Ainda há projetos em execução. Parar?</translation>
+    </message>
+    <message>
+        <source>What is done is kept.</source>
+        <translation>O que está concluído fica.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Them</source>
+        <translation>&amp;Parar</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::ReadPhotos</name>
     <message>
         <source>The photo cannot be read; check its name and permissions</source>
@@ -6669,6 +7013,10 @@ estiramento</translation>
     <message>
         <source>Tolerances</source>
         <translation>Tolerâncias</translation>
+    </message>
+    <message>
+        <source>Film used</source>
+        <translation>Filme usado</translation>
     </message>
 </context>
 <context>
@@ -8072,10 +8420,6 @@ mm por mm</translation>
         <translation>&amp;Guia do usuário</translation>
     </message>
     <message>
-        <source>How everything works</source>
-        <translation>Como tudo funciona</translation>
-    </message>
-    <message>
         <source>&amp;What Is This?</source>
         <translation>O &amp;que é isto?</translation>
     </message>
@@ -8187,6 +8531,70 @@ mm por mm</translation>
         <source>Keep the project&apos;s settings under a name, compare them, and go back</source>
         <translation>Guardar as definições do projeto sob um nome, compará-las e voltar</translation>
     </message>
+    <message>
+        <source>&amp;Job Queue…</source>
+        <translation>&amp;Fila de trabalhos…</translation>
+    </message>
+    <message>
+        <source>Run several projects one after the other, and go on working</source>
+        <translation>Executar vários projetos um depois do outro e continuar a trabalhar</translation>
+    </message>
+    <message>
+        <source>Turn the body by 15°</source>
+        <translation>Girar o corpo 15°</translation>
+    </message>
+    <message>
+        <source>Move the body over the film</source>
+        <translation>Mover o corpo sobre o filme</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;X by 15°</source>
+        <translation>Girar 15° em torno de &amp;X</translation>
+    </message>
+    <message>
+        <source>Turn about X by −15°</source>
+        <translation>Girar −15° em torno de X</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;Y by 15°</source>
+        <translation>Girar 15° em torno de &amp;Y</translation>
+    </message>
+    <message>
+        <source>Turn about Y by −15°</source>
+        <translation>Girar −15° em torno de Y</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;Z by 15°</source>
+        <translation>Girar 15° em torno de &amp;Z</translation>
+    </message>
+    <message>
+        <source>Turn about Z by −15°</source>
+        <translation>Girar −15° em torno de Z</translation>
+    </message>
+    <message>
+        <source>Move to the &amp;Right by 5 mm</source>
+        <translation>Mover 5 mm para a &amp;direita</translation>
+    </message>
+    <message>
+        <source>Move to the &amp;Left by 5 mm</source>
+        <translation>Mover 5 mm para a &amp;esquerda</translation>
+    </message>
+    <message>
+        <source>Move &amp;Up the Sheet by 5 mm</source>
+        <translation>Mover 5 mm folha a&amp;cima</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down the Sheet by 5 mm</source>
+        <translation>Mover 5 mm folha a&amp;baixo</translation>
+    </message>
+    <message>
+        <source>Move to the Film&apos;s &amp;Middle</source>
+        <translation>Mover para o &amp;meio do filme</translation>
+    </message>
+    <message>
+        <source>How everything works, beginning with what has the focus</source>
+        <translation>Como tudo funciona, a começar pelo que tem o foco</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::WindowLayout</name>
@@ -8280,6 +8688,14 @@ mm por mm</translation>
     <message>
         <source>Film Wears</source>
         <translation>Filme veste</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Body</source>
+        <translation>Girar &amp;corpo</translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve Body</source>
+        <translation>&amp;Mover corpo</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "ViewScene.h"
 #include "base/HandOver.h"
 
+#include <QContextMenuEvent>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
@@ -462,6 +463,17 @@ void DipView::mouseReleaseEvent(QMouseEvent* event) {
         emit clicked(rayAt(event->position()));
     }
     sendMouse({MouseAction::Release, event->button(), event->position(), event->modifiers()});
+    if (still && event->button() == Qt::RightButton) {
+        emit menuAsked(rayAt(event->position()), event->globalPosition().toPoint());
+    }
+}
+
+// By its key only: the button asks when it is released, as until then it may drag the camera.
+void DipView::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() == QContextMenuEvent::Keyboard) {
+        const QPoint middle = rect().center();
+        emit menuAsked(rayAt(middle), mapToGlobal(middle));
+    }
 }
 
 void DipView::wheelEvent(QWheelEvent* event) {

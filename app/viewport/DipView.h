@@ -137,6 +137,9 @@ signals:
     void hovered(const dipwright::ViewRay& ray);
     void hoverLeft();
     void clicked(const dipwright::ViewRay& ray); // pressed and released in the same place
+    // The right button pressed and released in the same place, or the menu's key; a place on the
+    // screen.
+    void menuAsked(const dipwright::ViewRay& ray, const QPoint& place);
     void stroked(const dipwright::ViewRay& ray); // where a stroke is pressed and moves along
     void strokeFinished();
     void rotationDragged(int axis, double degrees); // about the world's X, Y or Z since the press
@@ -153,6 +156,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     struct State;

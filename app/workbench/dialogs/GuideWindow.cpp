@@ -91,12 +91,40 @@ void GuideWindow::makeContents() {
         if (!item) {
             return;
         }
-        QTextCursor cursor(text_->document());
-        cursor.movePosition(QTextCursor::End);
-        text_->setTextCursor(cursor); // so that the heading ends up on top
-        cursor.setPosition(item->data(Qt::UserRole).toInt());
-        text_->setTextCursor(cursor);
+        showFrom(item->data(Qt::UserRole).toInt());
     });
+}
+
+void GuideWindow::showFrom(int position) {
+    QTextCursor cursor(text_->document());
+    cursor.movePosition(QTextCursor::End);
+    text_->setTextCursor(cursor); // so that it ends up on top
+    cursor.setPosition(position);
+    text_->setTextCursor(cursor);
+}
+
+bool GuideWindow::showPlace(const GuidePlace& place) {
+    search_->clear();
+    contents_->setCurrentRow(place.chapter);
+    const QListWidgetItem* next = contents_->item(place.chapter + 1);
+    const int end = next ? next->data(Qt::UserRole).toInt() : text_->document()->characterCount();
+    const int begin = contents_->currentItem()->data(Qt::UserRole).toInt();
+    QTextCursor found(text_->document());
+    found.setPosition(begin);
+    while (
+        !place.words.isEmpty() &&
+        !(found = text_->document()->find(place.words, found, QTextDocument::FindCaseSensitively))
+             .isNull() &&
+        found.position() < end) {
+        const QTextCharFormat look = found.charFormat();
+        if (look.fontWeight() > QFont::Normal || look.fontItalic()) {
+            showFrom(found.block().position());
+            text_->setTextCursor(found);
+            return true;
+        }
+    }
+    showFrom(begin);
+    return place.words.isEmpty();
 }
 
 void GuideWindow::makeSearch() {
@@ -153,6 +181,18 @@ void GuideWindow::showNext() {
         text_->moveCursor(QTextCursor::Start);
         text_->find(wanted);
     }
+}
+
+void showGuide(const QWidget* widget, QWidget& window) {
+    auto* guide = window.findChild<GuideWindow*>(QString(), Qt::FindDirectChildrenOnly);
+    if (!guide) {
+        guide = new GuideWindow(&window);
+        guide->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    guide->show();
+    guide->raise();
+    guide->activateWindow();
+    guide->showPlace(guidePlaceOf(widget));
 }
 
 } // namespace dipwright

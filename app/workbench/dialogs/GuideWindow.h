@@ -1,6 +1,8 @@
 // The user guide, from Markdown, with its headings as a table of contents, and searched.
 #pragma once
 
+#include "dialogs/GuidePlaces.h"
+
 #include <QWidget>
 
 class QLabel;
@@ -16,7 +18,11 @@ class GuideWindow : public QWidget {
 public:
     explicit GuideWindow(QWidget* parent = nullptr);
 
+    // False where its chapter has no such words; the chapter is shown then.
+    bool showPlace(const GuidePlace& place);
+
 private:
+    void showFrom(int position); // on top
     void makeContents();
     void makeSearch();
     void showPlaces(); // marks all that are looked for, shows the first, lists their chapters
@@ -27,5 +33,9 @@ private:
     QListWidget* contents_; // each chapter with its position in the text
     QTextBrowser* text_;
 };
+
+// The guide where it tells about `widget` (null: where it begins), in a window of its
+// own that belongs to `window`.
+void showGuide(const QWidget* widget, QWidget& window);
 
 } // namespace dipwright

@@ -28,7 +28,8 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const Solve
     : QDialog(parent), preferences_(preferences), language_(new QComboBox), unit_(new QComboBox),
       theme_(new QComboBox), navigation_(new QComboBox), film_(new QComboBox),
       filmProfile_(new QComboBox), printer_(new QComboBox), autosave_(new QSpinBox),
-      live_(new QCheckBox(tr("Run again after each change"))), shortcuts_(new QTreeWidget),
+      live_(new QCheckBox(tr("Run again after each change"))),
+      keeps_(new QCheckBox(tr("Keep results beside the project"))), shortcuts_(new QTreeWidget),
       clash_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Preferences"));
@@ -83,6 +84,11 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     live_->setChecked(preferences_.liveUpdate);
     live_->setToolTip(tr("Once there is a result, a change starts a new run of what depends on "
                          "it."));
+    keeps_->setObjectName(QStringLiteral("keepResults"));
+    keeps_->setChecked(preferences_.keepsResults);
+    keeps_->setToolTip(
+        tr("The dips of a saved project are kept in a file NAME.dips beside it, up to "
+           "64 MB, and its results are there when it is opened again."));
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
     form->setContentsMargins(16, 16, 16, 16);
@@ -100,6 +106,7 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     form->addRow(tr("&Printer of new projects"), printer_);
     form->addRow(tr("&Recovery copy after"), autosave_);
     form->addRow(QString(), live_);
+    form->addRow(QString(), keeps_);
     return page;
 }
 
@@ -182,6 +189,7 @@ Preferences PreferencesDialog::preferences() const {
     chosen.printerProfile = printer_->currentData().toString();
     chosen.autosaveSeconds = autosave_->value();
     chosen.liveUpdate = live_->isChecked();
+    chosen.keepsResults = keeps_->isChecked();
     return chosen;
 }
 

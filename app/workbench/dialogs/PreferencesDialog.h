@@ -41,7 +41,7 @@ private:
     QComboBox* filmProfile_;
     QComboBox* printer_;
     QSpinBox* autosave_;
-    QCheckBox* live_;
+    QCheckBox *live_, *keeps_;
     QTreeWidget* shortcuts_;
     QLabel* clash_;
     QDialogButtonBox* buttons_;

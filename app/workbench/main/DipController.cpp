@@ -1,8 +1,10 @@
 #include "main/DipController.h"
 
 #include "main/WindowActions.h"
+#include "panels/ReportPanel.h"
 #include "panels/ResultsPanel.h"
 #include "panels/ShippedNames.h"
+#include "pipeline/SmallerFilm.h"
 #include "view/DipPlayback.h"
 
 #include <QAction>
@@ -11,10 +13,11 @@
 namespace dipwright {
 
 DipController::DipController(const WindowActions& actions, DipSession& session,
-                             CertaintyCheck& check, const DipPlayback& playback, Messages& messages,
-                             ResultsPanel& results, QLabel& staleBanner)
-    : session_(session), check_(check), playback_(playback), messages_(messages), results_(results),
-      staleBanner_(staleBanner) {
+                             CertaintyCheck& check, JobRunner& jobs, const SolverRegistry& registry,
+                             const DipPlayback& playback, Messages& messages, ResultsPanel& results,
+                             QLabel& staleBanner)
+    : actions_(actions), session_(session), check_(check), playback_(playback), messages_(messages),
+      results_(results), staleBanner_(staleBanner), keeper_(session, jobs, registry, messages) {
     connect(&session, &DipSession::started, this, [this] {
         messages_.notice({});
         showFreshness();
@@ -32,10 +35,13 @@ DipController::DipController(const WindowActions& actions, DipSession& session,
     connect(&session, &DipSession::immersionChanged, this, &DipController::showResults);
     connect(&session, &DipSession::dropped, this, &DipController::showResults);
     connect(&live_, &LiveRun::runAsked, this, [this] { run(true); });
+    connect(&keeper_, &DipKeeper::found, this, [this] { run(true); });
     connect(actions.run, &QAction::triggered, this, [this] { run(false); });
     connect(actions.cancel, &QAction::triggered, this, &DipController::cancel);
     connect(actions.live, &QAction::toggled, &live_, &LiveRun::setWanted);
     connect(actions.certainty, &QAction::triggered, this, &DipController::checkCertainty);
+    connect(&results.report(), &ReportPanel::smallerFilmTaken, this,
+            &DipController::takeSmallerFilm);
 }
 
 void DipController::showDocument() {
@@ -45,6 +51,12 @@ void DipController::showDocument() {
         connect(document, &Document::projectChanged, this, &DipController::showFreshness);
         showResults();
     }
+    keeper_.showDocument();
+}
+
+void DipController::setPreferences(const Preferences& preferences) {
+    actions_.live->setChecked(preferences.liveUpdate);
+    keeper_.setWanted(preferences.keepsResults);
 }
 
 void DipController::run(bool live) {
@@ -62,6 +74,25 @@ void DipController::cancel() {
 
 void DipController::checkCertainty() {
     check_.start(*session_.document());
+}
+
+void DipController::takeSmallerFilm() {
+    Document& document = *session_.document();
+    const auto isDipped = [&] {
+        for (std::size_t number = 0; number < document.project().immersions.size(); ++number) {
+            if (!document.isFresh(JobStep::Dip, number)) {
+                return false;
+            }
+        }
+        return true;
+    };
+    const auto smaller = isDipped() ? smallerFilm(*document.result()) : std::nullopt;
+    if (!smaller) {
+        messages_.say(tr("The results are out of date; run the dip again first."));
+        return;
+    }
+    document.edit(tr("Film %1").arg(smaller->format), {},
+                  [&](Project& project) { take(project, *smaller); });
 }
 
 void DipController::takeResult() {

@@ -2,7 +2,9 @@
 // its results is still true.
 #pragma once
 
+#include "document/Preferences.h"
 #include "session/CertaintyCheck.h"
+#include "session/DipKeeper.h"
 #include "session/DipSession.h"
 #include "session/LiveRun.h"
 #include "session/Messages.h"
@@ -20,11 +22,12 @@ class DipController : public QObject {
 
 public:
     DipController(const WindowActions& actions, DipSession& session, CertaintyCheck& check,
-                  const DipPlayback& playback, Messages& messages, ResultsPanel& results,
-                  QLabel& staleBanner);
+                  JobRunner& jobs, const SolverRegistry& registry, const DipPlayback& playback,
+                  Messages& messages, ResultsPanel& results, QLabel& staleBanner);
 
     // To be called when the session has another document.
     void showDocument();
+    void setPreferences(const Preferences& preferences);
     // While the body is dragged, nothing is run live.
     void setHeld(bool held) { live_.setHeld(held); }
 
@@ -35,10 +38,12 @@ private:
     void run(bool live);
     void cancel();
     void checkCertainty();
+    void takeSmallerFilm();
     void takeResult();
     void showResults();
     void showFreshness();
 
+    const WindowActions& actions_;
     DipSession& session_;
     CertaintyCheck& check_;
     const DipPlayback& playback_;
@@ -46,6 +51,7 @@ private:
     ResultsPanel& results_;
     QLabel& staleBanner_;
     LiveRun live_;
+    DipKeeper keeper_;
     bool isLive_ = false; // what runs, or ran last
 };
 

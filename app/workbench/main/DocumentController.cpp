@@ -27,8 +27,7 @@ bool matches(const QString& path, const QStringList& patterns) {
 } // namespace
 
 DocumentController::DocumentController(const WindowActions& actions, DocumentSession& session,
-                                       Messages& messages, const Workbench& workbench,
-                                       QWidget& window)
+                                       Messages& messages, Workbench& workbench, QWidget& window)
     : session_(session), messages_(messages), workbench_(workbench), window_(window) {
     const auto on = [this](const QAction* action, auto what) {
         connect(action, &QAction::triggered, this, what);
@@ -39,6 +38,13 @@ DocumentController::DocumentController(const WindowActions& actions, DocumentSes
     on(actions.saveAs, &DocumentController::saveAs);
     on(actions.snapshots, &DocumentController::showSnapshots);
     on(actions.printHistory, &DocumentController::showPrintHistory);
+    on(actions.jobQueue, [this] {
+        workbench_.showQueue(session_.document() ? session_.document()->path() : QString());
+    });
+    connect(&workbench.queue(), &JobQueue::ended, this, [this](const QString& sentence) {
+        messages_.log(sentence);
+        messages_.notice(sentence);
+    });
 }
 
 void DocumentController::askNew(const QString& model) {

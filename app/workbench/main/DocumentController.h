@@ -18,7 +18,7 @@ class DocumentController : public QObject {
 
 public:
     DocumentController(const WindowActions& actions, DocumentSession& session, Messages& messages,
-                       const Workbench& workbench, QWidget& window);
+                       Workbench& workbench, QWidget& window);
 
     void askNew(const QString& model = {});
     void askOpen();
@@ -43,7 +43,7 @@ private:
 
     DocumentSession& session_;
     Messages& messages_;
-    const Workbench& workbench_;
+    Workbench& workbench_;
     QWidget& window_;
 };
 

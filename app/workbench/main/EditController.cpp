@@ -13,9 +13,11 @@
 namespace dipwright {
 
 EditController::EditController(const WindowActions& actions, ProjectTree& tree,
-                               const PropertyPanel& properties, const DipSession& session,
-                               JobRunner& jobs, Messages& messages, QWidget& window)
-    : tree_(tree), session_(session), jobs_(jobs), messages_(messages), window_(window) {
+                               const PropertyPanel& properties, DipView& view,
+                               const DipScene& scene, const DipSession& session, JobRunner& jobs,
+                               Messages& messages, QWidget& window)
+    : tree_(tree), session_(session), jobs_(jobs), messages_(messages), window_(window),
+      bodyMenu_(view, scene, session, *actions.bodyTurns, *actions.bodyMoves) {
     const auto on = [this](const QAction* action, auto what) {
         connect(action, &QAction::triggered, this, what);
     };

@@ -2,6 +2,7 @@
 // exchanges model or texture.
 #pragma once
 
+#include "main/BodyMenu.h"
 #include "session/DipSession.h"
 #include "session/Messages.h"
 
@@ -17,9 +18,10 @@ class EditController : public QObject {
     Q_OBJECT
 
 public:
-    // Does what the actions, the tree and the property panel ask for.
+    // Does what the actions, the tree, the property panel and the menu of the view ask for.
     EditController(const WindowActions& actions, ProjectTree& tree, const PropertyPanel& properties,
-                   const DipSession& session, JobRunner& jobs, Messages& messages, QWidget& window);
+                   DipView& view, const DipScene& scene, const DipSession& session, JobRunner& jobs,
+                   Messages& messages, QWidget& window);
 
     void replaceTexture(const QString& path);
 
@@ -34,6 +36,7 @@ private:
     JobRunner& jobs_;
     Messages& messages_;
     QWidget& window_;
+    BodyMenu bodyMenu_;
 };
 
 } // namespace dipwright

@@ -13,6 +13,7 @@
 #include "viewport/DipView.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QGuiApplication>
@@ -65,9 +66,7 @@ void HelpController::showTour() {
 }
 
 void HelpController::showGuide() {
-    auto* guide = new GuideWindow(&window_);
-    guide->setAttribute(Qt::WA_DeleteOnClose);
-    guide->show();
+    dipwright::showGuide(QApplication::focusWidget(), window_);
 }
 
 void HelpController::showAbout() {

@@ -47,9 +47,11 @@ MainWindow::MainWindow(Workbench& workbench)
       reader_(session_, *parts_.view, scene_, *parts_.results),
       measure_(*parts_.view, scene_, messages_), marks_(*parts_.view, scene_, session_),
       turn_(session_, *parts_.view),
-      dip_(actions_, session_, check_, playback_, messages_, *parts_.results, *parts_.staleBanner),
+      dip_(actions_, session_, check_, jobs_, workbench.registry(), playback_, messages_,
+           *parts_.results, *parts_.staleBanner),
       documentActions_(actions_, documents_, messages_, workbench, *this),
-      edits_(actions_, *parts_.tree, *parts_.properties, session_, jobs_, messages_, *this),
+      edits_(actions_, *parts_.tree, *parts_.properties, *parts_.view, scene_, session_, jobs_,
+             messages_, *this),
       exports_(actions_, parts_.results->stretch(), session_, jobs_, messages_, *this),
       tolerances_(actions_, session_, toleranceCheck_, messages_, scene_, *parts_.properties,
                   parts_.results->report(), *this),
@@ -221,17 +223,14 @@ void MainWindow::showDocument() {
 void MainWindow::applyPreferences() {
     const Preferences& preferences = workbench_.preferences();
     parts_.view->setColours(viewColours(isDark()));
-    parts_.view->setNavigation(preferences.navigation == NavigationChoice::Trackball
-                                   ? Navigation::Trackball
-                                   : Navigation::Turntable);
     parts_.properties->setLengthUnit(preferences.unit);
     parts_.results->setLengthUnit(preferences.unit);
     playback_.setLengthUnit(preferences.unit);
     reader_.setLengthUnit(preferences.unit);
     measure_.setLengthUnit(preferences.unit);
     tolerances_.setLengthUnit(preferences.unit);
-    viewActions_.setLengthUnit(preferences.unit);
-    actions_.live->setChecked(preferences.liveUpdate);
+    viewActions_.setPreferences(preferences);
+    dip_.setPreferences(preferences);
     actions_.setShortcuts(preferences.shortcuts);
     documents_.setAutosaveInterval(preferences.autosaveSeconds);
     layout_.colourBanners();
@@ -257,7 +256,7 @@ void MainWindow::updateTitle() {
 
 void MainWindow::updateActions() {
     actions_.enable(
-        {document(), jobs_.isBusy(), session_.isRunning(), parts_.timeline->frames() > 0});
+        {document(), jobs_.isBusy(), session_.isRunning(), parts_.timeline->frames() > 1});
 }
 
 void MainWindow::keepThumbnail() {

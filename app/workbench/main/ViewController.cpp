@@ -115,8 +115,11 @@ void ViewController::showSection() {
     view_.setSection(plane);
 }
 
-void ViewController::setLengthUnit(LengthUnit unit) {
-    unit_ = unit;
+void ViewController::setPreferences(const Preferences& preferences) {
+    view_.setNavigation(preferences.navigation == NavigationChoice::Trackball
+                            ? Navigation::Trackball
+                            : Navigation::Turntable);
+    unit_ = preferences.unit;
     showSection();
 }
 

@@ -23,7 +23,7 @@ public:
                    LookInsideBar& inside, const StretchPanel& stretch, JobRunner& jobs,
                    Messages& messages, QWidget& window);
 
-    void setLengthUnit(LengthUnit unit);
+    void setPreferences(const Preferences& preferences);
 
 private:
     void connectCamera(const WindowActions& actions);

@@ -2,6 +2,7 @@
 
 #include "document/Document.h"
 #include "look/Icons.h"
+#include "main/BodyMenu.h"
 #include "view/DipScene.h"
 
 #include <QAction>
@@ -38,6 +39,7 @@ WindowActions::WindowActions(QWidget& window) : window_(window) {
         }
     }
     addFilmLooks();
+    addBodySteps();
     for (const Entry& entry : helpEntries()) {
         this->*entry.action = add(entry);
     }
@@ -85,6 +87,8 @@ std::vector<WindowActions::Entry> WindowActions::fileEntries() {
          QKeySequence::Print},
         {&A::printHistory, "printHistory", "", tr("Print &History…"),
          tr("See what was printed when, on what, and from which project"), key("Ctrl+Shift+H")},
+        {&A::jobQueue, "jobQueue", "", tr("&Job Queue…"),
+         tr("Run several projects one after the other, and go on working"), key("Ctrl+J")},
         {&A::calibrate, "calibratePrinter", "measure", tr("Calibrate P&rinter…"),
          tr("Print a page of rulers and put the printer's scale into its profile")},
         {&A::profiles, "profiles", "", tr("Pro&files…"),
@@ -243,12 +247,43 @@ void WindowActions::addFilmLooks() {
     addLook("filmPicture", tr("A &Picture…"), FilmLook::Picture, Kind::ToggledOff);
 }
 
+// About an axis of the world as a ring of the view shows it, and along the film.
+void WindowActions::addBodySteps() {
+    bodyTurns = new QActionGroup(this);
+    bodyMoves = new QActionGroup(this);
+    const auto addStep = [this](QActionGroup* group, const char* name, const QString& text,
+                                const QString& help, BodyStep step, const char* keys) {
+        QAction* action = add({nullptr, name, "", text, help, key(keys)});
+        action->setData(QVariant::fromValue(step));
+        group->addAction(action);
+    };
+    const auto addTurn = [&](const char* name, const QString& text, BodyStep step,
+                             const char* keys) {
+        addStep(bodyTurns, name, text, tr("Turn the body by 15°"), step, keys);
+    };
+    const auto addMove = [&](const char* name, const QString& text, BodyStep step,
+                             const char* keys) {
+        addStep(bodyMoves, name, text, tr("Move the body over the film"), step, keys);
+    };
+    addTurn("turnX", tr("Turn about &X by 15°"), {0, 1}, "Ctrl+Alt+X");
+    addTurn("turnXBack", tr("Turn about X by −15°"), {0, -1}, "Ctrl+Alt+Shift+X");
+    addTurn("turnY", tr("Turn about &Y by 15°"), {1, 1}, "Ctrl+Alt+Y");
+    addTurn("turnYBack", tr("Turn about Y by −15°"), {1, -1}, "Ctrl+Alt+Shift+Y");
+    addTurn("turnZ", tr("Turn about &Z by 15°"), {2, 1}, "Ctrl+Alt+Z");
+    addTurn("turnZBack", tr("Turn about Z by −15°"), {2, -1}, "Ctrl+Alt+Shift+Z");
+    addMove("moveRight", tr("Move to the &Right by 5 mm"), {0, 1}, "Alt+Right");
+    addMove("moveLeft", tr("Move to the &Left by 5 mm"), {0, -1}, "Alt+Left");
+    addMove("moveUp", tr("Move &Up the Sheet by 5 mm"), {2, -1}, "Alt+Up");
+    addMove("moveDown", tr("Move &Down the Sheet by 5 mm"), {2, 1}, "Alt+Down");
+    addMove("moveToMiddle", tr("Move to the Film's &Middle"), {0, 0}, "Alt+Home");
+}
+
 std::vector<WindowActions::Entry> WindowActions::helpEntries() {
     using A = WindowActions;
     return {
         {&A::tour, "tour", "help", tr("Quick &Tour"), tr("What is where, in six steps")},
-        {&A::guide, "guide", "report", tr("User &Guide"), tr("How everything works"),
-         QKeySequence::HelpContents},
+        {&A::guide, "guide", "report", tr("User &Guide"),
+         tr("How everything works, beginning with what has the focus"), QKeySequence::HelpContents},
         {&A::whatsThis, "whatsThis", "", tr("&What Is This?"),
          tr("Click something afterwards to be told what it is for"), QKeySequence::WhatsThis},
         {&A::about, "about", "", tr("&About Dipwright"), {}, {}, Kind::Command, QAction::AboutRole},
@@ -264,7 +299,9 @@ void WindowActions::enable(const WindowState& state) {
           section, seeThrough, measure,      live,           zones,    findPoses}) {
         action->setEnabled(any);
     }
-    filmLook->setEnabled(any);
+    for (QActionGroup* group : {filmLook, bodyTurns, bodyMoves}) {
+        group->setEnabled(any);
+    }
     save->setEnabled(any && state.document->isModified());
     reloadModel->setEnabled(any && !state.document->project().modelOrigin.source.isEmpty());
     addImmersion->setEnabled(any && immersions < 2);

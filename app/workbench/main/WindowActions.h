@@ -29,7 +29,8 @@ public:
     explicit WindowActions(QWidget& window); // adds them to it
 
     QAction *newWindow, *newProject, *open, *save, *saveAs, *snapshots, *exportResults, *exportPdf,
-        *exportPng, *exportCradles, *print, *printHistory, *calibrate, *profiles, *close, *quit;
+        *exportPng, *exportCradles, *print, *printHistory, *jobQueue, *calibrate, *profiles, *close,
+        *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
         *replaceModel, *replaceTexture, *preferences;
     QAction *run, *cancel, *live, *certainty, *tolerances, *findPoses, *play;
@@ -37,7 +38,8 @@ public:
         *parallel;
     QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *section,
         *seeThrough, *measure;
-    QActionGroup* filmLook; // each has its FilmLook as data
+    QActionGroup* filmLook;              // each has its FilmLook as data
+    QActionGroup *bodyTurns, *bodyMoves; // each has its BodyStep (main/BodyMenu.h) as data
     QAction *tour, *guide, *whatsThis, *about;
 
     void enable(const WindowState& state);
@@ -54,6 +56,7 @@ private:
     static std::vector<Entry> helpEntries();
     QAction* add(const Entry& entry);
     void addFilmLooks();
+    void addBodySteps();
     void nameUndo(Document* document);
 
     QWidget& window_;

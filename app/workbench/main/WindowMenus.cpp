@@ -31,10 +31,7 @@ WindowMenus::WindowMenus(QMainWindow& window, const WindowActions& actions,
     const WindowActions& a = actions;
     QMenuBar& bar = *window.menuBar();
     makeFileMenu(*bar.addMenu(tr("&File")), actions);
-    addGroups(*bar.addMenu(tr("&Edit")), {{a.undo, a.redo},
-                                          {a.addImmersion, a.removeImmersion, a.swapImmersions},
-                                          {a.reloadModel, a.replaceModel, a.replaceTexture},
-                                          {a.profiles, a.preferences}});
+    makeEditMenu(*bar.addMenu(tr("&Edit")), actions);
     makeViewMenu(*bar.addMenu(tr("&View")), actions);
     addGroups(*bar.addMenu(tr("&Dip")),
               {{a.run, a.cancel, a.live}, {a.play, a.findPoses, a.certainty, a.tolerances}});
@@ -49,9 +46,19 @@ void WindowMenus::makeFileMenu(QMenu& menu, const WindowActions& a) {
     recent_ = menu.addMenu(tr("Open &Recent"));
     menu.addSeparator();
     addGroups(menu, {{a.save, a.saveAs, a.snapshots},
-                     {a.print, a.printHistory, a.calibrate, a.exportResults, a.exportPdf,
-                      a.exportPng, a.exportCradles},
+                     {a.print, a.printHistory, a.calibrate, a.jobQueue, a.exportResults,
+                      a.exportPdf, a.exportPng, a.exportCradles},
                      {a.close, a.quit}});
+}
+
+void WindowMenus::makeEditMenu(QMenu& menu, const WindowActions& a) {
+    addGroups(menu, {{a.undo, a.redo}, {a.addImmersion, a.removeImmersion, a.swapImmersions}});
+    menu.addSeparator();
+    menu.addMenu(tr("Turn &Body"))->addActions(a.bodyTurns->actions());
+    menu.addMenu(tr("Mo&ve Body"))->addActions(a.bodyMoves->actions());
+    menu.addSeparator();
+    addGroups(menu,
+              {{a.reloadModel, a.replaceModel, a.replaceTexture}, {a.profiles, a.preferences}});
 }
 
 void WindowMenus::makeViewMenu(QMenu& menu, const WindowActions& a) {

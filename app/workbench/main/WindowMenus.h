@@ -24,6 +24,7 @@ public:
 
 private:
     void makeFileMenu(QMenu& menu, const WindowActions& actions);
+    void makeEditMenu(QMenu& menu, const WindowActions& actions);
     void makeViewMenu(QMenu& menu, const WindowActions& actions);
     void makeWindowMenu(QMenu& menu, const WindowActions& actions, const QList<QAction*>& docks);
     void makeMainToolBar(QMainWindow& window, const WindowActions& actions);

@@ -1,5 +1,7 @@
 #include "main/Workbench.h"
 
+#include "dialogs/GuideWindow.h"
+#include "dialogs/QueueDialog.h"
 #include "document/Recovery.h"
 #include "look/Theme.h"
 #include "main/MainWindow.h"
@@ -7,6 +9,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
@@ -30,17 +33,22 @@ Theme themeOf(ThemeChoice choice) {
 } // namespace
 
 Workbench::Workbench(const QString& recovery, QObject* parent)
-    : QObject(parent), recovery_(recovery), preferences_(loadPreferences()) {
+    : QObject(parent), recovery_(recovery), preferences_(loadPreferences()), queue_(registry_) {
+    qApp->installEventFilter(this);
+    queue_.setKeepsDips(preferences_.keepsResults);
     applyTheme(*qApp, themeOf(preferences_.theme));
 }
 
-Workbench::~Workbench() = default;
+Workbench::~Workbench() {
+    delete queueWindow_;
+}
 
 void Workbench::setPreferences(const Preferences& preferences) {
     if (preferences == preferences_) {
         return;
     }
     preferences_ = preferences;
+    queue_.setKeepsDips(preferences.keepsResults);
     savePreferences(preferences);
     applyTheme(*qApp, themeOf(preferences.theme));
     emit preferencesChanged();
@@ -75,6 +83,34 @@ bool Workbench::bringForward(const QString& path) {
         }
     }
     return false;
+}
+
+void Workbench::showQueue(const QString& project) {
+    if (!queueWindow_) {
+        queueWindow_ = new QueueDialog(queue_);
+        queueWindow_->setAttribute(Qt::WA_DeleteOnClose);
+        queueWindow_->setAttribute(Qt::WA_QuitOnClose); // its work outlives the main windows
+        connect(queueWindow_, &QueueDialog::projectAsked, this, [this](const QString& path) {
+            if (!bringForward(path)) {
+                emptyWindow()->documents().openProject(path);
+            }
+        });
+    }
+    queueWindow_->propose(project);
+    queueWindow_->show();
+    queueWindow_->raise();
+    queueWindow_->activateWindow();
+}
+
+bool Workbench::eventFilter(QObject* watched, QEvent* event) {
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    if (event->type() == QEvent::KeyPress && widget &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::HelpContents) &&
+        !qobject_cast<MainWindow*>(widget->window())) {
+        showGuide(widget, *widget->window());
+        return true;
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 void Workbench::offerRecovery() {

@@ -2,14 +2,17 @@
 #pragma once
 
 #include "document/Preferences.h"
+#include "session/JobQueue.h"
 #include "solver/SolverRegistry.h"
 
 #include <QObject>
+#include <QPointer>
 #include <memory>
 
 namespace dipwright {
 
 class MainWindow;
+class QueueDialog;
 
 class Workbench : public QObject {
     Q_OBJECT
@@ -28,11 +31,18 @@ public:
     MainWindow* openWindow();
     // The window that has this file open; false: none has.
     bool bringForward(const QString& path);
+    // Projects run one after the other, and the window on them; `project`: that is open, or none.
+    JobQueue& queue() { return queue_; }
+    void showQueue(const QString& project);
     // Offers what a crash has left behind, each in a window of its own.
     void offerRecovery();
 
 signals:
     void preferencesChanged();
+
+protected:
+    // The guide in windows beside the main ones, which have an action for it.
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     MainWindow* emptyWindow(); // one that shows the start page, or a new one
@@ -40,6 +50,8 @@ private:
     SolverRegistry registry_;
     QString recovery_;
     Preferences preferences_;
+    JobQueue queue_;
+    QPointer<QueueDialog> queueWindow_;
 };
 
 } // namespace dipwright

@@ -57,6 +57,7 @@ void PropertyPanel::showNode(const ProjectNode& node) {
 }
 
 void PropertyPanel::rebuild() {
+    setProperty("part", int(node_.part)); // by which the guide is opened at the right place
     refreshers_.clear();
     emit brushChanged({});
     emit shownPrintChanged({});

@@ -1,6 +1,7 @@
 #include "panels/ReportPanel.h"
 
 #include "panels/ShippedNames.h"
+#include "pipeline/SmallerFilm.h"
 
 #include <QCoreApplication>
 #include <QLabel>
@@ -123,6 +124,20 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
     return heading(result.immersion.name) + table.html();
 }
 
+// Nothing where none would do.
+QString smallerFilmHtml(const JobResult& result, LengthUnit unit) {
+    const std::optional<SmallerFilm> smaller = smallerFilm(result);
+    if (!smaller) {
+        return {};
+    }
+    return QStringLiteral("<p>%1 <a href='smaller-film'>%2</a></p>")
+        .arg(Text::tr("Most of the film stays empty: %1, %2 × %3, is enough.")
+                 .arg(smaller->format, shownLength(smaller->width.value(), unit),
+                      shownLength(smaller->height.value(), unit))
+                 .toHtmlEscaped(),
+             Text::tr("Take this film").toHtmlEscaped());
+}
+
 } // namespace
 
 ReportPanel::ReportPanel(QWidget* parent)
@@ -131,6 +146,8 @@ ReportPanel::ReportPanel(QWidget* parent)
     text_->setFrameShape(QFrame::NoFrame);
     text_->setObjectName(QStringLiteral("report"));
     text_->setAccessibleName(tr("Report"));
+    text_->setOpenLinks(false);
+    connect(text_, &QTextBrowser::anchorClicked, this, &ReportPanel::smallerFilmTaken);
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setWordWrap(true);
     hint_->setForegroundRole(QPalette::PlaceholderText);
@@ -160,9 +177,10 @@ void ReportPanel::show() {
     }
     Table whole;
     whole.row(tr("Body painted altogether"), percent(result_->coverageTotal));
+    whole.row(tr("Film used"), percent(filmUsed(*result_)));
     whole.row(tr("Solver"), shownName(result_->solver.name));
     whole.row(tr("Device"), result_->solver.device);
-    QString html = whole.html();
+    QString html = whole.html() + smallerFilmHtml(*result_, unit_);
     for (const QString& note : result_->notes) {
         html += QStringLiteral("<p><b>%1</b></p>").arg(note.toHtmlEscaped());
     }

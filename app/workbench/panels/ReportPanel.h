@@ -21,6 +21,9 @@ public:
     // Of how far colours may land off their places, a sentence a zone; empty where not told.
     void setTolerances(const QStringList& sentences);
 
+signals:
+    void smallerFilmTaken(); // the one that smallerFilm() finds for the result shown
+
 private:
     void show();
 

@@ -13,6 +13,15 @@ Immersion turned(const Immersion& immersion, int axis, double degrees) {
     return result;
 }
 
+Immersion laidDown(const Immersion& immersion, const Eigen::Vector3d& outward) {
+    const Eigen::Matrix3d rotation = rotationMatrix(immersion.rotation);
+    const auto turn =
+        Eigen::Quaterniond::FromTwoVectors(rotation * outward, -Eigen::Vector3d::UnitY());
+    Immersion result = immersion;
+    result.rotation = rotationAngles(turn.toRotationMatrix() * rotation, immersion.rotation);
+    return result;
+}
+
 BodyTurn::BodyTurn(const DipSession& session, const DipView& view, QObject* parent)
     : QObject(parent), session_(session) {
     connect(&view, &DipView::rotationDragged, this, &BodyTurn::drag);

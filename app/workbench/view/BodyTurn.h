@@ -13,6 +13,10 @@ namespace dipwright {
 // angles rounded to tenths.
 Immersion turned(const Immersion& immersion, int axis, double degrees);
 
+// `immersion` with a face down, `outward` (model coordinates) its normal: turned no farther than it
+// must be, its angles rounded to tenths.
+Immersion laidDown(const Immersion& immersion, const Eigen::Vector3d& outward);
+
 class BodyTurn : public QObject {
     Q_OBJECT
 

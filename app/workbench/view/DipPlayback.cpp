@@ -104,8 +104,10 @@ void DipPlayback::showResults() {
     const auto recording = session_.recording();
     scene_.setResult(reading ? session_.outcome().result : nullptr, reading);
     const QSignalBlocker quiet(&timeline_);
-    timeline_.setFrames(recording ? int(recording->size()) : 0);
-    if (recording && reading) {
+    // Dips that were kept have an end and no way there.
+    const bool isRecorded = recording && recording->size() > 0;
+    timeline_.setFrames(isRecorded ? int(recording->size()) : reading ? 1 : 0);
+    if (isRecorded && reading) {
         showMarks(*recording, session_.outcome().result->immersions[session_.immersion()]);
     }
     const bool fresh = session_.document()->isFresh(JobStep::Dip, session_.immersion());

@@ -518,16 +518,18 @@ std::optional<Eigen::Isometry3d> DipScene::worldToEnd() const {
 }
 
 std::optional<Eigen::Vector3f> DipScene::modelPoint(const ViewRay& ray) const {
+    const std::optional<SurfacePoint> point = modelSurface(ray);
+    return point ? std::optional(position(project_.model->mesh, *point)) : std::nullopt;
+}
+
+std::optional<SurfacePoint> DipScene::modelSurface(const ViewRay& ray) const {
     if (!query_) {
         return std::nullopt;
     }
     const Eigen::Isometry3f worldToModel = modelToWorld_.inverse().cast<float>();
     const RayHit hit =
         query_->hit(worldToModel * ray.origin, worldToModel.linear() * ray.direction);
-    if (!hit.point.isValid()) {
-        return std::nullopt;
-    }
-    return position(project_.model->mesh, hit.point);
+    return hit.point.isValid() ? std::optional(hit.point) : std::nullopt;
 }
 
 Eigen::Vector3f DipScene::toWorld(const Eigen::Vector3f& modelPoint) const {

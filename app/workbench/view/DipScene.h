@@ -59,6 +59,7 @@ public:
     std::shared_ptr<const TexturedMesh> model() const { return project_.model; } // null: none
     // The shown model's place that `ray` meets first, in model coordinates.
     std::optional<Eigen::Vector3f> modelPoint(const ViewRay& ray) const;
+    std::optional<SurfacePoint> modelSurface(const ViewRay& ray) const;
     Eigen::Vector3f toWorld(const Eigen::Vector3f& modelPoint) const;
 
 signals:

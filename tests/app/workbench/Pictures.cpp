@@ -9,6 +9,7 @@
 #include "dialogs/PrintDialog.h"
 #include "dialogs/PrintHistoryDialog.h"
 #include "dialogs/ProfilesDialog.h"
+#include "dialogs/QueueDialog.h"
 #include "dialogs/SnapshotsDialog.h"
 #include "document/RecentProjects.h"
 #include "look/Languages.h"
@@ -329,6 +330,44 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
     window.findChild<QWidget*>(QStringLiteral("tour"))->close();
 }
 
+// The report with a smaller film, the body's menu, the queue, and the guide at a place of it.
+void photographPlanning(WindowDriver& driver, MainWindow& window, Workbench& workbench,
+                        const Photographer& camera) {
+    driver.find<QTabWidget>("results")->setCurrentIndex(5);
+    camera.take(window, QStringLiteral("report"));
+    window.findChild<Timeline*>()->setPosition(0);
+    DipView& view = window.view();
+    view.picture(); // of the body where it is asked for
+    QTest::mouseClick(&view, Qt::RightButton, {}, view.positionOf({0, 10, 0}).toPoint());
+    auto* menu = view.findChild<QMenu*>(QStringLiteral("bodyMenu"));
+    camera.take(*menu, QStringLiteral("body-menu"));
+    menu->findChild<QAction*>(QStringLiteral("faceMustBeGood"))->trigger();
+    menu->findChild<QAction*>(QStringLiteral("layFaceDown"))->trigger();
+    menu->close();
+    driver.trigger("zones");
+    camera.take(window, QStringLiteral("laid-down"));
+    driver.trigger("zones");
+    const QString project = window.document()->path();
+    workbench.showQueue(project);
+    workbench.queue().add({project, project + QStringLiteral(".gone"), project, project},
+                          workbench.recovery() + QStringLiteral("/results"));
+    const auto isThird = [&] {
+        const QueuedProject& third = workbench.queue().projects()[2];
+        return third.state == QueuedState::Running && third.share > 0.3;
+    };
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+        if (qobject_cast<QueueDialog*>(widget) && QTest::qWaitFor(isThird, 900000)) {
+            camera.take(*widget, QStringLiteral("queue"));
+        }
+    }
+    workbench.queue().cancelAll();
+    if (QTest::qWaitFor([&] { return !workbench.queue().isBusy(); }, 60000)) {
+        camera.take(window, QStringLiteral("queue-ended"));
+    }
+    showGuide(driver.find<QWidget>("searchPage"), window);
+    camera.take(*window.findChild<GuideWindow*>(), QStringLiteral("guide-place"));
+}
+
 // The body over the film, for the start page.
 void photographSample(WindowDriver& driver, MainWindow& window, const QString& file) {
     driver.trigger("rings");
@@ -362,6 +401,7 @@ int main(int argc, char* argv[]) {
          {QStringLiteral("only-results"), {}},
          {QStringLiteral("only-dialogs"), {}},
          {QStringLiteral("only-inside"), {}},
+         {QStringLiteral("only-planning"), {}},
          {QStringLiteral("only-tolerances"), {}},
          {QStringLiteral("only-search"), {}}});
     parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
@@ -386,6 +426,7 @@ int main(int argc, char* argv[]) {
                      !parser.isSet(QStringLiteral("only-search")) &&
                      !parser.isSet(QStringLiteral("only-dialogs")) &&
                      !parser.isSet(QStringLiteral("only-inside")) &&
+                     !parser.isSet(QStringLiteral("only-planning")) &&
                      !parser.isSet(QStringLiteral("sample-thumbnail"));
     if (all) {
         camera.take(window, QStringLiteral("start"));
@@ -417,6 +458,10 @@ int main(int argc, char* argv[]) {
     }
     if (parser.isSet(QStringLiteral("only-dialogs"))) {
         photographDialogs(window, workbench, camera);
+        return 0;
+    }
+    if (parser.isSet(QStringLiteral("only-planning"))) {
+        photographPlanning(driver, window, workbench, camera);
         return 0;
     }
     if (parser.isSet(QStringLiteral("only-search"))) {

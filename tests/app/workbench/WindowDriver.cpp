@@ -18,6 +18,9 @@ WindowApplication::WindowApplication(int& argc, char** argv) {
     application_ = std::make_unique<QApplication>(argc, argv);
     QApplication::setApplicationName(QStringLiteral("dipwright"));
     QApplication::setOrganizationName(QStringLiteral("Dipwright"));
+    Preferences preferences = loadPreferences();
+    preferences.keepsResults = false; // nothing stays beside the samples
+    savePreferences(preferences);
 }
 
 bool WindowDriver::open(const QString& path) {

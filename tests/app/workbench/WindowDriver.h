@@ -14,7 +14,7 @@
 namespace dipwright {
 
 // The application of a program that drives windows: its settings, caches and recovery copies are in
-// a folder of its own, which goes with it.
+// a folder of its own, which goes with it. Results are kept only where a test wants it.
 class WindowApplication {
 public:
     WindowApplication(int& argc, char** argv);

@@ -1,0 +1,355 @@
+// What planners expect of a window: results that are there when a project is opened again, a queue,
+// a smaller film proposed, the body handled by menu and keys, help where one is.
+#include "Patience.h"
+#include "WindowDriver.h"
+#include "dialogs/GuideWindow.h"
+#include "dialogs/PreferencesDialog.h"
+#include "dialogs/QueueDialog.h"
+#include "panels/NoticeBar.h"
+#include "panels/ProjectTree.h"
+#include "panels/ReportPanel.h"
+#include "panels/ResultsPanel.h"
+#include "panels/Timeline.h"
+#include "project/ProjectStore.h"
+#include "view/BodyTurn.h"
+
+#include <QCheckBox>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTextBrowser>
+#include <QTranslator>
+
+using namespace dipwright;
+
+namespace {
+
+const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
+const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png");
+
+Eigen::Vector3d inWorld(const Immersion& immersion, const Eigen::Vector3d& ofModel) {
+    return rotationMatrix(immersion.rotation) * ofModel;
+}
+
+} // namespace
+
+class PlanningTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        workbench_ = std::make_unique<Workbench>(folder_.filePath(QStringLiteral("recovery")));
+        Preferences preferences = workbench_->preferences();
+        preferences.liveUpdate = false;
+        preferences.keepsResults = true;
+        workbench_->setPreferences(preferences);
+        openWindow();
+    }
+    void cleanup() {
+        window_.reset();
+        workbench_.reset();
+    }
+
+    void resultsAreThereWhenAProjectIsOpenedAgain() {
+        const QString path = savedProject("kept");
+        QVERIFY(WindowDriver(*window_).run());
+        const QImage sheet = firstSheet();
+        openWindow();
+        QVERIFY(QFile::exists(folder_.filePath(QStringLiteral("kept.dips"))));
+        WindowDriver driver(*window_);
+        QVERIFY(driver.open(path));
+        QTRY_VERIFY_WITH_TIMEOUT(window_->document()->result(), patience());
+        QVERIFY(window_->document()->isFresh());
+        QVERIFY(!window_->document()->isModified());
+        QCOMPARE(firstSheet(), sheet);
+        QVERIFY(window_->session().reading()); // by which maps and the view are read
+        QVERIFY(driver.action("print")->isEnabled());
+        // Before and after the dip, and no way between to be played.
+        QCOMPARE(window_->findChild<Timeline*>()->frames(), 1);
+        QVERIFY(!driver.action("play")->isEnabled());
+    }
+
+    void anotherProjectThanWasRunHasNoResults() {
+        const QString path = savedProject("other");
+        QVERIFY(WindowDriver(*window_).run());
+        window_->document()->edit(QStringLiteral("turn"), {}, [](Project& project) {
+            project.immersions[0].rotation[1] = Degrees(20);
+        });
+        window_->documents().save();
+        openWindow();
+        QVERIFY(WindowDriver(*window_).open(path));
+        QTRY_VERIFY(window_->isEmpty() == false && !window_->session().isRunning());
+        QTest::qWait(300);
+        QVERIFY(!window_->document()->result());
+    }
+
+    void nothingIsKeptWhereThatIsNotWanted() {
+        PreferencesDialog dialog(workbench_->preferences(), workbench_->registry(), {});
+        dialog.findChild<QCheckBox*>(QStringLiteral("keepResults"))->setChecked(false);
+        workbench_->setPreferences(dialog.preferences());
+        QVERIFY(!loadPreferences().keepsResults);
+        savedProject("unkept");
+        QVERIFY(WindowDriver(*window_).run());
+        openWindow();
+        QVERIFY(!QFile::exists(folder_.filePath(QStringLiteral("unkept.dips"))));
+    }
+
+    void damageBesideAProjectIsToldAndNothingMore() {
+        const QString path = savedProject("damaged");
+        QFile file(folder_.filePath(QStringLiteral("damaged.dips")));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("nonsense") == 8);
+        file.close();
+        openWindow();
+        WindowDriver driver(*window_);
+        QVERIFY(driver.open(path));
+        QTest::qWait(300);
+        QVERIFY(!window_->document()->result());
+        QVERIFY(driver.run());
+        openWindow(); // which has written it anew
+        QVERIFY(WindowDriver(*window_).open(path));
+        QTRY_VERIFY_WITH_TIMEOUT(window_->document()->result(), patience());
+    }
+
+    void aSmallerFilmIsTakenByAClick() {
+        WindowDriver driver(*window_);
+        QVERIFY(driver.create(model, texture, 60, makeCoarse));
+        Document& document = *window_->document();
+        document.edit(QStringLiteral("move"), {}, [](Project& project) {
+            project.immersions[0].offset = {Millimetres(40), Millimetres(-30)};
+        });
+        QVERIFY(driver.run());
+        auto* report = driver.find<QTextBrowser>("report");
+        QVERIFY2(report->toPlainText().contains(QStringLiteral("A5")),
+                 qPrintable(report->toPlainText()));
+        const double coverage = document.result()->coverageTotal;
+        emit report->anchorClicked(QUrl(QStringLiteral("smaller-film")));
+        QCOMPARE(document.project().film.preset, QStringLiteral("A5"));
+        QVERIFY(driver.run());
+        const double now = document.result()->coverageTotal; // its cells lie otherwise
+        QVERIFY2(std::abs(now - coverage) < 0.05,
+                 qPrintable(QStringLiteral("%1, %2").arg(coverage).arg(now)));
+        QVERIFY(!report->toPlainText().contains(QStringLiteral("Take this film")));
+        document.undoStack().undo();
+        QCOMPARE(document.project().film.preset, QStringLiteral("A4"));
+        QCOMPARE(document.project().immersions[0].offset[0].value(), 40.0);
+    }
+
+    void theBodyIsHandledByItsMenu() {
+        WindowDriver driver(*window_);
+        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        Document& document = *window_->document();
+        const QMenu& menu = bodyMenu();
+        const auto trigger = [&](const char* name) {
+            auto* action = menu.findChild<QAction*>(QLatin1String(name));
+            QVERIFY(action && action->isEnabled());
+            action->trigger();
+        };
+        trigger("faceMustBeGood");
+        const auto& marks = document.project().tolerance.marks;
+        QCOMPARE(marks.size(), 1U);
+        QVERIFY(marks[0].zone == Zone::A && marks[0].extent == ZoneExtent::Face);
+        const Immersion before = document.project().immersions[0];
+        trigger("layFaceDown");
+        QVERIFY(document.project().immersions[0] != before);
+        document.undoStack().undo();
+        QVERIFY(document.project().immersions[0] == before);
+        document.undoStack().undo();
+        QVERIFY(document.project().tolerance.marks.empty());
+    }
+
+    void aFaceThatIsLaidDownLooksDown() {
+        Immersion immersion;
+        immersion.rotation = {Degrees(20), Degrees(-70), Degrees(130)};
+        const Eigen::Vector3d down = -Eigen::Vector3d::UnitY();
+        for (const Eigen::Vector3d& face : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0),
+                                            Eigen::Vector3d(0, -1, 0), Eigen::Vector3d(1, 2, -3)}) {
+            const Eigen::Vector3d normal = face.normalized();
+            QVERIFY((inWorld(laidDown(immersion, normal), normal) - down).norm() < 0.01);
+        }
+        // One that lies down already stays.
+        const Eigen::Vector3d lowest = rotationMatrix(immersion.rotation).transpose() * down;
+        QVERIFY(laidDown(immersion, lowest) == immersion);
+    }
+
+    void theBodyIsTurnedAndMovedByKeys() {
+        WindowDriver driver(*window_);
+        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        Document& document = *window_->document();
+        const auto press = [&](int key, Qt::KeyboardModifiers modifiers) {
+            window_->activateWindow();
+            QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+            QTest::keyClick(window_.get(), Qt::Key(key), modifiers);
+        };
+        press(Qt::Key_Y, Qt::ControlModifier | Qt::AltModifier);
+        QCOMPARE(document.project().immersions[0].rotation[1].value(), 15.0);
+        press(Qt::Key_Y, Qt::ControlModifier | Qt::AltModifier | Qt::ShiftModifier);
+        QCOMPARE(document.project().immersions[0].rotation[1].value(), 0.0);
+        press(Qt::Key_Right, Qt::AltModifier);
+        press(Qt::Key_Down, Qt::AltModifier);
+        QCOMPARE(document.project().immersions[0].offset[0].value(), 5.0);
+        QCOMPARE(document.project().immersions[0].offset[1].value(), 5.0);
+        press(Qt::Key_Home, Qt::AltModifier);
+        QCOMPARE(document.project().immersions[0].offset[0].value(), 0.0);
+        document.undoStack().undo();
+        QCOMPARE(document.project().immersions[0].offset[0].value(), 5.0);
+    }
+
+    void theGuideOpensWhereOneIs() {
+        WindowDriver driver(*window_);
+        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        driver.find<ProjectTree>("projectTree")->select({ProjectPart::Tolerance, 0});
+        const auto wordsAt = [](const QWidget* widget) { return guidePlaceOf(widget).words; };
+        QCOMPARE(wordsAt(driver.find<QWidget>("tellTolerances")),
+                 QStringLiteral("Dip ▸ Tolerances"));
+        QCOMPARE(wordsAt(driver.find<QWidget>("report")), QStringLiteral("Dip ▸ Check Certainty"));
+        driver.find<ResultsPanel>("results")->setCurrentIndex(5);
+        QCOMPARE(wordsAt(driver.find<QWidget>("report")), QStringLiteral("Report"));
+        QCOMPARE(wordsAt(driver.find<QWidget>("startSearch")), QStringLiteral("Dip ▸ Find Poses"));
+        QCOMPARE(guidePlaceOf(nullptr).chapter, 0);
+        // In the window by its action …
+        window_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+        window_->view().setFocus();
+        QTest::keyClick(&window_->view(), Qt::Key_F1);
+        const auto* guide = window_->findChild<GuideWindow*>();
+        QVERIFY(guide && guide->isVisible());
+        QCOMPARE(guide->findChild<QTextBrowser*>()->textCursor().selectedText(),
+                 QStringLiteral("Middle"));
+        // … and in a dialog by its key.
+        driver.trigger("printHistory");
+        auto* history = driver.find<QDialog>("printHistory");
+        QVERIFY(history);
+        window_->setEnabled(false); // as under a modal dialog; it has the keys without a desktop
+        QKeyEvent press(QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier);
+        QApplication::sendEvent(history->findChild<QLineEdit*>(), &press);
+        window_->setEnabled(true);
+        guide = history->findChild<GuideWindow*>();
+        QVERIFY(guide && guide->isVisible());
+        QCOMPARE(guide->findChild<QTextBrowser*>()->textCursor().selectedText(),
+                 QStringLiteral("File ▸ Print History"));
+    }
+
+    void everyPlaceIsInTheGuide_data() {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("en") << QStringLiteral("en");
+        QTest::newRow("de") << QStringLiteral("de");
+        QTest::newRow("pt_BR") << QStringLiteral("pt_BR");
+    }
+
+    void everyPlaceIsInTheGuide() {
+        QFETCH(QString, language);
+        const QLocale before;
+        QTranslator translator;
+        if (translator.load(QStringLiteral(":/translations/dipwright_") + language)) {
+            QCoreApplication::installTranslator(&translator);
+        }
+        QLocale::setDefault(QLocale(language));
+        GuideWindow guide;
+        for (const GuidePlace& place : guidePlaces()) {
+            QVERIFY2(guide.showPlace(place), qPrintable(place.words));
+        }
+        QLocale::setDefault(before);
+    }
+
+    void theQueueRunsOneAfterTheOther() {
+        const QStringList projects{savedProject("one"), folder_.filePath("missing.dipw"),
+                                   savedProject("two")};
+        WindowDriver driver(*window_);
+        driver.trigger("jobQueue");
+        auto* dialog = queueDialog();
+        QVERIFY(dialog && dialog->isVisible());
+        JobQueue& queue = workbench_->queue();
+        QSignalSpy ended(&queue, &JobQueue::ended);
+        queue.add(projects, folder_.filePath("results"));
+        QVERIFY(queue.isBusy());
+        QVERIFY(ended.wait(patience()));
+        QCOMPARE(int(queue.projects()[0].state), int(QueuedState::Done));
+        QCOMPARE(int(queue.projects()[1].state), int(QueuedState::Failed));
+        QVERIFY(!queue.projects()[1].text.isEmpty());
+        QCOMPARE(int(queue.projects()[2].state), int(QueuedState::Done));
+        for (const char* name : {"one", "two"}) {
+            QVERIFY(QFile::exists(folder_.filePath(
+                QStringLiteral("results/%1/report.json").arg(QLatin1String(name)))));
+            QVERIFY(QFile::exists(
+                folder_.filePath(QStringLiteral("%1.dips").arg(QLatin1String(name)))));
+        }
+        const auto* table = dialog->findChild<QTableWidget*>();
+        QCOMPARE(table->rowCount(), 3);
+        QCOMPARE(table->item(1, 1)->text(), QStringLiteral("Failed"));
+        const auto* notice = window_->findChild<NoticeBar*>();
+        QVERIFY2(notice->text().contains(QStringLiteral("failed: 1")), qPrintable(notice->text()));
+        dialog->findChild<QPushButton*>(QStringLiteral("removeEnded"))->click();
+        QCOMPARE(table->rowCount(), 0);
+        dialog->close();
+    }
+
+    void oneOfTheQueueIsCancelledAndTheOthersGoOn() {
+        const QStringList projects{savedProject("first"), savedProject("second"),
+                                   savedProject("third")};
+        JobQueue& queue = workbench_->queue();
+        QSignalSpy ended(&queue, &JobQueue::ended);
+        queue.add(projects, folder_.filePath("cancelled"));
+        queue.cancel(1);
+        QCOMPARE(int(queue.projects()[1].state), int(QueuedState::Cancelled));
+        QVERIFY(ended.wait(patience()));
+        QCOMPARE(int(queue.projects()[0].state), int(QueuedState::Done));
+        QCOMPARE(int(queue.projects()[1].state), int(QueuedState::Cancelled));
+        QCOMPARE(int(queue.projects()[2].state), int(QueuedState::Done));
+        QVERIFY(!QFile::exists(folder_.filePath("cancelled/second")));
+        queue.add(projects, folder_.filePath("cancelled"));
+        queue.cancelAll();
+        QVERIFY(ended.wait(patience()));
+        QVERIFY(queue.projects()[5].state == QueuedState::Cancelled);
+        QCOMPARE(queue.projects()[3].folder, folder_.filePath("cancelled/first-2"));
+    }
+
+private:
+    void openWindow() {
+        window_.reset();
+        window_ = std::make_unique<MainWindow>(*workbench_);
+        window_->show();
+    }
+    // A coarse project in a file, open in the window.
+    QString savedProject(const char* name) {
+        if (window_->document()) {
+            openWindow();
+        }
+        const QString path = folder_.filePath(QStringLiteral("%1.dipw").arg(QLatin1String(name)));
+        if (WindowDriver(*window_).create(model, texture, 60, makeCoarse)) {
+            window_->documents().saveAs(path);
+        }
+        return path;
+    }
+    QImage firstSheet() const {
+        return window_->document()->result()->immersions.front().sheet.image;
+    }
+    const QMenu& bodyMenu() {
+        DipView& view = window_->view();
+        view.picture(); // of the body where it is asked for
+        const QPoint onBody = view.positionOf({0, 10, 0}).toPoint();
+        QTest::mouseClick(&view, Qt::RightButton, {}, onBody);
+        return *view.findChild<QMenu*>(QStringLiteral("bodyMenu"));
+    }
+    static QueueDialog* queueDialog() {
+        for (QWidget* widget : QApplication::topLevelWidgets()) {
+            if (auto* dialog = qobject_cast<QueueDialog*>(widget)) {
+                return dialog;
+            }
+        }
+        return nullptr;
+    }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<Workbench> workbench_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+int main(int argc, char* argv[]) {
+    const WindowApplication application(argc, argv);
+    PlanningTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "PlanningTest.moc"
