@@ -130,10 +130,11 @@ QString smallerFilmHtml(const JobResult& result, LengthUnit unit) {
     if (!smaller) {
         return {};
     }
+    constexpr int fewer = -2; // decimals: a format's size is known
     return QStringLiteral("<p>%1 <a href='smaller-film'>%2</a></p>")
         .arg(Text::tr("Most of the film stays empty: %1, %2 × %3, is enough.")
-                 .arg(smaller->format, shownLength(smaller->width.value(), unit),
-                      shownLength(smaller->height.value(), unit))
+                 .arg(smaller->format, shownLength(smaller->width.value(), unit, fewer),
+                      shownLength(smaller->height.value(), unit, fewer))
                  .toHtmlEscaped(),
              Text::tr("Take this film").toHtmlEscaped());
 }

@@ -174,6 +174,24 @@ private slots:
         QVERIFY(laidDown(immersion, lowest) == immersion);
     }
 
+    // 1024 × 700, and 1440 lines at scale 2, which are 720; windows beside it, too.
+    void everythingFitsASmallScreen() {
+        WindowDriver driver(*window_);
+        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        QVERIFY(driver.run());
+        for (const char* page : {"searchDock", "inspectionDock", "logDock"}) {
+            if (auto* dock = driver.find<QWidget>(page)) {
+                dock->show();
+            }
+        }
+        window_->resize(1024, 700);
+        QTest::qWait(100); // layouts
+        QCOMPARE(window_->size(), QSize(1024, 700));
+        const QSize least = QueueDialog(workbench_->queue()).minimumSizeHint();
+        QVERIFY2(least.width() <= 1024 && least.height() <= 660,
+                 qPrintable(QStringLiteral("%1 × %2").arg(least.width()).arg(least.height())));
+    }
+
     void theBodyIsTurnedAndMovedByKeys() {
         WindowDriver driver(*window_);
         QVERIFY(driver.create(model, texture, 90, makeCoarse));
