@@ -252,6 +252,12 @@ bool isBuiltHere(const QString& folder) {
         return false;
     }
 #endif
+#ifndef DIPWRIGHT_HAS_INSPECTION
+    if (folder == QLatin1String("core/inspection") ||
+        folder == QLatin1String("app/workbench/inspect")) {
+        return false;
+    }
+#endif
     return !folder.startsWith(QLatin1String("core/solver/interface"));
 }
 
