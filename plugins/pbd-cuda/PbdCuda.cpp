@@ -1,5 +1,6 @@
 // The module pbd-cuda: a thin shell round the films of solvers on a GPU.
 
+#include "common/cuda/AlikeDevices.h"
 #include "common/cuda/Snapshot.h"
 #include "measuring/cuda/DeviceCeiling.h"
 #include "paper/cuda/PaperDips.h"
@@ -7,8 +8,13 @@
 
 #include <dipwright/FilmSolver.h>
 
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <thread>
 
 namespace dipwright {
 
@@ -66,16 +72,107 @@ private:
     std::optional<cuda::Snapshot> snapshot_; // once the film is to be shown
 };
 
-// The items from `first` on that can run together, at most as many as the device holds.
-std::size_t alikeFrom(std::span<const solver::BatchItem> items, std::size_t first,
-                      std::size_t most) {
+using Group = std::span<solver::BatchItem>;
+
+// The end of the items from `first` on that are alike.
+std::size_t alikeFrom(std::span<const solver::BatchItem> items, std::size_t first) {
     std::size_t last = first + 1;
-    while (last < items.size() && last - first < most &&
-           cuda::areAlike(items[first].setup, items[last].setup)) {
+    while (last < items.size() && cuda::areAlike(items[first].setup, items[last].setup)) {
         ++last;
     }
     return last;
 }
+
+// What runs together, each on one device: alike items, as evenly on all devices as they go.
+std::vector<Group> groupsOf(Group items, const std::vector<cuda::Device>& devices) {
+    std::vector<Group> groups;
+    for (std::size_t first = 0; first < items.size();) {
+        const std::size_t last = alikeFrom(items, first);
+        const std::size_t held = dipsAtOnce(devices.front(), items[first].setup);
+        const std::size_t each = (last - first + devices.size() - 1) / devices.size();
+        for (; first < last; first += groups.back().size()) {
+            groups.push_back(items.subspan(first, std::min({held, each, last - first})));
+        }
+    }
+    return groups;
+}
+
+// Runs groups on all devices, each taking the next one as soon as it has nothing to do.
+class SharedBatch {
+public:
+    SharedBatch(std::vector<Group> groups, solver::CancelFunction cancelled, void* context)
+        : groups_(std::move(groups)), cancelled_(cancelled), context_(context) {}
+
+    // Whether all of it was run. Throws what a device did.
+    bool runOn(const std::vector<cuda::Device>& devices) {
+        std::vector<std::jthread> others;
+        for (std::size_t device = 1; device < std::min(devices.size(), groups_.size()); ++device) {
+            others.emplace_back([this, &devices, device] { work(devices[device]); });
+        }
+        work(devices.front());
+        others.clear(); // waits for them
+        if (failure_) {
+            std::rethrow_exception(failure_);
+        }
+        return !isStopped_;
+    }
+
+private:
+    void work(const cuda::Device& device) {
+        try {
+            for (std::size_t group = next_++; group < groups_.size(); group = next_++) {
+                runTogether(device, groups_[group]);
+            }
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            failure_ = failure_ ? failure_ : std::current_exception();
+            isStopped_ = true;
+        }
+    }
+
+    void runTogether(const cuda::Device& device, Group items) {
+        constexpr int stepsBetweenQuestions = 256;
+        std::vector<const solver::DipSetup*> setups;
+        for (const solver::BatchItem& item : items) {
+            setups.push_back(&item.setup);
+        }
+        if (isStopped()) {
+            return;
+        }
+        const auto dips = makeDips(device, setups);
+        for (bool finished = false; !finished;) {
+            if (isStopped()) {
+                return;
+            }
+            dips->advance(stepsBetweenQuestions);
+            finished = true;
+            for (std::size_t dip = 0; dip < items.size(); ++dip) {
+                finished = finished && dips->state(dip).finished;
+            }
+        }
+        for (std::size_t dip = 0; dip < items.size(); ++dip) {
+            items[dip].finish(dips->state(dip), [&](auto positions, auto states, auto marks) {
+                dips->read(dip, positions, states);
+                dips->readMarks(dip, marks);
+            });
+        }
+    }
+
+    // The host is asked by one thread at a time.
+    bool isStopped() {
+        const std::lock_guard lock(mutex_);
+        isStopped_ = isStopped_ || (cancelled_ && cancelled_(context_));
+        return isStopped_;
+    }
+
+    const std::vector<Group> groups_;
+    const solver::CancelFunction cancelled_;
+    void* const context_;
+    std::atomic<std::size_t> next_ = 0;
+    std::mutex mutex_;
+    bool isStopped_ = false;
+    std::exception_ptr failure_;
+};
 
 class PbdCuda : public solver::SolverModule {
 public:
@@ -92,15 +189,8 @@ public:
     bool runBatch(std::span<solver::BatchItem> items, solver::CancelFunction cancelled,
                   void* context) const override {
         requireDevice();
-        for (std::size_t first = 0; first < items.size();) {
-            const std::size_t most = dipsAtOnce(search_.device, items[first].setup);
-            const std::size_t last = alikeFrom(items, first, most);
-            if (!runTogether(items.subspan(first, last - first), cancelled, context)) {
-                return false;
-            }
-            first = last;
-        }
-        return true;
+        const std::vector<cuda::Device> devices = cuda::alikeDevices(search_.device);
+        return SharedBatch(groupsOf(items, devices), cancelled, context).runOn(devices);
     }
     std::optional<solver::Ceiling> measuredCeiling() const override {
         requireDevice();
@@ -113,38 +203,9 @@ private:
             throw std::runtime_error(search_.reason);
         }
     }
-    bool runTogether(std::span<solver::BatchItem> items, solver::CancelFunction cancelled,
-                     void* context) const;
 
     cuda::DeviceSearch search_;
 };
-
-bool PbdCuda::runTogether(std::span<solver::BatchItem> items, solver::CancelFunction cancelled,
-                          void* context) const {
-    constexpr int stepsBetweenQuestions = 256;
-    std::vector<const solver::DipSetup*> setups;
-    for (const solver::BatchItem& item : items) {
-        setups.push_back(&item.setup);
-    }
-    const auto dips = makeDips(search_.device, setups);
-    for (bool finished = false; !finished;) {
-        if (cancelled && cancelled(context)) {
-            return false;
-        }
-        dips->advance(stepsBetweenQuestions);
-        finished = true;
-        for (std::size_t dip = 0; dip < items.size(); ++dip) {
-            finished = finished && dips->state(dip).finished;
-        }
-    }
-    for (std::size_t dip = 0; dip < items.size(); ++dip) {
-        items[dip].finish(dips->state(dip), [&](auto positions, auto states, auto marks) {
-            dips->read(dip, positions, states);
-            dips->readMarks(dip, marks);
-        });
-    }
-    return true;
-}
 
 } // namespace
 
