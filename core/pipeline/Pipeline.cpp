@@ -319,7 +319,8 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
                    SolverChoice& solver, const Progress& progress) {
     std::vector<ImmersionResult>& immersions = result.immersions;
     immersions.resize(inputs.size());
-    const bool hasProof = hasProofOf(run.previous, inputs) && !hasOldNames(run.previous, inputs);
+    const bool hasProof = hasProofOf(run.previous, inputs);
+    const bool hasCoverage = hasProof && !hasOldNames(run.previous, inputs);
     // Before the tasks that use them: with an exception these are waited for first.
     CancelSwitch left; // with an exception: the comparisons are not finished
     std::shared_ptr<const ProofStage> stage;
@@ -327,7 +328,7 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     Tasks sheets;
     Tasks pictures; // each begins a sheet
     const auto leave = qScopeGuard([&left] { left.cancel(); });
-    if (!hasProof) {
+    if (!hasProof || !hasCoverage) {
         pictures.run([&] { stage = proofStage(*run.project.model); });
     }
     const auto beginPicture = [&](std::size_t number) {
@@ -360,13 +361,11 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     progress(sharesDone, Text::tr("Reversing the texture"));
     pictures.wait();
     undisturbed([&] {
-        if (hasProof) {
-            result.proof = run.previous->proof;
-            result.coverage = run.previous->coverage;
-        } else {
-            result.proof = proofOf(*stage, immersions, progress.part(picturesDone, proofDone));
-            result.coverage = coverageOf(*stage, result, progress.part(proofDone, 1));
-        }
+        result.proof = hasProof
+                           ? run.previous->proof
+                           : proofOf(*stage, immersions, progress.part(picturesDone, proofDone));
+        result.coverage = hasCoverage ? run.previous->coverage
+                                      : coverageOf(*stage, result, progress.part(proofDone, 1));
     });
     sheets.wait();
     result.coverageTotal = coverageTotal(immersions, progress);

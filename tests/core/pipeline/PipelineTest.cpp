@@ -170,6 +170,8 @@ private slots:
         const JobResult result = runJob(job, *registry_, {}, &first_, {});
         QVERIFY(result.immersions[0].texture == first_.immersions[0].texture);
         QCOMPARE(result.immersions[0].sheet.job.immersion, QStringLiteral("Renamed"));
+        QCOMPARE(result.proof.cacheKey(), first_.proof.cacheKey()); // not traced again
+        QVERIFY(result.coverage != first_.coverage);                // lettered anew
     }
 
     void whatIsTakenOverIsWhatWouldBeComputed() {
