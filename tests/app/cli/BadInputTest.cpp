@@ -87,7 +87,8 @@ private slots:
             << QStringList{"optimize", job, "--immersions", "1", "--candidates", "1"};
         QTest::newRow("unknown option") << QStringList{"run", job, "--fly"};
         QTest::newRow("no project") << QStringList{"run", "--out", path("out")};
-        QTest::newRow("two projects") << QStringList{"run", job, job, "--out", path("out")};
+        QTest::newRow("two projects") << QStringList{"info", job, job}; // run takes several
+        QTest::newRow("two projects, no out") << QStringList{"run", job, job};
         QTest::newRow("no out") << QStringList{"run", job};
         QTest::newRow("option without value") << QStringList{"run", job, "--out"};
         QTest::newRow("set without value") << QStringList{"info", job, "--set", "film.points"};
