@@ -6440,6 +6440,14 @@ Dehnung</translation>
         <source>the folder %1 cannot be made</source>
         <translation>der Ordner %1 kann nicht angelegt werden</translation>
     </message>
+    <message>
+        <source>it does not leave the page&apos;s size alone</source>
+        <translation>er lässt die Größe der Seite nicht, wie sie ist</translation>
+    </message>
+    <message>
+        <source>The printer scales pages where it is not told otherwise, which its queue does not pass on; the job goes past the queue, to the printer itself</source>
+        <translation>Der Drucker skaliert Seiten, wenn ihm nichts anderes gesagt wird, und seine Warteschlange gibt das nicht weiter; der Auftrag geht an der Warteschlange vorbei direkt an den Drucker</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ProfileController</name>

@@ -6440,6 +6440,14 @@ estiramento</translation>
         <source>the folder %1 cannot be made</source>
         <translation>a pasta %1 não pode ser criada</translation>
     </message>
+    <message>
+        <source>it does not leave the page&apos;s size alone</source>
+        <translation>ela não mantém o tamanho da página como está</translation>
+    </message>
+    <message>
+        <source>The printer scales pages where it is not told otherwise, which its queue does not pass on; the job goes past the queue, to the printer itself</source>
+        <translation>A impressora redimensiona páginas quando não lhe dizem o contrário, e a fila não repassa isso; o trabalho vai direto à impressora, sem passar pela fila</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ProfileController</name>

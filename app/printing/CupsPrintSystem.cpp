@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cups/cups.h>
+#include <string_view>
 
 namespace dipwright {
 namespace {
@@ -39,6 +40,15 @@ constexpr std::pair<const char*, const char*> trueSizeOptions[] = {
     {"job-sheets", "none"},     {"orientation-requested", "3"},
     {"output-order", "normal"},
 };
+
+QByteArray trueSizeOption(std::string_view name) {
+    for (const auto& [option, value] : trueSizeOptions) {
+        if (option == name) {
+            return value;
+        }
+    }
+    return {};
+}
 
 // Options of a job, freed with it.
 class Options {
@@ -124,8 +134,55 @@ using Connection = std::unique_ptr<http_t, CloseConnection>;
 struct DeviceWord {
     std::vector<QSizeF> loaded; // sizes; empty where it does not say
     QString scaling;
+    bool takesTrueSize = false; // jobs in PDF that say themselves that they are not scaled
+    QString stateReason;
     bool answers = false;
 };
+
+// A connection to a printer past its queue, and where on it the printer is found.
+struct Device {
+    Connection connection;
+    QByteArray resource, uri;
+};
+
+Device deviceOf(cups_dest_t* dest) {
+    constexpr int patience = 3000; // milliseconds
+    std::vector<char> resource(1024, '\0');
+    Device device{Connection(cupsConnectDest(dest, CUPS_DEST_FLAGS_DEVICE, patience, nullptr,
+                                             resource.data(), resource.size(), nullptr, nullptr)),
+                  resource.data(),
+                  {}};
+    if (device.connection) {
+        http_t* http = device.connection.get();
+        std::vector<char> uri(2048, '\0');
+        std::vector<char> host(256, '\0');
+        httpGetHostname(http, host.data(), int(host.size()));
+        httpAssembleURI(HTTP_URI_CODING_ALL, uri.data(), int(uri.size()),
+                        httpIsEncrypted(http) ? "ipps" : "ipp", nullptr, host.data(),
+                        httpAddrPort(httpGetAddress(http)), resource.data());
+        device.uri = uri.data();
+    }
+    return device;
+}
+
+// Consumed by cupsDoRequest.
+ipp_t* deviceRequest(ipp_op_t operation, const Device& device) {
+    ipp_t* request = ippNewRequest(operation);
+    ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_URI, "printer-uri", nullptr,
+                 device.uri.constData());
+    ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_NAME, "requesting-user-name", nullptr,
+                 cupsUser());
+    return request;
+}
+
+QStringList keywordsOf(ipp_t* answer, const char* name, ipp_tag_t tag = IPP_TAG_KEYWORD) {
+    QStringList words;
+    ipp_attribute_t* attribute = ippFindAttribute(answer, name, tag);
+    for (int i = 0; attribute && i < ippGetCount(attribute); ++i) {
+        words << QString::fromUtf8(ippGetString(attribute, i, nullptr));
+    }
+    return words;
+}
 
 std::vector<QSizeF> sizesOf(ipp_attribute_t* media) {
     std::vector<QSizeF> sizes;
@@ -145,31 +202,33 @@ std::vector<QSizeF> sizesOf(ipp_attribute_t* media) {
 }
 
 DeviceWord wordOfDevice(cups_dest_t* dest) {
-    constexpr int patience = 3000; // milliseconds
-    std::vector<char> resource(1024, '\0');
-    const Connection device(cupsConnectDest(dest, CUPS_DEST_FLAGS_DEVICE, patience, nullptr,
-                                            resource.data(), resource.size(), nullptr, nullptr));
-    if (!device) {
+    const Device device = deviceOf(dest);
+    if (!device.connection) {
         return {};
     }
-    std::vector<char> uri(2048, '\0');
-    std::vector<char> host(256, '\0');
-    httpGetHostname(device.get(), host.data(), int(host.size()));
-    httpAssembleURI(HTTP_URI_CODING_ALL, uri.data(), int(uri.size()), "ipp", nullptr, host.data(),
-                    httpAddrPort(httpGetAddress(device.get())), resource.data());
-    ipp_t* request = ippNewRequest(IPP_OP_GET_PRINTER_ATTRIBUTES);
-    ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_URI, "printer-uri", nullptr, uri.data());
-    const char* const wanted[] = {"media-col-ready", "print-scaling-default"};
-    ippAddStrings(request, IPP_TAG_OPERATION, IPP_TAG_KEYWORD, "requested-attributes", 2, nullptr,
-                  wanted);
-    const Message answer(cupsDoRequest(device.get(), request, resource.data()));
+    ipp_t* request = deviceRequest(IPP_OP_GET_PRINTER_ATTRIBUTES, device);
+    const char* const wanted[] = {"media-col-ready", "print-scaling-default",
+                                  "print-scaling-supported", "document-format-supported",
+                                  "printer-state-reasons"};
+    ippAddStrings(request, IPP_TAG_OPERATION, IPP_TAG_KEYWORD, "requested-attributes",
+                  int(std::size(wanted)), nullptr, wanted);
+    const Message answer(
+        cupsDoRequest(device.connection.get(), request, device.resource.constData()));
     if (!answer) {
         return {};
     }
-    ipp_attribute_t* scaling =
-        ippFindAttribute(answer.get(), "print-scaling-default", IPP_TAG_KEYWORD);
-    return {sizesOf(ippFindAttribute(answer.get(), "media-col-ready", IPP_TAG_BEGIN_COLLECTION)),
-            scaling ? QString::fromUtf8(ippGetString(scaling, 0, nullptr)) : QString(), true};
+    DeviceWord word;
+    word.loaded =
+        sizesOf(ippFindAttribute(answer.get(), "media-col-ready", IPP_TAG_BEGIN_COLLECTION));
+    word.scaling = keywordsOf(answer.get(), "print-scaling-default").value(0);
+    word.takesTrueSize =
+        keywordsOf(answer.get(), "print-scaling-supported").contains(QLatin1String("none")) &&
+        keywordsOf(answer.get(), "document-format-supported", IPP_TAG_MIMETYPE)
+            .contains(QLatin1String(CUPS_FORMAT_PDF));
+    word.stateReason =
+        readableReasons(keywordsOf(answer.get(), "printer-state-reasons").join(QLatin1Char(',')));
+    word.answers = true;
+    return word;
 }
 
 void markLoaded(std::vector<PrinterMedia>& media, const std::vector<QSizeF>& loaded) {
@@ -258,6 +317,10 @@ public:
         const DeviceWord word = wordOfDevice(dest.get());
         markLoaded(info.media, word.loaded);
         info.scaling = word.scaling;
+        info.takesTrueSize = word.takesTrueSize;
+        if (info.stateReason.isEmpty()) {
+            info.stateReason = word.stateReason;
+        }
         // Of other ways to a printer nothing can be asked.
         info.answers = word.answers || !option(dest, "device-uri").startsWith(QLatin1String("ipp"));
         return info;
@@ -265,6 +328,9 @@ public:
 
     PrintJob submit(const PrintTask& task) override {
         const Dest dest = namedDest(task.printer);
+        if (dest && task.pastQueue) {
+            return submitToDevice(dest.get(), task);
+        }
         const DestInfo info(dest ? cupsCopyDestInfo(CUPS_HTTP_DEFAULT, dest.get()) : nullptr);
         Options options;
         options.add("media-col", collection(task.media));
@@ -282,7 +348,7 @@ public:
             throw Error(Text::tr("The printer does not take the job: %1").arg(lastMessage()),
                         task.printer);
         }
-        PrintJob job{task.printer, id};
+        const PrintJob job{task.printer, id};
         const bool sent =
             cupsStartDestDocument(CUPS_HTTP_DEFAULT, dest.get(), info.get(), id, title.constData(),
                                   CUPS_FORMAT_PDF, 0, nullptr, 1) == HTTP_STATUS_CONTINUE &&
@@ -300,12 +366,12 @@ public:
     }
 
     JobStatus status(const PrintJob& job) override {
-        ipp_t* request = jobRequest(IPP_OP_GET_JOB_ATTRIBUTES, job);
         const char* const wanted[] = {"job-state", "job-state-reasons",
                                       "job-printer-state-message"};
-        ippAddStrings(request, IPP_TAG_OPERATION, IPP_TAG_KEYWORD, "requested-attributes", 3,
-                      nullptr, wanted);
-        const Message answer(cupsDoRequest(CUPS_HTTP_DEFAULT, request, "/"));
+        const Message answer = ask(job, IPP_OP_GET_JOB_ATTRIBUTES, [&](ipp_t* request) {
+            ippAddStrings(request, IPP_TAG_OPERATION, IPP_TAG_KEYWORD, "requested-attributes",
+                          int(std::size(wanted)), nullptr, wanted);
+        });
         if (!answer || ippGetStatusCode(answer.get()) > IPP_STATUS_OK_CONFLICTING) {
             throw Error(Text::tr("The print system does not tell what became of the job: %1")
                             .arg(lastMessage()),
@@ -314,14 +380,82 @@ public:
         return statusOf(answer.get());
     }
 
-    void cancel(const PrintJob& job) override {
-        const Message answer(
-            cupsDoRequest(CUPS_HTTP_DEFAULT, jobRequest(IPP_OP_CANCEL_JOB, job), "/"));
-    }
+    void cancel(const PrintJob& job) override { ask(job, IPP_OP_CANCEL_JOB); }
 
 private:
+    // To the printer itself, with what its queue would not pass on. What it does not understand it
+    // must say (RFC 8011, 4.1.7), and then it shall not print.
+    static PrintJob submitToDevice(cups_dest_t* dest, const PrintTask& task) {
+        const Device device = deviceOf(dest);
+        const auto refused = [&](const QString& reason) {
+            return Error(Text::tr("The printer does not take the job: %1").arg(reason),
+                         task.printer);
+        };
+        if (!device.connection) {
+            throw refused(lastMessage());
+        }
+        ipp_t* request = deviceRequest(IPP_OP_PRINT_JOB, device);
+        ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_NAME, "job-name", nullptr,
+                     task.title.toUtf8().constData());
+        ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_MIMETYPE, "document-format", nullptr,
+                     CUPS_FORMAT_PDF);
+        Options options;
+        options.add("media-col", collection(task.media));
+        for (const char* const name : {"print-scaling", "sides", "copies"}) {
+            options.add(name, trueSizeOption(name));
+        }
+        cupsEncodeOptions2(request, options.count(), options.data(), IPP_TAG_JOB);
+        const Message asked(request);
+        const char* const resource = device.resource.constData();
+        http_t* const http = device.connection.get();
+        const bool sent =
+            cupsSendRequest(http, request, resource,
+                            ippLength(request) + std::size_t(task.pdf.size())) ==
+                HTTP_STATUS_CONTINUE &&
+            cupsWriteRequestData(http, task.pdf.constData(), std::size_t(task.pdf.size())) ==
+                HTTP_STATUS_CONTINUE;
+        const Message answer(cupsGetResponse(http, resource));
+        ipp_attribute_t* id =
+            answer ? ippFindAttribute(answer.get(), "job-id", IPP_TAG_INTEGER) : nullptr;
+        if (!sent || !id || ippGetStatusCode(answer.get()) > IPP_STATUS_OK_CONFLICTING) {
+            throw refused(lastMessage());
+        }
+        const PrintJob job{task.printer, ippGetInteger(id, 0), true};
+        ipp_attribute_t* scaling = ippFindAttribute(answer.get(), "print-scaling", IPP_TAG_ZERO);
+        if (scaling && ippGetGroupTag(scaling) == IPP_TAG_UNSUPPORTED_GROUP) {
+            ask(job, IPP_OP_CANCEL_JOB);
+            throw refused(Text::tr("it does not leave the page's size alone"));
+        }
+        return job;
+    }
+
+    // Puts a question about a job to whoever has it: the queue, or the printer itself. Null where
+    // that does not answer.
+    static Message ask(const PrintJob& job, ipp_op_t operation,
+                       const std::function<void(ipp_t*)>& add = {}) {
+        const auto added = [&](ipp_t* request) {
+            if (add) {
+                add(request);
+            }
+            return request;
+        };
+        if (!job.pastQueue) {
+            return Message(
+                cupsDoRequest(CUPS_HTTP_DEFAULT, added(queueRequest(operation, job)), "/"));
+        }
+        const Dest dest = namedDest(job.printer);
+        const Device device = dest ? deviceOf(dest.get()) : Device{};
+        if (!device.connection) {
+            return {};
+        }
+        ipp_t* request = deviceRequest(operation, device);
+        ippAddInteger(request, IPP_TAG_OPERATION, IPP_TAG_INTEGER, "job-id", job.id);
+        return Message(
+            cupsDoRequest(device.connection.get(), added(request), device.resource.constData()));
+    }
+
     // Consumed by cupsDoRequest.
-    static ipp_t* jobRequest(ipp_op_t operation, const PrintJob& job) {
+    static ipp_t* queueRequest(ipp_op_t operation, const PrintJob& job) {
         ipp_t* request = ippNewRequest(operation);
         const QByteArray uri = QByteArray("ipp://localhost/jobs/") + QByteArray::number(job.id);
         ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_URI, "job-uri", nullptr, uri.constData());

@@ -41,11 +41,16 @@ bool holds(QSizeF paper, QSizeF page) {
 }
 
 // A page is as large as its paper, and of such IPP's "auto" and "auto-fit" leave the size alone.
-// That jobs say "none" helps little: CUPS 2.4 keeps it from printers that are sent PDF.
-void checkScaling(const PrinterInfo& printer) {
+bool scalesUnasked(const PrinterInfo& printer) {
     const QStringList harmless{QString(), QStringLiteral("none"), QStringLiteral("auto"),
                                QStringLiteral("auto-fit")};
-    if (!harmless.contains(printer.scaling)) {
+    return !harmless.contains(printer.scaling);
+}
+
+// That jobs say "none" helps little: CUPS 2.4 keeps it from printers that are sent PDF. A printer
+// that heeds it is told past its queue.
+void checkScaling(const PrinterInfo& printer) {
+    if (scalesUnasked(printer) && !printer.takesTrueSize) {
         throw Error(Text::tr("The printer scales pages by itself (\"%1\"), and the print system "
                              "does not pass on to it that it must not; set its scaling to \"none\" "
                              "in its own menu")
@@ -195,6 +200,16 @@ void checkLoaded(const PrinterInfo& printer, const PrinterMedia& media, const Pr
     warnings << sentence;
 }
 
+void addressTask(PrintPlan& plan) {
+    plan.task.printer = plan.printer.name;
+    plan.task.pastQueue = scalesUnasked(plan.printer);
+    if (plan.task.pastQueue) {
+        plan.warnings << Text::tr("The printer scales pages where it is not told otherwise, which "
+                                  "its queue does not pass on; the job goes past the queue, to "
+                                  "the printer itself");
+    }
+}
+
 void fillTiled(PrintTask& task, const Sheet& sheet, const QMarginsF& lost,
                const PrintCorrection& correction) {
     const TileSettings settings = tileSettings(task.media.size, lost);
@@ -312,7 +327,7 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintReque
     checkLoaded(plan.printer, paper.media, request, plan.warnings);
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     PrintCorrection correction = printCorrection(request.profile, colour.get());
-    plan.task.printer = request.printer;
+    addressTask(plan);
     plan.task.title =
         QStringLiteral("%1 – %2").arg(original.job.project, original.job.immersion).simplified();
     plan.task.media = paper.media;
@@ -365,7 +380,7 @@ PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
                 .arg(plain(margin)),
             request.printer);
     }
-    plan.task.printer = request.printer;
+    addressTask(plan);
     plan.task.title = Text::tr("Calibration of %1").arg(page.printer);
     plan.task.media = paper.media;
     plan.task.pdf = bytesOf([&](QIODevice& device) { writeCalibrationPdf(page, device); });

@@ -35,6 +35,7 @@ struct PrinterInfo {
     // What the printer does to a page's size where it is told nothing of that, in IPP's words
     // ("none", "fit" …); empty where it does not say.
     QString scaling;
+    bool takesTrueSize = false; // past its queue: a PDF that says that it is not to be scaled
     bool answers = true; // the printer itself and not only its queue, as far as it can be asked
     std::vector<PrinterMedia> media;
 };
@@ -48,11 +49,14 @@ struct PrintTask {
     QByteArray pdf;
     int pages = 1;                             // copies included
     std::function<void(QPainter&, int)> paint; // a page, with a painter in mm
+    // To the printer itself: its queue does not pass on that the pages are not to be scaled.
+    bool pastQueue = false;
 };
 
 struct PrintJob {
     QString printer;
-    int id = 0;
+    int id = 0;             // the queue's number of it …
+    bool pastQueue = false; // … or the printer's own
 };
 
 enum class JobState { Waiting, Held, Printing, Stopped, Printed, HandedOver, Cancelled, Failed };

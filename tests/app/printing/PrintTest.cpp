@@ -62,6 +62,7 @@ private slots:
     void otherPaperThanTheDefaultIsAskedFor();
     void habitsOfTheQueueAreOverruled();
     void printerThatScalesUnaskedIsRefused();
+    void printerThatScalesUnaskedIsToldItself();
     void sheetThatGrowsPastThePaperIsRefused();
     void marksStayInReachOfAPrinterThatPrintsTooSmall();
     void largeSheetArrivesInPieces();
@@ -236,16 +237,42 @@ void PrintTest::habitsOfTheQueueAreOverruled() {
     QVERIFY(qGray(middle.pixel(middle.width() / 4, middle.height() / 2)) > 250);
 }
 
-// What the queue is told of scaling ends there: the printer itself never hears of it.
+// What the queue is told of scaling ends there: the printer itself never hears of it, and this one
+// would not heed it.
 void PrintTest::printerThatScalesUnaskedIsRefused() {
     const TestMedia margins{"iso_a4_210x297mm", 210, 297, 6.35};
-    QVERIFY(cups_->add({"fitting", true, {margins}, "fit"}));
+    QVERIFY(cups_->add({"fitting", true, {margins}, "fit", {}, false}));
     const QString sentence = refusal(*system_, chessSheet("Top"), to("fitting"));
     QVERIFY2(sentence.contains("\"fit\"") && sentence.contains("fitting"), qPrintable(sentence));
     CalibrationPage page;
     page.clearance = Millimetres(10);
     QVERIFY_EXCEPTION_THROWN(planCalibration(*system_, page, to("fitting")), Error);
     QVERIFY(cups_->received("fitting").isEmpty());
+}
+
+// Past the queue the word arrives, and the job is followed and cancelled there.
+void PrintTest::printerThatScalesUnaskedIsToldItself() {
+    const TestMedia margins{"iso_a4_210x297mm", 210, 297, 6.35};
+    QVERIFY(cups_->add({"filling", true, {margins}, "fill"}));
+    const PrintPlan plan = planPrint(*system_, chessSheet("Top"), to("filling"));
+    QVERIFY2(plan.warnings.join(' ').contains("past the queue"),
+             qPrintable(plan.warnings.join(' ')));
+    QCOMPARE(followJob(*system_, system_->submit(plan.task), {}), JobState::Printed);
+    QCOMPARE(cups_->told("filling", "print-scaling"), QByteArray("none"));
+    const QStringList papers = cups_->received("filling");
+    QCOMPARE(papers.size(), 1);
+    verifySquares(papers.back(), true, 17);
+    verifySquares(papers.back(), false, 17);
+
+    QVERIFY(cups_->add({"stuck", true, {margins}, "fit", "marker-supply-empty-error"}));
+    const PrintJob job = system_->submit(planPrint(*system_, chessSheet("Top"), to("stuck")).task);
+    QTRY_COMPARE_WITH_TIMEOUT(system_->status(job).state, JobState::Printing, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(system_->printer("stuck")->stateReason.contains("marker supply empty"),
+                             30000);
+    Progress progress;
+    progress.cancelSwitch.cancel();
+    QVERIFY_EXCEPTION_THROWN(followJob(*system_, job, progress), std::exception);
+    QTRY_COMPARE_WITH_TIMEOUT(system_->status(job).state, JobState::Cancelled, 60000);
 }
 
 // A printer that prints too small is sent a larger page, and paper ends where it did.

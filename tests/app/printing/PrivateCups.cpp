@@ -99,9 +99,8 @@ QByteArray attributes(const TestPrinter& printer) {
                   "ATTR keyword print-color-mode-default monochrome\n"
                   "ATTR keyword pwg-raster-document-type-supported \"sgray_8\"\n"
                   "ATTR keyword urf-supported \"CP1\",\"RS300\",\"V1.4\",\"W8\"\n";
-    return text +
-           "ATTR keyword print-scaling-supported \"auto\",\"auto-fit\",\"fill\",\"fit\",\"none\"\n"
-           "ATTR keyword print-scaling-default " +
+    return text + "ATTR keyword print-scaling-supported \"auto\",\"auto-fit\",\"fill\",\"fit\"" +
+           (printer.takesTrueSize ? ",\"none\"\n" : "\n") + "ATTR keyword print-scaling-default " +
            printer.scaling.toUtf8() +
            "\nATTR mimeMediaType document-format-supported "
            "\"application/octet-stream\",\"application/pdf\",\"image/pwg-raster\"\n";
@@ -189,14 +188,14 @@ bool PrivateCups::command(const QString& program, const QStringList& arguments) 
            process.exitCode() == 0;
 }
 
-// The program that a printer hands its jobs to. Without one it plays at being slow, for some ten
-// seconds a job.
+// The program that a printer hands its jobs to, with their attributes in its environment. Without
+// one it plays at being slow, for some ten seconds a job.
 QString PrivateCups::jobCommand(const TestPrinter& printer) const {
-    if (printer.trouble.isEmpty()) {
-        return programPath("true");
-    }
     const QString name = "job-" + printer.name;
-    write(name, "#!/bin/sh\necho 'STATE: +" + printer.trouble.toUtf8() + "' >&2\nexec sleep 30\n");
+    const QByteArray end = printer.trouble.isEmpty() ? "exit 0\n"
+                                                     : "echo 'STATE: +" + printer.trouble.toUtf8() +
+                                                           "' >&2\nexec sleep 30\n";
+    write(name, "#!/bin/sh\nenv > '" + path("device-" + printer.name) + "/told'\n" + end);
     QFile::setPermissions(folder_.filePath(name), QFile::Permissions(0x7755));
     return folder_.filePath(name);
 }
@@ -247,6 +246,18 @@ QStringList PrivateCups::received(const QString& printer) const {
         paths << file.filePath();
     }
     return paths;
+}
+
+QByteArray PrivateCups::told(const QString& printer, const QByteArray& attribute) const {
+    QFile file(QDir(devices_.at(printer).folder).filePath("told"));
+    file.open(QIODevice::ReadOnly);
+    const QByteArray name = "IPP_" + attribute.toUpper().replace('-', '_') + "=";
+    for (const QByteArray& line : file.readAll().split('\n')) {
+        if (line.startsWith(name)) {
+            return line.mid(name.size());
+        }
+    }
+    return {};
 }
 
 } // namespace dipwright

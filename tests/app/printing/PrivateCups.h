@@ -26,6 +26,7 @@ struct TestPrinter {
     // What it reports when it gets a job ("media-empty-error"), on which it then stays for half a
     // minute; empty: it prints.
     QString trouble = {};
+    bool takesTrueSize = true; // whether it knows print-scaling "none"
 };
 
 class PrivateCups {
@@ -43,6 +44,8 @@ public:
     void switchOff(const QString& printer);
     // The documents that a printer has got, in the order of its jobs.
     QStringList received(const QString& printer) const;
+    // What the last job that a printer printed said of an attribute ("print-scaling"); empty: none.
+    QByteArray told(const QString& printer, const QByteArray& attribute) const;
 
 private:
     struct Device {
