@@ -2621,6 +2621,10 @@
         <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
         <translation>Die Ergebnisse sind nur zum Teil in den Ordner verschoben; schließen Sie, was dort Dateien geöffnet hat, und starten Sie das Programm neu: Es verschiebt den Rest</translation>
     </message>
+    <message>
+        <source>The results cannot be read again: %1</source>
+        <translation>Die Ergebnisse lassen sich nicht noch einmal lesen: %1</translation>
+    </message>
 </context>
 <context>
     <name>ShippedNames</name>

@@ -2621,6 +2621,10 @@
         <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
         <translation>Os resultados foram movidos para a pasta só em parte; feche o que tem arquivos abertos ali e inicie o programa de novo, que move o resto</translation>
     </message>
+    <message>
+        <source>The results cannot be read again: %1</source>
+        <translation>Os resultados não podem ser lidos de novo: %1</translation>
+    </message>
 </context>
 <context>
     <name>ShippedNames</name>

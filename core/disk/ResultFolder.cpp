@@ -283,6 +283,18 @@ void ResultFolder::write(const QString& name, const QByteArray& contents) const 
     }
 }
 
+QByteArray ResultFolder::written(const QString& name) const {
+    QFile file(Work(target_).path(newFiles + name));
+    if (!file.exists()) {
+        return {};
+    }
+    if (!file.open(QIODevice::ReadOnly)) {
+        throw Error(Text::tr("The results cannot be read again: %1").arg(file.errorString()),
+                    target_);
+    }
+    return file.readAll();
+}
+
 // Nothing that stands in the way of a file, or of its folder, is the results' to remove.
 void ResultFolder::refuseOthers() const {
     const auto refuse = [this](const QString& name) {

@@ -29,6 +29,8 @@ public:
 
     // Writes one of the files. Any thread. Throws Error: disk full …
     void write(const QString& name, const QByteArray& contents) const;
+    // What was written to one of the files; empty: nothing. Throws Error where it cannot be read.
+    QByteArray written(const QString& name) const;
     // Replaces the target's files by those written; of `names`, those that were not written are
     // removed there. Other files of the target are left alone. Throws Error, with the target as it
     // was. Once.

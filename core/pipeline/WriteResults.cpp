@@ -7,6 +7,7 @@
 #include "disk/ResultFolder.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobCradles.h"
+#include "pipeline/JobTicket.h"
 #include "pipeline/JobTraveller.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
@@ -51,8 +52,9 @@ QStringList cradleFiles() {
 // stays beside the results of a single one.
 QStringList resultFiles() {
     QStringList files = cradleFiles();
-    files += {QStringLiteral("proof.png"), QStringLiteral("coverage.png"),
-              QStringLiteral("report.json"), QStringLiteral("traveller.pdf")};
+    files +=
+        {QStringLiteral("proof.png"), QStringLiteral("coverage.png"), QStringLiteral("report.json"),
+         QStringLiteral("ticket.json"), QStringLiteral("traveller.pdf")};
     for (const int number : {1, 2}) {
         files += {motionFile(number, "csv"), motionFile(number, "gcode")};
     }
@@ -220,6 +222,19 @@ std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
     return pieces;
 }
 
+// When all that it names is written: it has the hashes of the very files.
+void writeTicket(const JobResult& result, const ResultFolder& folder) {
+    std::vector<QStringList> files;
+    for (int number = 1; number <= int(result.immersions.size()); ++number) {
+        const QString prefix = immersionFolder(number) + QLatin1Char('/');
+        files.push_back({prefix + QStringLiteral("sheet.png"), prefix + QStringLiteral("sheet.pdf"),
+                         motionFile(number, "csv"), motionFile(number, "gcode")});
+    }
+    const auto contents = [&](const QString& name) { return folder.written(name); };
+    folder.write(QStringLiteral("ticket.json"),
+                 QJsonDocument(jobTicket(result, files, contents)).toJson());
+}
+
 void commit(ResultFolder& folder, const Progress& progress) {
     progress(1, Text::tr("Moving the results in place"));
     progress.cancelSwitch.throwIfCancelled();
@@ -239,6 +254,7 @@ void writeResults(const Project& project, const JobResult& result, const QString
         }
     }
     writeTogether(pieces, progress);
+    writeTicket(result, results);
     commit(results, progress);
 }
 
@@ -269,6 +285,7 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
     addTraveller(pieces, result, motion, results, progress.cancelSwitch);
     writeTogether(pieces, progress.part(0.95, 1));
     writing.wait();
+    writeTicket(result, results);
     commit(results, progress);
     return result;
 }

@@ -301,17 +301,21 @@ void paintPage(QPainter& painter, const Traveller& traveller, std::size_t number
 
 } // namespace
 
-QString travellerJob(const Traveller& traveller) {
-    if (traveller.dips.size() == 1) {
-        return traveller.dips.front().job;
-    }
-    QStringList jobs;
-    for (const TravellerDip& dip : traveller.dips) {
-        jobs << dip.job;
+QString jobOfAll(const QStringList& jobs) {
+    if (jobs.size() == 1) {
+        return jobs.front();
     }
     const QByteArray hash =
         QCryptographicHash::hash(jobs.join(u' ').toLatin1(), QCryptographicHash::Sha256);
     return QString::fromLatin1(hash.toHex().left(12));
+}
+
+QString travellerJob(const Traveller& traveller) {
+    QStringList jobs;
+    for (const TravellerDip& dip : traveller.dips) {
+        jobs << dip.job;
+    }
+    return jobOfAll(jobs);
 }
 
 QByteArray travellerPdf(const Traveller& traveller) {

@@ -32,8 +32,11 @@ struct Traveller {
     std::vector<TravellerDip> dips; // in their order
 };
 
-// The job of all sheets together, twelve hex digits: the one sheet's own, or of a SHA-256 over
-// those of several. It is what the QR code holds.
+// The job of several sheets together, twelve hex digits: the one sheet's own, or of a SHA-256 over
+// those of several. `jobs`: those of the sheets, at least one.
+QString jobOfAll(const QStringList& jobs);
+
+// That of all its dips: what the QR code holds.
 QString travellerJob(const Traveller& traveller);
 
 // A4 pages, one a dip. The same bytes for the same traveller in one language. Needs a

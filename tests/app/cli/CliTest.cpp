@@ -76,8 +76,9 @@ private slots:
     }
 
     void aRunWritesWhatIsPromisedAndNothingElse() {
-        QStringList expected{"coverage.png", "proof.png",      "report.json",  "traveller.pdf",
-                             "motion-1.csv", "motion-1.gcode", "motion-2.csv", "motion-2.gcode"};
+        QStringList expected{"coverage.png",   "proof.png",     "report.json",
+                             "ticket.json",    "traveller.pdf", "motion-1.csv",
+                             "motion-1.gcode", "motion-2.csv",  "motion-2.gcode"};
         for (const char* immersion : {"immersion-1", "immersion-2"}) {
             for (const char* file : {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp",
                                      "stretch.png", "wrinkling.png", "certainty.png"}) {
@@ -260,7 +261,7 @@ private slots:
         QVERIFY(files.contains("note.txt"));
         QVERIFY(files.contains("immersion-1/sheet.png"));
         QVERIFY(files.filter("immersion-2").isEmpty());
-        QCOMPARE(files.size(), 13);
+        QCOMPARE(files.size(), 14);
         const QImage chess(path("two/immersion-1/sheet.png"));
         const int middle = chess.width() / 2;
         QVERIFY(qGray(chess.pixel(middle + 30, middle + 30)) !=

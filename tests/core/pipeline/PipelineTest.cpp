@@ -10,8 +10,10 @@
 #include "pipeline/WriteResults.h"
 #include "texture/Chessboard.h"
 
+#include <QCryptographicHash>
 #include <QGuiApplication>
 #include <QJsonArray>
+#include <QProcess>
 #include <QStandardPaths>
 #include <QtTest>
 
@@ -51,6 +53,10 @@ Project ballJob() {
     project.immersions[1].name = QStringLiteral("Turned");
     project.immersions[1].rotation = {Degrees(180), Degrees(0), Degrees(0)};
     return project;
+}
+
+QByteArray sha256(const QByteArray& bytes) {
+    return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex();
 }
 
 QString builtModule(const QString& name) {
@@ -384,7 +390,7 @@ private slots:
         single.immersions.pop_back();
         single.coverage = {};
         writeResults(job_, single, home.path(), {});
-        QCOMPARE(filesBelow(home.path()).size(), 12 + 2);
+        QCOMPARE(filesBelow(home.path()).size(), 13 + 2);
         QVERIFY(QFileInfo::exists(home.filePath("immersion-1/job.dipw")));
         QCOMPARE(filesBelow(home.filePath("immersion-2")), QStringList("notes.txt"));
     }
@@ -415,10 +421,57 @@ private slots:
         for (const QString& name : files) {
             const QByteArray during = bytesOf(home.filePath("during/" + name));
             QVERIFY(!during.isEmpty());
-            if (name.endsWith(".png") || name.endsWith(".vtp")) { // the others say when
+            if (name.endsWith(".png") || name.endsWith(".vtp") ||
+                name == "ticket.json") { // the others say when
                 QVERIFY2(during == bytesOf(home.filePath("after/" + name)), qPrintable(name));
             }
         }
+    }
+
+    void theTicketNamesFilesByTheirHashes() {
+        QTemporaryDir home;
+        Project job = job_;
+        FilmProfile film;
+        film.name = "Thin film";
+        film.lot = "L-77";
+        job.profiles.film = film;
+        JobResult result = first_;
+        result.project = job;
+        writeResults(job, result, home.path(), {});
+        const QJsonObject ticket =
+            QJsonDocument::fromJson(bytesOf(home.filePath("ticket.json"))).object();
+        QCOMPARE(ticket["film"].toObject()["profile"].toObject()["lot"].toString(), "L-77");
+        QCOMPARE(ticket["dwell"].toObject()["soak_s"].toDouble(), film.soakTime.value());
+        const QJsonArray dips = ticket["dips"].toArray();
+        QCOMPARE(dips.size(), 2);
+        for (qsizetype number = 0; number < dips.size(); ++number) {
+            const QJsonObject dip = dips[number].toObject();
+            QCOMPARE(dip["job"].toString(), first_.immersions[number].sheet.job.hash);
+            QCOMPARE(dip["files"].toArray().size(), 4);
+            for (const QJsonValue& entry : dip["files"].toArray()) {
+                const QByteArray bytes = bytesOf(home.filePath(entry["file"].toString()));
+                QVERIFY(!bytes.isEmpty());
+                QCOMPARE(entry["bytes"].toInteger(), bytes.size());
+                QCOMPARE(entry["sha256"].toString().toLatin1(), sha256(bytes));
+            }
+            const QImage sheet =
+                QImage(home.filePath(QStringLiteral("immersion-%1/sheet.png").arg(number + 1)))
+                    .convertToFormat(QImage::Format_RGB888);
+            QByteArray pixels;
+            for (int row = 0; row < sheet.height(); ++row) {
+                pixels.append(reinterpret_cast<const char*>(sheet.constScanLine(row)),
+                              3 * qsizetype(sheet.width()));
+            }
+            QCOMPARE(dip["sheet"]["picture_sha256"].toString().toLatin1(), sha256(pixels));
+        }
+        QProcess schema;
+        schema.start("python3", {"-c",
+                                 "import json, jsonschema, sys\n"
+                                 "jsonschema.Draft202012Validator(json.load(open(sys.argv[1])))"
+                                 ".validate(json.load(open(sys.argv[2])))",
+                                 DIPWRIGHT_TICKET_SCHEMA, home.filePath("ticket.json")});
+        QVERIFY(schema.waitForFinished());
+        QVERIFY2(schema.exitCode() == 0, schema.readAllStandardError().constData());
     }
 
     void aJobThatFailsWhileItIsWrittenLeavesNothing_data() {
@@ -446,7 +499,7 @@ private slots:
         QTemporaryDir home;
         writeResults(job_, first_, home.path(), {});
         const QStringList before = filesBelow(home.path());
-        QCOMPARE(before.size(), 22);
+        QCOMPARE(before.size(), 23);
         Progress progress;
         CancelSwitch cancelSwitch = progress.cancelSwitch;
         progress.report = [&](double share, const QString&) {

@@ -1,0 +1,138 @@
+#include "pipeline/JobTicket.h"
+
+#include "base/ProgramName.h"
+#include "pipeline/JobTraveller.h"
+
+#include <QCryptographicHash>
+#include <QJsonArray>
+
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+QString hexOf(const QByteArray& contents) {
+    return QString::fromLatin1(
+        QCryptographicHash::hash(contents, QCryptographicHash::Sha256).toHex());
+}
+
+QJsonArray pair(double first, double second) {
+    return {first, second};
+}
+
+QJsonValue orNull(const std::optional<Seconds>& time) {
+    return time ? QJsonValue(time->value()) : QJsonValue();
+}
+
+// What stands in a profile's file; null where the project has none.
+template <typename Kind>
+QJsonValue named(const std::optional<Kind>& profile, std::initializer_list<const char*> keys) {
+    if (!profile) {
+        return {};
+    }
+    const QJsonObject all = toJson(Profile(*profile));
+    QJsonObject json{{"name", profile->name}};
+    for (const char* key : keys) {
+        json.insert(QLatin1String(key), all.value(QLatin1String(key)));
+    }
+    return json;
+}
+
+QJsonObject filmTicket(const Project& project) {
+    const FilmSettings& film = project.film;
+    const bool measured = hasMeasuredSwell(film, project.profiles);
+    return {{"size_mm", pair(film.width.value(), film.height.value())},
+            {"swell", pair(film.swellX, film.swellY)},
+            {"swell_is", measured ? "measured" : "guessed"},
+            {"growth_per_s", film.growthRate},
+            {"growth_limit", film.growthLimit},
+            {"relaxation_time_s", std::isinf(film.relaxationTime.value())
+                                      ? QJsonValue()
+                                      : QJsonValue(film.relaxationTime.value())},
+            {"profile", named(project.profiles.film, {"lot", "expiry", "feed"})}};
+}
+
+// How long the film waits for what; null where the project has no film profile, or that does not
+// say.
+QJsonObject dwellTicket(const std::optional<FilmProfile>& film) {
+    if (!film) {
+        return {{"soak_s", {}}, {"activator_s", {}}, {"flash_s", {}}, {"drying_s", {}}};
+    }
+    return {{"soak_s", film->soakTime.value()},
+            {"activator_s", film->activatorTime.value()},
+            {"flash_s", orNull(film->flashTime)},
+            {"drying_s", orNull(film->dryingTime)}};
+}
+
+QJsonObject motionTicket(const DipMotion& motion) {
+    return {{"park_mm", motion.park.value()},    {"start_mm", motion.start.value()},
+            {"depth_mm", motion.depth.value()},  {"speed_mm_s", motion.speed.value()},
+            {"dip_s", motion.dipTime().value()}, {"approach_mm_s", motion.approach.value()},
+            {"hold_s", motion.hold.value()}};
+}
+
+QJsonObject sheetTicket(const Sheet& sheet) {
+    const QSizeF page = pageSize(sheet);
+    return {{"page_mm", pair(page.width(), page.height())},
+            {"dpi", sheet.settings.resolution.value()},
+            {"picture_px", QJsonArray{sheet.image.width(), sheet.image.height()}},
+            {"picture_sha256", pictureHash(sheet.image)}};
+}
+
+QJsonArray filesTicket(const QStringList& names, const ResultContents& contents) {
+    QJsonArray files;
+    for (const QString& name : names) {
+        const QByteArray bytes = contents(name);
+        if (!bytes.isEmpty()) {
+            files.append(
+                QJsonObject{{"file", name}, {"bytes", bytes.size()}, {"sha256", hexOf(bytes)}});
+        }
+    }
+    return files;
+}
+
+} // namespace
+
+QString pictureHash(const QImage& filmImage) {
+    const QImage picture = flattened(filmImage);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    for (int row = 0; row < picture.height(); ++row) {
+        hash.addData(QByteArrayView(picture.constScanLine(row), 3 * qsizetype(picture.width())));
+    }
+    return QString::fromLatin1(hash.result().toHex());
+}
+
+QJsonObject jobTicket(const JobResult& result, const std::vector<QStringList>& files,
+                      const ResultContents& contents) {
+    const Project& project = result.project;
+    QStringList jobs;
+    QJsonArray dips;
+    for (std::size_t i = 0; i < result.immersions.size(); ++i) {
+        const ImmersionResult& dip = result.immersions[i];
+        const std::array<Degrees, 3>& turn = dip.immersion.rotation;
+        jobs << dip.sheet.job.hash;
+        dips.append(QJsonObject{
+            {"name", dip.immersion.name},
+            {"job", dip.sheet.job.hash},
+            {"rotation_deg", QJsonArray{turn[0].value(), turn[1].value(), turn[2].value()}},
+            {"offset_mm", pair(dip.immersion.offset[0].value(), dip.immersion.offset[1].value())},
+            {"advice", adviceKey(dip.verdict.advice)},
+            {"motion", motionTicket(jobMotion(result, i))},
+            {"sheet", sheetTicket(dip.sheet)},
+            {"files", filesTicket(files[i], contents)}});
+    }
+    return {{"format", "dipwright-ticket"},
+            {"version", 1},
+            {"program", programVersion()},
+            {"project", project.name},
+            {"date", project.date},
+            {"job", jobOfAll(jobs)},
+            {"solver", QJsonObject{{"id", result.solver.id}, {"version", result.solver.version}}},
+            {"film", filmTicket(project)},
+            {"dwell", dwellTicket(project.profiles.film)},
+            {"printer", named(project.profiles.printer, {"scale"})},
+            {"tank", named(project.profiles.tank, {"size_mm", "water_level_mm"})},
+            {"dips", dips}};
+}
+
+} // namespace dipwright
