@@ -17,17 +17,17 @@ using Line = std::array<std::uint32_t, 2>; // between two points
 // The middles of edges that were cut.
 class Middles {
 public:
-    Middles(std::vector<Eigen::Vector3f>& positions, float longestEdge)
-        : positions_(positions), longest_(longestEdge) {}
+    Middles(std::vector<Eigen::Vector3f>& positions, const RefinedMesh::TooLong& isTooLong)
+        : positions_(positions), isTooLong_(isTooLong) {}
 
     // The position in the middle of an edge, made where the edge is too long and it is missing.
     std::uint32_t of(std::uint32_t from, std::uint32_t to) {
-        const Eigen::Vector3f a = positions_[from];
-        const Eigen::Vector3f b = positions_[to];
-        if (!((b - a).norm() > longest_)) {
+        const auto [low, high] = std::minmax(from, to); // alike from both sides
+        const Eigen::Vector3f a = positions_[low];
+        const Eigen::Vector3f b = positions_[high];
+        if (!isTooLong_(a, b)) {
             return noMiddle;
         }
-        const auto [low, high] = std::minmax(from, to);
         const auto [found, isNew] =
             middles_.try_emplace(std::uint64_t(low) << 32 | high, std::uint32_t(positions_.size()));
         if (isNew) {
@@ -38,7 +38,7 @@ public:
 
 private:
     std::vector<Eigen::Vector3f>& positions_;
-    float longest_;
+    const RefinedMesh::TooLong& isTooLong_;
     std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 
@@ -100,7 +100,12 @@ float edgeForTriangles(const TriangleMesh& mesh, double triangles) {
     return float(std::max(1.5 * std::sqrt(4 * area / std::sqrt(3.0)), 1e-3));
 }
 
-RefinedMesh::RefinedMesh(const TriangleMesh& coarse, float longestEdge) {
+RefinedMesh::RefinedMesh(const TriangleMesh& coarse, float longestEdge)
+    : RefinedMesh(coarse, [longestEdge](const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
+          return (to - from).norm() > longestEdge;
+      }) {}
+
+RefinedMesh::RefinedMesh(const TriangleMesh& coarse, const TooLong& isTooLong) {
     mesh_.positions = coarse.positions;
     std::vector<Open> open;
     for (std::uint32_t triangle = 0; triangle < coarse.triangles.size(); ++triangle) {
@@ -108,7 +113,7 @@ RefinedMesh::RefinedMesh(const TriangleMesh& coarse, float longestEdge) {
         open.push_back({coarse.triangles[triangle], triangle, triangle});
     }
     while (!open.empty()) {
-        Middles middles(mesh_.positions, longestEdge);
+        Middles middles(mesh_.positions, isTooLong);
         std::vector<Open> cutAgain;
         for (const Open& whole : open) {
             std::array<std::uint32_t, 6> points{whole.corners[0], whole.corners[1],

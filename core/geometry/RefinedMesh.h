@@ -3,6 +3,7 @@
 
 #include "geometry/TriangleMesh.h"
 
+#include <functional>
 #include <memory>
 
 namespace dipwright {
@@ -16,6 +17,10 @@ public:
     // Cuts the edges of `coarse` at their middles until none is longer than `longestEdge` (> 0),
     // mm. Triangles on both sides of an edge cut it alike.
     RefinedMesh(const TriangleMesh& coarse, float longestEdge);
+    // Cuts those that are too long by their ends, again and again: the answer may depend on where
+    // they lie and must become no for short ones.
+    using TooLong = std::function<bool(const Eigen::Vector3f& from, const Eigen::Vector3f& to)>;
+    RefinedMesh(const TriangleMesh& coarse, const TooLong& isTooLong);
 
     // The first positions are those of the coarse mesh.
     const TriangleMesh& mesh() const { return mesh_; }

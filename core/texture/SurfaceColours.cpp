@@ -17,4 +17,27 @@ std::vector<LinearColour> surfaceColours(const TexturedMesh& model,
     return result;
 }
 
+SurfaceColours::SurfaceColours(const TexturedMesh& model)
+    : model_(model), colours_(std::make_unique<const BodyColours>(model)) {}
+
+SurfaceColours::~SurfaceColours() = default;
+
+LinearColour SurfaceColours::at(const SurfacePoint& place,
+                                const Eigen::Matrix<float, 3, 2>& steps) const {
+    const BodyTexture* texture = colours_->texture(place.triangle);
+    if (!texture) {
+        return colours_->plain(place.triangle);
+    }
+    const auto& corners = model_.textureCoordinates[place.triangle];
+    Eigen::Matrix<float, 2, 3> coordinates;
+    coordinates << corners[0], corners[1], corners[2];
+    const TextureSteps onTexture = coordinates * steps;
+    const Eigen::Vector2f coordinate = model_.textureCoordinate(place);
+    if (texture->charts) {
+        return texture->sampler.sampleWithin(coordinate, onTexture, *texture->charts,
+                                             model_.chart[place.triangle]);
+    }
+    return texture->sampler.sample(coordinate, texture->sampler.footprint(onTexture));
+}
+
 } // namespace dipwright

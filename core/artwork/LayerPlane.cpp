@@ -1,0 +1,107 @@
+#include "artwork/LayerPlane.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+constexpr double facing = 0.05;    // cosine: what is seen more aslant a plane does not paint
+constexpr double endOfTube = 0.94; // cosine: what looks so much along the axis is its end
+
+Eigen::Vector3d placeOf(const ArtworkLayer& layer) {
+    return {layer.place[0].value(), layer.place[1].value(), layer.place[2].value()};
+}
+
+Eigen::Vector3d axisOf(LayerAxis axis) {
+    const auto number = int(axis);
+    return (number < 3 ? 1 : -1) * Eigen::Vector3d::Unit(number % 3);
+}
+
+double distanceFromAxis(const Eigen::Vector3d& place, const Eigen::Vector3d& axis) {
+    return (place - axis.dot(place) * axis).norm();
+}
+
+// Of the surface that is not the tube's end, by area.
+double meanRadius(const TriangleMesh& mesh, const Eigen::Vector3d& place,
+                  const Eigen::Vector3d& axis) {
+    double sum = 0, area = 0;
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        if (std::abs(triangleNormal(mesh, triangle).cast<double>().dot(axis)) < endOfTube) {
+            const double own = triangleArea(mesh, triangle);
+            const auto corners = cornersOf(mesh, triangle);
+            for (const Eigen::Vector3f& corner : corners) {
+                sum += own / 3 * distanceFromAxis(corner.cast<double>() - place, axis);
+            }
+            area += own;
+        }
+    }
+    return area > 0 ? std::max(sum / area, 1e-3) : 1;
+}
+
+} // namespace
+
+LayerPlane::LayerPlane(const ArtworkLayer& layer, const TriangleMesh& mesh,
+                       const SurfaceQuery& query, const Eigen::Vector2d& size)
+    : mesh_(mesh), placement_(layer.placement), place_(placeOf(layer)), axis_(axisOf(layer.axis)),
+      turned_(radians(layer.turn)) {
+    turn_ = Eigen::Rotation2Dd(-turned_).toRotationMatrix();
+    if (placement_ == LayerPlacement::Decal) {
+        const SurfacePoint middle = query.closest(place_.cast<float>()).point;
+        const bool repeats = layer.repeat.value() > 0;
+        const Eigen::Vector2d area =
+            repeats ? Eigen::Vector2d(layer.size[0].value(), layer.size[1].value()) : size;
+        reach_ = area.norm() / 2 * 1.02 + 1e-3;
+        place_ = position(mesh, middle).cast<double>();
+        unfolded_ = std::make_unique<const UnfoldedSurface>(mesh, middle, reach_);
+    } else if (placement_ == LayerPlacement::Cylinder) {
+        lengthOfTurn_ = 2 * pi * meanRadius(mesh, place_, axis_);
+        if (layer.repeat.value() > 0) { // whole repeats go round
+            lengthOfTurn_ = std::max(1.0, std::round(lengthOfTurn_ / size.x())) * size.x();
+        }
+    }
+}
+
+Eigen::Vector2d LayerPlane::projected(const Eigen::Vector3d& place,
+                                      const SurfaceFrame& frame) const {
+    return turn_ * Eigen::Vector2d(frame.right.dot(place), frame.up.dot(place));
+}
+
+std::optional<Eigen::Vector2d> LayerPlane::round(const Eigen::Vector3d& place,
+                                                 const Eigen::Vector3d& outward) const {
+    if (std::abs(outward.dot(axis_)) > endOfTube) {
+        return std::nullopt;
+    }
+    // Begins opposite the side that is seen with the axis upwards, so that the middle is in front.
+    const Eigen::Vector3d front =
+        std::abs(axis_.z()) > 0.5 ? Eigen::Vector3d(0, -axis_.z(), 0) : Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d side = axis_.cross(front);
+    double angle = std::atan2(side.dot(place), front.dot(place)) - turned_;
+    angle = std::remainder(angle, 2 * pi);
+    return Eigen::Vector2d(angle / (2 * pi) * lengthOfTurn_, axis_.dot(place));
+}
+
+std::optional<Eigen::Vector2d> LayerPlane::at(const SurfacePoint& point,
+                                              const Eigen::Vector3d& outward) const {
+    const Eigen::Vector3d place = position(mesh_, point).cast<double>() - place_;
+    if (placement_ == LayerPlacement::Decal) {
+        if (place.norm() > reach_) {
+            return std::nullopt;
+        }
+        const auto flat = unfolded_->at(point);
+        return flat ? std::optional<Eigen::Vector2d>(turn_ * *flat) : std::nullopt;
+    }
+    if (placement_ == LayerPlacement::Cylinder) {
+        return round(place, outward);
+    }
+    if (placement_ == LayerPlacement::Plane) {
+        return outward.dot(axis_) > facing ? std::optional(projected(place, uprightFrame(axis_)))
+                                           : std::nullopt;
+    }
+    Eigen::Index most = 0;
+    outward.cwiseAbs().maxCoeff(&most);
+    return projected(place,
+                     uprightFrame((outward[most] < 0 ? -1 : 1) * Eigen::Vector3d::Unit(most)));
+}
+
+} // namespace dipwright

@@ -1,0 +1,41 @@
+// Where a layer's plane lies on a body. Private to this folder.
+#pragma once
+
+#include "artwork/Artwork.h"
+#include "geometry/SurfaceQuery.h"
+#include "geometry/UnfoldedSurface.h"
+
+#include <memory>
+
+namespace dipwright {
+
+// Reading is const, any thread.
+class LayerPlane {
+public:
+    // `size`: of what is shown, LayerPicture::size(). Keeps a reference to the mesh.
+    LayerPlane(const ArtworkLayer& layer, const TriangleMesh& mesh, const SurfaceQuery& query,
+               const Eigen::Vector2d& size);
+
+    // Where a place of the body lies in the layer's plane, mm to the right and up from its middle;
+    // nothing where the layer does not reach. `outward`: the unit normal there.
+    std::optional<Eigen::Vector2d> at(const SurfacePoint& place,
+                                      const Eigen::Vector3d& outward) const;
+    // Whether repeats go on past the layer's size.
+    bool isEndless() const { return placement_ != LayerPlacement::Decal; }
+
+private:
+    Eigen::Vector2d projected(const Eigen::Vector3d& place, const SurfaceFrame& frame) const;
+    std::optional<Eigen::Vector2d> round(const Eigen::Vector3d& place,
+                                         const Eigen::Vector3d& outward) const;
+
+    const TriangleMesh& mesh_;
+    LayerPlacement placement_;
+    Eigen::Vector3d place_, axis_;
+    Eigen::Matrix2d turn_;    // from the surface's plane to the picture's
+    double turned_ = 0;       // radians, about a cylinder's axis
+    double reach_ = 0;        // mm from the place, of a decal
+    double lengthOfTurn_ = 0; // mm once round a cylinder, as the picture counts them
+    std::unique_ptr<const UnfoldedSurface> unfolded_; // of a decal
+};
+
+} // namespace dipwright

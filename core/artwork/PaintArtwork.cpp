@@ -1,0 +1,211 @@
+#include "artwork/PaintArtwork.h"
+
+#include "artwork/LayerPicture.h"
+#include "artwork/LayerPlane.h"
+#include "artwork/Unwrap.h"
+#include "base/Budgets.h"
+#include "base/Error.h"
+#include "base/WideColour.h"
+#include "geometry/SurfaceQuery.h"
+#include "parallel/ParallelFor.h"
+#include "texture/SurfaceColours.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::PaintArtwork)
+};
+
+// A pixel of the sheet lies on no less than this share of its size of the body, where film is not
+// gathered and a chart not aslant.
+constexpr double texelShare = 0.7;
+
+struct Layer {
+    LayerPicture picture;
+    LayerPlane plane;
+    float opacity;
+
+    Layer(const ArtworkLayer& layer, const TriangleMesh& mesh, const SurfaceQuery& query,
+          double texel, bool wide)
+        : picture(layer, texel, wide), plane(layer, mesh, query, picture.size()),
+          opacity(float(layer.opacity)) {}
+};
+
+bool isWide(const TexturedMesh& model, const Artwork& artwork) {
+    const auto wide = [](const QImage& image) { return dipwright::isWide(image); };
+    return (!artwork.base && std::any_of(model.textures.begin(), model.textures.end(), wide)) ||
+           std::any_of(artwork.layers.begin(), artwork.layers.end(), [&](const auto& layer) {
+               return layer.kind == LayerKind::Picture && wide(layer.picture.image);
+           });
+}
+
+// What lies below the layers.
+class Ground {
+public:
+    Ground(const TexturedMesh& model, const Artwork& artwork, bool wide)
+        : model_(model), isModelWide_(std::any_of(model.textures.begin(), model.textures.end(),
+                                                  dipwright::isWide)),
+          wide_(wide) {
+        if (artwork.base) {
+            base_ = linearColour(*artwork.base);
+            base_ = wide ? wideLight(*base_) : *base_;
+        } else {
+            colours_ = std::make_unique<SurfaceColours>(model);
+        }
+    }
+
+    // `steps`: how far a texel to the right and one down go on the model, as weights of corners.
+    LinearColour at(const SurfacePoint& place, const Eigen::Matrix<float, 3, 2>& steps) const {
+        if (base_) {
+            return *base_;
+        }
+        const LinearColour own = colours_->at(place, steps);
+        return wide_ && !isModelWide_ ? wideLight(own) : own;
+    }
+
+private:
+    const TexturedMesh& model_;
+    bool isModelWide_, wide_;
+    std::optional<LinearColour> base_;
+    std::unique_ptr<const SurfaceColours> colours_;
+};
+
+// The weights of a triangle's corners over its chart: at a texel's middle, and how they change from
+// texel to texel to the right and down.
+struct Weights {
+    Eigen::Vector3f origin = Eigen::Vector3f::Constant(1.0f / 3);
+    Eigen::Matrix<float, 3, 2> steps = Eigen::Matrix<float, 3, 2>::Zero();
+
+    explicit Weights(const std::array<Eigen::Vector2f, 3>& corners) {
+        const Eigen::Vector2d a = corners[0].cast<double>();
+        const Eigen::Vector2d b = corners[1].cast<double>() - a, c = corners[2].cast<double>() - a;
+        const double area = b.x() * c.y() - b.y() * c.x();
+        if (area == 0) {
+            return;
+        }
+        Eigen::Matrix<double, 3, 2> exact;
+        exact.row(1) << c.y() / area, -c.x() / area;
+        exact.row(2) << -b.y() / area, b.x() / area;
+        exact.row(0) = -exact.row(1) - exact.row(2);
+        steps = exact.cast<float>();
+        origin = (Eigen::Vector3d(1, 0, 0) - exact * a).cast<float>();
+    }
+
+    // Beside the triangle the nearest in it.
+    SurfacePoint at(std::uint32_t triangle, int column, int row) const {
+        Eigen::Vector3f weights =
+            origin + steps * Eigen::Vector2f(float(column) + 0.5f, float(row) + 0.5f);
+        weights = weights.cwiseMax(0);
+        return {triangle, weights / weights.sum()};
+    }
+};
+
+QImage bake(const TexturedMesh& model, const Unwrapping& charts, const Ground& ground,
+            const std::vector<std::unique_ptr<const Layer>>& layers, bool wide,
+            const Progress& progress) {
+    QImage picture(charts.width, charts.height,
+                   wide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
+    if (picture.isNull()) {
+        throw Error(Text::tr("The artwork does not fit into this computer's memory; choose a lower "
+                             "resolution of the sheet"),
+                    QStringLiteral("%1 × %2").arg(charts.width).arg(charts.height));
+    }
+    if (wide) {
+        picture.setColorSpace(wideSpace());
+    }
+    picture.fill(Qt::white);
+    const PixelCode code(picture);
+    unsigned char* bits = picture.bits();
+    const auto stride = picture.bytesPerLine();
+    parallelFor(0, charts.height, [&](int row) {
+        progress.cancelSwitch.throwIfCancelled();
+        std::uint32_t last = Unwrapping::nobody;
+        std::optional<Weights> weights;
+        Eigen::Vector3d outward = Eigen::Vector3d::Zero();
+        for (int column = 0; column < charts.width; ++column) {
+            const std::uint32_t triangle =
+                charts.owner[std::size_t(row) * std::size_t(charts.width) + std::size_t(column)];
+            if (triangle == Unwrapping::nobody) {
+                continue;
+            }
+            if (triangle != last) {
+                last = triangle;
+                weights.emplace(charts.corners[triangle]);
+                outward = triangleNormal(model.mesh, triangle).cast<double>();
+            }
+            const SurfacePoint place = weights->at(triangle, column, row);
+            LinearColour colour = ground.at(place, weights->steps);
+            for (const auto& layer : layers) {
+                if (const auto flat = layer->plane.at(place, outward)) {
+                    const CoveringLight over =
+                        layer->opacity * layer->picture.at(*flat, layer->plane.isEndless());
+                    colour = LinearColour(over[0], over[1], over[2]) + (1 - over[3]) * colour;
+                }
+            }
+            code.write(bits + row * stride + code.bytes() * column, colour, code.opaque());
+        }
+    });
+    return picture;
+}
+
+} // namespace
+
+double texelFor(DotsPerInch resolution) {
+    return texelShare / pixelsPerMillimetre(resolution);
+}
+
+TexturedMesh paintArtwork(const TexturedMesh& model, const Artwork& artwork, double texel,
+                          const Progress& progress, qint64 mostTexels) {
+    const QString step = Text::tr("Painting the artwork");
+    progress(0, step);
+    const qint64 most = mostOf(Budget::Pixels);
+    const Unwrapping charts =
+        unwrapped(model.mesh, texel, mostTexels > 0 ? std::min(mostTexels, most) : most, progress);
+    progress(0.3, step);
+    const bool wide = isWide(model, artwork);
+    const SurfaceQuery query(model.mesh);
+    std::vector<std::unique_ptr<const Layer>> layers;
+    for (const ArtworkLayer& layer : artwork.layers) {
+        const bool showsNothing = layer.kind == LayerKind::Picture && layer.picture.image.isNull();
+        if (layer.visible && layer.opacity > 0 && !showsNothing) {
+            progress.cancelSwitch.throwIfCancelled();
+            layers.push_back(
+                std::make_unique<const Layer>(layer, model.mesh, query, charts.texel, wide));
+        }
+    }
+    progress(0.5, step);
+    TexturedMesh result;
+    result.textures = {bake(model, charts, Ground(model, artwork, wide), layers, wide, progress)};
+    result.mesh = model.mesh;
+    result.material = model.material;
+    result.materials = model.materials;
+    for (Material& material : result.materials) {
+        material.texture = 0;
+    }
+    result.chart = charts.chart;
+    result.textureCoordinates.reserve(charts.corners.size());
+    for (const auto& corners : charts.corners) {
+        auto& coordinates = result.textureCoordinates.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            coordinates[k] = {corners[k].x() / float(charts.width),
+                              1 - corners[k].y() / float(charts.height)};
+        }
+    }
+    progress(1, step);
+    return result;
+}
+
+std::shared_ptr<const TexturedMesh> painted(const std::shared_ptr<const TexturedMesh>& model,
+                                            const Artwork& artwork, double texel,
+                                            const Progress& progress, qint64 mostTexels) {
+    return artwork.isEmpty() ? model
+                             : std::make_shared<const TexturedMesh>(
+                                   paintArtwork(*model, artwork, texel, progress, mostTexels));
+}
+
+} // namespace dipwright

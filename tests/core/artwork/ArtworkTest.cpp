@@ -1,0 +1,454 @@
+// Pictures, text and patterns on bodies: charts, lengths, order and colours.
+#include "artwork/LayerPicture.h"
+#include "artwork/LayerPlane.h"
+#include "artwork/PaintArtwork.h"
+#include "artwork/Patterns.h"
+#include "artwork/Unwrap.h"
+#include "base/WideColour.h"
+#include "geometry/Shapes.h"
+#include "texture/SurfaceColours.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace dipwright;
+
+namespace {
+
+TexturedMesh bodyOf(TriangleMesh mesh) {
+    TexturedMesh body;
+    const std::size_t triangles = mesh.triangles.size();
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    body.mesh = std::move(mesh);
+    body.textureCoordinates.assign(
+        triangles,
+        {Eigen::Vector2f(none, none), Eigen::Vector2f(none, none), Eigen::Vector2f(none, none)});
+    body.material.assign(triangles, 0);
+    body.materials.resize(1);
+    body.chart = findCharts(body);
+    return body;
+}
+
+// Half as many shelves, some lying over each other: normals alike, one above the other.
+TriangleMesh spiralRamp() {
+    TriangleMesh mesh;
+    constexpr int steps = 120;
+    for (int k = 0; k <= steps; ++k) {
+        const double angle = 4 * pi * k / steps; // twice round
+        const auto c = float(std::cos(angle)), s = float(std::sin(angle));
+        const float y = 0.2F * float(k);
+        mesh.positions.push_back({10 * c, y, 10 * s});
+        mesh.positions.push_back({30 * c, y, 30 * s});
+    }
+    for (std::uint32_t k = 0; k < steps; ++k) {
+        mesh.triangles.push_back({2 * k, 2 * k + 2, 2 * k + 1});
+        mesh.triangles.push_back({2 * k + 1, 2 * k + 2, 2 * k + 3});
+    }
+    return mesh;
+}
+
+SurfacePoint placeAt(const TexturedMesh& body, const Eigen::Vector3d& position) {
+    return SurfaceQuery(body.mesh).closest(position.cast<float>()).point;
+}
+
+QColor colourAt(const TexturedMesh& body, const Eigen::Vector3d& position) {
+    const SurfacePoint place = placeAt(body, position);
+    const Eigen::Vector2f uv = body.textureCoordinate(place);
+    const QImage picture = inSrgb(body.textures.front());
+    return picture.pixelColor(
+        std::clamp(int(uv.x() * float(picture.width())), 0, picture.width() - 1),
+        std::clamp(int((1 - uv.y()) * float(picture.height())), 0, picture.height() - 1));
+}
+
+QImage plain(const QColor& colour, QSize size = {40, 40}) {
+    QImage image(size, QImage::Format_RGBA8888);
+    image.fill(colour);
+    return image;
+}
+
+ArtworkLayer pictureLayer(const QImage& image, const Eigen::Vector3d& place, double size) {
+    ArtworkLayer layer = newLayer(LayerKind::Picture, QStringLiteral("picture"));
+    layer.picture = artworkPicture(image);
+    layer.place = {Millimetres(place.x()), Millimetres(place.y()), Millimetres(place.z())};
+    layer.size = {Millimetres(size), Millimetres(size)};
+    return layer;
+}
+
+TexturedMesh paintedBox(const Artwork& artwork) {
+    return paintArtwork(bodyOf(boxMesh({60, 60, 60})), artwork, 0.2, Progress());
+}
+
+bool isNear(const QColor& a, const QColor& b, int within = 2) {
+    return std::abs(a.red() - b.red()) <= within && std::abs(a.green() - b.green()) <= within &&
+           std::abs(a.blue() - b.blue()) <= within;
+}
+
+// Lines one pixel in five, of a period of `pixels`.
+QImage grid(int pixels) {
+    QImage image = plain(Qt::white, {pixels, pixels});
+    for (int k = 0; k < pixels; ++k) {
+        for (int line = 0; line < pixels / 10; ++line) {
+            image.setPixelColor(line, k, Qt::black);
+        }
+    }
+    return image;
+}
+
+} // namespace
+
+class ArtworkTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void chartsCoverEachTriangleOnceAndDoNotOverlap_data();
+    void chartsCoverEachTriangleOnceAndDoNotOverlap();
+    void texelsStayWithinWhatIsAllowed();
+    void withoutArtworkNothingChanges();
+    void pictureLiesWhereItIsPutAndAsLargeAsItIs();
+    void pictureKeepsItsProportions();
+    void decalGoesOverAnEdge();
+    void layersCoverEachOtherInOrder();
+    void opacityMixesLight();
+    void baseColourLiesBelowAndTheModelsOwnElse();
+    void turnIsCounterclockwiseFromOutside();
+    void gridOnACylinderHasEvenStraightLines();
+    void wholeRepeatsGoRoundATube();
+    void patternsContinueOnTheirOtherSide();
+    void seedMakesAnotherPattern();
+    void planePaintsOnlyWhatFacesIt();
+    void textIsDrawnAndReadsFromOutside();
+    void missingFontIsNamed();
+    void wideColourStaysWide();
+    void sameBitsTwice();
+};
+
+void ArtworkTest::chartsCoverEachTriangleOnceAndDoNotOverlap_data() {
+    QTest::addColumn<TriangleMesh>("mesh");
+    QTest::newRow("box") << boxMesh({10, 20, 30});
+    QTest::newRow("sphere") << sphereMesh(30, 40, 80);
+    QTest::newRow("cylinder") << cylinderMesh(20, 60, 64);
+    QTest::newRow("torus") << torusMesh(30, 10, 60, 120);
+    QTest::newRow("tetrahedron") << tetrahedronMesh(40);
+    QTest::newRow("spiral") << spiralRamp();
+}
+
+void ArtworkTest::chartsCoverEachTriangleOnceAndDoNotOverlap() {
+    QFETCH(TriangleMesh, mesh);
+    const Unwrapping charts = unwrapped(mesh, 0.25, 4'000'000, Progress());
+    QCOMPARE(charts.corners.size(), mesh.triangles.size());
+    std::vector<int> claims(charts.owner.size()); // by how many triangles' insides
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        const auto& [a, b, c] = charts.corners[triangle];
+        const Eigen::Vector2d u = (b - a).cast<double>(), v = (c - a).cast<double>();
+        const double area = u.x() * v.y() - u.y() * v.x();
+        QVERIFY(std::abs(area) > 0);
+        const double whole = triangleArea(mesh, triangle) / (charts.texel * charts.texel);
+        QVERIFY(std::abs(area) / 2 > 0.6 * whole && std::abs(area) / 2 < 1.01 * whole);
+        for (const Eigen::Vector2f& corner : {a, b, c}) {
+            QVERIFY(corner.minCoeff() >= 1 && corner.x() <= float(charts.width - 1) &&
+                    corner.y() <= float(charts.height - 1));
+        }
+        const Eigen::AlignedBox2f box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+        for (int row = int(box.min().y()); row <= int(box.max().y()); ++row) {
+            for (int column = int(box.min().x()); column <= int(box.max().x()); ++column) {
+                const Eigen::Vector2d p =
+                    Eigen::Vector2d(column + 0.5, row + 0.5) - a.cast<double>();
+                const double s = (p.x() * v.y() - p.y() * v.x()) / area;
+                const double t = (u.x() * p.y() - u.y() * p.x()) / area;
+                if (s > 1e-3 && t > 1e-3 && s + t < 1 - 1e-3) {
+                    ++claims[std::size_t(row) * std::size_t(charts.width) + std::size_t(column)];
+                }
+            }
+        }
+    }
+    QCOMPARE(*std::max_element(claims.begin(), claims.end()), 1);
+    const auto used = std::count(claims.begin(), claims.end(), 1);
+    QVERIFY(double(used) > 0.25 * double(claims.size())); // and the picture is not mostly empty
+}
+
+void ArtworkTest::texelsStayWithinWhatIsAllowed() {
+    const TriangleMesh mesh = sphereMesh(100, 30, 60);
+    const Unwrapping charts = unwrapped(mesh, 0.001, 500'000, Progress());
+    QVERIFY(qint64(charts.width) * charts.height <= 500'000);
+    QVERIFY(qint64(charts.width) * charts.height > 200'000);
+}
+
+void ArtworkTest::withoutArtworkNothingChanges() {
+    const auto model = std::make_shared<const TexturedMesh>(bodyOf(boxMesh({10, 10, 10})));
+    QCOMPARE(painted(model, {}, 0.1, Progress()), model);
+}
+
+void ArtworkTest::pictureLiesWhereItIsPutAndAsLargeAsItIs() {
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {pictureLayer(plain(Qt::red), {10, 5, 30}, 20)};
+    const TexturedMesh body = paintedBox(artwork);
+    QCOMPARE(body.textures.size(), std::size_t(1));
+    QCOMPARE(body.mesh.triangles.size(), std::size_t(12));
+    for (const double edge : {-9.7, 0.0, 9.7}) {
+        QVERIFY(isNear(colourAt(body, {10 + edge, 5, 30}), Qt::red));
+        QVERIFY(isNear(colourAt(body, {10, 5 + edge, 30}), Qt::red));
+    }
+    for (const double beyond : {-10.3, 10.3}) {
+        QVERIFY(isNear(colourAt(body, {10 + beyond, 5, 30}), Qt::white));
+        QVERIFY(isNear(colourAt(body, {10, 5 + beyond, 30}), Qt::white));
+    }
+    QVERIFY(isNear(colourAt(body, {10, 5, -30}), Qt::white));
+}
+
+void ArtworkTest::pictureKeepsItsProportions() {
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {pictureLayer(plain(Qt::red, {80, 40}), {0, 0, 30}, 20)};
+    const TexturedMesh body = paintedBox(artwork);
+    QVERIFY(isNear(colourAt(body, {9.6, 0, 30}), Qt::red));
+    QVERIFY(isNear(colourAt(body, {0, 4.6, 30}), Qt::red));
+    QVERIFY(isNear(colourAt(body, {0, 5.4, 30}), Qt::white));
+}
+
+void ArtworkTest::decalGoesOverAnEdge() {
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {pictureLayer(plain(Qt::blue), {25, 0, 30}, 20)};
+    const TexturedMesh body = paintedBox(artwork);
+    // 10 mm to the right of the middle: 5 on the front and 5 round the edge.
+    QVERIFY(isNear(colourAt(body, {30, 0, 30 - 4.6}), Qt::blue));
+    QVERIFY(isNear(colourAt(body, {30, 9.6, 30 - 4.6}), Qt::blue));
+    QVERIFY(isNear(colourAt(body, {30, 0, 30 - 5.4}), Qt::white));
+    QVERIFY(isNear(colourAt(body, {30, 10.4, 30 - 4.6}), Qt::white));
+}
+
+void ArtworkTest::layersCoverEachOtherInOrder() {
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {pictureLayer(plain(Qt::red), {0, 0, 30}, 20),
+                      pictureLayer(plain(Qt::blue), {5, 0, 30}, 10)};
+    QVERIFY(isNear(colourAt(paintedBox(artwork), {5, 0, 30}), Qt::blue));
+    QVERIFY(isNear(colourAt(paintedBox(artwork), {-5, 0, 30}), Qt::red));
+    std::swap(artwork.layers[0], artwork.layers[1]);
+    QVERIFY(isNear(colourAt(paintedBox(artwork), {5, 0, 30}), Qt::red));
+    artwork.layers[1].visible = false;
+    QVERIFY(isNear(colourAt(paintedBox(artwork), {5, 0, 30}), Qt::blue));
+    QVERIFY(isNear(colourAt(paintedBox(artwork), {-5, 0, 30}), Qt::white));
+}
+
+void ArtworkTest::opacityMixesLight() {
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {pictureLayer(plain(Qt::black), {0, 0, 30}, 20)};
+    artwork.layers.front().opacity = 0.5;
+    QVERIFY(isNear(colourAt(paintedBox(artwork), {0, 0, 30}), QColor(188, 188, 188))); // half of it
+    QColor seeThrough(Qt::black);
+    seeThrough.setAlpha(128);
+    artwork.layers = {pictureLayer(plain(seeThrough), {0, 0, 30}, 20)};
+    QVERIFY(isNear(colourAt(paintedBox(artwork), {0, 0, 30}), QColor(187, 187, 187)));
+}
+
+void ArtworkTest::baseColourLiesBelowAndTheModelsOwnElse() {
+    TexturedMesh model = bodyOf(boxMesh({60, 60, 60}));
+    model.materials.front().colour = QColor(10, 120, 200);
+    Artwork artwork;
+    artwork.layers = {pictureLayer(plain(Qt::red), {0, 0, 30}, 20)};
+    const TexturedMesh own = paintArtwork(model, artwork, 0.3, Progress());
+    QVERIFY(isNear(colourAt(own, {20, 20, 30}), QColor(10, 120, 200), 1));
+    artwork.base = QColor(250, 240, 0);
+    const TexturedMesh based = paintArtwork(model, artwork, 0.3, Progress());
+    QVERIFY(isNear(colourAt(based, {20, 20, 30}), QColor(250, 240, 0), 1));
+
+    // A texture of its own stays, and is drawn on.
+    model.textures = {plain(QColor(60, 160, 60))};
+    model.materials.front().texture = 0;
+    for (auto& corners : model.textureCoordinates) {
+        corners = {Eigen::Vector2f(0.1F, 0.1F), Eigen::Vector2f(0.9F, 0.1F),
+                   Eigen::Vector2f(0.1F, 0.9F)};
+    }
+    model.chart = findCharts(model);
+    artwork.base.reset();
+    const TexturedMesh textured = paintArtwork(model, artwork, 0.3, Progress());
+    QVERIFY(isNear(colourAt(textured, {20, 20, 30}), QColor(60, 160, 60), 1));
+    QVERIFY(isNear(colourAt(textured, {0, 0, 30}), Qt::red));
+}
+
+void ArtworkTest::turnIsCounterclockwiseFromOutside() {
+    QImage halves = plain(Qt::red);
+    for (int y = 0; y < 40; ++y) {
+        for (int x = 20; x < 40; ++x) {
+            halves.setPixelColor(x, y, Qt::blue); // on the right
+        }
+    }
+    for (const LayerPlacement placement :
+         {LayerPlacement::Decal, LayerPlacement::Plane, LayerPlacement::Box}) {
+        Artwork artwork;
+        artwork.base = Qt::white;
+        artwork.layers = {pictureLayer(halves, {0, 0, 30}, 20)};
+        artwork.layers.front().placement = placement;
+        QVERIFY(isNear(colourAt(paintedBox(artwork), {5, 0, 30}), Qt::blue));
+        artwork.layers.front().turn = Degrees(90);
+        QVERIFY(isNear(colourAt(paintedBox(artwork), {0, 5, 30}), Qt::blue));
+        QVERIFY(isNear(colourAt(paintedBox(artwork), {0, -5, 30}), Qt::red));
+    }
+}
+
+// Where dark lines are crossed on the way round a tube, mm from its beginning.
+static std::vector<double> linesAround(const TexturedMesh& body, double radius, double z,
+                                       double from, double to) {
+    std::vector<double> found;
+    bool wasDark = true;
+    for (double angle = from; angle < to; angle += 0.02 / radius) {
+        const bool isDark =
+            colourAt(body, {radius * std::cos(angle), radius * std::sin(angle), z}).lightness() <
+            128;
+        if (isDark && !wasDark) {
+            found.push_back(angle * radius);
+        }
+        wasDark = isDark;
+    }
+    return found;
+}
+
+void ArtworkTest::gridOnACylinderHasEvenStraightLines() {
+    constexpr double radius = 25;
+    constexpr int sides = 256;
+    const TexturedMesh tube = bodyOf(cylinderMesh(radius, 80, sides));
+    QImage lines = grid(100);
+    lines = lines.transformed(QTransform().rotate(90)); // lines along the tube
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {pictureLayer(lines, {radius, 0, 0}, 60)};
+    artwork.layers.front().repeat = Millimetres(10);
+    const TexturedMesh body = paintArtwork(tube, artwork, 0.1, Progress());
+    const std::vector<double> middle = linesAround(body, radius, 0, -1.1, 1.1);
+    QVERIFY(middle.size() >= 5);
+    for (std::size_t k = 1; k < middle.size(); ++k) {
+        QVERIFY2(std::abs(middle[k] - middle[k - 1] - 10) < 0.15,
+                 qPrintable(QString::number(middle[k] - middle[k - 1])));
+    }
+    QVERIFY(std::abs((middle.back() - middle.front()) / double(middle.size() - 1) - 10) < 0.03);
+    for (const double z : {-20.0, 17.0}) { // straight: they lie alike elsewhere along the tube
+        const std::vector<double> there = linesAround(body, radius, z, -1.1, 1.1);
+        QCOMPARE(there.size(), middle.size());
+        for (std::size_t k = 0; k < there.size(); ++k) {
+            QVERIFY(std::abs(there[k] - middle[k]) < 0.15);
+        }
+    }
+}
+
+void ArtworkTest::wholeRepeatsGoRoundATube() {
+    constexpr double radius = 25; // 157 mm round
+    const TexturedMesh tube = bodyOf(cylinderMesh(radius, 60, 128));
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {pictureLayer(grid(100), {0, 0, 0}, 60)};
+    artwork.layers.front().placement = LayerPlacement::Cylinder;
+    artwork.layers.front().axis = LayerAxis::Z;
+    artwork.layers.front().repeat = Millimetres(10);
+    const TexturedMesh body = paintArtwork(tube, artwork, 0.15, Progress());
+    const std::vector<double> lines = linesAround(body, radius, 3, 0.01, 0.01 + 2 * pi);
+    QCOMPARE(lines.size(), std::size_t(16));
+    for (std::size_t k = 1; k < lines.size(); ++k) {
+        QVERIFY(std::abs(lines[k] - lines[k - 1] - 2 * pi * radius / 16) < 0.25);
+    }
+}
+
+void ArtworkTest::patternsContinueOnTheirOtherSide() {
+    for (const LayerKind kind : {LayerKind::Carbon, LayerKind::Camouflage, LayerKind::Wood}) {
+        const QImage repeat = patternRepeat(newLayer(kind, {}), 200);
+        if (const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES"); !folder.isEmpty()) {
+            repeat.save(QStringLiteral("%1/pattern-%2.png").arg(folder).arg(int(kind)));
+        }
+        // Across the border neighbours differ no more than inside, on the mean.
+        const auto difference = [&](int a, int b, bool isColumn) {
+            double sum = 0;
+            for (int k = 0; k < 200; ++k) {
+                const QColor one = isColumn ? repeat.pixelColor(a, k) : repeat.pixelColor(k, a);
+                const QColor other = isColumn ? repeat.pixelColor(b, k) : repeat.pixelColor(k, b);
+                sum += std::abs(one.lightness() - other.lightness());
+            }
+            return sum / 200;
+        };
+        for (const bool isColumn : {true, false}) {
+            double most = 0;
+            for (int k = 1; k < 200; ++k) {
+                most = std::max(most, difference(k - 1, k, isColumn));
+            }
+            QVERIFY(difference(199, 0, isColumn) <= 1.3 * most);
+        }
+    }
+}
+
+void ArtworkTest::seedMakesAnotherPattern() {
+    ArtworkLayer layer = newLayer(LayerKind::Camouflage, {});
+    const QImage one = patternRepeat(layer, 100);
+    QCOMPARE(patternRepeat(layer, 100), one);
+    layer.seed = 2;
+    QVERIFY(patternRepeat(layer, 100) != one);
+}
+
+void ArtworkTest::planePaintsOnlyWhatFacesIt() {
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {pictureLayer(plain(Qt::red), {0, 0, 0}, 20)};
+    artwork.layers.front().placement = LayerPlacement::Plane;
+    artwork.layers.front().axis = LayerAxis::MinusX;
+    const TexturedMesh body = paintedBox(artwork);
+    QVERIFY(isNear(colourAt(body, {-30, 5, 5}), Qt::red));
+    QVERIFY(isNear(colourAt(body, {30, 5, 5}), Qt::white));
+    QVERIFY(isNear(colourAt(body, {0, 0, 30}), Qt::white));
+}
+
+void ArtworkTest::textIsDrawnAndReadsFromOutside() {
+    ArtworkLayer layer = newLayer(LayerKind::Text, QStringLiteral("text"));
+    layer.text = QStringLiteral("L");
+    layer.place = {Millimetres(0), Millimetres(0), Millimetres(30)};
+    layer.size = {Millimetres(40), Millimetres(40)};
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {layer};
+    const TexturedMesh body = paintedBox(artwork);
+    const double width = 40 * proportionsOf(layer);
+    QVERIFY(width > 15 && width < 40);
+    const double left = -width / 2 + 1;
+    QVERIFY(isNear(colourAt(body, {left, 15, 30}), Qt::black));   // the stem
+    QVERIFY(isNear(colourAt(body, {-left, -19, 30}), Qt::black)); // the foot, to the right
+    QVERIFY(isNear(colourAt(body, {-left, 10, 30}), Qt::white));
+}
+
+void ArtworkTest::missingFontIsNamed() {
+    Artwork artwork;
+    artwork.layers = {newLayer(LayerKind::Text, QStringLiteral("Title"))};
+    QVERIFY(missingFonts(artwork).isEmpty());
+    artwork.layers.front().font = QStringLiteral("No Such Letters");
+    QCOMPARE(missingFonts(artwork), QStringList(QStringLiteral("Title (No Such Letters)")));
+}
+
+void ArtworkTest::wideColourStaysWide() {
+    QImage wide(40, 40, QImage::Format_RGBA64);
+    wide.fill(QColor::fromRgba64(0, 65535, 0));
+    wide.setColorSpace(wideSpace());
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {pictureLayer(wide, {0, 0, 30}, 20),
+                      pictureLayer(plain(Qt::red), {0, 20, 30}, 10)};
+    const TexturedMesh body = paintedBox(artwork);
+    QVERIFY(isWide(body.textures.front()));
+    QVERIFY(isNear(colourAt(body, {0, 20, 30}), Qt::red)); // sRGB's own red, told in wide colour
+    const SurfacePoint place = placeAt(body, {0, 0, 30});
+    QVERIFY(surfaceColours(body, {place}).front().isApprox(LinearColour(0, 1, 0), 1e-3F));
+}
+
+void ArtworkTest::sameBitsTwice() {
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {newLayer(LayerKind::Carbon, {}), newLayer(LayerKind::Wood, {}),
+                      pictureLayer(plain(Qt::red), {0, 30, 0}, 15)};
+    artwork.layers[1].opacity = 0.3;
+    const TexturedMesh model = bodyOf(sphereMesh(30, 24, 48));
+    const TexturedMesh one = paintArtwork(model, artwork, 0.2, Progress());
+    const TexturedMesh other = paintArtwork(model, artwork, 0.2, Progress());
+    QCOMPARE(one.textures.front(), other.textures.front());
+    QVERIFY(one.textureCoordinates == other.textureCoordinates);
+}
+
+QTEST_MAIN(ArtworkTest)
+#include "ArtworkTest.moc"
