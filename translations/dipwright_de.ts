@@ -1500,6 +1500,37 @@
         <source>The relaxation time that photos of a dipped part gave.</source>
         <translation>Die Relaxationszeit, die Fotos eines getauchten Teils ergaben.</translation>
     </message>
+    <message>
+        <source>Ink thins by</source>
+        <translation>Tinte wird dünner mit</translation>
+    </message>
+    <message>
+        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
+        <translation>Der Exponent n: mit der Dichte D gedruckte Tinte zeigt D·J^−n, wo der Film auf das J-fache seiner Fläche gedehnt ist. 1 für Farbstoff, 0 für Punkte, die alles hinter sich verdecken. Eine Schätzung, für Tinten ohne gemessene Töne.</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>cyan</comment>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <comment>magenta</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <comment>yellow</comment>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Ink, measured</source>
+        <translation>Tinte, gemessen</translation>
+    </message>
+    <message>
+        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
+        <translation>Was ein Stufenkeil ergab, Ton für Ton: Tinte, Dichte, Exponent, Krümmung, größte Dehnung (dipwright-cli profile wedge).</translation>
+    </message>
 </context>
 <context>
     <name>Profiles</name>
@@ -2474,6 +2505,37 @@
     <message>
         <source>Tolerances</source>
         <translation>Toleranzen</translation>
+    </message>
+    <message>
+        <source>Thins by</source>
+        <translation>Wird dünner mit</translation>
+    </message>
+    <message>
+        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
+        <translation>Der Exponent n: mit der Dichte D gedruckte Tinte zeigt D·J^−n, wo der Film auf das J-fache seiner Fläche gedehnt ist. 1 für Farbstoff, 0 für Punkte, die alles hinter sich verdecken. Eine Schätzung, für Tinten ohne gemessene Töne.</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>cyan</comment>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <comment>magenta</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <comment>yellow</comment>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch. The film&apos;s profile gives it.</source>
+        <translation>Was ein Stufenkeil ergab, Ton für Ton: Tinte, Dichte, Exponent, Krümmung, größte Dehnung. Das Filmprofil gibt es vor.</translation>
     </message>
 </context>
 <context>
@@ -3862,6 +3924,13 @@
     </message>
 </context>
 <context>
+    <name>dipwright::DrawnPage</name>
+    <message>
+        <source>The page cannot be written: %1</source>
+        <translation>Die Seite kann nicht geschrieben werden: %1</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::EditController</name>
     <message>
         <source>Replace Model</source>
@@ -4882,6 +4951,37 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>The model names files that do not belong to its folder, such as %1, and is not read; put them beside it, or allow it to read them (--allow-outside)</source>
         <translation>Das Modell nennt Dateien, die nicht zu seinem Ordner gehören, etwa %1, und wird nicht gelesen; legen Sie sie daneben, oder erlauben Sie, sie zu lesen (--allow-outside)</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::InkLaw</name>
+    <message>
+        <source>A density is from %1 to %2; zero the densitometer on a place without ink, and leave that patch out</source>
+        <translation>Eine Dichte liegt zwischen %1 und %2; stellen Sie das Densitometer an einer Stelle ohne Tinte auf null und lassen Sie dieses Feld weg</translation>
+    </message>
+    <message>
+        <source>The film&apos;s area must have grown by %1 to %2 times to be a reading</source>
+        <translation>Für eine Messung muss die Fläche des Films auf das %1- bis %2-fache gewachsen sein</translation>
+    </message>
+    <message>
+        <source>The patch of density %1 thins as no ink does; see that its densities and stretches stand in the right rows</source>
+        <translation>Das Feld der Dichte %1 wird dünner als jede Tinte; prüfen Sie, ob Dichten und Dehnungen in den richtigen Zeilen stehen</translation>
+    </message>
+    <message>
+        <source>The tones must stand by ink, cyan, magenta, yellow</source>
+        <translation>Die Töne müssen nach Tinte stehen: Cyan, Magenta, Gelb</translation>
+    </message>
+    <message>
+        <source>The tones of an ink must stand from light to dense</source>
+        <translation>Die Töne einer Tinte müssen von hell nach dicht stehen</translation>
+    </message>
+    <message>
+        <source>Of the patches of density %1 and %2 the denser one would show less where film is stretched to %3; read both again</source>
+        <translation>Von den Feldern der Dichten %1 und %2 würde das dichtere weniger zeigen, wo der Film auf %3 gedehnt ist; messen Sie beide noch einmal</translation>
+    </message>
+    <message>
+        <source>A wedge has from 1 to %1 patches that were read on stretched film</source>
+        <translation>Ein Keil hat 1 bis %1 Felder, die auf gedehntem Film gemessen wurden</translation>
     </message>
 </context>
 <context>
@@ -8013,9 +8113,47 @@ mm je mm</translation>
         <source>Paper of %1 × %2 mm has no room for a chessboard with %3 corners; take a larger one</source>
         <translation>Papier von %1 × %2 mm hat keinen Platz für ein Schachbrett mit %3 Ecken; nehmen Sie ein größeres</translation>
     </message>
+</context>
+<context>
+    <name>dipwright::WedgePage</name>
     <message>
-        <source>The page cannot be written: %1</source>
-        <translation>Die Seite kann nicht geschrieben werden: %1</translation>
+        <source>Paper of %1 × %2 mm has no room for the wedge; take a larger one</source>
+        <translation>Auf Papier von %1 × %2 mm hat der Keil keinen Platz; nehmen Sie ein größeres</translation>
+    </message>
+    <message>
+        <source>Ink wedge: print this on the film as a sheet is printed</source>
+        <translation>Tintenkeil: wie einen Bogen auf den Film drucken</translation>
+    </message>
+    <message>
+        <source>1. Zero the densitometer on unprinted film. Read every patch before the dip.</source>
+        <translation>1. Densitometer auf unbedrucktem Film auf null stellen. Jedes Feld vor dem Tauchen messen.</translation>
+    </message>
+    <message>
+        <source>2. Stretch the film: on a body, or floating, by hand. Measure both rulers; %1 mm is no stretch.</source>
+        <translation>2. Film dehnen: auf einem Körper oder schwimmend von Hand. Beide Lineale messen; %1 mm heißt ungedehnt.</translation>
+    </message>
+    <message>
+        <source>3. Read every patch again. Best at three or four stretches up to the job&apos;s.</source>
+        <translation>3. Jedes Feld noch einmal messen. Am besten bei drei oder vier Dehnungen bis zu der des Auftrags.</translation>
+    </message>
+    <message>
+        <source>Date %1   Lot %2</source>
+        <translation>Datum %1   Charge %2</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::WedgeTable</name>
+    <message>
+        <source>The table of a wedge begins with the line %1 and has at most %2 lines</source>
+        <translation>Die Tabelle eines Keils beginnt mit der Zeile %1 und hat höchstens %2 Zeilen</translation>
+    </message>
+    <message>
+        <source>Line %1 of the wedge is not an ink (cyan, magenta, yellow or grey) and five numbers, joined by commas</source>
+        <translation>Zeile %1 des Keils ist nicht eine Tinte (cyan, magenta, yellow oder grey) und fünf Zahlen, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>“%1” is no tone of an ink, which is its name, density, exponent, bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9</source>
+        <translation>„%1“ ist kein Ton einer Tinte, also ihr Name, Dichte, Exponent, Krümmung und größte Dehnung, wie cyan 0.3 0.48 0.1 2.9</translation>
     </message>
 </context>
 <context>

@@ -1500,6 +1500,37 @@
         <source>The relaxation time that photos of a dipped part gave.</source>
         <translation>O tempo de relaxação que fotos de uma peça imersa deram.</translation>
     </message>
+    <message>
+        <source>Ink thins by</source>
+        <translation>A tinta afina por</translation>
+    </message>
+    <message>
+        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
+        <translation>O expoente n: tinta impressa com densidade D mostra D·J^−n onde o filme está estirado a J vezes a sua área. 1 para corante, 0 para pontos que escondem o que está atrás. Uma estimativa, usada para tintas sem tons medidos.</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>cyan</comment>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <comment>magenta</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <comment>yellow</comment>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Ink, measured</source>
+        <translation>Tinta, medida</translation>
+    </message>
+    <message>
+        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
+        <translation>O que uma cunha de tons mostrou, tom a tom: tinta, densidade, expoente, curvatura, maior estiramento (dipwright-cli profile wedge).</translation>
+    </message>
 </context>
 <context>
     <name>Profiles</name>
@@ -2474,6 +2505,37 @@
     <message>
         <source>Tolerances</source>
         <translation>Tolerâncias</translation>
+    </message>
+    <message>
+        <source>Thins by</source>
+        <translation>Afina por</translation>
+    </message>
+    <message>
+        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
+        <translation>O expoente n: tinta impressa com densidade D mostra D·J^−n onde o filme está estirado a J vezes a sua área. 1 para corante, 0 para pontos que escondem o que está atrás. Uma estimativa, usada para tintas sem tons medidos.</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>cyan</comment>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <comment>magenta</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <comment>yellow</comment>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Medido</translation>
+    </message>
+    <message>
+        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch. The film&apos;s profile gives it.</source>
+        <translation>O que uma cunha de tons mostrou, tom a tom: tinta, densidade, expoente, curvatura, maior estiramento. Vem do perfil do filme.</translation>
     </message>
 </context>
 <context>
@@ -3862,6 +3924,13 @@
     </message>
 </context>
 <context>
+    <name>dipwright::DrawnPage</name>
+    <message>
+        <source>The page cannot be written: %1</source>
+        <translation>A página não pode ser escrita: %1</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::EditController</name>
     <message>
         <source>Replace Model</source>
@@ -4882,6 +4951,37 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>The model names files that do not belong to its folder, such as %1, and is not read; put them beside it, or allow it to read them (--allow-outside)</source>
         <translation>O modelo cita arquivos que não pertencem à sua pasta, como %1, e não é lido; coloque-os ao lado dele ou permita que sejam lidos (--allow-outside)</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::InkLaw</name>
+    <message>
+        <source>A density is from %1 to %2; zero the densitometer on a place without ink, and leave that patch out</source>
+        <translation>Uma densidade vai de %1 a %2; zere o densitômetro num lugar sem tinta e deixe essa amostra de fora</translation>
+    </message>
+    <message>
+        <source>The film&apos;s area must have grown by %1 to %2 times to be a reading</source>
+        <translation>Para ser uma leitura, a área do filme precisa ter crescido de %1 a %2 vezes</translation>
+    </message>
+    <message>
+        <source>The patch of density %1 thins as no ink does; see that its densities and stretches stand in the right rows</source>
+        <translation>A amostra de densidade %1 afina como nenhuma tinta; veja se as densidades e os estiramentos estão nas linhas certas</translation>
+    </message>
+    <message>
+        <source>The tones must stand by ink, cyan, magenta, yellow</source>
+        <translation>Os tons devem estar por tinta: ciano, magenta, amarelo</translation>
+    </message>
+    <message>
+        <source>The tones of an ink must stand from light to dense</source>
+        <translation>Os tons de uma tinta devem ir do claro ao denso</translation>
+    </message>
+    <message>
+        <source>Of the patches of density %1 and %2 the denser one would show less where film is stretched to %3; read both again</source>
+        <translation>Das amostras de densidade %1 e %2 a mais densa mostraria menos onde o filme está estirado a %3; leia as duas de novo</translation>
+    </message>
+    <message>
+        <source>A wedge has from 1 to %1 patches that were read on stretched film</source>
+        <translation>Uma cunha tem de 1 a %1 amostras lidas em filme estirado</translation>
     </message>
 </context>
 <context>
@@ -8013,9 +8113,47 @@ mm por mm</translation>
         <source>Paper of %1 × %2 mm has no room for a chessboard with %3 corners; take a larger one</source>
         <translation>Papel de %1 × %2 mm não tem espaço para um tabuleiro com %3 cantos; use um maior</translation>
     </message>
+</context>
+<context>
+    <name>dipwright::WedgePage</name>
     <message>
-        <source>The page cannot be written: %1</source>
-        <translation>A página não pode ser gravada: %1</translation>
+        <source>Paper of %1 × %2 mm has no room for the wedge; take a larger one</source>
+        <translation>Papel de %1 × %2 mm não tem espaço para a cunha; use um maior</translation>
+    </message>
+    <message>
+        <source>Ink wedge: print this on the film as a sheet is printed</source>
+        <translation>Cunha de tinta: imprima no filme como se imprime uma folha</translation>
+    </message>
+    <message>
+        <source>1. Zero the densitometer on unprinted film. Read every patch before the dip.</source>
+        <translation>1. Zere o densitômetro em filme sem impressão. Leia cada amostra antes da imersão.</translation>
+    </message>
+    <message>
+        <source>2. Stretch the film: on a body, or floating, by hand. Measure both rulers; %1 mm is no stretch.</source>
+        <translation>2. Estire o filme: num corpo, ou flutuando, à mão. Meça as duas réguas; %1 mm é sem estiramento.</translation>
+    </message>
+    <message>
+        <source>3. Read every patch again. Best at three or four stretches up to the job&apos;s.</source>
+        <translation>3. Leia cada amostra de novo. Melhor com três ou quatro estiramentos até o do trabalho.</translation>
+    </message>
+    <message>
+        <source>Date %1   Lot %2</source>
+        <translation>Data %1   Lote %2</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::WedgeTable</name>
+    <message>
+        <source>The table of a wedge begins with the line %1 and has at most %2 lines</source>
+        <translation>A tabela de uma cunha começa com a linha %1 e tem no máximo %2 linhas</translation>
+    </message>
+    <message>
+        <source>Line %1 of the wedge is not an ink (cyan, magenta, yellow or grey) and five numbers, joined by commas</source>
+        <translation>A linha %1 da cunha não é uma tinta (cyan, magenta, yellow ou grey) e cinco números, separados por vírgulas</translation>
+    </message>
+    <message>
+        <source>“%1” is no tone of an ink, which is its name, density, exponent, bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9</source>
+        <translation>“%1” não é um tom de tinta, que é nome, densidade, expoente, curvatura e maior estiramento, como cyan 0.3 0.48 0.1 2.9</translation>
     </message>
 </context>
 <context>

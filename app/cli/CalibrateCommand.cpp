@@ -4,8 +4,12 @@
 #include "disk/WholeFile.h"
 #include "printing/Calibration.h"
 #include "sheet/WatchPage.h"
+#include "sheet/WedgePage.h"
+#include "texture/LinearLight.h"
+#include "texture/WedgeTable.h"
 
 #include <QRegularExpression>
+#include <cmath>
 
 namespace dipwright::cli {
 namespace {
@@ -87,15 +91,16 @@ void tellLengths(const CalibrationPage& page, QTextStream& out) {
 
 BoardKind boardKind(const QString& word) {
     if (word != QLatin1String("film") && word != QLatin1String("card")) {
-        throw UsageError(QStringLiteral("There is no such page, choose film or card"), word);
+        throw UsageError(QStringLiteral("There is no such page, choose film, card or wedge"), word);
     }
     return word == QLatin1String("film") ? BoardKind::Film : BoardKind::Card;
 }
 
 // A page of the film watch, into a file.
-void writeWatchPage(const QCommandLineParser& parser, QTextStream& out) {
+void writeWatchPage(const QString& kind, const QCommandLineParser& parser, const QString& path,
+                    QTextStream& out) {
     WatchPage page;
-    page.kind = boardKind(parser.positionalArguments().value(0));
+    page.kind = boardKind(kind);
     const QString paper = parser.isSet(paperOption)      ? parser.value(paperOption)
                           : page.kind == BoardKind::Film ? QStringLiteral("A4")
                                                          : QStringLiteral("A5");
@@ -107,12 +112,6 @@ void writeWatchPage(const QCommandLineParser& parser, QTextStream& out) {
             ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
         page.scaleX = printer.scaleX;
         page.scaleY = printer.scaleY;
-    }
-    const QString path =
-        pictureOption(parser, toOption, {QStringLiteral(".pdf"), QStringLiteral(".png")});
-    if (path.isEmpty()) {
-        throw UsageError(QStringLiteral("Say where the page goes with --to FILE.pdf or FILE.png"),
-                         QStringLiteral("--to"));
     }
     const WatchBoard board = watchBoard(page);
     writeWhole(path, [&](QIODevice& device) {
@@ -129,6 +128,73 @@ void writeWatchPage(const QCommandLineParser& parser, QTextStream& out) {
                .arg(watchRuler);
 }
 
+QColor patchColour(ProcessInk ink, double density) {
+    QColor colour(Qt::white);
+    const auto value = float(srgbFromLinear(std::pow(10, -density)));
+    switch (ink) {
+    case ProcessInk::Cyan:
+        colour.setRedF(value);
+        break;
+    case ProcessInk::Magenta:
+        colour.setGreenF(value);
+        break;
+    case ProcessInk::Yellow:
+        colour.setBlueF(value);
+        break;
+    }
+    return colour;
+}
+
+// The step wedge, and beside it the table for its readings.
+void writeWedgePage(const QCommandLineParser& parser, const QString& path, QTextStream& out) {
+    WedgePage page;
+    page.paper = paperSize(parser.value(paperOption));
+    page.lot = parser.value(lotOption);
+    page.date = parser.value(dateOption);
+    if (parser.isSet(profileOption)) {
+        const auto printer = std::get<PrinterProfile>(
+            ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
+        page.scaleX = printer.scaleX;
+        page.scaleY = printer.scaleY;
+    }
+    for (const double tone : wedgeTones) {
+        page.tones.append(QString::number(tone));
+    }
+    for (const ProcessInk ink : {ProcessInk::Cyan, ProcessInk::Magenta, ProcessInk::Yellow}) {
+        WedgeRow row{inkName(ink), {}};
+        for (const double tone : wedgeTones) {
+            row.patches.push_back(patchColour(ink, tone));
+        }
+        page.rows.push_back(row);
+    }
+    writeWhole(path, [&](QIODevice& device) {
+        path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)
+            ? writeWedgePng(page, DotsPerInch(600), device)
+            : writeWedgePdf(page, device);
+    });
+    const QString table = path.left(path.lastIndexOf(u'.')) + QStringLiteral(".csv");
+    writeWhole(table, [](QIODevice& device) { device.write(blankWedge(4)); });
+    out << QStringLiteral("Wrote %1 and, for its readings, %2; both rulers are %3 mm long before "
+                          "the film is stretched\n")
+               .arg(path, table)
+               .arg(wedgeRuler);
+}
+
+void writePage(const QCommandLineParser& parser, QTextStream& out) {
+    const QString path =
+        pictureOption(parser, toOption, {QStringLiteral(".pdf"), QStringLiteral(".png")});
+    const QString kind = parser.positionalArguments().value(0);
+    const bool isWedge = kind == QLatin1String("wedge");
+    if (!isWedge) {
+        boardKind(kind);
+    }
+    if (path.isEmpty()) {
+        throw UsageError(QStringLiteral("Say where the page goes with --to FILE.pdf or FILE.png"),
+                         QStringLiteral("--to"));
+    }
+    isWedge ? writeWedgePage(parser, path, out) : writeWatchPage(kind, parser, path, out);
+}
+
 class CalibrateCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("calibrate"); }
@@ -140,10 +206,11 @@ public:
 
     void declare(CommandSyntax& syntax) const override {
         syntax.addPositionalArgument(
-            QStringLiteral("[film | card]"),
-            QStringLiteral("In place of the rulers: the chessboard to print on a film, or the card "
-                           "that lies beside it on the water. With --to FILE.pdf or FILE.png; "
-                           "--profile corrects its scale."));
+            QStringLiteral("[film | card | wedge]"),
+            QStringLiteral("In place of the rulers: the chessboard to print on a film, the card "
+                           "that lies beside it on the water, or the step wedge that tells how ink "
+                           "thins on stretched film, with a table for its readings. With --to "
+                           "FILE.pdf or FILE.png; --profile corrects its scale."));
         declarePrinter(syntax);
         syntax.addOption({paperOption, QStringLiteral("A5, A4, A3, A2 or Letter."),
                           QStringLiteral("PAPER"), QStringLiteral("A4")});
@@ -164,7 +231,7 @@ public:
 
     void run(const QCommandLineParser& parser, Console& console) const override {
         if (parser.positionalArguments().size() == 1) {
-            writeWatchPage(parser, console.out());
+            writePage(parser, console.out());
             return;
         }
         requireNoPositionalArgument(parser);

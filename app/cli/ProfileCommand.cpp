@@ -5,6 +5,7 @@
 #include "project/ProfileLibrary.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
+#include "texture/WedgeTable.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -140,6 +141,36 @@ void remove(Words words, QTextStream& out) {
     out << QStringLiteral("Removed the %1 profile %2\n").arg(profileKindName(kind), name);
 }
 
+// The thinning of ink by a step wedge's readings, into a film's profile.
+void takeWedge(Words words, QTextStream& out) {
+    const QString name = words.take(QStringLiteral("NAME"));
+    const QString path = words.take(QStringLiteral("READINGS.csv"));
+    words.finish();
+    const ProfileLibrary library;
+    const std::optional<Profile> known = library.found(ProfileKind::Film, name);
+    FilmProfile film;
+    if (known) {
+        film = std::get<FilmProfile>(*known);
+    }
+    film.name = name;
+    const FittedInk fitted = fitInk(readWedge(readSmallFile(path, mostWedgeBytes), path), path);
+    film.ink.tones = fitted.law.tones;
+    library.save(film, known);
+    out << QStringLiteral("Ink      density   exponent       bend   up to stretch\n");
+    for (const InkTone& tone : fitted.law.tones) {
+        out << QStringLiteral("%1 %2 %3 %4 %5\n")
+                   .arg(inkName(tone.ink), -8)
+                   .arg(tone.density, 7, 'f', 2)
+                   .arg(tone.exponent, 10, 'f', 3)
+                   .arg(tone.bend, 10, 'f', 3)
+                   .arg(tone.mostStretch, 15, 'f', 2);
+    }
+    out << QStringLiteral("No reading is further than %1 of density from this. Saved in the film "
+                          "profile %2\n")
+               .arg(fitted.worst, 0, 'f', 3)
+               .arg(name);
+}
+
 void use(Words words, QTextStream& out) {
     const ProfileKind kind = words.takeKind();
     const QString name = words.take(QStringLiteral("NAME"));
@@ -164,10 +195,12 @@ public:
         syntax.addPositionalArgument(
             QStringLiteral(
                 "list | show KIND NAME | set KIND NAME | import FILE | export KIND NAME FILE | "
-                "remove KIND NAME | use KIND NAME JOB.dipw"),
+                "remove KIND NAME | use KIND NAME JOB.dipw | wedge NAME READINGS.csv"),
             QStringLiteral(
                 "What to do. KIND is printer, film or tank. `set` changes a profile or makes a new "
-                "one, `use` takes it over into a project, which keeps its own copy."));
+                "one, `use` takes it over into a project, which keeps its own copy, `wedge` "
+                "fits how ink thins to the readings of a step wedge (`calibrate wedge`) and keeps "
+                "it in a film's profile."));
         syntax.addOption({setOption,
                           QStringLiteral("For `set`: a value by its path in the profile, such as "
                                          "scale=1.004;0.997. May be repeated."),
@@ -193,6 +226,8 @@ public:
             exportOne(words, out);
         } else if (action == QLatin1String("remove")) {
             remove(words, out);
+        } else if (action == QLatin1String("wedge")) {
+            takeWedge(words, out);
         } else if (action == QLatin1String("use")) {
             use(words, out);
         } else {

@@ -1,10 +1,20 @@
 #include "dip/PaintedStretch.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <span>
 
 namespace dipwright {
 
 namespace {
+
+// Of triangles that say how painted film is stretched at its last points and past them: the further
+// away these are, the wider, or one triangle's error tilts the function.
+constexpr int rimRings = 2, beyondRings = 3;
 
 // A constraint that is a side of painted film: its ends and its stretch.
 struct PaintedConstraint {
@@ -99,21 +109,136 @@ std::vector<std::uint8_t> paintedPoints(const std::vector<FilmTriangle>& triangl
     return painted;
 }
 
-// Just past the limit of contact film would be stretched as it is before it.
-void continueToLimit(std::vector<float>& stretches, const std::vector<std::uint8_t>& isPainted,
-                     const std::vector<FilmTriangle>& triangles, const FilmContact& contact) {
-    for (const auto& [triangle, limit] : contact.limits) {
-        float sum = 0;
-        int known = 0;
-        for (const std::uint32_t point : triangles[triangle]) {
-            sum += isPainted[point] ? stretches[point] : 0;
-            known += isPainted[point] ? 1 : 0;
+// J of painted film as a linear function of the flat film round a point: the mean of the triangles
+// round it has no first-order error where these lie on all sides of it, and half a cell's worth
+// where they lie on one. At the end of the painted film J grows fastest, and there they do.
+class StretchAtRim {
+public:
+    StretchAtRim(const DippedFilm& film, const std::vector<FilmTriangle>& triangles,
+                 const std::vector<PrincipalStretch>& stretches, const FilmContact& contact)
+        : film_(film), triangles_(triangles), stretches_(stretches), contact_(contact),
+          first_(film.grid.pointCount() + 1), roundPoints_(3 * triangles.size()) {
+        for (const FilmTriangle& corners : triangles) {
+            for (const std::uint32_t point : corners) {
+                ++first_[point + 1];
+            }
         }
-        for (const std::uint32_t point : triangles[triangle]) {
-            stretches[point] =
-                isPainted[point] || known == 0 ? stretches[point] : sum / float(known);
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+        for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle) {
+            for (const std::uint32_t point : triangles[triangle]) {
+                roundPoints_[next[point]++] = triangle;
+            }
         }
     }
+
+    // Whether film round the point is painted on some sides only.
+    bool isAtRim(std::uint32_t point) const {
+        const auto round = trianglesAt(point);
+        return std::any_of(round.begin(), round.end(),
+                           [&](std::uint32_t triangle) { return contact_.painted[triangle] == 0; });
+    }
+    // The linear function through the painted triangles in so many rings round the painted points
+    // `known`, at `point`, as far as there is one; `areas`: the means of the triangles round
+    // points.
+    float at(std::uint32_t point, const std::set<std::uint32_t>& known, int rings,
+             const std::vector<float>& areas) const {
+        float mean = 0;
+        for (const std::uint32_t near : known) {
+            mean += areas[near] / float(known.size());
+        }
+        std::set<std::uint32_t> patch, points = known;
+        for (int ring = 0; ring < rings; ++ring) {
+            for (const std::uint32_t near : points) {
+                patch.merge(paintedAt(near));
+            }
+            for (const std::uint32_t triangle : patch) {
+                points.insert(triangles_[triangle].begin(), triangles_[triangle].end());
+            }
+        }
+        return linear(patch, point, mean);
+    }
+
+private:
+    std::span<const std::uint32_t> trianglesAt(std::uint32_t point) const {
+        return std::span(roundPoints_).subspan(first_[point], first_[point + 1] - first_[point]);
+    }
+    std::set<std::uint32_t> paintedAt(std::uint32_t point) const {
+        std::set<std::uint32_t> painted;
+        for (const std::uint32_t triangle : trianglesAt(point)) {
+            if (contact_.painted[triangle]) {
+                painted.insert(triangle);
+            }
+        }
+        return painted;
+    }
+    // Least squares; no further beyond what the triangles have than these lie apart, and no nearer
+    // to it than the share of their differences that it explains: else `mean`.
+    float linear(const std::set<std::uint32_t>& patch, std::uint32_t point, float mean) const {
+        const Eigen::Vector2d origin = restPosition(film_.grid, point).cast<double>();
+        Eigen::MatrixX3d places(Eigen::Index(patch.size()), 3);
+        Eigen::VectorXd areas(Eigen::Index(patch.size()));
+        Eigen::Index row = 0;
+        for (const std::uint32_t triangle : patch) {
+            Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+            for (const std::uint32_t corner : triangles_[triangle]) {
+                middle += restPosition(film_.grid, corner).cast<double>() / 3;
+            }
+            places.row(row) << 1, (middle - origin).transpose();
+            areas[row++] = double(stretches_[triangle].area());
+        }
+        const double least = areas.minCoeff(), most = areas.maxCoeff();
+        const Eigen::Vector3d fit = places.completeOrthogonalDecomposition().solve(areas);
+        const double spread = (areas.array() - areas.mean()).square().sum();
+        const double left = (areas - places * fit).squaredNorm();
+        const double explained = spread > 0 ? std::sqrt(std::max(0.0, 1 - left / spread)) : 1;
+        const double there =
+            std::clamp(fit[0], std::max(2 * least - most, least / 2), 2 * most - least);
+        return float(mean + explained * (there - double(mean)));
+    }
+
+    const DippedFilm& film_;
+    const std::vector<FilmTriangle>& triangles_;
+    const std::vector<PrincipalStretch>& stretches_;
+    const FilmContact& contact_;
+    std::vector<std::uint32_t> first_;       // a point each, and one more, into …
+    std::vector<std::uint32_t> roundPoints_; // … the triangles that meet in it
+};
+
+// J at the last painted points, and at those just past the limit of contact as if the film went on.
+std::vector<float> continuedToLimit(const std::vector<float>& means,
+                                    const std::vector<std::uint8_t>& isPainted,
+                                    const std::vector<FilmTriangle>& triangles,
+                                    const FilmContact& contact, const StretchAtRim& rim) {
+    std::vector<float> areas = means;
+    for (std::uint32_t point = 0; point < areas.size(); ++point) {
+        if (isPainted[point] && rim.isAtRim(point)) {
+            areas[point] = rim.at(point, {point}, rimRings, means);
+        }
+    }
+    std::map<std::uint32_t, std::set<std::uint32_t>> beyond; // and the painted points nearest to it
+    for (bool grows = true; grows;) {
+        const auto nearer = beyond;
+        for (const auto& [triangle, limit] : contact.limits) {
+            for (const std::uint32_t point : triangles[triangle]) {
+                for (const std::uint32_t other : triangles[triangle]) {
+                    if (isPainted[point] || nearer.contains(point)) {
+                        continue;
+                    }
+                    if (isPainted[other]) {
+                        beyond[point].insert(other);
+                    } else if (const auto known = nearer.find(other); known != nearer.end()) {
+                        beyond[point].insert(known->second.begin(), known->second.end());
+                    }
+                }
+            }
+        }
+        grows = beyond.size() > nearer.size();
+    }
+    for (const auto& [point, known] : beyond) {
+        areas[point] = rim.at(point, known, beyondRings, means);
+    }
+    return areas;
 }
 
 Wrinkling wrinkling(const DippedFilm& film, const std::vector<FilmTriangle>& triangles,
@@ -157,9 +282,10 @@ PaintedStretch paintedStretch(const DippedFilm& film, const std::vector<FilmTria
             result.areas.push_back(stretches[triangle].area());
         }
     }
-    result.pointAreas = meanOfTriangles(
+    const std::vector<float> means = meanOfTriangles(
         triangles, contact, [&](std::size_t triangle) { return stretches[triangle].area(); });
-    continueToLimit(result.pointAreas, result.points, triangles, contact);
+    result.pointAreas = continuedToLimit(means, result.points, triangles, contact,
+                                         StretchAtRim(film, triangles, stretches, contact));
     result.wrinkling = wrinkling(film, triangles, stretches, contact);
     return result;
 }

@@ -26,8 +26,9 @@ struct PaintedStretch {
     std::vector<float> constraints, pointMeans;
     // Area stretch J of the painted film triangles, and for each film point the mean of those round
     // it, so that the ink's density, which is reckoned with it, does not jump from triangle to
-    // triangle. Points just past the limit of contact are stretched as the film before it; 1 where
-    // no painted film is near.
+    // triangle. Where these lie on one side only, and at points past the limit of contact, it tends
+    // to what a linear function through the painted triangles near by says there (patch recovery,
+    // Zienkiewicz & Zhu 1992), as far as one explains them; 1 where no film that paints is near.
     std::vector<float> areas, pointAreas;
     Wrinkling wrinkling;
 };

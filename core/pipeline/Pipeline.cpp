@@ -295,7 +295,7 @@ QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& imme
     }
     const TextureInputs& inputs = immersions.front().inputs.texture;
     ProofOptions options;
-    options.compensatedInk = inputs.isReversed() && inputs.ink.compensate;
+    options.ink = inputs.printedInk();
     return proofPicture(stage, films, options, progress);
 }
 

@@ -248,7 +248,8 @@ QJsonObject filmJson(const Project& project) {
     const auto word = [](bool measured) { return measured ? "measured" : "guessed"; };
     return {{"swell", word(hasMeasuredSwell(project.film, project.profiles))},
             {"growth", word(hasMeasuredGrowth(project.film, project.profiles))},
-            {"relaxation", word(hasMeasuredRelaxation(project.film, project.profiles))}};
+            {"relaxation", word(hasMeasuredRelaxation(project.film, project.profiles))},
+            {"ink", word(hasMeasuredInk(project.ink, project.profiles))}};
 }
 
 // How much of the film the dips use, and a format that would do.

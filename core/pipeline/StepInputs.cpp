@@ -4,6 +4,12 @@
 
 namespace dipwright {
 
+InkSettings TextureInputs::printedInk() const {
+    InkSettings printed = ink;
+    printed.compensate = ink.compensate && isReversed();
+    return printed;
+}
+
 BodyInputs bodyInputs(const Project& project, std::size_t number) {
     return {project.model, project.immersions[number].rotation};
 }

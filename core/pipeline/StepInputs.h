@@ -53,6 +53,8 @@ struct TextureInputs {
     bool chessboard = false;
     QImage filmImage;
     bool isReversed() const { return !chessboard && filmImage.isNull(); }
+    // Whether and how the picture's ink was compensated: a given picture's was not.
+    InkSettings printedInk() const;
     bool operator==(const TextureInputs&) const = default;
 };
 

@@ -4,6 +4,7 @@
 
 #include "base/Units.h"
 #include "project/Field.h"
+#include "texture/WedgeTable.h"
 
 #include <QJsonArray>
 #include <cmath>
@@ -105,6 +106,18 @@ Field<Owner> text(const char* path, int maximumLength, Access access) {
             {FieldKind::Text, 1, false, 0, double(maximumLength)},
             [access](const Owner& owner) { return QJsonValue(access(owner)); },
             [access](Owner& owner, const QJsonValue& value) { access(owner) = value.toString(); }};
+}
+
+// The tones of inks, which were measured (texture/WedgeTable.h).
+template <typename Owner = Project, typename Access>
+Field<Owner> inkTonesField(const char* path, Access access) {
+    constexpr int longestTones = 20'000;
+    return {QString::fromLatin1(path),
+            {FieldKind::Text, 1, false, 0, longestTones},
+            [access](const Owner& owner) { return QJsonValue(inkTonesText(access(owner))); },
+            [access, path](Owner& owner, const QJsonValue& value) {
+                access(owner) = inkTones(value.toString(), QString::fromLatin1(path));
+            }};
 }
 
 template <typename Owner = Project, typename Access>

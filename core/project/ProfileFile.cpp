@@ -164,6 +164,11 @@ const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
             choice<P>(
                 "feed", {QStringLiteral("short edge first"), QStringLiteral("long edge first")},
                 [](auto& p) -> auto& { return p.feed; }),
+            numbers<P>(
+                "ink_exponents", inkCount, 0, mostInkExponent,
+                [](auto& p, int part) -> auto& { return p.ink.exponents[std::size_t(part)]; }),
+            inkTonesField<P>(
+                "ink_tones", [](auto& p) -> auto& { return p.ink.tones; }),
             number<P>(
                 "soak_time_s", 0, 3600, [](auto& p) -> auto& { return p.soakTime; }),
             number<P>(

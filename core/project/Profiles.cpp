@@ -35,6 +35,7 @@ void apply(Project& project, const FilmProfile& film) {
     project.film.growthLimit = film.growthLimit;
     project.film.gripFade = film.gripFade;
     project.film.gatheringStretch = film.gatheringStretch;
+    project.ink.law = film.ink;
     project.process.overhang = film.overhang.value_or(project.process.overhang);
     project.process.tearStretch = film.tearStretch.value_or(project.process.tearStretch);
     project.profiles.film = film;
@@ -88,6 +89,11 @@ bool hasMeasuredRelaxation(const FilmSettings& film, const ProjectProfiles& prof
     const auto& known = profiles.film;
     return known && !known->measured.date.isEmpty() &&
            film.relaxationTime.value() == known->measured.relaxationTime;
+}
+
+bool hasMeasuredInk(const InkSettings& ink, const ProjectProfiles& profiles) {
+    const auto& known = profiles.film;
+    return known && !known->ink.tones.empty() && ink.law == known->ink;
 }
 
 QString expiryWarning(const std::optional<FilmProfile>& film) {

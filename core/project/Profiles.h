@@ -7,6 +7,7 @@
 #include "base/Units.h"
 #include "film/FilmSettings.h"
 #include "sheet/PrinterColour.h"
+#include "texture/Ink.h"
 
 #include <QByteArray>
 #include <QJsonObject>
@@ -62,6 +63,7 @@ struct FilmProfile {
     // None: as the project has them.
     std::optional<Degrees> overhang;
     std::optional<double> tearStretch;
+    InkLaw ink; // how ink thins on it; tones were measured by a step wedge
     FeedDirection feed = FeedDirection::ShortEdgeFirst;
     Seconds soakTime{60};      // on the water before the activator
     Seconds activatorTime{10}; // from the activator to the dip
@@ -113,6 +115,8 @@ void applyProfile(Project& project, const Profile& profile);
 bool hasMeasuredSwell(const FilmSettings& film, const ProjectProfiles& profiles);
 bool hasMeasuredGrowth(const FilmSettings& film, const ProjectProfiles& profiles);
 bool hasMeasuredRelaxation(const FilmSettings& film, const ProjectProfiles& profiles);
+// Whether the ink thins as a step wedge on this film told.
+bool hasMeasuredInk(const InkSettings& ink, const ProjectProfiles& profiles);
 
 // A sentence where the film has expired by today, else empty.
 QString expiryWarning(const std::optional<FilmProfile>& film);

@@ -201,6 +201,11 @@ void addSheetFields(std::vector<Field<Project>>& fields) {
         "ink.compensate", [](auto& p) -> auto& { return p.ink.compensate; }));
     fields.push_back(number(
         "ink.limit", 0.1, 10, [](auto& p) -> auto& { return p.ink.limit; }));
+    fields.push_back(numbers(
+        "ink.exponents", inkCount, 0, mostInkExponent,
+        [](auto& p, int part) -> auto& { return p.ink.law.exponents[std::size_t(part)]; }));
+    fields.push_back(inkTonesField(
+        "ink.tones", [](auto& p) -> auto& { return p.ink.law.tones; }));
 }
 
 void addShareFields(std::vector<Field<Project>>& fields) {

@@ -65,10 +65,10 @@ private:
 // One immersion's paint on the body.
 class PaintedFilm {
 public:
-    PaintedFilm(const WornFilm& worn, bool compensatedInk)
-        : laid_(worn.laid), picture_(worn.image, worn.laid->film().grid),
-          ink_({compensatedInk, InkSettings().limit}), compensatedInk_(compensatedInk),
-          slip_(worn.slip), highest_(float(worn.depth - worn.slip.lessDeep.value())) {}
+    PaintedFilm(const WornFilm& worn, const InkSettings& ink)
+        : laid_(worn.laid), picture_(worn.image, worn.laid->film().grid), ink_(ink),
+          isCompensated_(ink.compensate), slip_(worn.slip),
+          highest_(float(worn.depth - worn.slip.lessDeep.value())) {}
 
     // The light that its ink lets through at a place of the body, and how much of it is there.
     FilmPicture::Paint at(const SurfacePoint& point) const {
@@ -79,7 +79,7 @@ public:
         FilmPicture::Paint paint = picture_.at(printedAt(place->rest));
         if (paint.cover > 0) {
             paint.colour /= paint.cover;
-            if (compensatedInk_) {
+            if (isCompensated_) {
                 paint.colour = ink_.shown(paint.colour, areaStretch(*place));
             }
             paint.colour = picture_.inSrgb(paint.colour);
@@ -119,14 +119,14 @@ private:
     std::shared_ptr<const LaidFilm> laid_;
     FilmPicture picture_;
     InkCompensation ink_;
-    bool compensatedInk_;
+    bool isCompensated_;
     FilmSlip slip_;
     float highest_; // in the pose frame, that gets wet
 };
 
-PaintedBody::PaintedBody(const std::vector<WornFilm>& films, bool compensatedInk) {
+PaintedBody::PaintedBody(const std::vector<WornFilm>& films, const InkSettings& ink) {
     for (const WornFilm& worn : films) {
-        films_.push_back(std::make_unique<const PaintedFilm>(worn, compensatedInk));
+        films_.push_back(std::make_unique<const PaintedFilm>(worn, ink));
     }
 }
 
@@ -154,8 +154,8 @@ std::optional<std::uint8_t> PaintedBody::marks(const SurfacePoint& point) const 
 }
 
 std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<WornFilm>& films,
-                                 bool compensatedInk) {
-    const PaintedBody painted(films, compensatedInk);
+                                 const InkSettings& ink) {
+    const PaintedBody painted(films, ink);
     std::vector<QRgb> colours(body.mesh().triangles.size());
     parallelFor(std::size_t(0), colours.size(), [&](std::size_t triangle) {
         const LinearColour colour = painted.colour(body.middle(triangle));

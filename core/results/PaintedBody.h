@@ -13,8 +13,8 @@ class PaintedFilm;
 // Keeps the films. Any thread may read.
 class PaintedBody {
 public:
-    // `compensatedInk`: the images hold D·J.
-    PaintedBody(const std::vector<WornFilm>& films, bool compensatedInk);
+    // `ink`: by which the images were compensated, if they were.
+    PaintedBody(const std::vector<WornFilm>& films, const InkSettings& ink);
     ~PaintedBody();
 
     // The bare body, or the films' ink on white. Densities add up: light goes through them all.

@@ -89,11 +89,11 @@ struct WornFilm {
 // What the films give the body, by the middles of the fine triangles: a colour each, as the proof
 // has it in white light. All cores.
 std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<WornFilm>& films,
-                                 bool compensatedInk);
+                                 const InkSettings& ink);
 
 struct ProofOptions {
-    QSize tile{640, 640};       // one view's pixels
-    bool compensatedInk = true; // the images hold D·J: show D
+    QSize tile{640, 640}; // one view's pixels
+    InkSettings ink = {}; // by which the images were compensated, if they were
 };
 
 // A body on a light table, ready to be shown in proofs: what is the same whatever film it wears.

@@ -1,8 +1,7 @@
 #include "sheet/WatchPage.h"
 
 #include "base/Error.h"
-#include "base/Png.h"
-#include "sheet/PdfDocument.h"
+#include "sheet/DrawnPage.h"
 #include "sheet/Sheet.h"
 #include "sheet/SheetInk.h"
 
@@ -90,6 +89,13 @@ void paintRulers(QPainter& painter, const WatchPage& page, const WatchBoard& boa
     paintRuler(painter, {{rulerInset, bottom}, -90, size, false});
 }
 
+// Throws Error where the paper is too small.
+DrawnPage drawnPage(const WatchPage& page) {
+    watchBoard(page);
+    return {titleOf(page), page.paper, page.scaleX, page.scaleY,
+            [page](QPainter& painter) { paintWatchPage(painter, page); }};
+}
+
 } // namespace
 
 WatchBoard watchBoard(const WatchPage& page) {
@@ -133,33 +139,11 @@ void paintWatchPage(QPainter& painter, const WatchPage& page) {
 }
 
 void writeWatchPdf(const WatchPage& page, QIODevice& device) {
-    watchBoard(page);
-    PdfSettings settings;
-    settings.title = titleOf(page);
-    const auto paint = [&](QPainter& painter) {
-        correctScale(painter, page.paper, {page.scaleX, page.scaleY});
-        paintWatchPage(painter, page);
-    };
-    const QByteArray pdf = pdfDocument({{page.paper, paint}}, settings);
-    if (device.write(pdf) != pdf.size()) {
-        throw Error(Text::tr("The page cannot be written: %1").arg(device.errorString()),
-                    QStringLiteral("PDF"));
-    }
+    writeDrawnPdf(drawnPage(page), device);
 }
 
 void writeWatchPng(const WatchPage& page, DotsPerInch resolution, QIODevice& device) {
-    QImage image(
-        sheetPixels(Millimetres(page.paper.width()), Millimetres(page.paper.height()), resolution),
-        QImage::Format_RGB888);
-    image.fill(Qt::white);
-    image.setDotsPerMeterX(int(std::lround(resolution.value() / millimetresPerInch * 1000)));
-    image.setDotsPerMeterY(image.dotsPerMeterX());
-    QPainter painter(&image);
-    painter.scale(pixelsPerMillimetre(resolution), pixelsPerMillimetre(resolution));
-    correctScale(painter, page.paper, {page.scaleX, page.scaleY});
-    paintWatchPage(painter, page);
-    painter.end();
-    writePng(image, device, titleOf(page));
+    writeDrawnPng(drawnPage(page), resolution, device);
 }
 
 } // namespace dipwright

@@ -2,15 +2,17 @@
 // "Ink").
 #pragma once
 
+#include "texture/InkLaw.h"
 #include "texture/LinearLight.h"
 
 namespace dipwright {
 
 struct InkSettings {
-    bool compensate = true; // print D·J so that D shows after the film has stretched by J
+    bool compensate = true; // print what shows D after the film has stretched by J
     // The highest optical density, a channel, up to which compensation goes. Colour that is denser
     // than this by itself is printed as it is.
     double limit = 2.0;
+    InkLaw law = {}; // of the ink on the film
     bool operator==(const InkSettings&) const = default;
 };
 
@@ -32,8 +34,28 @@ public:
     LinearColour shown(const LinearColour& printed, float areaStretch) const;
 
 private:
+    // One ink's law, ready to be asked for every pixel.
+    class Thinning {
+    public:
+        Thinning(const InkLaw& law, ProcessInk ink);
+        // Printed density over the shown one, by the light of the one or of the other.
+        float byShown(float light, float areaStretch) const;
+        float byPrinted(float light, float areaStretch) const;
+
+    private:
+        struct Tone {
+            float density, exponent, bend, mostGrown; // all but exponent and bend as logarithms
+        };
+        float shownAt(const Tone& tone, float grown) const;
+        float ofLayer(float areaStretch) const;
+
+        float exponent_;
+        std::vector<Tone> tones_;
+    };
+
     bool compensate_;
     float darkest_; // the linear light of the density limit
+    std::array<Thinning, inkCount> thinning_;
 };
 
 } // namespace dipwright

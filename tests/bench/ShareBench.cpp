@@ -37,12 +37,12 @@ Slipped slipped(const JobResult& result) {
     for (const ImmersionResult& immersion : result.immersions) {
         films.push_back({immersion.laid, immersion.texture->image});
     }
-    const bool compensated = result.project.ink.compensate;
-    const std::vector<QRgb> right = printedColours(mesh, films, compensated);
+    const InkSettings& ink = result.project.ink;
+    const std::vector<QRgb> right = printedColours(mesh, films, ink);
     std::vector<double> changes(right.size());
     for (const auto& [x, z] : {std::pair(0.7, 0.0), {-0.7, 0.0}, {0.0, 0.7}, {0.0, -0.7}}) {
         films.back().slip.shift = {Millimetres(x), Millimetres(z)};
-        const std::vector<QRgb> off = printedColours(mesh, films, compensated);
+        const std::vector<QRgb> off = printedColours(mesh, films, ink);
         for (std::size_t triangle = 0; triangle < off.size(); ++triangle) {
             changes[triangle] = std::max(changes[triangle],
                                          std::abs(linearFromSrgb(qGreen(off[triangle]) / 255.0) -

@@ -202,6 +202,17 @@ std::vector<PropertySection> filmSections() {
          .help = Text::tr("How much longer than at the begin of the dip the floating film becomes "
                           "in the end. At 0 it does not grow."),
          .unit = Unit::Share},
+        {.path = QStringLiteral("ink_exponents"),
+         .label = Text::tr("Ink thins by"),
+         .help = Text::tr("The exponent n: ink printed with density D shows D·J^−n where film is "
+                          "stretched to J times its area. 1 for dye, 0 for dots that hide what is "
+                          "behind them. A guess, taken for inks without tones."),
+         .parts = {Text::tr("C", "cyan"), Text::tr("M", "magenta"), Text::tr("Y", "yellow")},
+         .linked = true},
+        {.path = QStringLiteral("ink_tones"),
+         .label = Text::tr("Ink, measured"),
+         .help = Text::tr("What a step wedge told, tone by tone: ink, density, exponent, bend, "
+                          "greatest stretch (dipwright-cli profile wedge).")},
         {.path = QStringLiteral("contact_distance_mm"),
          .label = Text::tr("Contact distance"),
          .help = Text::tr("The distance from the body at which the film begins to adhere."),

@@ -389,7 +389,18 @@ std::vector<PropertySection> inkProperties() {
                .label = Text::tr("Ink limit"),
                .help = Text::tr("The highest optical density that can be printed. Where more would "
                                 "be needed, the colour falls short and the report says so."),
-               .unit = Unit::Density}}}};
+               .unit = Unit::Density},
+              {.path = QStringLiteral("ink.exponents"),
+               .label = Text::tr("Thins by"),
+               .help = Text::tr("The exponent n: ink printed with density D shows D·J^−n where "
+                                "film is stretched to J times its area. 1 for dye, 0 for dots that "
+                                "hide what is behind them. A guess, taken for inks without tones."),
+               .parts = {Text::tr("C", "cyan"), Text::tr("M", "magenta"), Text::tr("Y", "yellow")},
+               .linked = true},
+              {.path = QStringLiteral("ink.tones"),
+               .label = Text::tr("Measured"),
+               .help = Text::tr("What a step wedge told, tone by tone: ink, density, exponent, "
+                                "bend, greatest stretch. The film's profile gives it.")}}}};
 }
 
 PropertySection offProperties() {

@@ -16,13 +16,13 @@ BodyPrinter::Paper BodyPrinter::paperOf(const std::shared_ptr<const TexturedMesh
 }
 
 void BodyPrinter::print(const std::shared_ptr<const TexturedMesh>& model,
-                        std::vector<WornFilm> films, bool compensatedInk) {
+                        std::vector<WornFilm> films, const InkSettings& ink) {
     jobs_.cancelAll();
     jobs_.start(std::make_unique<ValueJob<Print>>(
         tr("Printing the body"),
-        [paper = paper_, model, films = std::move(films), compensatedInk](const Progress&) {
+        [paper = paper_, model, films = std::move(films), ink](const Progress&) {
             Print print{paper.model == model ? paper : paperOf(model), {}};
-            print.colours = printedColours(*print.paper.mesh, films, compensatedInk);
+            print.colours = printedColours(*print.paper.mesh, films, ink);
             return print;
         },
         [this](const Print& print) {

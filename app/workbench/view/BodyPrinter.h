@@ -16,7 +16,7 @@ public:
 
     // What `films` give `model`; printed() tells.
     void print(const std::shared_ptr<const TexturedMesh>& model, std::vector<WornFilm> films,
-               bool compensatedInk);
+               const InkSettings& ink);
 
 signals:
     void printed(const std::shared_ptr<const dipwright::TexturedMesh>& model,

@@ -452,7 +452,7 @@ void DipScene::print(const JobResult& result) {
         films.resize(std::min(films.size(), shownPrint_.dips));
     }
     const TextureInputs& inputs = result.immersions.front().inputs.texture;
-    printer_.print(project_.model, std::move(films), inputs.isReversed() && inputs.ink.compensate);
+    printer_.print(project_.model, std::move(films), inputs.printedInk());
 }
 
 void DipScene::setPreviewed(bool previewed) {

@@ -124,6 +124,7 @@ private slots:
         row("process.depth_mm", "12");
         row("sheet.dpi", "100");
         row("ink.limit", "1.5");
+        row("ink.tones", "cyan 0.3 0.5 0.1 2.5");
         row("process.solver", "auto");
     }
 

@@ -45,6 +45,8 @@ private slots:
         row("process.depth_mm", "12", "dip texture sheet");
         row("process.solver", "pbd-cuda", ""); // the id that was chosen tells
         row("ink.limit", "1.5", "texture sheet");
+        row("ink.exponents", "1;0.9;0.8", "texture sheet");
+        row("ink.tones", "cyan 0.3 0.5 0.1 2.5", "texture sheet");
         row("share.overlap_mm", "3", "texture sheet");
         row("sheet.bleed_mm", "4", "texture sheet");
         row("sheet.dpi", "200", "texture sheet");

@@ -139,7 +139,7 @@ class ResultsTest : public QObject {
     QImage proof(const QImage& image, QSize tile = QSize(200, 200), bool compensated = false) {
         ProofOptions options;
         options.tile = tile;
-        options.compensatedInk = compensated;
+        options.ink.compensate = compensated;
         return proofPicture(*proofStage(dip_.model), {{dip_.laid, image}}, options, {});
     }
 
@@ -497,9 +497,9 @@ void ResultsTest::proofTakesInkBackToWhatShows() {
     const WornFilm worn{layFilm(dip_.body, stretched, process), image};
     ProofOptions options;
     options.tile = QSize(60, 60);
-    options.compensatedInk = false;
+    options.ink.compensate = false;
     const QImage printed = proofPicture(*proofStage(dip_.model), {worn}, options, {});
-    options.compensatedInk = true;
+    options.ink.compensate = true;
     const QImage shown = proofPicture(*proofStage(dip_.model), {worn}, options, {});
     QVERIFY(shown.pixelColor(30, 45).red() > printed.pixelColor(30, 45).red() + 30);
 }
@@ -515,7 +515,7 @@ void ResultsTest::filmsOverEachOtherAddTheirInk() {
     painter.end();
     ProofOptions options;
     options.tile = QSize(100, 100);
-    options.compensatedInk = false;
+    options.ink.compensate = false;
     const QImage image =
         proofPicture(*proofStage(dip_.model), {{dip_.laid, red}, {dip_.laid, holed}}, options, {});
     const QColor left = image.pixelColor(30, 75);
@@ -536,7 +536,8 @@ void ResultsTest::slippedFilmPrintsBesideItsPlace() {
     slip.shift = {Millimetres(3), Millimetres(-2)};
     slip.turn = Degrees(10);
     slip.swell = 1.05;
-    const std::vector<QRgb> colours = printedColours(fine, {{dip_.laid, halves, slip}}, false);
+    const std::vector<QRgb> colours =
+        printedColours(fine, {{dip_.laid, halves, slip}}, {.compensate = false});
     // By the closed form: where the film rested that lies at a place of the ball, and which part of
     // the picture was there.
     const double turn = radians(slip.turn);
@@ -568,7 +569,8 @@ void ResultsTest::lessDeepDipLeavesTheUpperPartBare() {
     FilmSlip slip;
     slip.lessDeep = Millimetres(12);
     const double depth = 32;
-    const std::vector<QRgb> colours = printedColours(fine, {{dip_.laid, red, slip, depth}}, false);
+    const std::vector<QRgb> colours =
+        printedColours(fine, {{dip_.laid, red, slip, depth}}, {.compensate = false});
     const double lowest = double(boundingBox(dip_.model.mesh).min().y());
     std::size_t wet = 0, dry = 0;
     for (std::size_t triangle = 0; triangle < colours.size(); ++triangle) {
@@ -667,8 +669,8 @@ void ResultsTest::shiftedJoinIsAsWrongAsReckoned() {
     const RefinedMesh fine(dip_.model.mesh, 1);
     FilmSlip slip;
     slip.shift[0] = Millimetres(shift);
-    const std::vector<QRgb> colours =
-        printedColours(fine, {{dip_.laid, fading(false)}, {dip_.laid, fading(true), slip}}, false);
+    const std::vector<QRgb> colours = printedColours(
+        fine, {{dip_.laid, fading(false)}, {dip_.laid, fading(true), slip}}, {.compensate = false});
     double sum = 0;
     std::size_t count = 0;
     for (std::size_t triangle = 0; triangle < colours.size(); ++triangle) {

@@ -1,0 +1,132 @@
+#include "texture/InkLaw.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::InkLaw)
+};
+
+constexpr double leastWedgeStretch = 1.02; // below that a reading's own error is all that it tells
+// Two stretches of a patch tell how n changes with J where they are so far apart.
+constexpr double apartForBend = 1.15;
+
+double thinned(const InkTone& tone, double stretch) {
+    const double grown = std::log(std::min(stretch, tone.mostStretch));
+    return std::exp(-(tone.exponent + tone.bend * grown) * std::log(stretch));
+}
+
+void checkReading(const WedgeReading& reading, const QString& where) {
+    const auto isDensity = [](double density) {
+        return density >= leastToneDensity && density <= mostToneDensity;
+    };
+    if (!isDensity(reading.nominal) || !isDensity(reading.flat) || !isDensity(reading.shown)) {
+        throw Error(Text::tr("A density is from %1 to %2; zero the densitometer on a place without "
+                             "ink, and leave that patch out")
+                        .arg(leastToneDensity)
+                        .arg(mostToneDensity),
+                    where);
+    }
+    if (!(reading.stretch >= leastWedgeStretch && reading.stretch <= mostWedgeStretch)) {
+        throw Error(Text::tr("The film's area must have grown by %1 to %2 times to be a reading")
+                        .arg(leastWedgeStretch)
+                        .arg(mostWedgeStretch),
+                    where);
+    }
+}
+
+// Least squares of −ln(shown/flat) = exponent·ln J + bend·(ln J)², the bend where the stretches
+// tell it.
+InkTone fittedTone(const std::vector<WedgeReading>& patch, const QString& where) {
+    double s2 = 0, s3 = 0, s4 = 0, t1 = 0, t2 = 0;
+    double least = mostWedgeStretch, most = 1;
+    for (const WedgeReading& reading : patch) {
+        const double grown = std::log(reading.stretch);
+        const double thinner = -std::log(reading.shown / reading.flat);
+        s2 += grown * grown;
+        s3 += grown * grown * grown;
+        s4 += grown * grown * grown * grown;
+        t1 += thinner * grown;
+        t2 += thinner * grown * grown;
+        least = std::min(least, reading.stretch);
+        most = std::max(most, reading.stretch);
+    }
+    InkTone tone{patch.front().ink, patch.front().nominal, t1 / s2, 0, most};
+    if (most > apartForBend * least) {
+        const double determinant = s2 * s4 - s3 * s3;
+        tone.exponent = (t1 * s4 - t2 * s3) / determinant;
+        tone.bend = (s2 * t2 - s3 * t1) / determinant;
+    }
+    if (std::abs(tone.exponent) > mostInkExponent || std::abs(tone.bend) > mostInkBend) {
+        throw Error(Text::tr("The patch of density %1 thins as no ink does; see that its densities "
+                             "and stretches stand in the right rows")
+                        .arg(tone.density),
+                    where);
+    }
+    return tone;
+}
+
+} // namespace
+
+void checkInkLaw(const InkLaw& law, const QString& where) {
+    for (std::size_t next = 1; next < law.tones.size(); ++next) {
+        const InkTone& low = law.tones[next - 1];
+        const InkTone& high = law.tones[next];
+        if (low.ink > high.ink) {
+            throw Error(Text::tr("The tones must stand by ink, cyan, magenta, yellow"), where);
+        }
+        if (low.ink < high.ink) {
+            continue;
+        }
+        if (!(low.density < high.density)) {
+            throw Error(Text::tr("The tones of an ink must stand from light to dense"), where);
+        }
+        for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+            const double stretch = std::pow(std::max(low.mostStretch, high.mostStretch), share);
+            if (!(low.density * thinned(low, stretch) < high.density * thinned(high, stretch))) {
+                throw Error(Text::tr("Of the patches of density %1 and %2 the denser one would "
+                                     "show less where film is stretched to %3; read both again")
+                                .arg(low.density)
+                                .arg(high.density)
+                                .arg(stretch, 0, 'f', 2),
+                            where);
+            }
+        }
+    }
+}
+
+FittedInk fitInk(std::span<const WedgeReading> readings, const QString& where) {
+    std::map<std::pair<ProcessInk, double>, std::vector<WedgeReading>> patches;
+    for (const WedgeReading& reading : readings) {
+        checkReading(reading, where);
+        patches[{reading.ink, reading.nominal}].push_back(reading);
+    }
+    if (patches.empty() || int(patches.size()) > mostInkTones) {
+        throw Error(Text::tr("A wedge has from 1 to %1 patches that were read on stretched film")
+                        .arg(mostInkTones),
+                    where);
+    }
+    FittedInk fitted;
+    for (const auto& [key, patch] : patches) {
+        const InkTone tone = fittedTone(patch, where);
+        fitted.law.tones.push_back(tone);
+        ++fitted.patches;
+        for (const WedgeReading& reading : patch) {
+            const double law = reading.flat * thinned(tone, reading.stretch);
+            fitted.worst = std::max(fitted.worst, std::abs(law - reading.shown));
+        }
+    }
+    checkInkLaw(fitted.law, where);
+    return fitted;
+}
+
+} // namespace dipwright

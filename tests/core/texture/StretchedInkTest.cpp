@@ -1,0 +1,312 @@
+// Ink of two kinds, simulated, on a ball under film that stretches more and more up to its rim:
+// what is printed with the law that a step wedge told comes out as the grey that was asked for.
+#include "DippedByHand.h"
+#include "base/Error.h"
+#include "base/Units.h"
+#include "geometry/Shapes.h"
+#include "texture/ReverseTexture.h"
+#include "texture/WedgeTable.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace dipwright;
+
+namespace {
+
+double lightness(double light) {
+    return light > 0.008856 ? 116 * std::cbrt(light) - 16 : 903.3 * light;
+}
+double density(double light) {
+    return -std::log10(light);
+}
+
+// The light of ink printed to have `light` on unstretched film, where that is stretched by J.
+using InkOnFilm = std::function<double(double light, double stretch)>;
+
+double dye(double light, double stretch) {
+    return std::pow(light, 1 / stretch);
+}
+// Dots of so much density that cover a share of the film, and go on to where it is stretched.
+InkOnFilm dots(double solid) {
+    return [solid](double light, double stretch) {
+        const double covered = (1 - light) / (1 - std::pow(10, -solid));
+        return 1 - covered * (1 - std::pow(10, -solid / stretch));
+    };
+}
+
+// A wedge of all three inks as a densitometer would read it, `noise` off.
+std::vector<WedgeReading> wedge(const InkOnFilm& ink, double solid, double noise = 0) {
+    std::mt19937 random(7);
+    std::normal_distribution<double> off(0, noise > 0 ? noise : 1);
+    const auto read = [&](double value) { return value + (noise > 0 ? off(random) : 0); };
+    std::vector<WedgeReading> readings;
+    for (const ProcessInk kind : {ProcessInk::Cyan, ProcessInk::Magenta, ProcessInk::Yellow}) {
+        for (const double tone :
+             {0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.75, 0.9, 1.05, 1.2, 1.35, 1.5, 1.75, 2.0}) {
+            for (const double stretch : {1.3, 1.7, 2.3, 3.0}) {
+                if (tone <= solid) {
+                    readings.push_back({kind, tone, read(tone), stretch,
+                                        read(density(ink(std::pow(10, -tone), stretch)))});
+                }
+            }
+        }
+    }
+    return readings;
+}
+
+// A ball of radius 35 under film whose place R from the middle lies at the polar angle
+// R/ρ + (R/ρ)³/3: drawn out to twice its area in the end.
+constexpr double radius = 35;
+constexpr double rim = 100 * pi / 180;
+double polarAngle(double distance) {
+    const double share = distance / radius;
+    return share + share * share * share / 3;
+}
+double filmDistance(double angle) {
+    double distance = angle * radius;
+    for (int step = 0; step < 50; ++step) {
+        const double share = distance / radius;
+        distance -= radius * (polarAngle(distance) - angle) / (1 + share * share);
+    }
+    return distance;
+}
+double areaStretch(double distance) {
+    const double share = distance / radius;
+    return std::sin(polarAngle(distance)) / share * (1 + share * share);
+}
+
+// From white in the east to a sixteenth of its light in the west, and the other way round beyond.
+QImage ramp() {
+    QImage picture(1024, 8, QImage::Format_RGBA8888);
+    for (int column = 0; column < picture.width(); ++column) {
+        const int grey = 255 - std::abs(column - 512) * 180 / 512;
+        for (int row = 0; row < picture.height(); ++row) {
+            picture.setPixelColor(column, row, QColor(grey, grey, grey));
+        }
+    }
+    return picture;
+}
+
+// How far off the lightness is that shows where the film paints, but for where the limit binds.
+struct Shown {
+    double worst = 0, worstAtRim = 0; // L*
+    int places = 0, atRim = 0;
+};
+Shown shown(const InkOnFilm& ink, const InkSettings& settings) {
+    const TexturedMesh model = test::globe(radius, 90, 180, ramp());
+    const auto laid = test::laid(model, test::onSphere(test::a4Grid(), radius, rim, polarAngle));
+    ReverseTextureOptions options;
+    options.pixels = {1050, 1485}; // five a millimetre
+    options.bleed = 0;
+    options.ink = settings;
+    const QImage sheet = reverseTexture(*laid, options, Progress{}).image;
+    ReverseTextureOptions plain = options;
+    plain.ink.compensate = false;
+    const QImage wanted = reverseTexture(*laid, plain, Progress{}).image;
+    const double darkest = std::pow(10, -settings.limit) * 1.05;
+    Shown result;
+    for (int row = 0; row < sheet.height(); ++row) {
+        for (int column = 0; column < sheet.width(); ++column) {
+            const uchar* printed = sheet.constScanLine(row) + 4 * column;
+            const double light = double(linearTable()[printed[1]]);
+            const double distance = std::hypot((column + 0.5) / 5 - 105, (row + 0.5) / 5 - 148.5);
+            if (printed[3] == 0 || light < darkest || distance < 1) {
+                continue;
+            }
+            const double stretch = areaStretch(distance);
+            const double asked = double(linearTable()[(wanted.constScanLine(row) + 4 * column)[1]]);
+            const double off = std::abs(lightness(ink(light, stretch)) - lightness(asked));
+            const bool isAtRim = distance > filmDistance(rim) - 2.5;
+            result.worst = std::max(result.worst, off);
+            result.worstAtRim = std::max(result.worstAtRim, isAtRim ? off : 0);
+            ++result.places;
+            result.atRim += isAtRim ? 1 : 0;
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+class StretchedInkTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void greyComesOut_data();
+    void greyComesOut();
+    void lawIsInverted_data();
+    void lawIsInverted();
+    void oneExponentIsEnoughForALayer();
+    void fitTellsHowFarOffItIs();
+    void readingsThatNoInkGivesAreRefused_data();
+    void readingsThatNoInkGivesAreRefused();
+    void tableIsRead();
+    void tableWithAFaultIsRefused_data();
+    void tableWithAFaultIsRefused();
+    void tonesAreTextAndBack();
+    void textThatIsNoTonesIsRefused_data();
+    void textThatIsNoTonesIsRefused();
+};
+
+void StretchedInkTest::greyComesOut_data() {
+    QTest::addColumn<InkOnFilm>("ink");
+    QTest::addColumn<double>("solid");
+    QTest::newRow("dye") << InkOnFilm(dye) << 2.0;
+    QTest::newRow("dots of 1.2") << dots(1.21) << 1.2;
+    QTest::newRow("dots of 1.5") << dots(1.51) << 1.5;
+    QTest::newRow("dots of 2") << dots(2.01) << 2.0;
+}
+
+void StretchedInkTest::greyComesOut() {
+    QFETCH(const InkOnFilm, ink);
+    QFETCH(const double, solid);
+    InkSettings settings;
+    settings.limit = solid;
+    settings.law = fitInk(wedge(ink, solid), {}).law;
+    const Shown grey = shown(ink, settings);
+    QVERIFY(grey.places > 100'000);
+    QVERIFY(grey.atRim > 5'000);
+    const QString figures =
+        QStringLiteral("worst %1, at the rim %2 L*").arg(grey.worst).arg(grey.worstAtRim);
+    qInfo("%s", qPrintable(figures));
+    QVERIFY2(grey.worst <= 1, qPrintable(figures));
+}
+
+void StretchedInkTest::lawIsInverted_data() {
+    greyComesOut_data();
+}
+
+void StretchedInkTest::lawIsInverted() {
+    QFETCH(const InkOnFilm, ink);
+    QFETCH(const double, solid);
+    InkSettings settings;
+    settings.limit = 3;
+    settings.law = fitInk(wedge(ink, solid), {}).law;
+    const InkCompensation compensation(settings);
+    for (const float light : {1.0f, 0.97f, 0.8f, 0.5f, 0.3f, 0.1f, 0.05f}) {
+        for (const float stretch : {0.7f, 1.0f, 1.2f, 2.0f, 3.5f}) {
+            const auto printed = compensation.print(LinearColour::Constant(light), stretch);
+            const LinearColour back = compensation.shown(printed.colour, stretch);
+            if (!printed.fallsShort && printed.colour[0] > 0.0011f) {
+                QVERIFY2(std::abs(back[0] - light) < 1e-4f,
+                         qPrintable(QStringLiteral("%1 on %2: %3")
+                                        .arg(double(light))
+                                        .arg(double(stretch))
+                                        .arg(double(back[0]))));
+            }
+        }
+    }
+    QCOMPARE(compensation.print(LinearColour::Ones(), 2).colour[0], 1.0f);
+}
+
+// A dye's exponent is one at every tone, and that is also what is taken where nothing was measured.
+void StretchedInkTest::oneExponentIsEnoughForALayer() {
+    const FittedInk fitted = fitInk(wedge(dye, 2), {});
+    QCOMPARE(fitted.patches, 42);
+    for (const InkTone& tone : fitted.law.tones) {
+        QVERIFY(std::abs(tone.exponent - 1) < 1e-6);
+        QVERIFY(std::abs(tone.bend) < 1e-6);
+    }
+    const Shown guessed = shown(dye, InkSettings{});
+    QVERIFY2(guessed.worst <= 1, qPrintable(QString::number(guessed.worst)));
+    // Of dots it makes too much.
+    InkSettings unmeasured;
+    unmeasured.limit = 1.5;
+    const Shown wrong = shown(dots(1.51), unmeasured);
+    qInfo("dots by a dye's law: %g L*", wrong.worst);
+    QVERIFY(wrong.worst > 3);
+    // Dots that hide all that is behind them need no more ink however far the film stretches.
+    InkSettings opaque;
+    opaque.law.exponents = {0, 0, 0};
+    QCOMPARE(InkCompensation(opaque).print(LinearColour::Constant(0.3f), 2).colour[0], 0.3f);
+}
+
+void StretchedInkTest::fitTellsHowFarOffItIs() {
+    QVERIFY(fitInk(wedge(dots(1.51), 1.5), {}).worst < 0.01);
+    const FittedInk noisy = fitInk(wedge(dots(1.51), 1.5, 0.005), {});
+    QVERIFY(noisy.worst > 0.003 && noisy.worst < 0.03);
+}
+
+void StretchedInkTest::readingsThatNoInkGivesAreRefused_data() {
+    QTest::addColumn<QList<double>>("reading"); // nominal, flat, stretch, shown
+    QTest::newRow("not stretched") << QList<double>{1, 1, 1, 1};
+    QTest::newRow("no density") << QList<double>{1, 1, 2, 0};
+    QTest::newRow("not a number") << QList<double>{1, 1, 2, std::nan("")};
+    QTest::newRow("infinite") << QList<double>{1, 1, std::numeric_limits<double>::infinity(), 0.5};
+    QTest::newRow("denser by far when it is stretched") << QList<double>{0.3, 0.1, 1.3, 2};
+    QTest::newRow("paler by far") << QList<double>{0.3, 2, 1.3, 0.01};
+}
+
+void StretchedInkTest::readingsThatNoInkGivesAreRefused() {
+    QFETCH(const QList<double>, reading);
+    const WedgeReading wrong{ProcessInk::Cyan, reading[0], reading[1], reading[2], reading[3]};
+    QVERIFY_EXCEPTION_THROWN(fitInk(std::vector{wrong}, {}), Error);
+    QVERIFY_EXCEPTION_THROWN(fitInk({}, {}), Error);
+    // More ink that shows less.
+    const std::vector<WedgeReading> crossing{{ProcessInk::Cyan, 1, 1, 3, 0.9},
+                                             {ProcessInk::Cyan, 1.1, 1.1, 3, 0.4}};
+    QVERIFY_EXCEPTION_THROWN(fitInk(crossing, {}), Error);
+}
+
+void StretchedInkTest::tableIsRead() {
+    const QByteArray head = "ink,nominal,flat,across,down,shown\n";
+    const std::vector<WedgeReading> readings =
+        readWedge(head + "magenta,0.3,0.31,120,150,0.2\n\ngrey,1,1.02, 150 ,140,0.6\r\n", "w.csv");
+    QCOMPARE(readings.size(), std::size_t(4));
+    QCOMPARE(readings[0].ink, ProcessInk::Magenta);
+    QCOMPARE(readings[0].nominal, 0.3);
+    QCOMPARE(readings[0].flat, 0.31);
+    QCOMPARE(readings[0].stretch, 1.8); // 1.2 across and 1.5 down
+    QCOMPARE(readings[0].shown, 0.2);
+    QCOMPARE(readings[3].ink, ProcessInk::Yellow);
+    QCOMPARE(readings[3].stretch, 2.1);
+    // The table that comes with the page: whatever is not filled in was not read.
+    QVERIFY(readWedge(blankWedge(4), "w.csv").empty());
+    QCOMPARE(blankWedge(4).count('\n'), qsizetype(1 + 3 * wedgeTones.size() * 4));
+}
+
+void StretchedInkTest::tableWithAFaultIsRefused_data() {
+    QTest::addColumn<QByteArray>("table");
+    const QByteArray head = "ink,nominal,flat,across,down,shown\n";
+    QTest::newRow("empty") << QByteArray();
+    QTest::newRow("another's head") << QByteArray("a,b\n1,2\n");
+    QTest::newRow("no ink") << head + "black,1,1,120,120,0.5\n";
+    QTest::newRow("a number short") << head + "cyan,1,1,120,0.5\n";
+    QTest::newRow("a word") << head + "cyan,1,1,120,wide,0.5\n";
+    QTest::newRow("not a number") << head + "cyan,1,1,120,nan,0.5\n";
+    QTest::newRow("endless") << head + QByteArray(20'000, '\n');
+}
+
+void StretchedInkTest::tableWithAFaultIsRefused() {
+    QFETCH(const QByteArray, table);
+    QVERIFY_EXCEPTION_THROWN(readWedge(table, "w.csv"), Error);
+}
+
+void StretchedInkTest::tonesAreTextAndBack() {
+    const std::vector<InkTone> tones = fitInk(wedge(dots(1.51), 1.5, 0.002), {}).law.tones;
+    QVERIFY(inkTones(inkTonesText(tones), {}) == tones);
+    QVERIFY(inkTones({}, {}).empty());
+}
+
+void StretchedInkTest::textThatIsNoTonesIsRefused_data() {
+    QTest::addColumn<QString>("text");
+    for (const char* text :
+         {"cyan", "cyan 0.3 0.5 0.1", "blue 0.3 0.5 0.1 2", "grey 0.3 0.5 0.1 2",
+          "cyan 0.3 0.5 0.1 nan", "cyan 0.3 0.5 0.1 1e9", "cyan 0 0.5 0.1 2", "cyan 0.3 9 0.1 2",
+          "cyan 0.3 0.5 0.1 2;", "cyan 0.3 0.5 0 2; cyan 0.3 0.5 0 2",
+          "yellow 0.3 0.5 0 2; cyan 0.3 0.5 0 2", "cyan 0.3 0 0 4; cyan 0.4 2 0 4"}) {
+        QTest::newRow(text) << QString::fromLatin1(text);
+    }
+}
+
+void StretchedInkTest::textThatIsNoTonesIsRefused() {
+    QFETCH(const QString, text);
+    QVERIFY_EXCEPTION_THROWN(inkTones(text, "ink.tones"), Error);
+}
+
+QTEST_MAIN(StretchedInkTest)
+#include "StretchedInkTest.moc"
