@@ -1531,6 +1531,18 @@
         <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
         <translation>Was ein Stufenkeil ergab, Ton für Ton: Tinte, Dichte, Exponent, Krümmung, größte Dehnung (dipwright-cli profile wedge).</translation>
     </message>
+    <message>
+        <source>Total ink</source>
+        <translation>Gesamtfarbauftrag</translation>
+    </message>
+    <message>
+        <source>Most of all four inks together on one place, with an ICC profile in CMYK. Cyan, magenta and yellow give way, black stays.</source>
+        <translation>Höchstens so viel von allen vier Farben zusammen an einer Stelle, mit einem ICC-Profil in CMYK. Cyan, Magenta und Gelb weichen, Schwarz bleibt.</translation>
+    </message>
+    <message>
+        <source>As the ICC profile has it</source>
+        <translation>Wie im ICC-Profil</translation>
+    </message>
 </context>
 <context>
     <name>Profiles</name>
@@ -5498,6 +5510,17 @@ zuerst eintaucht</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::PaintArtwork</name>
+    <message>
+        <source>The artwork does not fit into this computer&apos;s memory; choose a lower resolution of the sheet</source>
+        <translation>Die Bilder passen nicht in den Speicher dieses Computers; wählen Sie eine geringere Auflösung des Bogens</translation>
+    </message>
+    <message>
+        <source>Painting the artwork</source>
+        <translation>Bilder werden aufgetragen</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::PartCamera</name>
     <message>
         <source>Photo %1 has %2 pairs of places and takes %3 to tell its camera; give more</source>
@@ -6575,10 +6598,6 @@ Dehnung</translation>
         <translation>Keines: Der Drucker bekommt sRGB</translation>
     </message>
     <message>
-        <source>%1 (CMYK: for TIFF files)</source>
-        <translation>%1 (CMYK: für TIFF-Dateien)</translation>
-    </message>
-    <message>
         <source>%1 (RGB)</source>
         <translation>%1 (RGB)</translation>
     </message>
@@ -6705,6 +6724,10 @@ Dehnung</translation>
     <message>
         <source>Keep &amp;Mine</source>
         <translation>&amp;Meines behalten</translation>
+    </message>
+    <message>
+        <source>%1 (CMYK)</source>
+        <translation>%1 (CMYK)</translation>
     </message>
 </context>
 <context>
@@ -7494,10 +7517,6 @@ mm je mm</translation>
     <message>
         <source>A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels a side; choose another resolution or film size</source>
         <translation>Ein Film von %1 × %2 mm bei %3 dpi ergibt kein Bild von 1 bis %4 Bildpunkten je Seite; wählen Sie eine andere Auflösung oder Filmgröße</translation>
-    </message>
-    <message>
-        <source>A PDF cannot be written in the CMYK of this ICC profile; write a TIFF, or print in sRGB</source>
-        <translation>Im CMYK dieses ICC-Profils kann kein PDF geschrieben werden; schreiben Sie ein TIFF oder drucken Sie in sRGB</translation>
     </message>
     <message>
         <source>The sheet&apos;s PDF cannot be written: %1</source>

@@ -1531,6 +1531,18 @@
         <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
         <translation>O que uma cunha de tons mostrou, tom a tom: tinta, densidade, expoente, curvatura, maior estiramento (dipwright-cli profile wedge).</translation>
     </message>
+    <message>
+        <source>Total ink</source>
+        <translation>Total de tinta</translation>
+    </message>
+    <message>
+        <source>Most of all four inks together on one place, with an ICC profile in CMYK. Cyan, magenta and yellow give way, black stays.</source>
+        <translation>No máximo isto das quatro tintas juntas em um lugar, com um perfil ICC em CMYK. Ciano, magenta e amarelo cedem, o preto fica.</translation>
+    </message>
+    <message>
+        <source>As the ICC profile has it</source>
+        <translation>Como no perfil ICC</translation>
+    </message>
 </context>
 <context>
     <name>Profiles</name>
@@ -5498,6 +5510,17 @@ desce primeiro</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::PaintArtwork</name>
+    <message>
+        <source>The artwork does not fit into this computer&apos;s memory; choose a lower resolution of the sheet</source>
+        <translation>A arte não cabe na memória deste computador; escolha uma resolução menor da folha</translation>
+    </message>
+    <message>
+        <source>Painting the artwork</source>
+        <translation>Pintando a arte</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::PartCamera</name>
     <message>
         <source>Photo %1 has %2 pairs of places and takes %3 to tell its camera; give more</source>
@@ -6575,10 +6598,6 @@ estiramento</translation>
         <translation>Nenhum: a impressora recebe sRGB</translation>
     </message>
     <message>
-        <source>%1 (CMYK: for TIFF files)</source>
-        <translation>%1 (CMYK: para arquivos TIFF)</translation>
-    </message>
-    <message>
         <source>%1 (RGB)</source>
         <translation>%1 (RGB)</translation>
     </message>
@@ -6705,6 +6724,10 @@ estiramento</translation>
     <message>
         <source>Keep &amp;Mine</source>
         <translation>&amp;Manter o meu</translation>
+    </message>
+    <message>
+        <source>%1 (CMYK)</source>
+        <translation>%1 (CMYK)</translation>
     </message>
 </context>
 <context>
@@ -7494,10 +7517,6 @@ mm por mm</translation>
     <message>
         <source>A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels a side; choose another resolution or film size</source>
         <translation>Um filme de %1 × %2 mm a %3 dpi não dá uma imagem de 1 a %4 pixels por lado; escolha outra resolução ou tamanho de filme</translation>
-    </message>
-    <message>
-        <source>A PDF cannot be written in the CMYK of this ICC profile; write a TIFF, or print in sRGB</source>
-        <translation>Não é possível gravar um PDF no CMYK deste perfil ICC; grave um TIFF, ou imprima em sRGB</translation>
     </message>
     <message>
         <source>The sheet&apos;s PDF cannot be written: %1</source>

@@ -31,6 +31,7 @@ PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
     if (profile) {
         correction.scaleX = profile->scaleX;
         correction.scaleY = profile->scaleY;
+        correction.totalInk = profile->totalInk;
     }
     return correction;
 }

@@ -14,7 +14,7 @@ namespace dipwright {
 
 // The profile's colours; null where it has none, or there is no profile. Throws Error.
 std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>& profile);
-// The profile's scales, true size without one, with these colours (may be null).
+// The profile's scales and limit of ink, true size without one, with these colours (may be null).
 PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
                                 const PrinterColour* colour);
 

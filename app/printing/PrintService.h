@@ -39,9 +39,8 @@ struct PrintPlan {
 
 // Judges and prepares one sheet. Throws Error, one sentence that says what to do, when the printer
 // is unknown, stopped, refuses jobs or scales pages unasked; has no such paper, or not loaded;
-// prints grey only; does not reach colour near the sheet's edge; when the sheet is larger than
-// every paper of the printer and is not to be tiled; and when the profile's colours are not for
-// PDF. Nothing is sent.
+// prints grey only; does not reach colour near the sheet's edge; and when the sheet is larger than
+// every paper of the printer and is not to be tiled. Nothing is sent.
 PrintPlan planPrint(PrintSystem& system, const Sheet& sheet, const PrintRequest& request);
 
 // The same for a calibration page, whose scales are its own and not those of the request's profile.

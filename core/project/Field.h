@@ -31,6 +31,9 @@ struct Field {
     FieldRule rule;
     std::function<QJsonValue(const Owner&)> get;
     std::function<void(Owner&, const QJsonValue&)> set;
+    // Files have it only where it is not what a new owner has: files that know nothing of it stay
+    // as they are, and so do the jobs that are hashed of them.
+    bool leftOutWhenUsual = false;
 };
 
 // Sets a value that keeps the field's rule. What `set` throws passes through; the owner is then as

@@ -31,8 +31,12 @@ void readFields(Owner& owner, const std::vector<Field<Owner>>& fields, const QJs
 
 template <typename Owner>
 void writeFields(const Owner& owner, const std::vector<Field<Owner>>& fields, QJsonObject& json) {
+    const Owner usual{};
     for (const Field<Owner>& field : fields) {
-        insertAt(json, field.path, field.get(owner));
+        const QJsonValue value = field.get(owner);
+        if (!field.leftOutWhenUsual || value != field.get(usual)) {
+            insertAt(json, field.path, value);
+        }
     }
 }
 

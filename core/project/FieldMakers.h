@@ -80,6 +80,12 @@ Field<Owner> numberOrNone(const char* path, double minimum, double maximum, Acce
             }};
 }
 
+template <typename Owner>
+Field<Owner> leftOutWhenUsual(Field<Owner> field) {
+    field.leftOutWhenUsual = true;
+    return field;
+}
+
 // Several numbers of one unit: `access` gives the part of that index.
 template <typename Owner = Project, typename Access>
 Field<Owner> numbers(const char* path, int parts, double minimum, double maximum, Access access) {

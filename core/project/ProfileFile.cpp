@@ -81,7 +81,9 @@ const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
         number<P>(
             "ink_limit", 0.1, 10, [](auto& p) -> auto& { return p.inkLimit; }),
         number<P>(
-            "dpi", 30, 2400, [](auto& p) -> auto& { return p.resolution; })};
+            "dpi", 30, 2400, [](auto& p) -> auto& { return p.resolution; }),
+        leftOutWhenUsual(numberOrNone<P>(
+            "total_ink", 1, 4, [](auto& p) -> auto& { return p.totalInk; }))};
     return fields;
 }
 

@@ -30,6 +30,8 @@ struct PrinterProfile {
     bool blackPoint = true; // compensated: the darkest dark stays distinct
     double inkLimit = 2;    // highest optical density, a channel
     DotsPerInch resolution{300};
+    // Of the four inks of a CMYK profile together, full ink of one being 1; none: what it gives.
+    std::optional<double> totalInk;
     bool operator==(const PrinterProfile&) const = default;
 };
 

@@ -1,7 +1,9 @@
 #include "sheet/PdfDocument.h"
 
 #include "base/Error.h"
+#include "base/ProgramName.h"
 #include "sheet/DrawnPdf.h"
+#include "sheet/InkedPages.h"
 #include "sheet/PdfX.h"
 
 #include <QColorSpace>
@@ -25,7 +27,7 @@ void setExactBox(QPDFObjectHandle page, QSizeF size) {
 // the eye else, of the kind that archives have, as a screen's colours are no printer's.
 void addOutputIntent(QPDF& pdf, const QByteArray& profile, const PdfSettings& settings) {
     QPDFObjectHandle stream = QPDFObjectHandle::newStream(&pdf, profile.toStdString());
-    stream.getDict().replaceKey("/N", QPDFObjectHandle::newInteger(3));
+    stream.getDict().replaceKey("/N", QPDFObjectHandle::newInteger(settings.inks ? 4 : 3));
     const QPDFObjectHandle name =
         QPDFObjectHandle::newUnicodeString(settings.outputName.toStdString());
     QPDFObjectHandle intent = QPDFObjectHandle::parse("<< /Type /OutputIntent >>");
@@ -50,15 +52,38 @@ QByteArray written(QPDF& pdf) {
     return {reinterpret_cast<const char*>(bytes->getBuffer()), qsizetype(bytes->getSize())};
 }
 
-} // namespace
-
-QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings) {
-    const QByteArray drawn = drawnPdf(pages, settings.title);
-    QPDF pdf;
+// In RGB, drawn by Qt.
+void addDrawnPages(QPDF& pdf, const std::vector<PdfPage>& pages, const QByteArray& drawn) {
     pdf.processMemoryFile("drawn.pdf", drawn.constData(), std::size_t(drawn.size()));
     const std::vector<QPDFPageObjectHelper> drawnPages = QPDFPageDocumentHelper(pdf).getAllPages();
     for (std::size_t i = 0; i < pages.size(); ++i) {
         setExactBox(drawnPages.at(i).getObjectHandle(), inPoints(pages[i].size));
+    }
+}
+
+// What Qt says of a document that it has drawn.
+void addInformation(QPDF& pdf, const QString& title) {
+    const auto text = [](const QString& words) {
+        return QPDFObjectHandle::newUnicodeString(words.toStdString());
+    };
+    QPDFObjectHandle info = QPDFObjectHandle::newDictionary();
+    info.replaceKey("/Title", text(title));
+    info.replaceKey("/Creator", text(QStringLiteral("Dipwright ") + programVersion()));
+    info.replaceKey("/Producer", text(QStringLiteral("Dipwright")));
+    pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(info));
+}
+
+} // namespace
+
+QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings) {
+    const QByteArray drawn = settings.inks ? QByteArray() : drawnPdf(pages, settings.title);
+    QPDF pdf; // reads what is drawn as it needs it
+    if (settings.inks) {
+        pdf.emptyPDF();
+        addInkedPages(pdf, pages, *settings.inks);
+        addInformation(pdf, settings.title);
+    } else {
+        addDrawnPages(pdf, pages, drawn);
     }
     const QByteArray profile = settings.outputProfile.isEmpty()
                                    ? QColorSpace(QColorSpace::SRgb).iccProfile()

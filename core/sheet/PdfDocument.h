@@ -1,15 +1,19 @@
 // PDF files of pages at true size.
 //
-// Qt draws the pages; qpdf then makes a file of them that is exact and always the same: boxes to a
-// fraction of a point, no scaling in print dialogs, an output intent, and no date or identifier
-// that comes from the clock. Where the output profile is that of a printer, the file is PDF/X-4.
+// Qt draws the pages, or, in CMYK, our own engine for its painters; qpdf then makes a file of them
+// that is exact and always the same: boxes to a fraction of a point, no scaling in print dialogs,
+// an output intent, and no date or identifier that comes from the clock. Where the output profile
+// is that of a printer, the file is PDF/X-4.
 #pragma once
+
+#include "sheet/Separation.h"
 
 #include <QByteArray>
 #include <QPainter>
 #include <QSizeF>
 #include <QString>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace dipwright {
@@ -20,11 +24,18 @@ struct PdfPage {
     std::function<void(QPainter&)> paint;
 };
 
+// The film's picture in inks, in place of whatever image the pages draw.
+struct InkedPicture {
+    Plates plates;
+};
+
 struct PdfSettings {
     QString title;
     QString date;             // of the work, ISO 8601; may be empty
-    QByteArray outputProfile; // an RGB ICC profile; empty: sRGB
+    QByteArray outputProfile; // an ICC profile; empty: sRGB
     QString outputName = QStringLiteral("sRGB IEC61966-2.1");
+    // Of pages in CMYK, as the profile then is; null: in RGB.
+    std::shared_ptr<const InkedPicture> inks = {};
 };
 
 // The pages as one file, in the order given, at least one. Same bytes for the same pages. Needs a

@@ -9,6 +9,7 @@
 
 #include <QImage>
 #include <QPainter>
+#include <optional>
 
 namespace dipwright {
 
@@ -64,6 +65,9 @@ struct PrintCorrection {
     // middle, and comes out true.
     double scaleX = 1, scaleY = 1;
     const PrinterColour* colour = nullptr; // not owned; null: sRGB
+    // Most of the four inks together on one place, full ink of one being 1; none: what the colour
+    // asks for.
+    std::optional<double> totalInk = {};
     // The page lies across the paper, its upper left corner in the paper's upper right one.
     bool acrossPaper = false;
 };

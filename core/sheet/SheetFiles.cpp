@@ -59,8 +59,9 @@ QByteArray rgbPage(const Sheet& sheet, const SheetLayout& layout, const PrinterC
 
 // In the printer's CMYK. Marks are laid over it in black ink alone: hairlines in four inks blur
 // where these do not meet exactly. Their white rim takes the film's inks away.
-QByteArray cmykPage(const Sheet& sheet, const SheetLayout& layout, const PrinterColour& colour) {
-    QByteArray inks = colour.cmyk(filmOnPage(sheet, layout));
+QByteArray cmykPage(const Sheet& sheet, const SheetLayout& layout,
+                    const PrintCorrection& correction) {
+    QByteArray inks = separate(filmOnPage(sheet, layout), correction).cmyk;
     QImage marks(pagePixels(sheet, layout), QImage::Format_ARGB32_Premultiplied);
     marks.fill(Qt::transparent);
     addMarks(marks, sheet, layout);
@@ -179,15 +180,14 @@ PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correctio
     prepared.settings.title = names.join(QStringLiteral(" – ")); // two dips, two documents
     prepared.settings.date = sheet.job.date.simplified();
     if (correction.colour) {
-        if (correction.colour->isCmyk()) {
-            throw Error(
-                Text::tr("A PDF cannot be written in the CMYK of this ICC profile; write a TIFF, "
-                         "or print in sRGB"),
-                correction.colour->description());
-        }
         prepared.settings.outputProfile = correction.colour->iccProfile();
         prepared.settings.outputName = correction.colour->description();
-        prepared.sheet.image = correction.colour->rgb(sheet.image);
+        if (correction.colour->isCmyk()) {
+            prepared.settings.inks = std::make_shared<const InkedPicture>(
+                InkedPicture{separate(sheet.image, correction)});
+        } else {
+            prepared.sheet.image = correction.colour->rgb(sheet.image);
+        }
     }
     return prepared;
 }
@@ -213,7 +213,7 @@ void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection
     const QSize size = pagePixels(sheet, layout);
     const bool cmyk = colour && colour->isCmyk();
     const int channels = cmyk ? 4 : 3;
-    QByteArray page = cmyk ? cmykPage(sheet, layout, *colour) : rgbPage(sheet, layout, colour);
+    QByteArray page = cmyk ? cmykPage(sheet, layout, correction) : rgbPage(sheet, layout, colour);
     TiffBuffer buffer;
     setTags(buffer.tiff(), size, channels, {dpi * correction.scaleX, dpi * correction.scaleY},
             colour ? colour->iccProfile() : QColorSpace(QColorSpace::SRgb).iccProfile());

@@ -18,11 +18,11 @@ struct PreparedSheet {
     Sheet sheet;
     PdfSettings settings;
 };
-// Throws Error for a colour that PDF pages cannot be written in.
 PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction);
 
 // PDF at true size, the image stored without loss, viewers asked not to scale, with the colour's
-// space as output intent. A colour in CMYK is refused: PDF pages are written in RGB, TIFF takes it.
+// space as output intent; RGB, or CMYK where the colour is in CMYK: ruler and lettering are then in
+// black ink only, registration marks on every plate.
 // Same bytes for the same sheet. Throws Error when not writable.
 void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
 

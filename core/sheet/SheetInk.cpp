@@ -1,5 +1,7 @@
 #include "sheet/SheetInk.h"
 
+#include "sheet/InkedPages.h"
+
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <cmath>
@@ -20,7 +22,7 @@ QPen whitePen(double width) {
 // A circle and a cross. The upper left one is filled in two quarters: a sheet that was turned or
 // turned over shows it.
 void paintMark(QPainter& painter, const SheetMark& mark, bool first) {
-    const SheetInk ink(painter, mark.overPaint);
+    const SheetInk ink(painter, mark.overPaint, registrationBlack);
     const double radius = markReach * 0.6;
     const QRectF circle(mark.centre - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
     QPainterPath path;
@@ -37,7 +39,7 @@ void paintMark(QPainter& painter, const SheetMark& mark, bool first) {
             quarters.arcTo(circle, startAngle, 90);
             quarters.closeSubpath();
         }
-        painter.fillPath(quarters, Qt::black);
+        painter.fillPath(quarters, registrationBlack);
     }
 }
 
@@ -61,7 +63,7 @@ void SheetInk::stroke(const QPainterPath& path) const {
     if (rimmed_) {
         painter_.strokePath(path, whitePen(hairline + 2 * rim));
     }
-    painter_.strokePath(path, QPen(Qt::black, hairline, Qt::SolidLine, Qt::FlatCap));
+    painter_.strokePath(path, QPen(colour_, hairline, Qt::SolidLine, Qt::FlatCap));
 }
 
 void SheetInk::text(QPointF baseline, double height, const QString& text) const {
@@ -74,7 +76,7 @@ void SheetInk::text(QPointF baseline, double height, const QString& text) const 
         outline.addText(QPointF(0, 0), font, text);
         painter_.strokePath(outline, whitePen(2 * rim / typeUnit));
     }
-    painter_.setPen(Qt::black);
+    painter_.setPen(colour_);
     painter_.setFont(font);
     painter_.drawText(QPointF(0, 0), text);
     painter_.restore();

@@ -13,7 +13,8 @@ inline constexpr double hairline = 0.1; // mm
 // Draws lines, and text as text, with a white rim round them where they stand on paint.
 class SheetInk {
 public:
-    SheetInk(QPainter& painter, bool rimmed) : painter_(painter), rimmed_(rimmed) {}
+    SheetInk(QPainter& painter, bool rimmed, const QColor& colour = Qt::black)
+        : painter_(painter), rimmed_(rimmed), colour_(colour) {}
 
     void stroke(const QPainterPath& path) const;
     // `baseline`: the left end of the text's baseline; `height` of the type, mm.
@@ -22,6 +23,7 @@ public:
 private:
     QPainter& painter_;
     bool rimmed_;
+    QColor colour_;
 };
 
 // A ruler with its scale in mm along a strip.

@@ -48,9 +48,8 @@ QString colourSpace(const PrinterProfile& printer) {
     if (!colour) {
         return ProfilesDialog::tr("None: the printer is sent sRGB");
     }
-    return colour->isCmyk()
-               ? ProfilesDialog::tr("%1 (CMYK: for TIFF files)").arg(colour->description())
-               : ProfilesDialog::tr("%1 (RGB)").arg(colour->description());
+    return colour->isCmyk() ? ProfilesDialog::tr("%1 (CMYK)").arg(colour->description())
+                            : ProfilesDialog::tr("%1 (RGB)").arg(colour->description());
 }
 
 } // namespace

@@ -71,7 +71,14 @@ std::vector<PropertySection> printerSections() {
         {.path = QStringLiteral("ink_limit"),
          .label = Text::tr("Ink limit"),
          .help = Text::tr("The highest optical density a channel that the film holds."),
-         .unit = Unit::Density}};
+         .unit = Unit::Density},
+        {.path = QStringLiteral("total_ink"),
+         .label = Text::tr("Total ink"),
+         .help = Text::tr("Most of all four inks together on one place, with an ICC profile in "
+                          "CMYK. Cyan, magenta and yellow give way, black stays."),
+         .unit = Unit::Share,
+         .absent = Text::tr("As the ICC profile has it"),
+         .whenPresent = 3}};
     return {size, colour};
 }
 

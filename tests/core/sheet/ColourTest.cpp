@@ -130,7 +130,6 @@ private slots:
     void pdfCarriesThePrintersSpace();
     void pdfForAPrinterIsPdfX();
     void pdfForScreensDoesNotPassForPdfX();
-    void pdfInCmykIsRefused();
 };
 
 void ColourTest::profilesTellWhatTheyAre() {
@@ -338,15 +337,6 @@ void ColourTest::pdfForScreensDoesNotPassForPdfX() {
     const QByteArray json = output("qpdf", {"--json", pdfOf(smallSheet(), screen)});
     QVERIFY(json.contains("/OutputIntent"));
     QVERIFY(!json.contains("PDFX"));
-}
-
-void ColourTest::pdfInCmykIsRefused() {
-    PrintCorrection correction;
-    correction.colour = &inks_;
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    QVERIFY_EXCEPTION_THROWN(writeSheetPdf(smallSheet(), buffer, correction), Error);
-    QVERIFY(buffer.data().isEmpty());
 }
 
 QTEST_MAIN(ColourTest)

@@ -1,0 +1,278 @@
+#include "sheet/InkedPages.h"
+
+#include "sheet/DrawnPdf.h"
+
+#include <QPaintDevice>
+#include <QPaintEngine>
+#include <algorithm>
+#include <climits>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFPageDocumentHelper.hh>
+
+namespace dipwright {
+namespace {
+
+// PDF knows no exponents.
+QByteArray plain(double number) {
+    return QByteArray::number(number, 'f', 9);
+}
+
+QByteArray matrix(const QTransform& t) {
+    QByteArray text;
+    for (const double number : {t.m11(), t.m12(), t.m21(), t.m22(), t.dx(), t.dy()}) {
+        text += plain(number) + ' ';
+    }
+    return text + "cm\n";
+}
+
+QByteArray point(const QPointF& at) {
+    return plain(at.x()) + ' ' + plain(at.y()) + ' ';
+}
+
+QByteArray construction(const QPainterPath& path) {
+    QByteArray text;
+    for (int i = 0; i < path.elementCount(); ++i) {
+        const QPainterPath::Element element = path.elementAt(i);
+        switch (element.type) {
+        case QPainterPath::MoveToElement:
+            text += point(element) + "m\n";
+            break;
+        case QPainterPath::LineToElement:
+            text += point(element) + "l\n";
+            break;
+        case QPainterPath::CurveToElement:
+            text += point(element) + point(path.elementAt(i + 1)) + point(path.elementAt(i + 2)) +
+                    "c\n";
+            i += 2;
+            break;
+        case QPainterPath::CurveToDataElement:
+            break;
+        }
+    }
+    return text;
+}
+
+// Sets the ink of lines (`stroke`) or of areas.
+QByteArray ink(const QColor& colour, bool stroke) {
+    if (colour == registrationBlack) {
+        return stroke ? "/All CS 1 SCN\n" : "/All cs 1 scn\n";
+    }
+    const bool isCmyk = colour.spec() == QColor::Cmyk;
+    const double black = 1 - qGray(colour.rgb()) / 255.0;
+    QByteArray text;
+    for (const double share :
+         {isCmyk ? double(colour.cyanF()) : 0, isCmyk ? double(colour.magentaF()) : 0,
+          isCmyk ? double(colour.yellowF()) : 0, isCmyk ? double(colour.blackF()) : black}) {
+        text += plain(share) + ' ';
+    }
+    return text + (stroke ? "K\n" : "k\n");
+}
+
+QByteArray lineStyle(const QPen& pen) {
+    const int cap = pen.capStyle() == Qt::FlatCap ? 0 : pen.capStyle() == Qt::RoundCap ? 1 : 2;
+    const int join = pen.joinStyle() == Qt::RoundJoin   ? 1
+                     : pen.joinStyle() == Qt::BevelJoin ? 2
+                                                        : 0;
+    QByteArray dashes;
+    for (const qreal dash : pen.dashPattern()) {
+        dashes += plain(dash * pen.widthF()) + ' ';
+    }
+    return plain(pen.widthF()) + " w " + QByteArray::number(cap) + " J " +
+           QByteArray::number(join) + " j [" + dashes + "] 0 d\n";
+}
+
+// Writes what a painter draws as the operators of a page.
+class InkEngine : public QPaintEngine {
+public:
+    InkEngine() : QPaintEngine(AllFeatures) {}
+
+    bool begin(QPaintDevice*) override { return true; }
+    bool end() override { return true; }
+    Type type() const override { return User; }
+    void updateState(const QPaintEngineState&) override {} // asked of the painter when it draws
+    void drawPath(const QPainterPath& path) override {
+        const QPen pen = painter()->pen();
+        const QBrush brush = painter()->brush();
+        if (brush.style() != Qt::NoBrush) {
+            const char* rule = path.fillRule() == Qt::WindingFill ? "f\n" : "f*\n";
+            add(ink(brush.color(), false) + construction(path) + rule);
+        }
+        if (pen.style() != Qt::NoPen) {
+            add(ink(pen.color(), true) + lineStyle(pen) + construction(path) + "S\n");
+        }
+    }
+    void drawPolygon(const QPointF* points, int count, PolygonDrawMode mode) override {
+        QPainterPath path;
+        path.addPolygon(QPolygonF(QList<QPointF>(points, points + count)));
+        if (mode != PolylineMode) {
+            path.closeSubpath();
+        }
+        drawPath(path);
+    }
+    void drawPixmap(const QRectF& box, const QPixmap&, const QRectF&) override { place(box); }
+    void drawImage(const QRectF& box, const QImage&, const QRectF&,
+                   Qt::ImageConversionFlags) override {
+        place(box);
+    }
+
+    void strokeSpot(const QPainterPath& path, double width, const QString& spot) {
+        const QByteArray name = spotName(spot);
+        add("/Over gs /" + name + " CS 1 SCN\n" + lineStyle(QPen(Qt::black, width)) +
+            construction(path) + "S\n");
+    }
+    // The name of a spot's colour space on the page.
+    QByteArray spotName(const QString& spot) {
+        const auto found = std::find(spots_.begin(), spots_.end(), spot);
+        const auto index = found - spots_.begin();
+        if (found == spots_.end()) {
+            spots_.push_back(spot);
+        }
+        return "Spot" + QByteArray::number(int(index));
+    }
+
+    const QByteArray& content() const { return content_; }
+    const std::vector<QString>& spots() const { return spots_; }
+
+private:
+    void add(const QByteArray& operators) {
+        content_ += "q\n";
+        const QTransform transform = painter()->combinedTransform();
+        content_ += matrix(transform);
+        if (painter()->hasClipping()) {
+            content_ += construction(painter()->clipPath()) + "W n\n";
+        }
+        content_ += operators + "Q\n";
+    }
+    // An image's own square is 1 × 1, its first row on top.
+    void place(const QRectF& box) {
+        add(matrix(QTransform(box.width(), 0, 0, -box.height(), box.x(), box.bottom())) +
+            "/Picture Do\n");
+    }
+
+    QByteArray content_;
+    std::vector<QString> spots_;
+};
+
+// A page in points, its origin the upper left corner.
+class InkPage : public QPaintDevice {
+public:
+    explicit InkPage(QSizeF size) : size_(size) {}
+    QPaintEngine* paintEngine() const override { return &engine_; }
+    InkEngine& engine() const { return engine_; }
+
+protected:
+    int metric(PaintDeviceMetric metric) const override {
+        switch (metric) {
+        case PdmWidth:
+            return int(std::ceil(size_.width()));
+        case PdmHeight:
+            return int(std::ceil(size_.height()));
+        case PdmWidthMM:
+            return int(size_.width() / 72 * 25.4);
+        case PdmHeightMM:
+            return int(size_.height() / 72 * 25.4);
+        case PdmNumColors:
+            return INT_MAX;
+        case PdmDepth:
+            return 32;
+        case PdmDpiX:
+        case PdmDpiY:
+        case PdmPhysicalDpiX:
+        case PdmPhysicalDpiY:
+            return 72;
+        case PdmDevicePixelRatio:
+            return 1;
+        case PdmDevicePixelRatioScaled:
+            return int(devicePixelRatioFScale());
+        }
+        return 0;
+    }
+
+private:
+    QSizeF size_;
+    mutable InkEngine engine_;
+};
+
+QPDFObjectHandle name(const QString& text) {
+    return QPDFObjectHandle::newName((QLatin1Char('/') + text).toStdString());
+}
+
+// [/Separation /Name /DeviceCMYK function]: `full` is what stands for full ink where the spot is
+// not known.
+QPDFObjectHandle separation(QPDF& pdf, const QString& spot, const char* full) {
+    QPDFObjectHandle space = QPDFObjectHandle::newArray();
+    space.appendItem(QPDFObjectHandle::newName("/Separation"));
+    space.appendItem(name(spot));
+    space.appendItem(QPDFObjectHandle::newName("/DeviceCMYK"));
+    space.appendItem(QPDFObjectHandle::parse("<< /FunctionType 2 /Domain [0 1] /C0 [0 0 0 0] /C1 " +
+                                             std::string(full) + " /N 1 >>"));
+    return pdf.makeIndirectObject(space);
+}
+
+// Without loss. qCompress() puts the length before what PDF calls FlateDecode.
+QPDFObjectHandle compressed(QPDF& pdf, const QByteArray& bytes) {
+    const QByteArray packed = qCompress(bytes).mid(4);
+    QPDFObjectHandle stream = QPDFObjectHandle::newStream(&pdf);
+    stream.replaceStreamData(packed.toStdString(), QPDFObjectHandle::newName("/FlateDecode"),
+                             QPDFObjectHandle::newNull());
+    return stream;
+}
+
+QPDFObjectHandle imageOf(QPDF& pdf, QSize size, const QByteArray& bytes,
+                         const QPDFObjectHandle& space) {
+    QPDFObjectHandle stream = compressed(pdf, bytes);
+    QPDFObjectHandle image = stream.getDict();
+    image.replaceKey("/Type", QPDFObjectHandle::newName("/XObject"));
+    image.replaceKey("/Subtype", QPDFObjectHandle::newName("/Image"));
+    image.replaceKey("/Width", QPDFObjectHandle::newInteger(size.width()));
+    image.replaceKey("/Height", QPDFObjectHandle::newInteger(size.height()));
+    image.replaceKey("/BitsPerComponent", QPDFObjectHandle::newInteger(8));
+    image.replaceKey("/ColorSpace", space);
+    return stream;
+}
+
+QPDFObjectHandle boxOf(QSizeF points) {
+    return QPDFObjectHandle::newFromRectangle({0, 0, points.width(), points.height()});
+}
+
+} // namespace
+
+void strokeSpot(QPainter& painter, const QPainterPath& path, double width, const QString& spot) {
+    if (auto* page = dynamic_cast<InkPage*>(painter.device())) {
+        page->engine().strokeSpot(path, width, spot);
+    }
+}
+
+void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const InkedPicture& picture) {
+    const QPDFObjectHandle all = separation(pdf, QStringLiteral("All"), "[1 1 1 1]");
+    const QPDFObjectHandle film = imageOf(pdf, picture.plates.size, picture.plates.cmyk,
+                                          QPDFObjectHandle::newName("/DeviceCMYK"));
+    QPDFPageDocumentHelper document(pdf);
+    for (const PdfPage& one : pages) {
+        const QSizeF size = inPoints(one.size);
+        InkPage drawn(size);
+        QPainter painter(&drawn);
+        painter.scale(inPoints(QSizeF(1, 1)).width(), inPoints(QSizeF(1, 1)).height());
+        one.paint(painter);
+        painter.end();
+        QPDFObjectHandle spaces = QPDFObjectHandle::newDictionary();
+        spaces.replaceKey("/All", all);
+        for (const QString& spot : drawn.engine().spots()) {
+            spaces.replaceKey(('/' + drawn.engine().spotName(spot)).toStdString(),
+                              separation(pdf, spot, "[0 1 0 0]"));
+        }
+        QPDFObjectHandle resources = QPDFObjectHandle::parse(
+            "<< /ExtGState << /Over << /OP true /op true /OPM 1 >> >> /XObject << >> >>");
+        resources.replaceKey("/ColorSpace", spaces);
+        resources.getKey("/XObject").replaceKey("/Picture", film);
+        const QByteArray turned = matrix(QTransform(1, 0, 0, -1, 0, size.height()));
+        QPDFObjectHandle page = QPDFObjectHandle::parse("<< /Type /Page >>");
+        page.replaceKey("/MediaBox", boxOf(size));
+        page.replaceKey("/TrimBox", boxOf(size));
+        page.replaceKey("/Resources", resources);
+        page.replaceKey("/Contents", compressed(pdf, turned + drawn.engine().content()));
+        document.addPage(pdf.makeIndirectObject(page), false);
+    }
+}
+
+} // namespace dipwright

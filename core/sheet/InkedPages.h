@@ -1,0 +1,25 @@
+// Pages of a PDF in inks: what Qt's PDF files have no words for. Lettering is drawn as outlines.
+// Private to this folder.
+#pragma once
+
+#include "sheet/PdfDocument.h"
+
+#include <QPainterPath>
+
+class QPDF;
+
+namespace dipwright {
+
+// Black that is on every plate, spots too: marks by which plates are laid over each other.
+inline const QColor registrationBlack = QColor::fromCmyk(255, 255, 255, 255);
+
+// Adds the pages, drawn by their painters, to a document: greys in black ink only, CMYK colours as
+// they are, registrationBlack in the separation All. Whatever image a page draws stands for
+// `plates`.
+void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const InkedPicture& picture);
+
+// Draws a line in a spot ink of its own, over the other inks and not in place of them. Nothing
+// where the painter's page is not in inks.
+void strokeSpot(QPainter& painter, const QPainterPath& path, double width, const QString& spot);
+
+} // namespace dipwright

@@ -1,0 +1,30 @@
+// The picture on a film in a printer's inks: all that a CMYK page is made of, whatever file it
+// stands in.
+#pragma once
+
+#include "sheet/Sheet.h"
+
+namespace dipwright {
+
+// One more plate beside cyan, magenta, yellow and black.
+struct SpotPlate {
+    QString name;    // as raster image processors know it
+    QByteArray tint; // a byte a pixel, 0 no ink … 255 full, rows without padding
+    bool operator==(const SpotPlate&) const = default;
+};
+
+struct Plates {
+    QSize size;      // pixels, those of the picture
+    QByteArray cmyk; // four bytes a pixel, 0 no ink … 255 full, rows without padding
+};
+
+// A film image on white paper, in the inks of `correction`, whose colour must be in CMYK, and
+// within its total of ink. All cores.
+Plates separate(const QImage& filmImage, const PrintCorrection& correction);
+
+// Takes ink off pixels that have more than `most` of all four together (4: full ink of each): cyan,
+// magenta and yellow by one factor, which keeps the hue, and black only where it alone is
+// more. Black stands for most of the darkness at the least ink.
+void limitInk(QByteArray& cmyk, double most);
+
+} // namespace dipwright

@@ -1,0 +1,286 @@
+// What a print shop gets: PDF/X in inks, taken apart by programs that have nothing to do with ours.
+#include "ChessSheet.h"
+#include "PaperMeasure.h"
+#include "TestProfiles.h"
+
+#include "base/WideColour.h"
+#include "sheet/PrinterColour.h"
+#include "sheet/Separation.h"
+#include "sheet/SheetFiles.h"
+#include "sheet/TiledSheet.h"
+
+#include <QtTest>
+#include <lcms2.h>
+#include <map>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr double dark = 0.8; // of a plate's full ink
+
+// A page's plates by their names, in grey: 0 full ink … 255 none.
+using Separations = std::map<QString, QImage>;
+
+Separations separations(const QString& pdf, int dpi) {
+    const QTemporaryDir folder;
+    output("gs", {"-q", "-dNOPAUSE", "-dBATCH", "-dSAFER", "-sDEVICE=tiffsep",
+                  QString("-r%1").arg(dpi), "-o", folder.filePath("page.tif"), pdf});
+    Separations plates;
+    for (const QFileInfo& file : QDir(folder.path()).entryInfoList({"page(*).tif"})) {
+        plates[file.fileName().mid(5).chopped(5)] =
+            QImage(file.filePath()).convertToFormat(QImage::Format_Grayscale8);
+    }
+    return plates;
+}
+
+double ink(const Separations& plates, const QString& name, QPoint at) {
+    return 1 - qGray(plates.at(name).pixel(at)) / 255.0;
+}
+
+int inkedPixels(const QImage& plate) {
+    int count = 0;
+    for (int y = 0; y < plate.height(); ++y) {
+        for (int x = 0; x < plate.width(); ++x) {
+            count += qGray(plate.pixel(x, y)) < 255 * (1 - dark);
+        }
+    }
+    return count;
+}
+
+// A black square and the white one beside it, halved: half-inked pixels at their edges, which are
+// darker in inks than in RGB, make the one wider and the other narrower.
+void verifyPitch(const QString& path, bool across, double wanted) {
+    const std::vector<double> sizes = squares(path, across);
+    QVERIFY(sizes.size() >= 8);
+    for (std::size_t i = 1; i < sizes.size(); ++i) {
+        const double pitch = (sizes[i - 1] + sizes[i]) / 2;
+        QVERIFY2(std::abs(pitch - wanted) <= 0.02, qPrintable(QString::number(pitch)));
+    }
+}
+
+// Patches of 10 mm, wide ones as a texture in Adobe RGB gives them.
+const QList<QColor> patches{QColor(128, 128, 128), QColor(200, 60, 60),  QColor(40, 120, 60),
+                            QColor(30, 40, 160),   QColor(240, 220, 40), QColor(10, 10, 10)};
+
+Sheet patchSheet() {
+    Sheet sheet;
+    sheet.filmWidth = Millimetres(100);
+    sheet.filmHeight = Millimetres(80);
+    sheet.settings.resolution = DotsPerInch(150);
+    sheet.image = QImage(sheetPixels(sheet.filmWidth, sheet.filmHeight, DotsPerInch(150)),
+                         QImage::Format_RGBA8888);
+    sheet.image.fill(Qt::transparent);
+    QPainter painter(&sheet.image);
+    painter.scale(sheet.image.width() / 100.0, sheet.image.height() / 80.0);
+    for (int i = 0; i < int(patches.size()); ++i) {
+        painter.fillRect(QRectF(20 + 10 * i, 35, 10, 10), patches[i]);
+    }
+    sheet.job = {"Turtle", "Top", "2026-03-01", "A4", "1:1", "3fa9c2d1"};
+    return sheet;
+}
+
+} // namespace
+
+class PrepressTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    const PrinterColour inks_{simpleCmykProfile(0.002), RenderingIntent::RelativeColorimetric,
+                              false, "inks.icc"};
+
+    QString written(const QString& name, const std::function<void(QIODevice&)>& write) const {
+        QFile file(folder_.filePath(name));
+        if (file.open(QIODevice::WriteOnly)) {
+            write(file);
+        }
+        return file.fileName();
+    }
+    QString pdfOf(const Sheet& sheet, const PrintCorrection& correction) const {
+        return written("sheet.pdf",
+                       [&](QIODevice& device) { writeSheetPdf(sheet, device, correction); });
+    }
+
+private slots:
+    void pdfInInksIsPdfX();
+    void squaresAreTrueInInks();
+    void scaleAndTurnAreTakenOutInInks();
+    void piecesAreInInksToo();
+    void coloursAreThoseOfTheProfile();
+    void letteringIsBlackInkOnly();
+    void registrationMarksAreOnEveryPlate();
+    void inkKeepsToItsTotal();
+    void pdfInInksIsTheSameEveryTime();
+};
+
+void PrepressTest::pdfInInksIsPdfX() {
+    const QString path = pdfOf(patchSheet(), {.colour = &inks_});
+    const QByteArray info = output("pdfinfo", {"-box", path});
+    QVERIFY2(info.contains("PDF/X-4") && info.contains("Turtle – Top"), info);
+    QVERIFY(!output("qpdf", {"--check", path}).isEmpty());
+    const QByteArray document = output("qpdf", {"--qdf", "--stream-data=uncompress", path, "-"});
+    for (const char* words : {"/GTS_PDFX", "/N 4", "/TrimBox", "/PrintScaling /None",
+                              "/ColorSpace /DeviceCMYK", "/Trapped /False"}) {
+        QVERIFY2(document.contains(words), words);
+    }
+    QVERIFY(document.contains(inks_.iccProfile()));
+    QVERIFY(!document.contains("/DeviceRGB"));
+    QVERIFY(std::abs(pdfPage(path).width() - 100) < 0.005);
+    QVERIFY(std::abs(pdfPage(path).height() - 80) < 0.005);
+}
+
+void PrepressTest::squaresAreTrueInInks() {
+    const QString path = pdfOf(chessSheet("Top"), {.colour = &inks_});
+    verifyPitch(path, true, 17);
+    verifyPitch(path, false, 17);
+}
+
+void PrepressTest::scaleAndTurnAreTakenOutInInks() {
+    const QString path =
+        pdfOf(chessSheet("Top", {297, 210}),
+              {.scaleX = 1.004, .scaleY = 0.997, .colour = &inks_, .acrossPaper = true});
+    QVERIFY(std::abs(pdfPage(path).width() - 210) < 0.02);
+    verifyPitch(path, true, 17 / 1.004);
+    verifyPitch(path, false, 17 / 0.997);
+}
+
+void PrepressTest::piecesAreInInksToo() {
+    const QString path = written("tiles.pdf", [&](QIODevice& device) {
+        writeTiledPdf(chessSheet("Top"), {.paper = {148, 210}}, device, {.colour = &inks_});
+    });
+    QVERIFY(output("pdfinfo", {path}).contains("Pages:           4"));
+    QVERIFY(!output("qpdf", {"--check", path}).isEmpty());
+    for (int page = 1; page <= 4; ++page) {
+        const QImage edge = renderedPage(path, 100, QRectF(0, 0, 148, 1.7), page);
+        for (int y = 0; y < edge.height(); ++y) {
+            QVERIFY(darkMiddles(edge, true, y).empty());
+        }
+    }
+}
+
+// Held against lcms2 itself: the colours that the plates come to are those that were asked for.
+void PrepressTest::coloursAreThoseOfTheProfile() {
+    for (const bool wide : {false, true}) {
+        Sheet sheet = patchSheet();
+        if (wide) {
+            sheet.image = inWide(sheet.image);
+        }
+        const Separations plates = separations(pdfOf(sheet, {.colour = &inks_}), 150);
+        QCOMPARE(plates.size(), std::size_t(4));
+        const QByteArray icc = inks_.iccProfile();
+        const cmsHPROFILE printer =
+            cmsOpenProfileFromMem(icc.constData(), cmsUInt32Number(icc.size()));
+        const cmsHPROFILE screen = cmsCreate_sRGBProfile();
+        const cmsHPROFILE lab = cmsCreateLab4Profile(nullptr);
+        const cmsUInt32Number relative = INTENT_RELATIVE_COLORIMETRIC;
+        const cmsHTRANSFORM own =
+            cmsCreateTransform(screen, TYPE_RGB_8, printer, TYPE_CMYK_DBL, relative, 0);
+        const cmsHTRANSFORM look =
+            cmsCreateTransform(printer, TYPE_CMYK_DBL, lab, TYPE_Lab_DBL, relative, 0);
+        for (int i = 0; i < int(patches.size()); ++i) {
+            const QPoint at(int((25 + 10 * i) / 25.4 * 150), int(40 / 25.4 * 150));
+            const double sent[4] = {100 * ink(plates, "Cyan", at), 100 * ink(plates, "Magenta", at),
+                                    100 * ink(plates, "Yellow", at),
+                                    100 * ink(plates, "Black", at)};
+            const uchar rgb[3] = {uchar(patches[i].red()), uchar(patches[i].green()),
+                                  uchar(patches[i].blue())};
+            double wanted[4];
+            cmsDoTransform(own, rgb, wanted, 1);
+            cmsCIELab sentLab;
+            cmsCIELab wantedLab;
+            cmsDoTransform(look, sent, &sentLab, 1);
+            cmsDoTransform(look, wanted, &wantedLab, 1);
+            const double off = cmsDeltaE(&sentLab, &wantedLab);
+            QVERIFY2(off <= 1, qPrintable(QString("%1: %2").arg(patches[i].name()).arg(off)));
+        }
+        for (const cmsHTRANSFORM transform : {own, look}) {
+            cmsDeleteTransform(transform);
+        }
+        for (const cmsHPROFILE profile : {printer, screen, lab}) {
+            cmsCloseProfile(profile);
+        }
+    }
+}
+
+void PrepressTest::letteringIsBlackInkOnly() {
+    Sheet bare = patchSheet();
+    bare.image.fill(Qt::transparent);
+    bare.settings.marks = false;
+    const Separations plates = separations(pdfOf(bare, {.colour = &inks_}), 300);
+    QVERIFY(inkedPixels(plates.at("Black")) > 300);
+    for (const char* colour : {"Cyan", "Magenta", "Yellow"}) {
+        const QImage& plate = plates.at(colour);
+        for (int y = 0; y < plate.height(); ++y) {
+            for (int x = 0; x < plate.width(); ++x) {
+                QCOMPARE(qGray(plate.pixel(x, y)), 255);
+            }
+        }
+    }
+}
+
+void PrepressTest::registrationMarksAreOnEveryPlate() {
+    Sheet bare = patchSheet();
+    bare.image.fill(Qt::transparent);
+    bare.settings.ruler = bare.settings.jobLine = false;
+    const QString path = pdfOf(bare, {.colour = &inks_});
+    QVERIFY(output("qpdf", {"--qdf", path, "-"}).contains("/Separation"));
+    const Separations plates = separations(path, 300);
+    QVERIFY(inkedPixels(plates.at("Black")) > 300);
+    for (const char* colour : {"Cyan", "Magenta", "Yellow"}) {
+        QCOMPARE(plates.at(colour), plates.at("Black"));
+    }
+    // On paint they stand clear of it.
+    Sheet covered = patchSheet();
+    covered.image.fill(QColor(200, 60, 60));
+    const Separations onPaint = separations(pdfOf(covered, {.colour = &inks_}), 300);
+    const QPoint besides(int(6.3 / 25.4 * 300), int(4 / 25.4 * 300)); // the first mark's arm
+    for (const char* colour : {"Cyan", "Magenta", "Yellow", "Black"}) {
+        QCOMPARE(ink(onPaint, colour, besides), 0.0);
+    }
+}
+
+// The simple inks have no black of their own: a dark colour is three inks.
+void PrepressTest::inkKeepsToItsTotal() {
+    const Sheet sheet = patchSheet();
+    PrintCorrection correction{.colour = &inks_};
+    const Separations free = separations(pdfOf(sheet, correction), 150);
+    correction.totalInk = 2.4;
+    const Separations limited = separations(pdfOf(sheet, correction), 150);
+    const QStringList names{"Cyan", "Magenta", "Yellow", "Black"};
+    double most = 0;
+    for (int i = 0; i < int(patches.size()); ++i) {
+        const QPoint at(int((25 + 10 * i) / 25.4 * 150), int(40 / 25.4 * 150));
+        double before = 0;
+        double after = 0;
+        for (const QString& name : names) {
+            before += ink(free, name, at);
+            after += ink(limited, name, at);
+        }
+        most = std::max(most, before);
+        QVERIFY2(after < 2.4 + 1e-9, qPrintable(QString::number(after)));
+        if (before <= 2.4) {
+            QCOMPARE(after, before); // what is within stays as it is
+        } else {
+            QVERIFY(after > 2.35);
+        }
+    }
+    QVERIFY2(most > 2.5, qPrintable(QString::number(most)));
+    // Black stays, the hue too.
+    QByteArray pixel("\xff\x80\x40\xc8", 4);
+    limitInk(pixel, 2);
+    QCOMPARE(uchar(pixel[3]), uchar(200));
+    QVERIFY(std::abs(double(uchar(pixel[0])) / uchar(pixel[1]) - 255.0 / 128) < 0.03);
+}
+
+void PrepressTest::pdfInInksIsTheSameEveryTime() {
+    const auto bytes = [&] {
+        QFile file(pdfOf(patchSheet(), {.colour = &inks_}));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray first = bytes();
+    QVERIFY(first.size() > 1000);
+    QCOMPARE(bytes(), first);
+}
+
+QTEST_MAIN(PrepressTest)
+#include "PrepressTest.moc"
