@@ -1717,6 +1717,10 @@
         <source>inspection.pairs names a photo that inspection.photos has not</source>
         <translation>inspection.pairs nennt ein Foto, das inspection.photos nicht hat</translation>
     </message>
+    <message>
+        <source>A spot ink needs a name of its own, and not All, None, or that of one of the four inks</source>
+        <translation>Eine Sonderfarbe braucht einen eigenen Namen, nicht All, None oder den einer der vier Farben</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -2548,6 +2552,42 @@
     <message>
         <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch. The film&apos;s profile gives it.</source>
         <translation>Was ein Stufenkeil ergab, Ton für Ton: Tinte, Dichte, Exponent, Krümmung, größte Dehnung. Das Filmprofil gibt es vor.</translation>
+    </message>
+    <message>
+        <source>Spot inks</source>
+        <translation>Sonderfarben</translation>
+    </message>
+    <message>
+        <source>Cut line</source>
+        <translation>Schnittlinie</translation>
+    </message>
+    <message>
+        <source>A line for the cutter, as a spot ink in a PDF in CMYK.</source>
+        <translation>Eine Linie für den Schneideplotter, als Sonderfarbe in einem PDF in CMYK.</translation>
+    </message>
+    <message>
+        <source>Round the ink</source>
+        <translation>Um die Farbe herum</translation>
+    </message>
+    <message>
+        <source>Along the film&apos;s edge</source>
+        <translation>Am Rand des Films</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Of the cut line from the ink.</source>
+        <translation>Der Schnittlinie von der Farbe.</translation>
+    </message>
+    <message>
+        <source>Its ink</source>
+        <translation>Ihre Farbe</translation>
+    </message>
+    <message>
+        <source>The name by which the cutter knows the line.</source>
+        <translation>Der Name, unter dem der Schneideplotter die Linie kennt.</translation>
     </message>
 </context>
 <context>

@@ -1717,6 +1717,10 @@
         <source>inspection.pairs names a photo that inspection.photos has not</source>
         <translation>inspection.pairs nomeia uma foto que inspection.photos não tem</translation>
     </message>
+    <message>
+        <source>A spot ink needs a name of its own, and not All, None, or that of one of the four inks</source>
+        <translation>Uma tinta especial precisa de um nome próprio, que não seja All, None nem o de uma das quatro tintas</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -2548,6 +2552,42 @@
     <message>
         <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch. The film&apos;s profile gives it.</source>
         <translation>O que uma cunha de tons mostrou, tom a tom: tinta, densidade, expoente, curvatura, maior estiramento. Vem do perfil do filme.</translation>
+    </message>
+    <message>
+        <source>Spot inks</source>
+        <translation>Tintas especiais</translation>
+    </message>
+    <message>
+        <source>Cut line</source>
+        <translation>Linha de corte</translation>
+    </message>
+    <message>
+        <source>A line for the cutter, as a spot ink in a PDF in CMYK.</source>
+        <translation>Uma linha para a cortadora, como tinta especial em um PDF em CMYK.</translation>
+    </message>
+    <message>
+        <source>Round the ink</source>
+        <translation>Em volta da tinta</translation>
+    </message>
+    <message>
+        <source>Along the film&apos;s edge</source>
+        <translation>Ao longo da borda do filme</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distância</translation>
+    </message>
+    <message>
+        <source>Of the cut line from the ink.</source>
+        <translation>Da linha de corte até a tinta.</translation>
+    </message>
+    <message>
+        <source>Its ink</source>
+        <translation>Sua tinta</translation>
+    </message>
+    <message>
+        <source>The name by which the cutter knows the line.</source>
+        <translation>O nome pelo qual a cortadora conhece a linha.</translation>
     </message>
 </context>
 <context>

@@ -179,6 +179,29 @@ Field<Project> paper() {
         [](Project& project, const QJsonValue& value) { project.sheet.paper = value.toString(); }};
 }
 
+// A plate's name, which must not be one that stands for other inks.
+template <typename Access>
+Field<Project> spotName(const char* path, Access access) {
+    Field<Project> field = leftOutWhenUsual(text(path, 60, access));
+    field.set = [path, access](Project& project, const QJsonValue& value) {
+        const QString name = value.toString().simplified();
+        const QStringList taken{QString(),
+                                QStringLiteral("all"),
+                                QStringLiteral("none"),
+                                QStringLiteral("cyan"),
+                                QStringLiteral("magenta"),
+                                QStringLiteral("yellow"),
+                                QStringLiteral("black")};
+        if (taken.contains(name.toLower())) {
+            throw Error(Text::tr("A spot ink needs a name of its own, and not All, None, or that "
+                                 "of one of the four inks"),
+                        QString::fromLatin1(path));
+        }
+        access(project) = name;
+    };
+    return field;
+}
+
 void addSheetFields(std::vector<Field<Project>>& fields) {
     fields.push_back(paper());
     fields.push_back(flag(
@@ -197,6 +220,13 @@ void addSheetFields(std::vector<Field<Project>>& fields) {
         "sheet.ruler", [](auto& p) -> auto& { return p.sheet.ruler; }));
     fields.push_back(flag(
         "sheet.job_line", [](auto& p) -> auto& { return p.sheet.jobLine; }));
+    fields.push_back(leftOutWhenUsual(choice(
+        "sheet.cut_line", {QStringLiteral("none"), QStringLiteral("ink"), QStringLiteral("film")},
+        [](auto& p) -> auto& { return p.sheet.cutLine; })));
+    fields.push_back(leftOutWhenUsual(number(
+        "sheet.cut_distance_mm", 0, 100, [](auto& p) -> auto& { return p.sheet.cutDistance; })));
+    fields.push_back(spotName(
+        "sheet.cut_name", [](auto& p) -> auto& { return p.sheet.cutName; }));
     fields.push_back(flag(
         "ink.compensate", [](auto& p) -> auto& { return p.ink.compensate; }));
     fields.push_back(number(

@@ -237,8 +237,13 @@ QPDFObjectHandle boxOf(QSizeF points) {
 
 } // namespace
 
+bool takesSpots(const QPainter& painter) {
+    return dynamic_cast<const InkPage*>(painter.device()) != nullptr;
+}
+
 void strokeSpot(QPainter& painter, const QPainterPath& path, double width, const QString& spot) {
-    if (auto* page = dynamic_cast<InkPage*>(painter.device())) {
+    const auto* page = dynamic_cast<const InkPage*>(painter.device());
+    if (page && !path.isEmpty()) {
         page->engine().strokeSpot(path, width, spot);
     }
 }

@@ -18,8 +18,10 @@ inline const QColor registrationBlack = QColor::fromCmyk(255, 255, 255, 255);
 // `plates`.
 void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const InkedPicture& picture);
 
-// Draws a line in a spot ink of its own, over the other inks and not in place of them. Nothing
-// where the painter's page is not in inks.
+// Whether the painter's page is in inks.
+bool takesSpots(const QPainter& painter);
+// Draws a line in a spot ink of its own, over the other inks and not in place of them, on a page
+// that takes spots.
 void strokeSpot(QPainter& painter, const QPainterPath& path, double width, const QString& spot);
 
 } // namespace dipwright

@@ -2,6 +2,8 @@
 
 #include "base/Error.h"
 #include "base/WideColour.h"
+#include "sheet/CutContour.h"
+#include "sheet/InkedPages.h"
 #include "sheet/SheetInk.h"
 
 #include <QColorSpace>
@@ -56,6 +58,9 @@ void paintSheet(QPainter& painter, const Sheet& sheet) {
     painter.save();
     painter.setRenderHint(QPainter::LosslessImageRendering);
     painter.drawImage(layout.film, flattened(sheet.image));
+    if (takesSpots(painter)) {
+        strokeSpot(painter, cutContour(sheet, layout), hairline, sheet.settings.cutName);
+    }
     paintMarks(painter, layout);
     painter.restore();
 }

@@ -15,6 +15,9 @@ namespace dipwright {
 
 class PrinterColour;
 
+// Where a line to cut along is drawn: round all ink, or along the film's edge.
+enum class CutLine { None, Ink, Film };
+
 // The project file's "sheet".
 struct SheetSettings {
     QString paper = QStringLiteral("film"); // film (the page is the film), A4, A3, Letter, custom
@@ -26,6 +29,10 @@ struct SheetSettings {
     bool marks = true;
     bool ruler = true;
     bool jobLine = true;
+    // In a PDF in CMYK, as a spot ink of this name; its distance from the ink.
+    CutLine cutLine = CutLine::None;
+    Millimetres cutDistance{3};
+    QString cutName = QStringLiteral("CutContour");
     bool operator==(const SheetSettings&) const = default;
 };
 

@@ -364,6 +364,24 @@ std::vector<PropertySection> sheetProperties() {
         {.path = QStringLiteral("sheet.job_line"),
          .label = Text::tr("Job line"),
          .help = Text::tr("A line with project, immersion, date, film, scale and a check sum.")}};
+    const auto cutsInk = [](const Project& p) { return p.sheet.cutLine == CutLine::Ink; };
+    const auto cuts = [](const Project& p) { return p.sheet.cutLine != CutLine::None; };
+    PropertySection spots{Text::tr("Spot inks"), {}};
+    spots.specs = {{.path = QStringLiteral("sheet.cut_line"),
+                    .label = Text::tr("Cut line"),
+                    .help = Text::tr("A line for the cutter, as a spot ink in a PDF in CMYK."),
+                    .words = {{QStringLiteral("none"), Text::tr("None")},
+                              {QStringLiteral("ink"), Text::tr("Round the ink")},
+                              {QStringLiteral("film"), Text::tr("Along the film's edge")}}},
+                   {.path = QStringLiteral("sheet.cut_distance_mm"),
+                    .label = Text::tr("Distance"),
+                    .help = Text::tr("Of the cut line from the ink."),
+                    .unit = Unit::Length,
+                    .relevant = cutsInk},
+                   {.path = QStringLiteral("sheet.cut_name"),
+                    .label = Text::tr("Its ink"),
+                    .help = Text::tr("The name by which the cutter knows the line."),
+                    .relevant = cuts}};
     PropertySection correction{Text::tr("Correction"), {}};
     correction.specs = {
         {.path = QStringLiteral("as_built.correct"),
@@ -376,7 +394,7 @@ std::vector<PropertySection> sheetProperties() {
          .help = Text::tr("How much of it is taken off."),
          .unit = Unit::Share,
          .relevant = [](const Project& p) { return !p.asBuilt.parts.empty(); }}};
-    return {page, extras, correction};
+    return {page, extras, spots, correction};
 }
 
 std::vector<PropertySection> inkProperties() {

@@ -51,6 +51,8 @@ private slots:
         row("sheet.bleed_mm", "4", "texture sheet");
         row("sheet.dpi", "200", "texture sheet");
         row("sheet.marks", "false", "sheet");
+        row("sheet.cut_line", "ink", "sheet");
+        row("sheet.cut_name", "Thru-cut", "sheet");
     }
 
     void aValueIsInputOfTheStepsThatNeedIt() {

@@ -110,6 +110,8 @@ private slots:
     void letteringIsBlackInkOnly();
     void registrationMarksAreOnEveryPlate();
     void inkKeepsToItsTotal();
+    void cutLineIsAPlateOfItsOwn();
+    void cutLineKeepsItsDistanceFromTheInk();
     void pdfInInksIsTheSameEveryTime();
 };
 
@@ -270,6 +272,58 @@ void PrepressTest::inkKeepsToItsTotal() {
     limitInk(pixel, 2);
     QCOMPARE(uchar(pixel[3]), uchar(200));
     QVERIFY(std::abs(double(uchar(pixel[0])) / uchar(pixel[1]) - 255.0 / 128) < 0.03);
+}
+
+void PrepressTest::cutLineIsAPlateOfItsOwn() {
+    Sheet sheet = patchSheet();
+    const Separations without = separations(pdfOf(sheet, {.colour = &inks_}), 150);
+    sheet.settings.cutLine = CutLine::Ink;
+    sheet.settings.cutName = QStringLiteral("Thru cut/1");
+    const QString path = pdfOf(sheet, {.colour = &inks_});
+    QVERIFY(!output("qpdf", {"--check", path}).isEmpty());
+    const Separations plates = separations(path, 150);
+    QCOMPARE(plates.size(), std::size_t(5));
+    const auto cut = std::find_if(plates.begin(), plates.end(), [](const auto& plate) {
+        return plate.first.startsWith("Thru cut");
+    });
+    QVERIFY(cut != plates.end());
+    // It takes nothing away from the plates under it. The marks are on all of them.
+    for (const auto& [name, plate] : without) {
+        QCOMPARE(plates.at(name), plate);
+    }
+    sheet.settings.cutLine = CutLine::None;
+    QCOMPARE(separations(pdfOf(sheet, {.colour = &inks_}), 150).size(), std::size_t(4));
+}
+
+// Round the patches of 60 × 10 mm in the middle: straight sides at the distance, round corners.
+void PrepressTest::cutLineKeepsItsDistanceFromTheInk() {
+    constexpr int dpi = 600;
+    const auto pixels = [](double mm) { return mm / millimetresPerInch * dpi; };
+    Sheet sheet = patchSheet();
+    sheet.settings.marks = false;
+    sheet.settings.cutLine = CutLine::Ink;
+    sheet.settings.cutDistance = Millimetres(4);
+    const QImage line = separations(pdfOf(sheet, {.colour = &inks_}), dpi).at("CutContour");
+    const auto verify = [&](bool alongRow, double at, double first, double second) {
+        const std::vector<double> middles = darkMiddles(line, alongRow, int(pixels(at)));
+        QCOMPARE(middles.size(), std::size_t(2));
+        const double tolerance = pixels(0.2); // a pixel that ink is in counts whole
+        QVERIFY2(std::abs(middles[0] - pixels(first)) < tolerance,
+                 qPrintable(QString::number(middles[0] / pixels(1))));
+        QVERIFY2(std::abs(middles[1] - pixels(second)) < tolerance,
+                 qPrintable(QString::number(middles[1] / pixels(1))));
+    };
+    verify(true, 40, 16, 84);
+    verify(false, 50, 31, 49);
+    const double corner = 4 * std::sqrt(0.5); // of the arc, at 45°
+    verify(true, 35 - corner, 20 - corner, 80 + corner);
+
+    sheet.settings.cutLine = CutLine::Film;
+    sheet.settings.paper = QStringLiteral("A4");
+    const QImage edge = separations(pdfOf(sheet, {.colour = &inks_}), dpi).at("CutContour");
+    const std::vector<double> sides = darkMiddles(edge, true, edge.height() / 2);
+    QCOMPARE(sides.size(), std::size_t(2));
+    QVERIFY(std::abs(sides[1] - sides[0] - pixels(100)) < pixels(0.02));
 }
 
 void PrepressTest::pdfInInksIsTheSameEveryTime() {
