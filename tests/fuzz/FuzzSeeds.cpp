@@ -3,6 +3,7 @@
 #include "SampleProject.h"
 
 #include "model/StoredModel.h"
+#include "pipeline/StoredDip.h"
 #include "project/Profiles.h"
 #include "project/ProjectStore.h"
 #include "traveller/Motion.h"
@@ -94,6 +95,25 @@ void writePairs(const QDir& folder) {
     write(folder, QStringLiteral("pairs"), table);
 }
 
+// Flat film of 8 × 6 points, those in the middle on the body; with and without what a dip may lack.
+void writeDips(const QDir& folder) {
+    StoredDip dip;
+    dip.film.grid = {8, 6, 14, 10};
+    for (std::size_t point = 0; point < dip.film.grid.pointCount(); ++point) {
+        const Eigen::Vector2f rest = restPosition(dip.film.grid, point);
+        dip.film.positions.emplace_back(rest.x(), 0, rest.y());
+        dip.film.states.push_back(rest.norm() < 3 ? solver::PointState::Adhered
+                                                  : solver::PointState::Free);
+    }
+    write(folder, QStringLiteral("dips"), storedDip(dip));
+    dip.film.marks.assign(dip.film.grid.pointCount(), 1);
+    dip.film.grown.assign(dip.film.grid.pointCount(), 1.1F);
+    CertaintyEstimate estimate;
+    estimate.pointsOffBy.assign(dip.film.grid.pointCount(), 0.1F);
+    dip.certainty = std::make_shared<const CertaintyEstimate>(estimate);
+    write(folder, QStringLiteral("dips"), storedDip(dip), 2);
+}
+
 } // namespace
 
 int main(int argc, char* argv[]) {
@@ -103,6 +123,7 @@ int main(int argc, char* argv[]) {
     writePictures(folder);
     writeProjects(folder);
     writePairs(folder);
+    writeDips(folder);
     write(folder, QStringLiteral("motion"), motionTemplate().text.toUtf8());
     write(folder, QStringLiteral("plugin"),
           R"({"format":"dipwright-solver","interface":1,"id":"a","name":"A","version":"1",)"

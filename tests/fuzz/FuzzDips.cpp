@@ -1,0 +1,45 @@
+// A kept dip of a small film, and the film laid on a ball as when its project is opened. What is
+// accepted comes back as it was.
+#include "base/Error.h"
+#include "dip/Dip.h"
+#include "dip/LaidFilm.h"
+#include "geometry/Shapes.h"
+#include "pipeline/StoredDip.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace {
+
+using namespace dipwright;
+
+std::shared_ptr<const PosedBody> ball() {
+    TexturedMesh model;
+    model.mesh = sphereMesh(5, 6, 8);
+    const Eigen::Vector2f none = Eigen::Vector2f::Constant(std::numeric_limits<float>::quiet_NaN());
+    model.textureCoordinates.assign(model.mesh.triangles.size(), {none, none, none});
+    model.material.assign(model.mesh.triangles.size(), 0);
+    model.materials.emplace_back();
+    model.chart = findCharts(model);
+    return std::make_shared<const PosedBody>(posedBody(model, Immersion{}));
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+    const QByteArray bytes(reinterpret_cast<const char*>(data), qsizetype(size));
+    static const auto body = ball();
+    const ProcessSettings process;
+    try {
+        // As fuzz-seeds has it.
+        StoredDip dip = readStoredDip(bytes, {8, 6, 14, 10}, true, QStringLiteral("x"));
+        if (storedDip(dip) != bytes) {
+            std::abort();
+        }
+        if (isStable(dip.film, dipTravel(process, *body))) {
+            layFilm(body, std::move(dip.film), process);
+        }
+    } catch (const Error&) {
+    }
+    return 0;
+}
