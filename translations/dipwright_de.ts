@@ -1721,6 +1721,10 @@
         <source>A spot ink needs a name of its own, and not All, None, or that of one of the four inks</source>
         <translation>Eine Sonderfarbe braucht einen eigenen Namen, nicht All, None oder den einer der vier Farben</translation>
     </message>
+    <message>
+        <source>“%1” is not a colour, write it as #1a2b3c</source>
+        <translation>„%1“ ist keine Farbe, schreiben Sie sie als #1a2b3c</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -2588,6 +2592,54 @@
     <message>
         <source>The name by which the cutter knows the line.</source>
         <translation>Der Name, unter dem der Schneideplotter die Linie kennt.</translation>
+    </message>
+    <message>
+        <source>Part&apos;s colour</source>
+        <translation>Farbe des Teils</translation>
+    </message>
+    <message>
+        <source>Of the bare part, as #1a2b3c: the proof shows the ink on it. Empty: light grey, and ink as it looks on white.</source>
+        <translation>Des unbedruckten Teils, als #1a2b3c: Die Vorschau zeigt die Druckfarbe darauf. Leer: hellgrau, und Druckfarbe wie auf Weiß.</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>A plate of white under all colour. What is printed last touches the part; printed first, it lies on the outside, over the colour. In PDF and TIFF in CMYK.</source>
+        <translation>Eine weiße Platte unter aller Farbe. Was zuletzt gedruckt wird, berührt das Teil; zuerst gedruckt liegt es außen, über der Farbe. In PDF und TIFF in CMYK.</translation>
+    </message>
+    <message>
+        <source>Printed last, under the colour</source>
+        <translation>Zuletzt gedruckt, unter der Farbe</translation>
+    </message>
+    <message>
+        <source>Printed first, over the colour</source>
+        <translation>Zuerst gedruckt, über der Farbe</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Share of full tint that the part is to have; more is printed where the film stretches, as far as full tint goes.</source>
+        <translation>Anteil des vollen Tons, den das Teil haben soll; gedruckt wird mehr, wo der Film sich dehnt, soweit der volle Ton reicht.</translation>
+    </message>
+    <message>
+        <source>Choke</source>
+        <translation>Unterfüllung</translation>
+    </message>
+    <message>
+        <source>How much smaller than the colour the white is, all round, on the film.</source>
+        <translation>Um wie viel das Weiß ringsum kleiner ist als die Farbe, auf dem Film.</translation>
+    </message>
+    <message>
+        <source>Name of white</source>
+        <translation>Name des Weiß</translation>
+    </message>
+    <message>
+        <source>The name by which the printer knows its white ink.</source>
+        <translation>Der Name, unter dem der Drucker seine weiße Farbe kennt.</translation>
     </message>
 </context>
 <context>
@@ -6614,6 +6666,14 @@ Dehnung</translation>
     <message>
         <source>The printer scales pages where it is not told otherwise, which its queue does not pass on; the job goes past the queue, to the printer itself</source>
         <translation>Der Drucker skaliert Seiten, wenn ihm nichts anderes gesagt wird, und seine Warteschlange gibt das nicht weiter; der Auftrag geht an der Warteschlange vorbei direkt an den Drucker</translation>
+    </message>
+    <message>
+        <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
+        <translation>Die weiße Schicht fehlt: Sie braucht ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
+    </message>
+    <message>
+        <source>The cut line is left out: it needs a PDF and a printer profile with an ICC profile in CMYK</source>
+        <translation>Die Schnittlinie fehlt: Sie braucht ein PDF und ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
     </message>
 </context>
 <context>

@@ -1721,6 +1721,10 @@
         <source>A spot ink needs a name of its own, and not All, None, or that of one of the four inks</source>
         <translation>Uma tinta especial precisa de um nome próprio, que não seja All, None nem o de uma das quatro tintas</translation>
     </message>
+    <message>
+        <source>“%1” is not a colour, write it as #1a2b3c</source>
+        <translation>“%1” não é uma cor, escreva como #1a2b3c</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -2588,6 +2592,54 @@
     <message>
         <source>The name by which the cutter knows the line.</source>
         <translation>O nome pelo qual a cortadora conhece a linha.</translation>
+    </message>
+    <message>
+        <source>Part&apos;s colour</source>
+        <translation>Cor da peça</translation>
+    </message>
+    <message>
+        <source>Of the bare part, as #1a2b3c: the proof shows the ink on it. Empty: light grey, and ink as it looks on white.</source>
+        <translation>Da peça sem pintura, como #1a2b3c: a prova mostra a tinta sobre ela. Vazio: cinza-claro, e a tinta como fica sobre branco.</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Branco</translation>
+    </message>
+    <message>
+        <source>A plate of white under all colour. What is printed last touches the part; printed first, it lies on the outside, over the colour. In PDF and TIFF in CMYK.</source>
+        <translation>Uma chapa de branco sob toda a cor. O que é impresso por último toca a peça; impresso primeiro, fica por fora, sobre a cor. Em PDF e TIFF em CMYK.</translation>
+    </message>
+    <message>
+        <source>Printed last, under the colour</source>
+        <translation>Impresso por último, sob a cor</translation>
+    </message>
+    <message>
+        <source>Printed first, over the colour</source>
+        <translation>Impresso primeiro, sobre a cor</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Densidade</translation>
+    </message>
+    <message>
+        <source>Share of full tint that the part is to have; more is printed where the film stretches, as far as full tint goes.</source>
+        <translation>Parte do tom cheio que a peça deve ter; imprime-se mais onde o filme estica, até o tom cheio.</translation>
+    </message>
+    <message>
+        <source>Choke</source>
+        <translation>Recuo</translation>
+    </message>
+    <message>
+        <source>How much smaller than the colour the white is, all round, on the film.</source>
+        <translation>Quanto o branco é menor que a cor, em toda a volta, no filme.</translation>
+    </message>
+    <message>
+        <source>Name of white</source>
+        <translation>Nome do branco</translation>
+    </message>
+    <message>
+        <source>The name by which the printer knows its white ink.</source>
+        <translation>O nome pelo qual a impressora conhece sua tinta branca.</translation>
     </message>
 </context>
 <context>
@@ -6614,6 +6666,14 @@ estiramento</translation>
     <message>
         <source>The printer scales pages where it is not told otherwise, which its queue does not pass on; the job goes past the queue, to the printer itself</source>
         <translation>A impressora redimensiona páginas quando não lhe dizem o contrário, e a fila não repassa isso; o trabalho vai direto à impressora, sem passar pela fila</translation>
+    </message>
+    <message>
+        <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
+        <translation>A camada branca fica de fora: ela precisa de um perfil de impressora com um perfil ICC em CMYK</translation>
+    </message>
+    <message>
+        <source>The cut line is left out: it needs a PDF and a printer profile with an ICC profile in CMYK</source>
+        <translation>A linha de corte fica de fora: ela precisa de um PDF e de um perfil de impressora com um perfil ICC em CMYK</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "disk/WholeFile.h"
 #include "printing/PrintReach.h"
+#include "sheet/PrinterColour.h"
 #include "sheet/SheetFiles.h"
 
 #include <QCoreApplication>
@@ -48,6 +49,20 @@ bool isTiff(const QString& path) {
            path.endsWith(QLatin1String(".tiff"), Qt::CaseInsensitive);
 }
 
+QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool tiff) {
+    const bool inks = correction.colour && correction.colour->isCmyk();
+    QStringList sentences;
+    if (sheet.settings.white != WhiteLayer::None && !inks) {
+        sentences << Text::tr("The white layer is left out: it needs a printer profile with an ICC "
+                              "profile in CMYK");
+    }
+    if (sheet.settings.cutLine != CutLine::None && (tiff || !inks)) {
+        sentences << Text::tr("The cut line is left out: it needs a PDF and a printer profile with "
+                              "an ICC profile in CMYK");
+    }
+    return sentences;
+}
+
 namespace {
 
 QStringList writeSheetFile(const Sheet& sheet, const PrintFileRequest& request,
@@ -55,7 +70,7 @@ QStringList writeSheetFile(const Sheet& sheet, const PrintFileRequest& request,
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     const PrintCorrection correction = printCorrection(request.profile, colour.get());
     const QMarginsF margins = unreachable({}, request.profile);
-    QStringList warnings;
+    QStringList warnings = leftOut(sheet, correction, isTiff(path));
     if (request.tilePaper) {
         if (isTiff(path)) {
             throw Error(Text::tr("Pieces of a sheet are written as PDF, one page each; name the "

@@ -23,6 +23,9 @@ TileSettings tileSettings(QSizeF paper, const QMarginsF& lost);
 
 bool isTiff(const QString& path);
 
+// Sentences on what the sheet has and its file cannot hold: spot inks, without a colour in CMYK.
+QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool tiff);
+
 struct PrintFileRequest {
     // Scales, margins and colours of the printer; none: true scale and sRGB.
     std::optional<PrinterProfile> profile;

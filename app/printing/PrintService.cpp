@@ -327,6 +327,7 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintReque
     checkLoaded(plan.printer, paper.media, request, plan.warnings);
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     PrintCorrection correction = printCorrection(request.profile, colour.get());
+    plan.warnings += leftOut(original, correction, false);
     addressTask(plan);
     plan.task.title =
         QStringLiteral("%1 – %2").arg(original.job.project, original.job.immersion).simplified();

@@ -46,7 +46,8 @@ struct JobResult {
     std::shared_ptr<const BodyShare> share; // null: each dip paints all that it reaches
     double coverageTotal = 0;               // share of the body's surface that any immersion paints
     QImage proof;
-    QImage coverage; // who paints what of a body that is shared out; null of others
+    QImage proofWithoutWhite; // null where there is no white, or the part has no colour of its own
+    QImage coverage;          // who paints what of a body that is shared out; null of others
     std::shared_ptr<const JobTolerances> tolerances; // null: not asked for
     std::vector<Cradle> cradles;                     // of each immersion; empty: not asked for
     QStringList notes; // sentences for the user: a solver that took over, a film past its date or

@@ -1,6 +1,7 @@
 #include "pipeline/JobSheet.h"
 
 #include "pipeline/StepInputs.h"
+#include "sheet/Separation.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -72,6 +73,7 @@ QJsonObject withoutLater(QJsonObject settings) {
 QString jobHash(const Project& project, const Immersion& immersion, const QImage& filmImage) {
     Project anonymous = project;
     anonymous.process.solver = ProcessSettings().solver;
+    anonymous.baseColour.clear(); // nothing of it is printed
     QJsonObject settings = withoutLater(toJson(anonymous));
     for (const char* key : {"model", "immersions", "name", "cradle", "tolerance", "inspection"}) {
         settings.remove(QLatin1String(key));
@@ -98,9 +100,14 @@ QString jobHash(const Project& project, const Immersion& immersion, const QImage
 
 } // namespace
 
-Sheet jobSheet(const Project& project, const Immersion& immersion, const QImage& filmImage) {
+Sheet jobSheet(const Project& project, const Immersion& immersion, const QImage& filmImage,
+               const QImage& white) {
     Sheet sheet;
     sheet.image = filmImage;
+    if (!white.isNull()) {
+        const double pixels = white.width() / project.film.width.value(); // to the mm
+        sheet.white = choked(white, project.sheet.whiteChoke.value() * pixels);
+    }
     sheet.filmWidth = project.film.width;
     sheet.filmHeight = project.film.height;
     sheet.settings = project.sheet;

@@ -6,6 +6,8 @@
 
 namespace dipwright {
 
-Sheet jobSheet(const Project& project, const Immersion& immersion, const QImage& filmImage);
+// `white`: the tints of its white layer, Grayscale8, not choked yet; may be null.
+Sheet jobSheet(const Project& project, const Immersion& immersion, const QImage& filmImage,
+               const QImage& white = {});
 
 } // namespace dipwright

@@ -114,13 +114,29 @@ QImage chessboardOf(const FilmSettings& film, QSize pixels) {
 }
 
 // The picture for the film: the body's texture reversed, or what is to be on it instead.
+// Under all colour of a picture that was not made for a body, of one tint.
+QImage evenWhite(const QImage& picture, double tint) {
+    const QImage pixels = picture.convertToFormat(QImage::Format_RGBA8888);
+    QImage white(pixels.size(), QImage::Format_Grayscale8);
+    for (int y = 0; y < white.height(); ++y) {
+        const uchar* pixel = pixels.constScanLine(y);
+        uchar* row = white.scanLine(y);
+        for (int x = 0; x < white.width(); ++x, pixel += 4) {
+            const bool hasInk = pixel[3] != 0 && (pixel[0] & pixel[1] & pixel[2]) != 255;
+            row[x] = hasInk ? uchar(std::lround(255 * tint)) : 0;
+        }
+    }
+    return white;
+}
+
 ReverseTexture textureOf(const LaidFilm& laid, const TextureInputs& inputs,
                          std::optional<PaintShare> share, const Progress& progress) {
     const FilmSettings& film = inputs.dip.film;
     const QSize pixels = sheetPixels(film.width, film.height, inputs.resolution);
     if (inputs.isReversed()) {
-        return reverseTexture(laid, {pixels, inputs.bleed.value(), inputs.ink, std::move(share)},
-                              progress);
+        return reverseTexture(
+            laid, {pixels, inputs.bleed.value(), inputs.ink, std::move(share), inputs.white},
+            progress);
     }
     ReverseTexture picture;
     picture.image =
@@ -129,6 +145,9 @@ ReverseTexture textureOf(const LaidFilm& laid, const TextureInputs& inputs,
             : (isWide(inputs.filmImage) ? inputs.filmImage
                                         : inputs.filmImage.convertToFormat(QImage::Format_RGBA8888))
                   .scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    if (inputs.white > 0) {
+        picture.white = evenWhite(picture.image, inputs.white);
+    }
     return picture;
 }
 
@@ -220,6 +239,15 @@ QImage printedImage(const QImage& filmImage, const SheetInputs& inputs, const Pr
                           inputs.correction->strength);
 }
 
+// Its white moved as the picture is.
+QImage printedWhite(const QImage& white, const SheetInputs& inputs, const Project& project,
+                    std::size_t number) {
+    return white.isNull() ? white
+                          : printedImage(white.convertToFormat(QImage::Format_RGBA8888), inputs,
+                                         project, number)
+                                .convertToFormat(QImage::Format_Grayscale8);
+}
+
 // The rest: what is measured of the film, its sheet, and the verdict on that.
 void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison& comparison) {
     const ImmersionResult* earlier = run.earlier(number);
@@ -229,7 +257,8 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
     }
     if (!earlier || earlier->inputs != now.inputs) {
         now.sheet = jobSheet(run.project, now.immersion,
-                             printedImage(now.texture->image, now.inputs, run.project, number));
+                             printedImage(now.texture->image, now.inputs, run.project, number),
+                             printedWhite(now.texture->white, now.inputs, run.project, number));
     }
     measuring.wait();
     if (comparison.isWanted) {
@@ -273,7 +302,9 @@ bool hasProofOf(const JobResult* previous, const std::vector<SheetInputs>& input
     return previous && std::equal(inputs.begin(), inputs.end(), previous->immersions.begin(),
                                   previous->immersions.end(),
                                   [](const SheetInputs& now, const ImmersionResult& earlier) {
-                                      return now.texture == earlier.inputs.texture;
+                                      return now.texture == earlier.inputs.texture &&
+                                             now.baseColour == earlier.inputs.baseColour &&
+                                             now.settings.white == earlier.inputs.settings.white;
                                   });
 }
 
@@ -287,15 +318,21 @@ bool hasOldNames(const JobResult* previous, const std::vector<SheetInputs>& inpu
                        });
 }
 
-QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& immersions,
+// `white`: as printed, else as it were without that plate.
+QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& immersions, bool white,
                const Progress& progress) {
     std::vector<WornFilm> films;
     for (const ImmersionResult& immersion : immersions) {
         films.push_back({immersion.laid, immersion.texture->image});
+        films.back().white = white ? immersion.texture->white : QImage();
     }
-    const TextureInputs& inputs = immersions.front().inputs.texture;
+    const SheetInputs& inputs = immersions.front().inputs;
     ProofOptions options;
-    options.ink = inputs.printedInk();
+    options.ink = inputs.texture.printedInk();
+    if (!inputs.baseColour.isEmpty()) {
+        options.ground.base = QColor(inputs.baseColour);
+    }
+    options.ground.whiteOutside = inputs.settings.white == WhiteLayer::First;
     return proofPicture(stage, films, options, progress);
 }
 
@@ -309,6 +346,11 @@ QImage coverageOf(const ProofStage& stage, const JobResult& result, const Progre
         films.push_back({immersion.laid, immersion.immersion.name});
     }
     return coveragePicture(stage, *result.share, films, coverageTile, progress);
+}
+
+// Whether the proof would be another without the white layer.
+bool showsWhite(const SheetInputs& inputs) {
+    return inputs.texture.white > 0 && !inputs.baseColour.isEmpty();
 }
 
 // Fills in the immersions and what is told of them together. One film is dipped after the other;
@@ -361,9 +403,13 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     progress(sharesDone, Text::tr("Reversing the texture"));
     pictures.wait();
     undisturbed([&] {
-        result.proof = hasProof
-                           ? run.previous->proof
-                           : proofOf(*stage, immersions, progress.part(picturesDone, proofDone));
+        const Progress proofs = progress.part(picturesDone, proofDone);
+        result.proof = hasProof ? run.previous->proof : proofOf(*stage, immersions, true, proofs);
+        if (showsWhite(inputs.front())) {
+            result.proofWithoutWhite = hasProof
+                                           ? run.previous->proofWithoutWhite
+                                           : proofOf(*stage, immersions, false, proofs.silent());
+        }
         result.coverage = hasCoverage ? run.previous->coverage
                                       : coverageOf(*stage, result, progress.part(proofDone, 1));
     });

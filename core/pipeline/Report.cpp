@@ -166,6 +166,14 @@ QJsonObject immersionJson(const ImmersionResult& result) {
         {"registration_mm", toJson(result.readBack)}, // its name in earlier versions
         {"ink", QJsonObject{{"shortfall_area", result.texture->shortfallArea}}},
         {"job", result.sheet.job.hash}};
+    if (!result.sheet.white.isNull()) {
+        const SheetSettings& sheet = result.sheet.settings;
+        json["white"] =
+            QJsonObject{{"printed", sheet.white == WhiteLayer::First ? "first" : "last"},
+                        {"name", sheet.whiteName},
+                        {"density", sheet.whiteDensity},
+                        {"choke_mm", sheet.whiteChoke.value()}};
+    }
     if (!result.laws.empty()) {
         json["laws"] = lawsJson(result.laws);
     }

@@ -49,6 +49,7 @@ TextureInputs textureInputs(const Project& project, const JobOptions& options, s
             project.sheet.resolution,
             project.sheet.bleed,
             project.ink,
+            project.sheet.white == WhiteLayer::None ? 0 : project.sheet.whiteDensity,
             options.chessboard,
             options.filmImage};
 }
@@ -65,6 +66,7 @@ SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::
             project.date,
             project.immersions[number].name,
             project.sheet,
+            project.baseColour,
             project.profiles,
             project.unknown,
             isSheetCorrected(project, options, number) ? std::optional(project.asBuilt)

@@ -50,6 +50,7 @@ struct TextureInputs {
     DotsPerInch resolution{0};
     Millimetres bleed{0};
     InkSettings ink;
+    double white = 0; // tint of the white layer; 0: none
     bool chessboard = false;
     QImage filmImage;
     bool isReversed() const { return !chessboard && filmImage.isNull(); }
@@ -63,6 +64,7 @@ struct SheetInputs {
     TextureInputs texture;
     QString project, date, immersion; // names
     SheetSettings settings;
+    QString baseColour; // of the body, which the proof shows
     ProjectProfiles profiles;
     QJsonObject unknown;               // keys of the project's file; the job's hash is of them too
     std::optional<AsBuilt> correction; // none: it is printed as the film was made

@@ -52,9 +52,9 @@ QStringList cradleFiles() {
 // stays beside the results of a single one.
 QStringList resultFiles() {
     QStringList files = cradleFiles();
-    files +=
-        {QStringLiteral("proof.png"), QStringLiteral("coverage.png"), QStringLiteral("report.json"),
-         QStringLiteral("ticket.json"), QStringLiteral("traveller.pdf")};
+    files += {QStringLiteral("proof.png"),    QStringLiteral("proof-without-white.png"),
+              QStringLiteral("coverage.png"), QStringLiteral("report.json"),
+              QStringLiteral("ticket.json"),  QStringLiteral("traveller.pdf")};
     for (const int number : {1, 2}) {
         files += {motionFile(number, "csv"), motionFile(number, "gcode")};
     }
@@ -209,6 +209,12 @@ std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
                           const QString proof = QStringLiteral("proof.png");
                           folder.write(proof, pngBytes(result.proof, proof));
                       }});
+    if (!result.proofWithoutWhite.isNull()) {
+        pieces.push_back({Text::tr("Writing the proof"), [&] {
+                              const QString name = QStringLiteral("proof-without-white.png");
+                              folder.write(name, pngBytes(result.proofWithoutWhite, name));
+                          }});
+    }
     if (!result.coverage.isNull()) {
         pieces.push_back({Text::tr("Writing who paints what"), [&] {
                               const QString name = QStringLiteral("coverage.png");

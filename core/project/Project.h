@@ -43,6 +43,8 @@ struct Project {
     std::vector<Immersion> immersions{Immersion{}}; // one or two
     SheetSettings sheet;
     InkSettings ink;
+    // Of the bare part, "#rrggbb"; empty: proofs show it light grey, and ink as it looks on white.
+    QString baseColour;
     ShareSettings share; // of two immersions
     CradleSettings cradle;
     ToleranceSettings tolerance;

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QJsonArray>
+#include <QRegularExpression>
 
 namespace dipwright {
 namespace {
@@ -202,6 +203,20 @@ Field<Project> spotName(const char* path, Access access) {
     return field;
 }
 
+Field<Project> baseColour() {
+    Field<Project> field = leftOutWhenUsual(text(
+        "body.base_colour", 7, [](auto& p) -> auto& { return p.baseColour; }));
+    field.set = [](Project& project, const QJsonValue& value) {
+        static const QRegularExpression colour(QStringLiteral("^(#[0-9a-fA-F]{6})?$"));
+        if (!colour.match(value.toString()).hasMatch()) {
+            throw Error(Text::tr("“%1” is not a colour, write it as #1a2b3c").arg(value.toString()),
+                        QStringLiteral("body.base_colour"));
+        }
+        project.baseColour = value.toString();
+    };
+    return field;
+}
+
 void addSheetFields(std::vector<Field<Project>>& fields) {
     fields.push_back(paper());
     fields.push_back(flag(
@@ -225,6 +240,16 @@ void addSheetFields(std::vector<Field<Project>>& fields) {
         [](auto& p) -> auto& { return p.sheet.cutLine; })));
     fields.push_back(leftOutWhenUsual(number(
         "sheet.cut_distance_mm", 0, 100, [](auto& p) -> auto& { return p.sheet.cutDistance; })));
+    fields.push_back(leftOutWhenUsual(choice(
+        "sheet.white", {QStringLiteral("none"), QStringLiteral("last"), QStringLiteral("first")},
+        [](auto& p) -> auto& { return p.sheet.white; })));
+    fields.push_back(leftOutWhenUsual(number(
+        "sheet.white_density", 0.01, 1, [](auto& p) -> auto& { return p.sheet.whiteDensity; })));
+    fields.push_back(leftOutWhenUsual(number(
+        "sheet.white_choke_mm", 0, 10, [](auto& p) -> auto& { return p.sheet.whiteChoke; })));
+    fields.push_back(spotName(
+        "sheet.white_name", [](auto& p) -> auto& { return p.sheet.whiteName; }));
+    fields.push_back(baseColour());
     fields.push_back(spotName(
         "sheet.cut_name", [](auto& p) -> auto& { return p.sheet.cutName; }));
     fields.push_back(flag(

@@ -67,8 +67,25 @@ class PaintedFilm {
 public:
     PaintedFilm(const WornFilm& worn, const InkSettings& ink)
         : laid_(worn.laid), picture_(worn.image, worn.laid->film().grid), ink_(ink),
-          isCompensated_(ink.compensate), slip_(worn.slip),
+          isCompensated_(ink.compensate), white_(worn.white), slip_(worn.slip),
           highest_(float(worn.depth - worn.slip.lessDeep.value())) {}
+
+    // How much of a place its white hides, 0 … 1.
+    float whiteAt(const SurfacePoint& point) const {
+        const std::optional<FilmPlace> place = white_.isNull() ? std::nullopt : placeOf(point);
+        if (!place) {
+            return 0;
+        }
+        const solver::FilmGrid& grid = laid_->film().grid;
+        const Eigen::Vector2f at = printedAt(place->rest);
+        const auto pixel = [](float share, int count) {
+            return std::clamp(int(std::floor(share * float(count))), 0, count - 1);
+        };
+        const int column = pixel(at.x() / float(grid.width) + 0.5f, white_.width());
+        const int row = pixel(at.y() / float(grid.depth) + 0.5f, white_.height());
+        const float printed = float(white_.constScanLine(row)[column]) / 255;
+        return isCompensated_ ? std::min(1.0f, printed / areaStretch(*place)) : printed;
+    }
 
     // The light that its ink lets through at a place of the body, and how much of it is there.
     FilmPicture::Paint at(const SurfacePoint& point) const {
@@ -120,11 +137,17 @@ private:
     FilmPicture picture_;
     InkCompensation ink_;
     bool isCompensated_;
+    QImage white_;
     FilmSlip slip_;
     float highest_; // in the pose frame, that gets wet
 };
 
-PaintedBody::PaintedBody(const std::vector<WornFilm>& films, const InkSettings& ink) {
+PaintedBody::PaintedBody(const std::vector<WornFilm>& films, const InkSettings& ink,
+                         const Ground& ground)
+    : whiteOutside_(ground.whiteOutside) {
+    if (ground.base) {
+        base_ = linearColour(*ground.base);
+    }
     for (const WornFilm& worn : films) {
         films_.push_back(std::make_unique<const PaintedFilm>(worn, ink));
     }
@@ -132,7 +155,25 @@ PaintedBody::PaintedBody(const std::vector<WornFilm>& films, const InkSettings& 
 
 PaintedBody::~PaintedBody() = default;
 
+LinearColour PaintedBody::onBase(const SurfacePoint& point) const {
+    LinearColour light = *base_;
+    for (const auto& film : films_) {
+        const FilmPicture::Paint paint = film->at(point);
+        const float white = paint.cover > 0 ? film->whiteAt(point) : 0;
+        const auto hidden = [white](const LinearColour& below) -> LinearColour {
+            return below + white * (1 - below);
+        };
+        const LinearColour seen = whiteOutside_ ? hidden(light * paint.colour)
+                                                : LinearColour(hidden(light) * paint.colour);
+        light = (1 - paint.cover) * light + paint.cover * seen;
+    }
+    return light;
+}
+
 LinearColour PaintedBody::colour(const SurfacePoint& point) const {
+    if (base_) {
+        return onBase(point);
+    }
     LinearColour colour = bareBody;
     LinearColour ink = LinearColour::Ones();
     for (const auto& film : films_) {

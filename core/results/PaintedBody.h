@@ -14,17 +14,23 @@ class PaintedFilm;
 class PaintedBody {
 public:
     // `ink`: by which the images were compensated, if they were.
-    PaintedBody(const std::vector<WornFilm>& films, const InkSettings& ink);
+    PaintedBody(const std::vector<WornFilm>& films, const InkSettings& ink,
+                const Ground& ground = {});
     ~PaintedBody();
 
-    // The bare body, or the films' ink on white. Densities add up: light goes through them all.
+    // The bare body, or the films' ink on white or on the body's own colour. Densities add up:
+    // light goes through them all.
     LinearColour colour(const SurfacePoint& point) const;
     // solver::PointMark bits of the film that was dipped last of those that paint a place; nothing
     // where none does.
     std::optional<std::uint8_t> marks(const SurfacePoint& point) const;
 
 private:
+    LinearColour onBase(const SurfacePoint& point) const;
+
     std::vector<std::unique_ptr<const PaintedFilm>> films_;
+    std::optional<LinearColour> base_;
+    bool whiteOutside_;
 };
 
 } // namespace dipwright

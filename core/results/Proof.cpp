@@ -26,9 +26,10 @@ constexpr float elevation = 22 * std::numbers::pi_v<float> / 180; // of the came
 // The light that the table, the body and its paint send along a ray.
 class Scene {
 public:
-    Scene(const ProofStage& stage, const std::vector<WornFilm>& films, const InkSettings& ink)
+    Scene(const ProofStage& stage, const std::vector<WornFilm>& films, const ProofOptions& options)
         : query_(stage.query), normals_(stage.normals), sky_(stage.sky),
-          middle_(stage.box.center()), size_(stage.box.diagonal().norm()), films_(films, ink) {
+          middle_(stage.box.center()), size_(stage.box.diagonal().norm()),
+          films_(films, options.ink, options.ground) {
         for (const WornFilm& worn : films) {
             marks_ |= paintedMarks(*worn.laid);
         }
@@ -141,7 +142,7 @@ std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model) {
 QImage proofPicture(const ProofStage& stage, const std::vector<WornFilm>& films,
                     const ProofOptions& options, const Progress& progress) {
     progress(0, Text::tr("Preparing the proof"));
-    const Scene scene(stage, films, options.ink);
+    const Scene scene(stage, films, options);
     const std::vector<BodyCamera> cameras = sixSides(stage.box, elevation);
     const float span = commonSpan(cameras, stage.mesh, options.tile);
     QImage picture(sideColumns * options.tile.width(), 2 * options.tile.height(),

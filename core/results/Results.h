@@ -84,6 +84,7 @@ struct WornFilm {
     FilmSlip slip = {};
     // mm from the body's lowest point up to the water at the end of the dip.
     double depth = std::numeric_limits<double>::infinity();
+    QImage white = {}; // tints of its white layer, Grayscale8; null: none
 };
 
 // What the films give the body, by the middles of the fine triangles: a colour each, as the proof
@@ -91,9 +92,18 @@ struct WornFilm {
 std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<WornFilm>& films,
                                  const InkSettings& ink);
 
+// What the films' ink is seen on.
+struct Ground {
+    // Of the bare body: light goes through the ink to it, but for what white hides. None: a bare
+    // body is shown light grey, and ink as it looks on white.
+    std::optional<QColor> base = {};
+    bool whiteOutside = false; // white was printed first: it lies over the colour
+};
+
 struct ProofOptions {
     QSize tile{640, 640}; // one view's pixels
     InkSettings ink = {}; // by which the images were compensated, if they were
+    Ground ground = {};
 };
 
 // A body on a light table, ready to be shown in proofs: what is the same whatever film it wears.

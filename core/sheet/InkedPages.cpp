@@ -84,7 +84,7 @@ QByteArray lineStyle(const QPen& pen) {
 // Writes what a painter draws as the operators of a page.
 class InkEngine : public QPaintEngine {
 public:
-    InkEngine() : QPaintEngine(AllFeatures) {}
+    explicit InkEngine(int plates) : QPaintEngine(AllFeatures), plates_(plates) {}
 
     bool begin(QPaintDevice*) override { return true; }
     bool end() override { return true; }
@@ -145,10 +145,14 @@ private:
     }
     // An image's own square is 1 × 1, its first row on top.
     void place(const QRectF& box) {
-        add(matrix(QTransform(box.width(), 0, 0, -box.height(), box.x(), box.bottom())) +
-            "/Picture Do\n");
+        QByteArray draw = "/Over gs\n"; // a plate takes nothing away from the others
+        for (int plate = 0; plate < plates_; ++plate) {
+            draw += "/Plate" + QByteArray::number(plate) + " Do\n";
+        }
+        add(matrix(QTransform(box.width(), 0, 0, -box.height(), box.x(), box.bottom())) + draw);
     }
 
+    int plates_; // images that a picture is made of
     QByteArray content_;
     std::vector<QString> spots_;
 };
@@ -156,7 +160,7 @@ private:
 // A page in points, its origin the upper left corner.
 class InkPage : public QPaintDevice {
 public:
-    explicit InkPage(QSizeF size) : size_(size) {}
+    InkPage(QSizeF size, int plates) : size_(size), engine_(plates) {}
     QPaintEngine* paintEngine() const override { return &engine_; }
     InkEngine& engine() const { return engine_; }
 
@@ -231,6 +235,24 @@ QPDFObjectHandle imageOf(QPDF& pdf, QSize size, const QByteArray& bytes,
     return stream;
 }
 
+// In the order of printing. White has no colour of its own where nobody knows it: nothing is
+// printed for it rather than something else.
+std::vector<QPDFObjectHandle> plateImages(QPDF& pdf, const InkedPicture& picture) {
+    const QSize size = picture.plates.size;
+    std::vector<QPDFObjectHandle> images;
+    const auto add = [&](const std::vector<SpotPlate>& plates) {
+        for (const SpotPlate& plate : plates) {
+            images.push_back(
+                imageOf(pdf, size, plate.tint, separation(pdf, plate.name, "[0 0 0 0]")));
+        }
+    };
+    add(picture.spots.before);
+    images.push_back(
+        imageOf(pdf, size, picture.plates.cmyk, QPDFObjectHandle::newName("/DeviceCMYK")));
+    add(picture.spots.after);
+    return images;
+}
+
 QPDFObjectHandle boxOf(QSizeF points) {
     return QPDFObjectHandle::newFromRectangle({0, 0, points.width(), points.height()});
 }
@@ -250,12 +272,11 @@ void strokeSpot(QPainter& painter, const QPainterPath& path, double width, const
 
 void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const InkedPicture& picture) {
     const QPDFObjectHandle all = separation(pdf, QStringLiteral("All"), "[1 1 1 1]");
-    const QPDFObjectHandle film = imageOf(pdf, picture.plates.size, picture.plates.cmyk,
-                                          QPDFObjectHandle::newName("/DeviceCMYK"));
+    const std::vector<QPDFObjectHandle> plates = plateImages(pdf, picture);
     QPDFPageDocumentHelper document(pdf);
     for (const PdfPage& one : pages) {
         const QSizeF size = inPoints(one.size);
-        InkPage drawn(size);
+        InkPage drawn(size, int(plates.size()));
         QPainter painter(&drawn);
         painter.scale(inPoints(QSizeF(1, 1)).width(), inPoints(QSizeF(1, 1)).height());
         one.paint(painter);
@@ -269,7 +290,11 @@ void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const InkedPict
         QPDFObjectHandle resources = QPDFObjectHandle::parse(
             "<< /ExtGState << /Over << /OP true /op true /OPM 1 >> >> /XObject << >> >>");
         resources.replaceKey("/ColorSpace", spaces);
-        resources.getKey("/XObject").replaceKey("/Picture", film);
+        for (std::size_t plate = 0; plate < plates.size(); ++plate) {
+            resources.getKey("/XObject")
+                .replaceKey(("/Plate" + QByteArray::number(int(plate))).toStdString(),
+                            plates[plate]);
+        }
         const QByteArray turned = matrix(QTransform(1, 0, 0, -1, 0, size.height()));
         QPDFObjectHandle page = QPDFObjectHandle::parse("<< /Type /Page >>");
         page.replaceKey("/MediaBox", boxOf(size));

@@ -27,6 +27,7 @@ struct PdfPage {
 // The film's picture in inks, in place of whatever image the pages draw.
 struct InkedPicture {
     Plates plates;
+    SpotPlates spots; // as many pixels
 };
 
 struct PdfSettings {

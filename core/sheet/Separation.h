@@ -13,6 +13,11 @@ struct SpotPlate {
     bool operator==(const SpotPlate&) const = default;
 };
 
+// What is printed beside the four inks, in the order of printing.
+struct SpotPlates {
+    std::vector<SpotPlate> before, after; // the four inks
+};
+
 struct Plates {
     QSize size;      // pixels, those of the picture
     QByteArray cmyk; // four bytes a pixel, 0 no ink … 255 full, rows without padding
@@ -21,6 +26,12 @@ struct Plates {
 // A film image on white paper, in the inks of `correction`, whose colour must be in CMYK, and
 // within its total of ink. All cores.
 Plates separate(const QImage& filmImage, const PrintCorrection& correction);
+
+// The sheet's white as far as it has one, in the film image's pixels.
+SpotPlates spotPlates(const Sheet& sheet);
+
+// A plate without what lies nearer than `choke` pixels to a place without tint. Grayscale8.
+QImage choked(const QImage& tint, double choke);
 
 // Takes ink off pixels that have more than `most` of all four together (4: full ink of each): cyan,
 // magenta and yellow by one factor, which keeps the hue, and black only where it alone is

@@ -18,6 +18,10 @@ class PrinterColour;
 // Where a line to cut along is drawn: round all ink, or along the film's edge.
 enum class CutLine { None, Ink, Film };
 
+// A plate of white: printed last it touches the body, and lies under the colour of the part.
+// Printed first it lies on the outside, over the colour.
+enum class WhiteLayer { None, Last, First };
+
 // The project file's "sheet".
 struct SheetSettings {
     QString paper = QStringLiteral("film"); // film (the page is the film), A4, A3, Letter, custom
@@ -33,6 +37,10 @@ struct SheetSettings {
     CutLine cutLine = CutLine::None;
     Millimetres cutDistance{3};
     QString cutName = QStringLiteral("CutContour");
+    WhiteLayer white = WhiteLayer::None;
+    double whiteDensity = 1;     // wanted on the body, share of full tint
+    Millimetres whiteChoke{0.2}; // so much smaller than the colour all round, on the film
+    QString whiteName = QStringLiteral("White");
     bool operator==(const SheetSettings&) const = default;
 };
 
@@ -50,6 +58,9 @@ struct Sheet {
     JobLine job;
     // Of marks, ruler and job line from the page's edge; more where a printer reaches less.
     Millimetres clearance{3};
+    // The white under or over the image, choked; of its size, Grayscale8, 255 full tint. Null:
+    // none.
+    QImage white = {};
 };
 
 // Pixels of a film image at true size: A4 at 300 dpi is 2480 × 3508. Throws Error past 32,000

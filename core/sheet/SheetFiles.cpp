@@ -25,6 +25,10 @@ QSize pagePixels(const Sheet& sheet, const SheetLayout& layout) {
                        sheet.settings.resolution);
 }
 
+int inkChannels(const Sheet& sheet) {
+    return sheet.white.isNull() ? 4 : 5;
+}
+
 // The film on its page, without what is printed round it.
 QImage filmOnPage(const Sheet& sheet, const SheetLayout& layout) {
     const QImage film = onPaper(sheet.image);
@@ -57,23 +61,52 @@ QByteArray rgbPage(const Sheet& sheet, const SheetLayout& layout, const PrinterC
     return bytes;
 }
 
-// In the printer's CMYK. Marks are laid over it in black ink alone: hairlines in four inks blur
-// where these do not meet exactly. Their white rim takes the film's inks away.
-QByteArray cmykPage(const Sheet& sheet, const SheetLayout& layout,
-                    const PrintCorrection& correction) {
+// The film's white on its page, a byte a pixel.
+QImage whiteOnPage(const Sheet& sheet, const SheetLayout& layout) {
+    QImage page(pagePixels(sheet, layout), QImage::Format_Grayscale8);
+    page.fill(0);
+    QPainter painter(&page);
+    const double unit = pixelsPerMillimetre(sheet.settings.resolution);
+    painter.drawImage((layout.film.topLeft() * unit).toPoint(), sheet.white);
+    return page;
+}
+
+// The page's inks, four bytes a pixel, with one more for its white.
+QByteArray withWhite(const QByteArray& inks, const QImage& white) {
+    QByteArray all;
+    all.reserve(inks.size() / 4 * 5);
+    const char* ink = inks.constData();
+    for (int y = 0; y < white.height(); ++y) {
+        const uchar* row = white.constScanLine(y);
+        for (int x = 0; x < white.width(); ++x, ink += 4) {
+            all.append(ink, 4).append(char(row[x]));
+        }
+    }
+    return all;
+}
+
+// In the printer's CMYK, and white where the sheet has it. Marks are laid over it in black ink
+// alone: hairlines in four inks blur where these do not meet exactly. Their white rim takes the
+// film's inks away.
+QByteArray inkedPage(const Sheet& sheet, const SheetLayout& layout,
+                     const PrintCorrection& correction) {
     QByteArray inks = separate(filmOnPage(sheet, layout), correction).cmyk;
+    const int channels = inkChannels(sheet);
+    if (channels > 4) {
+        inks = withWhite(inks, whiteOnPage(sheet, layout));
+    }
     QImage marks(pagePixels(sheet, layout), QImage::Format_ARGB32_Premultiplied);
     marks.fill(Qt::transparent);
     addMarks(marks, sheet, layout);
     auto* ink = reinterpret_cast<uchar*>(inks.data());
     for (int y = 0; y < marks.height(); ++y) {
         const auto* row = reinterpret_cast<const QRgb*>(marks.constScanLine(y));
-        for (int x = 0; x < marks.width(); ++x, ink += 4) {
+        for (int x = 0; x < marks.width(); ++x, ink += channels) {
             const int cover = qAlpha(row[x]);
             if (cover == 0) {
                 continue;
             }
-            for (int channel = 0; channel < 4; ++channel) {
+            for (int channel = 0; channel < channels; ++channel) {
                 ink[channel] = uchar((ink[channel] * (255 - cover) + 127) / 255);
             }
             const int black = cover - qRed(row[x]); // premultiplied: cover itself where white
@@ -140,6 +173,21 @@ struct Resolution {
     DotsPerInch x, y;
 };
 
+// Inks past the four are samples that readers of CMYK pass over; all have their names, as TIFF has
+// them: one after the other, each with a zero.
+void setInks(TIFF* tiff, int channels, const QString& white) {
+    TIFFSetField(tiff, TIFFTAG_INKSET, INKSET_CMYK);
+    if (channels > 4) {
+        const std::uint16_t kind = EXTRASAMPLE_UNSPECIFIED;
+        TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &kind);
+        QByteArray names("Cyan\0Magenta\0Yellow\0Black\0", 26);
+        names += white.toUtf8();
+        names += '\0';
+        TIFFSetField(tiff, TIFFTAG_NUMBEROFINKS, channels);
+        TIFFSetField(tiff, TIFFTAG_INKNAMES, std::uint32_t(names.size()), names.constData());
+    }
+}
+
 void setTags(TIFF* tiff, QSize size, int channels, Resolution resolution, const QByteArray& icc) {
     TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, size.width());
     TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, size.height());
@@ -147,10 +195,7 @@ void setTags(TIFF* tiff, QSize size, int channels, Resolution resolution, const 
     TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, channels);
     TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
     TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC,
-                 channels == 4 ? PHOTOMETRIC_SEPARATED : PHOTOMETRIC_RGB);
-    if (channels == 4) {
-        TIFFSetField(tiff, TIFFTAG_INKSET, INKSET_CMYK);
-    }
+                 channels >= 4 ? PHOTOMETRIC_SEPARATED : PHOTOMETRIC_RGB);
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
     TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
     TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
@@ -184,7 +229,7 @@ PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correctio
         prepared.settings.outputName = correction.colour->description();
         if (correction.colour->isCmyk()) {
             prepared.settings.inks = std::make_shared<const InkedPicture>(
-                InkedPicture{separate(sheet.image, correction)});
+                InkedPicture{separate(sheet.image, correction), spotPlates(sheet)});
         } else {
             prepared.sheet.image = correction.colour->rgb(sheet.image);
         }
@@ -212,11 +257,14 @@ void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection
     const SheetLayout layout = sheetLayout(sheet);
     const QSize size = pagePixels(sheet, layout);
     const bool cmyk = colour && colour->isCmyk();
-    const int channels = cmyk ? 4 : 3;
-    QByteArray page = cmyk ? cmykPage(sheet, layout, correction) : rgbPage(sheet, layout, colour);
+    const int channels = cmyk ? inkChannels(sheet) : 3;
+    QByteArray page = cmyk ? inkedPage(sheet, layout, correction) : rgbPage(sheet, layout, colour);
     TiffBuffer buffer;
     setTags(buffer.tiff(), size, channels, {dpi * correction.scaleX, dpi * correction.scaleY},
             colour ? colour->iccProfile() : QColorSpace(QColorSpace::SRgb).iccProfile());
+    if (cmyk) {
+        setInks(buffer.tiff(), channels, sheet.settings.whiteName);
+    }
     bool written = true;
     for (int y = 0; y < size.height() && written; ++y) {
         char* row = page.data() + qsizetype(y) * size.width() * channels; // libtiff works in it

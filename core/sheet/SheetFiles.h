@@ -27,7 +27,8 @@ PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correctio
 void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
 
 // TIFF of the whole page, for raster image processors: RGB, or CMYK where the colour is in CMYK,
-// with resolution and ICC profile, compressed without loss. The film image is moved to whole pixels
+// with resolution and ICC profile, compressed without loss; in CMYK a sheet's white is one more
+// sample with its name. The film image is moved to whole pixels
 // and not resampled: scales are corrected by the resolutions in X and Y. The page is never turned.
 // Same bytes for the same sheet. Throws Error when not writable.
 void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});

@@ -56,13 +56,15 @@ struct CellPlaces {
 class FilmPainter {
 public:
     FilmPainter(const LaidFilm& laid, const ReverseMap& map, const BodyColours& colours,
-                const ReverseTextureOptions& options, QImage& image)
+                const ReverseTextureOptions& options, QImage& image, QImage& white)
         : laid_(laid), grid_(laid.film().grid), model_(laid.body().model), map_(map),
           colours_(colours), ink_(options.ink), share_(options.share ? &*options.share : nullptr),
           columns_(grid_, image.width(), grid_.columns - 1, columnAt),
           rows_(grid_, image.height(), grid_.rows - 1, rowAt),
           pixelSize_(float(grid_.width / image.width()), float(grid_.depth / image.height())),
-          code_(image), bits_(image.bits()), stride_(image.bytesPerLine()) {}
+          code_(image), bits_(image.bits()), stride_(image.bytesPerLine()),
+          white_(float(options.white)), growsWhite_(options.ink.compensate),
+          whiteBits_(white.isNull() ? nullptr : white.bits()), whiteStride_(white.bytesPerLine()) {}
 
     // What painting one row of cells has come to.
     struct PaintedRow {
@@ -285,7 +287,18 @@ private:
                               weights[2] * stretches[corners[2]];
         const InkCompensation::Ink ink = ink_.print(ink_.faded(wanted, pixel.share), stretch);
         code_.write(bytesOf(pixel), ink.colour, code_.opaque());
+        if (whiteBits_) {
+            printWhite(pixel, stretch);
+        }
         return ink.fallsShort ? double(pixelSize_.prod() * stretch) : 0;
+    }
+
+    // A tint is the share of the film that is covered; where the film stretches, so does that.
+    void printWhite(const Pixel& pixel, float stretch) const {
+        const float tint = white_ * pixel.share * (growsWhite_ ? stretch : 1);
+        unsigned char* const place = whiteBits_ + pixel.row * whiteStride_ + 4 * pixel.column;
+        std::fill_n(place, 3, std::uint8_t(std::lround(255 * std::clamp(tint, 0.0f, 1.0f))));
+        place[3] = 255;
     }
 
     const LaidFilm& laid_;
@@ -301,7 +314,25 @@ private:
     PixelCode code_;
     unsigned char* bits_;
     std::ptrdiff_t stride_;
+    float white_; // on the body, 0 … 1
+    bool growsWhite_;
+    unsigned char* whiteBits_; // RGBA8888; null: none
+    std::ptrdiff_t whiteStride_;
 };
+
+// The tints that were painted as greys, where the film image has colour.
+QImage tintOf(const QImage& painted, const QImage& image) {
+    const PixelCode code(image);
+    QImage tint(painted.size(), QImage::Format_Grayscale8);
+    for (int y = 0; y < tint.height(); ++y) {
+        for (int x = 0; x < tint.width(); ++x) {
+            const bool isPrinted =
+                code.alpha(image.constScanLine(y) + std::ptrdiff_t(x) * code.bytes()) != 0;
+            tint.scanLine(y)[x] = isPrinted ? painted.constScanLine(y)[4 * x] : 0;
+        }
+    }
+    return tint;
+}
 
 } // namespace
 
@@ -322,11 +353,15 @@ ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions&
         result.image.setColorSpace(wideSpace());
     }
     result.image.fill(Qt::transparent);
+    if (options.white > 0) {
+        result.white = QImage(options.pixels, QImage::Format_RGBA8888);
+        result.white.fill(Qt::transparent);
+    }
     const ReverseMap map(laid);
     result.seamTriangles = map.seamCount();
     progress(0.1, Text::tr("Reversing the texture"));
 
-    const FilmPainter painter(laid, map, colours, options, result.image);
+    const FilmPainter painter(laid, map, colours, options, result.image, result.white);
     const solver::FilmGrid& grid = laid.film().grid;
     std::vector<FilmPainter::PaintedRow> painted(std::size_t(grid.rows - 1));
     parallelFor(0, grid.rows - 1, [&](int row) {
@@ -344,6 +379,10 @@ ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions&
         for (unsigned char* pixel : row.left) {
             std::fill_n(pixel, PixelCode(result.image).bytes(), std::uint8_t(0));
         }
+    }
+    if (!result.white.isNull()) {
+        continueColour(result.white, options.bleed / pixelSize);
+        result.white = tintOf(result.white, result.image);
     }
     progress(1, Text::tr("Reversing the texture"));
     return result;

@@ -19,6 +19,7 @@ struct ReverseTextureOptions {
     double bleed = 2; // mm that the colour is continued past the painted area
     InkSettings ink;
     std::optional<PaintShare> share = {}; // none: it gives all the colour wherever it reaches
+    double white = 0; // tint that a white layer is to have on the body, 0 … 1; 0: no layer
 };
 
 struct ReverseTexture {
@@ -26,6 +27,9 @@ struct ReverseTexture {
                   // RGBA8888 in sRGB
     std::size_t seamTriangles = 0; // film triangles that crossed from chart to chart
     double shortfallArea = 0; // mm² of body whose density cannot be reached within the ink limit
+    // The tint of white to print wherever there is colour, more where the film stretches, as far as
+    // full tint goes; of the image's size, Grayscale8. Null where none is wanted.
+    QImage white;
 };
 
 // The image to print so that the dip puts the body's texture where it belongs: every pixel in a

@@ -366,22 +366,51 @@ std::vector<PropertySection> sheetProperties() {
          .help = Text::tr("A line with project, immersion, date, film, scale and a check sum.")}};
     const auto cutsInk = [](const Project& p) { return p.sheet.cutLine == CutLine::Ink; };
     const auto cuts = [](const Project& p) { return p.sheet.cutLine != CutLine::None; };
+    const auto isWhite = [](const Project& p) { return p.sheet.white != WhiteLayer::None; };
     PropertySection spots{Text::tr("Spot inks"), {}};
-    spots.specs = {{.path = QStringLiteral("sheet.cut_line"),
-                    .label = Text::tr("Cut line"),
-                    .help = Text::tr("A line for the cutter, as a spot ink in a PDF in CMYK."),
-                    .words = {{QStringLiteral("none"), Text::tr("None")},
-                              {QStringLiteral("ink"), Text::tr("Round the ink")},
-                              {QStringLiteral("film"), Text::tr("Along the film's edge")}}},
-                   {.path = QStringLiteral("sheet.cut_distance_mm"),
-                    .label = Text::tr("Distance"),
-                    .help = Text::tr("Of the cut line from the ink."),
-                    .unit = Unit::Length,
-                    .relevant = cutsInk},
-                   {.path = QStringLiteral("sheet.cut_name"),
-                    .label = Text::tr("Its ink"),
-                    .help = Text::tr("The name by which the cutter knows the line."),
-                    .relevant = cuts}};
+    spots.specs = {
+        {.path = QStringLiteral("body.base_colour"),
+         .label = Text::tr("Part's colour"),
+         .help = Text::tr("Of the bare part, as #1a2b3c: the proof shows the ink on it. Empty: "
+                          "light grey, and ink as it looks on white.")},
+        {.path = QStringLiteral("sheet.white"),
+         .label = Text::tr("White"),
+         .help = Text::tr("A plate of white under all colour. What is printed last touches the "
+                          "part; printed first, it lies on the outside, over the colour. In PDF "
+                          "and TIFF in CMYK."),
+         .words = {{QStringLiteral("none"), Text::tr("None")},
+                   {QStringLiteral("last"), Text::tr("Printed last, under the colour")},
+                   {QStringLiteral("first"), Text::tr("Printed first, over the colour")}}},
+        {.path = QStringLiteral("sheet.white_density"),
+         .label = Text::tr("Density"),
+         .help = Text::tr("Share of full tint that the part is to have; more is printed where the "
+                          "film stretches, as far as full tint goes."),
+         .unit = Unit::Share,
+         .relevant = isWhite},
+        {.path = QStringLiteral("sheet.white_choke_mm"),
+         .label = Text::tr("Choke"),
+         .help = Text::tr("How much smaller than the colour the white is, all round, on the film."),
+         .unit = Unit::Length,
+         .relevant = isWhite},
+        {.path = QStringLiteral("sheet.white_name"),
+         .label = Text::tr("Name of white"),
+         .help = Text::tr("The name by which the printer knows its white ink."),
+         .relevant = isWhite},
+        {.path = QStringLiteral("sheet.cut_line"),
+         .label = Text::tr("Cut line"),
+         .help = Text::tr("A line for the cutter, as a spot ink in a PDF in CMYK."),
+         .words = {{QStringLiteral("none"), Text::tr("None")},
+                   {QStringLiteral("ink"), Text::tr("Round the ink")},
+                   {QStringLiteral("film"), Text::tr("Along the film's edge")}}},
+        {.path = QStringLiteral("sheet.cut_distance_mm"),
+         .label = Text::tr("Distance"),
+         .help = Text::tr("Of the cut line from the ink."),
+         .unit = Unit::Length,
+         .relevant = cutsInk},
+        {.path = QStringLiteral("sheet.cut_name"),
+         .label = Text::tr("Its ink"),
+         .help = Text::tr("The name by which the cutter knows the line."),
+         .relevant = cuts}};
     PropertySection correction{Text::tr("Correction"), {}};
     correction.specs = {
         {.path = QStringLiteral("as_built.correct"),

@@ -53,6 +53,9 @@ private slots:
         row("sheet.marks", "false", "sheet");
         row("sheet.cut_line", "ink", "sheet");
         row("sheet.cut_name", "Thru-cut", "sheet");
+        row("sheet.white", "last", "texture sheet");
+        row("sheet.white_choke_mm", "1", "sheet");
+        row("body.base_colour", "#102030", "sheet");
     }
 
     void aValueIsInputOfTheStepsThatNeedIt() {

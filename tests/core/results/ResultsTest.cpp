@@ -163,6 +163,7 @@ private slots:
     void proofShowsTheImageOnTheBody();
     void proofTakesInkBackToWhatShows();
     void filmsOverEachOtherAddTheirInk();
+    void inkIsSeenOnThePartsOwnColourAndOnWhite();
     void slippedFilmPrintsBesideItsPlace();
     void lessDeepDipLeavesTheUpperPartBare();
     void sharesAreShownOnTheFilm();
@@ -523,6 +524,37 @@ void ResultsTest::filmsOverEachOtherAddTheirInk() {
     QVERIFY(left.red() > left.green() + 40);
     QVERIFY(right.red() < left.red() - 40); // the green lets no red through
     QVERIFY(right.green() < 60);            // nor the red green
+}
+
+// Red ink on a blue part is all but black, but for where white lies under it, to the right.
+void ResultsTest::inkIsSeenOnThePartsOwnColourAndOnWhite() {
+    QImage red(400, 560, QImage::Format_RGBA8888);
+    red.fill(Qt::red);
+    QImage white(red.size(), QImage::Format_Grayscale8);
+    white.fill(0);
+    for (int y = 0; y < white.height(); ++y) {
+        std::fill_n(white.scanLine(y) + 200, 200, uchar(255));
+    }
+    ProofOptions options;
+    options.tile = QSize(100, 100);
+    options.ink.compensate = false;
+    const auto of = [&](const QImage& plate) {
+        WornFilm worn{dip_.laid, red};
+        worn.white = plate;
+        return proofPicture(*proofStage(dip_.model), {worn}, options, {});
+    };
+    const QImage usual = of({});
+    QCOMPARE(of(white), usual); // ink looks as on white anyhow
+    options.ground.base = QColor(20, 30, 200);
+    const QImage bare = of({});
+    const QImage backed = of(white);
+    keep(backed, "white-proof.png");
+    QVERIFY(bare.pixelColor(70, 75).red() < 60);
+    QCOMPARE(backed.pixelColor(30, 75), bare.pixelColor(30, 75));
+    QCOMPARE(backed.pixelColor(70, 75), usual.pixelColor(70, 75));
+    options.ground.whiteOutside = true; // printed first it hides the ink
+    const QColor veil = of(white).pixelColor(70, 75);
+    QVERIFY(veil.red() > 150 && std::abs(veil.red() - veil.green()) < 8);
 }
 
 void ResultsTest::slippedFilmPrintsBesideItsPlace() {

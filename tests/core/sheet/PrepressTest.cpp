@@ -9,15 +9,30 @@
 #include "sheet/SheetFiles.h"
 #include "sheet/TiledSheet.h"
 
+#include <QScopeGuard>
 #include <QtTest>
+#include <cstring>
 #include <lcms2.h>
 #include <map>
+#include <tiffio.h>
 
 using namespace dipwright;
 
 namespace {
 
 constexpr double dark = 0.8; // of a plate's full ink
+
+// Half tint of white over 20 × 20 mm in the upper left of the film.
+QImage cornerOfWhite(const Sheet& sheet) {
+    QImage white(sheet.image.size(), QImage::Format_Grayscale8);
+    white.fill(0);
+    for (int y = 0; y < white.height() / 4; ++y) {
+        for (int x = 0; x < white.width() / 5; ++x) {
+            white.scanLine(y)[x] = 128;
+        }
+    }
+    return white;
+}
 
 // A page's plates by their names, in grey: 0 full ink … 255 none.
 using Separations = std::map<QString, QImage>;
@@ -112,6 +127,10 @@ private slots:
     void inkKeepsToItsTotal();
     void cutLineIsAPlateOfItsOwn();
     void cutLineKeepsItsDistanceFromTheInk();
+    void whiteIsAPlateOfItsOwn_data();
+    void whiteIsAPlateOfItsOwn();
+    void whiteIsASampleWithItsName();
+    void chokedWhiteIsSmallerAllRound();
     void pdfInInksIsTheSameEveryTime();
 };
 
@@ -324,6 +343,83 @@ void PrepressTest::cutLineKeepsItsDistanceFromTheInk() {
     const std::vector<double> sides = darkMiddles(edge, true, edge.height() / 2);
     QCOMPARE(sides.size(), std::size_t(2));
     QVERIFY(std::abs(sides[1] - sides[0] - pixels(100)) < pixels(0.02));
+}
+
+void PrepressTest::whiteIsAPlateOfItsOwn_data() {
+    QTest::addColumn<bool>("first");
+    QTest::newRow("printed last") << false;
+    QTest::newRow("printed first") << true;
+}
+
+void PrepressTest::whiteIsAPlateOfItsOwn() {
+    QFETCH(bool, first);
+    Sheet sheet = patchSheet();
+    sheet.image.fill(QColor(200, 60, 60)); // under the white, and over it
+    sheet.settings.ruler = sheet.settings.jobLine = sheet.settings.marks = false;
+    const Separations without = separations(pdfOf(sheet, {.colour = &inks_}), 150);
+    sheet.settings.white = first ? WhiteLayer::First : WhiteLayer::Last;
+    sheet.settings.whiteName = QStringLiteral("Opaque White");
+    sheet.white = cornerOfWhite(sheet);
+    const QString path = pdfOf(sheet, {.colour = &inks_});
+    QVERIFY(!output("qpdf", {"--check", path}).isEmpty());
+    const Separations plates = separations(path, 150);
+    QCOMPARE(plates.size(), std::size_t(5));
+    for (const auto& [name, plate] : without) {
+        QCOMPARE(plates.at(name), plate); // neither takes anything from the other
+    }
+    QVERIFY(std::abs(ink(plates, "Opaque White", {30, 30}) - 128 / 255.0) < 0.01);
+    QCOMPARE(ink(plates, "Opaque White", {300, 300}), 0.0);
+    const QByteArray page = output("qpdf", {"--qdf", "--stream-data=uncompress", path, "-"});
+    const QByteArray order = page.mid(page.indexOf("/Plate0 Do"));
+    QVERIFY(order.indexOf("/Plate1 Do") > 0);
+}
+
+void PrepressTest::whiteIsASampleWithItsName() {
+    Sheet sheet = patchSheet();
+    sheet.settings.white = WhiteLayer::Last;
+    sheet.white = cornerOfWhite(sheet);
+    const QString path = written(
+        "white.tif", [&](QIODevice& device) { writeSheetTiff(sheet, device, {.colour = &inks_}); });
+    TIFF* tiff = TIFFOpen(qPrintable(path), "r");
+    QVERIFY(tiff);
+    const auto close = qScopeGuard([&] { TIFFClose(tiff); });
+    std::uint16_t channels = 0;
+    std::uint16_t extra = 0;
+    std::uint16_t* kinds = nullptr;
+    const char* names = nullptr;
+    TIFFGetField(tiff, TIFFTAG_SAMPLESPERPIXEL, &channels);
+    TIFFGetField(tiff, TIFFTAG_EXTRASAMPLES, &extra, &kinds);
+    QCOMPARE(int(channels), 5);
+    QCOMPARE(int(extra), 1);
+    QVERIFY(TIFFGetField(tiff, TIFFTAG_INKNAMES, &names));
+    QStringList inks;
+    for (int i = 0; i < 5; ++i, names += std::strlen(names) + 1) {
+        inks << QString::fromUtf8(names);
+    }
+    QCOMPARE(inks, QStringList({"Cyan", "Magenta", "Yellow", "Black", "White"}));
+    std::vector<uchar> row(std::size_t(TIFFScanlineSize(tiff)));
+    for (std::uint32_t y = 0; y <= 10; ++y) {
+        QCOMPARE(TIFFReadScanline(tiff, row.data(), y), 1);
+    }
+    QCOMPARE(int(row[5 * 10 + 4]), 128);
+    QCOMPARE(int(row[5 * 300 + 4]), 0);
+}
+
+void PrepressTest::chokedWhiteIsSmallerAllRound() {
+    QImage white(200, 100, QImage::Format_Grayscale8);
+    white.fill(0);
+    for (int y = 20; y < 80; ++y) {
+        std::fill_n(white.scanLine(y) + 30, 140, uchar(200));
+    }
+    const QImage smaller = choked(white, 5);
+    const auto at = [&](int x, int y) { return int(smaller.constScanLine(y)[x]); };
+    QCOMPARE(at(34, 50), 0);
+    QCOMPARE(at(35, 50), 200);
+    QCOMPARE(at(164, 50), 200);
+    QCOMPARE(at(165, 50), 0);
+    QCOMPARE(at(100, 24), 0);
+    QCOMPARE(at(100, 25), 200);
+    QCOMPARE(choked(white, 0), white);
 }
 
 void PrepressTest::pdfInInksIsTheSameEveryTime() {

@@ -101,6 +101,7 @@ private Q_SLOTS:
     void nothingIsPrintedBeyondTheBleed();
     void inkFollowsTheStretch();
     void colourThatCannotBeHadIsReported();
+    void whiteIsPrintedMoreWhereTheFilmStretches();
     void sameBytesOnOneThreadAndOnMany();
     void tinyImageStillWorks();
     void cancellingThrows();
@@ -349,6 +350,34 @@ void ReverseTextureTest::colourThatCannotBeHadIsReported() {
     // All of the painted bottom: 28 × 28 points' cells, drawn out.
     const double painted = 27 * 27 * film.grid.spacingX(0) * film.grid.spacingZ(0) * 1.44;
     QVERIFY(std::abs(texture.shortfallArea - painted) < 0.01 * painted);
+}
+
+// Half tint on film that has grown by 1.44; as far as the colour goes, its bleed with it.
+void ReverseTextureTest::whiteIsPrintedMoreWhereTheFilmStretches() {
+    DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize / 1.2);
+    for (Eigen::Vector3f& position : film.positions) {
+        position *= 1.2f;
+    }
+    const TexturedMesh model = test::plainModel(boxMesh(boxSize), QColor(200, 60, 60));
+    ReverseTextureOptions options;
+    options.pixels = a4Pixels;
+    const ReverseTexture plain = reversed(model, film, options);
+    QVERIFY(plain.white.isNull());
+    options.white = 0.5;
+    const ReverseTexture texture = reversed(model, film, options);
+    QCOMPARE(texture.image, plain.image);
+    QCOMPARE(texture.white.size(), texture.image.size());
+    for (int y = 0; y < texture.white.height(); ++y) {
+        for (int x = 0; x < texture.white.width(); ++x) {
+            const bool isPrinted = qAlpha(texture.image.pixel(x, y)) != 0;
+            const int tint = texture.white.constScanLine(y)[x];
+            QVERIFY2(isPrinted ? std::abs(tint - 255 * 0.72) < 4 : tint == 0,
+                     qPrintable(QString::number(tint)));
+        }
+    }
+    options.white = 0.9; // more than full tint is not to be had
+    const ReverseTexture full = reversed(model, film, options);
+    QCOMPARE(int(full.white.constScanLine(full.white.height() / 2)[full.white.width() / 2]), 255);
 }
 
 void ReverseTextureTest::sameBytesOnOneThreadAndOnMany() {
