@@ -145,7 +145,7 @@ private:
     }
     // An image's own square is 1 × 1, its first row on top.
     void place(const QRectF& box) {
-        QByteArray draw = "/Over gs\n"; // a plate takes nothing away from the others
+        QByteArray draw = plates_ > 1 ? "/Over gs\n" : "";
         for (int plate = 0; plate < plates_; ++plate) {
             draw += "/Plate" + QByteArray::number(plate) + " Do\n";
         }
@@ -287,8 +287,11 @@ void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const InkedPict
             spaces.replaceKey(('/' + drawn.engine().spotName(spot)).toStdString(),
                               separation(pdf, spot, "[0 1 0 0]"));
         }
-        QPDFObjectHandle resources = QPDFObjectHandle::parse(
-            "<< /ExtGState << /Over << /OP true /op true /OPM 1 >> >> /XObject << >> >>");
+        // Multiplied, a plate takes nothing away from the others (ISO 32000-1, 11.7.3), on screens
+        // as in separations; many viewers do not heed overprinting, and white would hide the rest.
+        QPDFObjectHandle resources =
+            QPDFObjectHandle::parse("<< /ExtGState << /Over << /BM /Multiply >> >> "
+                                    "/XObject << >> >>");
         resources.replaceKey("/ColorSpace", spaces);
         for (std::size_t plate = 0; plate < plates.size(); ++plate) {
             resources.getKey("/XObject")
@@ -299,6 +302,8 @@ void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const InkedPict
         QPDFObjectHandle page = QPDFObjectHandle::parse("<< /Type /Page >>");
         page.replaceKey("/MediaBox", boxOf(size));
         page.replaceKey("/TrimBox", boxOf(size));
+        page.replaceKey("/Group",
+                        QPDFObjectHandle::parse("<< /S /Transparency /CS /DeviceCMYK >>"));
         page.replaceKey("/Resources", resources);
         page.replaceKey("/Contents", compressed(pdf, turned + drawn.engine().content()));
         document.addPage(pdf.makeIndirectObject(page), false);

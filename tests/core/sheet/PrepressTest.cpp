@@ -369,6 +369,8 @@ void PrepressTest::whiteIsAPlateOfItsOwn() {
     }
     QVERIFY(std::abs(ink(plates, "Opaque White", {30, 30}) - 128 / 255.0) < 0.01);
     QCOMPARE(ink(plates, "Opaque White", {300, 300}), 0.0);
+    // Whoever looks at it sees the colour.
+    QVERIFY(qGray(renderedPage(path, 100, QRectF(5, 5, 2, 2)).pixel(3, 3)) < 160);
     const QByteArray page = output("qpdf", {"--qdf", "--stream-data=uncompress", path, "-"});
     const QByteArray order = page.mid(page.indexOf("/Plate0 Do"));
     QVERIFY(order.indexOf("/Plate1 Do") > 0);
