@@ -7486,6 +7486,14 @@ mm je mm</translation>
         <source>The shares of the two dips, over the sheet of this one</source>
         <translation>Die Anteile der beiden Tauchvorgänge, über dem Bogen von diesem</translation>
     </message>
+    <message>
+        <source>Without White</source>
+        <translation>Ohne Weiß</translation>
+    </message>
+    <message>
+        <source>The ink on the part&apos;s own colour, as it were without the white</source>
+        <translation>Die Druckfarbe auf der Farbe des Teils, wie sie ohne das Weiß wäre</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ReverseTexture</name>

@@ -7486,6 +7486,14 @@ mm por mm</translation>
         <source>The shares of the two dips, over the sheet of this one</source>
         <translation>As partes das duas imersões, sobre a folha desta</translation>
     </message>
+    <message>
+        <source>Without White</source>
+        <translation>Sem branco</translation>
+    </message>
+    <message>
+        <source>The ink on the part&apos;s own colour, as it were without the white</source>
+        <translation>A tinta sobre a cor da própria peça, como seria sem o branco</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ReverseTexture</name>

@@ -293,7 +293,7 @@ private:
         return ink.fallsShort ? double(pixelSize_.prod() * stretch) : 0;
     }
 
-    // A tint is the share of the film that is covered; where the film stretches, so does that.
+    // White thins as an even layer (docs/film-model.md, "White").
     void printWhite(const Pixel& pixel, float stretch) const {
         const float tint = white_ * pixel.share * (growsWhite_ ? stretch : 1);
         unsigned char* const place = whiteBits_ + pixel.row * whiteStride_ + 4 * pixel.column;

@@ -56,11 +56,15 @@ ResultsPanel::ResultsPanel(QWidget* parent)
     setUsesScrollButtons(true);
     setMinimumWidth(leastWidth);
     sheet_->offerTrueSize();
-    proofShares_ = offerShares(*proof_, QStringLiteral("proofShares"),
-                               tr("The shares of the two dips, from six sides and on both films"));
-    sheetShares_ = offerShares(*sheet_, QStringLiteral("sheetShares"),
-                               tr("The shares of the two dips, over the sheet of this one"));
+    proofShares_ = offer(*proof_, tr("Who Paints What"), QStringLiteral("proofShares"),
+                         tr("The shares of the two dips, from six sides and on both films"));
+    sheetShares_ = offer(*sheet_, tr("Who Paints What"), QStringLiteral("sheetShares"),
+                         tr("The shares of the two dips, over the sheet of this one"));
+    proofWithoutWhite_ =
+        offer(*proof_, tr("Without White"), QStringLiteral("proofWithoutWhite"),
+              tr("The ink on the part's own colour, as it were without the white"));
     connect(proofShares_, &QAction::toggled, this, &ResultsPanel::showProof);
+    connect(proofWithoutWhite_, &QAction::toggled, this, &ResultsPanel::showProof);
     connect(sheetShares_, &QAction::toggled, this, &ResultsPanel::showSheet);
     addTab(certainty_, tr("Verdict"));
     addTab(stretch_, tr("Stretch"));
@@ -113,26 +117,31 @@ void ResultsPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion) 
     texture_->setPicture(outcome.result->immersions[immersion].texture->image,
                          {film.width.value(), film.height.value()});
     proofShares_->setVisible(!outcome.result->coverage.isNull());
+    proofWithoutWhite_->setVisible(!outcome.result->proofWithoutWhite.isNull());
     sheetShares_->setVisible(outcome.result->share != nullptr);
     showProof();
     showSheet();
 }
 
-QAction* ResultsPanel::offerShares(PicturePanel& panel, const QString& name, const QString& help) {
-    auto* shares = new QAction(tr("Who Paints What"), this);
-    shares->setObjectName(name);
-    shares->setCheckable(true);
-    shares->setVisible(false);
-    shares->setToolTip(help);
-    panel.addButton(shares);
-    return shares;
+QAction* ResultsPanel::offer(PicturePanel& panel, const QString& text, const QString& name,
+                             const QString& help) {
+    auto* other = new QAction(text, this);
+    other->setObjectName(name);
+    other->setCheckable(true);
+    other->setVisible(false);
+    other->setToolTip(help);
+    panel.addButton(other);
+    return other;
 }
 
 void ResultsPanel::showProof() {
     const bool hasShares = outcome_.result && !outcome_.result->coverage.isNull();
     if (outcome_.result) {
-        const QImage& picture = hasShares && proofShares_->isChecked() ? outcome_.result->coverage
-                                                                       : outcome_.result->proof;
+        const JobResult& result = *outcome_.result;
+        const bool isBare = proofWithoutWhite_->isChecked() && !result.proofWithoutWhite.isNull();
+        const QImage& picture = hasShares && proofShares_->isChecked() ? result.coverage
+                                : isBare                               ? result.proofWithoutWhite
+                                                                       : result.proof;
         proof_->setPicture(picture, QSizeF(picture.size()) / proofPixelsPerMillimetre);
     }
 }

@@ -40,7 +40,8 @@ signals:
 
 private:
     void hoverShare(double across, double down);
-    QAction* offerShares(PicturePanel& panel, const QString& name, const QString& help);
+    QAction* offer(PicturePanel& panel, const QString& text, const QString& name,
+                   const QString& help);
     void showProof();
     void showSheet();
 
@@ -51,6 +52,7 @@ private:
     StretchPanel* stretch_;
     PicturePanel* texture_;
     PicturePanel* proof_;
+    QAction* proofWithoutWhite_;
     QAction* proofShares_; // who paints what, in place of the proof …
     PicturePanel* sheet_;
     QAction* sheetShares_; // … and over the sheet
