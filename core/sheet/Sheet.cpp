@@ -8,6 +8,7 @@
 
 #include <QColorSpace>
 #include <QCoreApplication>
+#include <QCryptographicHash>
 #include <cmath>
 
 namespace dipwright {
@@ -51,6 +52,13 @@ QImage flattened(const QImage& filmImage) {
     QImage page = inSrgb(onPaper(filmImage));
     page.setColorSpace(QColorSpace::SRgb);
     return page;
+}
+
+QString hashOfJobs(const QStringList& jobs) {
+    constexpr int letters = 12;
+    const QByteArray hash =
+        QCryptographicHash::hash(jobs.join(u' ').toLatin1(), QCryptographicHash::Sha256);
+    return QString::fromLatin1(hash.toHex().left(letters));
 }
 
 void paintSheet(QPainter& painter, const Sheet& sheet) {

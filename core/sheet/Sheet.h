@@ -10,6 +10,7 @@
 #include <QImage>
 #include <QPainter>
 #include <optional>
+#include <vector>
 
 namespace dipwright {
 
@@ -50,6 +51,21 @@ struct JobLine {
     QString project, immersion, date, film, scale, hash;
 };
 
+// One of several jobs on a film (FilmPacking.h): where its picture lies in the sheet's image, and
+// what is printed round it. Lengths in mm.
+struct SheetPiece {
+    QPointF corner; // of its box on the page, the upper left one
+    QSizeF size;    // of all that is cut out, as it stands upright
+    QRectF picture; // in it, upright: what is inked
+    QPointF middle; // in it, upright: of its job's own film, over which the body's place counts
+    bool turned = false; // on the page, by a quarter clockwise
+    JobLine job;
+    int dip = 1, copy = 1, copies = 1; // from 1
+    bool marks = true, jobLine = true;
+
+    QRectF box() const { return {corner, turned ? size.transposed() : size}; } // on the page
+};
+
 // A film image at its printed size with what is printed round it.
 struct Sheet {
     QImage image; // ink side up, the film's printed size; sRGB or wide
@@ -61,7 +77,11 @@ struct Sheet {
     // The white under or over the image, choked; of its size, Grayscale8, 255 full tint. Null:
     // none.
     QImage white = {};
+    std::vector<SheetPiece> pieces = {}; // empty: the image is of one job
 };
+
+// The job of several sheets together, twelve hex digits of a SHA-256. `jobs`: those of the sheets.
+QString hashOfJobs(const QStringList& jobs);
 
 // Pixels of a film image at true size: A4 at 300 dpi is 2480 × 3508. Throws Error past 32,000
 // pixels a side.

@@ -1,6 +1,7 @@
 #include "sheet/SheetInk.h"
 
 #include "sheet/InkedPages.h"
+#include "sheet/PieceInk.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -17,30 +18,6 @@ constexpr double rim = 0.5; // mm of white round what stands on paint
 
 QPen whitePen(double width) {
     return {Qt::white, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
-}
-
-// A circle and a cross. The upper left one is filled in two quarters: a sheet that was turned or
-// turned over shows it.
-void paintMark(QPainter& painter, const SheetMark& mark, bool first) {
-    const SheetInk ink(painter, mark.overPaint, registrationBlack);
-    const double radius = markReach * 0.6;
-    const QRectF circle(mark.centre - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
-    QPainterPath path;
-    path.addEllipse(circle);
-    path.moveTo(mark.centre - QPointF(markReach, 0));
-    path.lineTo(mark.centre + QPointF(markReach, 0));
-    path.moveTo(mark.centre - QPointF(0, markReach));
-    path.lineTo(mark.centre + QPointF(0, markReach));
-    ink.stroke(path);
-    if (first) {
-        QPainterPath quarters;
-        for (int startAngle : {90, 270}) {
-            quarters.moveTo(mark.centre);
-            quarters.arcTo(circle, startAngle, 90);
-            quarters.closeSubpath();
-        }
-        painter.fillPath(quarters, registrationBlack);
-    }
 }
 
 void enter(QPainter& painter, const SheetStrip& strip) {
@@ -82,6 +59,28 @@ void SheetInk::text(QPointF baseline, double height, const QString& text) const 
     painter_.restore();
 }
 
+void paintMark(QPainter& painter, const SheetMark& mark, bool first) {
+    const SheetInk ink(painter, mark.overPaint, registrationBlack);
+    const double radius = markReach * 0.6;
+    const QRectF circle(mark.centre - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+    QPainterPath path;
+    path.addEllipse(circle);
+    path.moveTo(mark.centre - QPointF(markReach, 0));
+    path.lineTo(mark.centre + QPointF(markReach, 0));
+    path.moveTo(mark.centre - QPointF(0, markReach));
+    path.lineTo(mark.centre + QPointF(0, markReach));
+    ink.stroke(path);
+    if (first) {
+        QPainterPath quarters;
+        for (int startAngle : {90, 270}) {
+            quarters.moveTo(mark.centre);
+            quarters.arcTo(circle, startAngle, 90);
+            quarters.closeSubpath();
+        }
+        painter.fillPath(quarters, registrationBlack);
+    }
+}
+
 void paintRuler(QPainter& painter, const SheetStrip& strip) {
     painter.save();
     enter(painter, strip);
@@ -113,6 +112,9 @@ void paintMarks(QPainter& painter, const SheetLayout& layout) {
     painter.setRenderHint(QPainter::Antialiasing);
     for (std::size_t corner = 0; corner < layout.marks.size(); ++corner) {
         paintMark(painter, layout.marks[corner], corner == 0);
+    }
+    for (const SheetPiece& piece : layout.pieces) {
+        paintPiece(painter, piece);
     }
     if (layout.ruler) {
         paintRuler(painter, *layout.ruler);

@@ -26,6 +26,9 @@ private:
     QColor colour_;
 };
 
+// A circle and a cross. The upper left one, the `first`, is filled in two quarters: a sheet that
+// was turned or turned over shows it.
+void paintMark(QPainter& painter, const SheetMark& mark, bool first);
 // A ruler with its scale in mm along a strip.
 void paintRuler(QPainter& painter, const SheetStrip& strip);
 // All that is printed round the film image.

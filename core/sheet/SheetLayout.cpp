@@ -57,7 +57,7 @@ public:
         for (int y = pixels.top(); y <= pixels.bottom(); ++y) {
             const uchar* pixel = image_.constScanLine(y) + qsizetype(pixels.left()) * 4;
             for (int x = 0; x < pixels.width(); ++x, pixel += 4) {
-                painted += pixel[3] != 0 && (pixel[0] & pixel[1] & pixel[2]) != 255;
+                painted += prints(pixel);
             }
         }
         return double(painted) / (double(pixels.width()) * pixels.height());
@@ -80,10 +80,13 @@ private:
 // Finds places along the page's edges for strips that neither meet each other nor the paint.
 class Places {
 public:
-    Places(QSizeF page, double clearance, const Paint& paint, const std::vector<SheetMark>& marks)
-        : page_(page), clearance_(clearance), paint_(paint) {
-        for (const SheetMark& mark : marks) {
+    Places(const SheetLayout& layout, double clearance, const Paint& paint)
+        : page_(layout.page), clearance_(clearance), paint_(paint) {
+        for (const SheetMark& mark : layout.marks) {
             taken_.push_back(mark.box());
+        }
+        for (const SheetPiece& piece : layout.pieces) {
+            taken_.push_back(piece.box());
         }
     }
 
@@ -246,10 +249,11 @@ SheetLayout sheetLayout(const Sheet& sheet) {
                          film);
     const Paint paint(sheet.image, layout.film);
     const double clearance = sheet.clearance.value();
-    if (sheet.settings.marks) {
+    layout.pieces = sheet.pieces;
+    if (sheet.settings.marks && sheet.pieces.empty()) {
         layout.marks = placeMarks(layout.film, clearance, paint);
     }
-    Places places(layout.page, clearance, paint, layout.marks);
+    Places places(layout, clearance, paint);
     if (sheet.settings.ruler) {
         layout.ruler = placeRuler(places);
     }

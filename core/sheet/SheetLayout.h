@@ -39,8 +39,14 @@ struct SheetLayout {
         ruler; // its scale runs along the whole strip less `rulerEnd` on each side
     std::optional<SheetStrip> jobLine;
     QString jobLineText;
-    double jobLineHeight = 0; // of its type, mm
+    double jobLineHeight = 0;       // of its type, mm
+    std::vector<SheetPiece> pieces; // of several jobs: each has marks and a job line of its own
 };
+
+// Whether a pixel, red, green, blue and alpha a byte each, is printed at all.
+inline bool prints(const uchar* pixel) {
+    return pixel[3] != 0 && (pixel[0] & pixel[1] & pixel[2]) != 255;
+}
 
 inline constexpr double markReach = 3;  // mm from a mark's centre to the ends of its cross
 inline constexpr double rulerEnd = 5;   // mm of a ruler's strip before 0 and after its last line

@@ -1,11 +1,11 @@
 #include "traveller/Traveller.h"
 
 #include "sheet/PdfDocument.h"
+#include "sheet/QrCode.h"
+#include "sheet/Sheet.h"
 #include "traveller/PageInk.h"
-#include "traveller/QrCode.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QLocale>
 
 #include <algorithm>
@@ -305,9 +305,7 @@ QString jobOfAll(const QStringList& jobs) {
     if (jobs.size() == 1) {
         return jobs.front();
     }
-    const QByteArray hash =
-        QCryptographicHash::hash(jobs.join(u' ').toLatin1(), QCryptographicHash::Sha256);
-    return QString::fromLatin1(hash.toHex().left(12));
+    return hashOfJobs(jobs);
 }
 
 QString travellerJob(const Traveller& traveller) {

@@ -89,6 +89,16 @@ private slots:
         QTest::newRow("no project") << QStringList{"run", "--out", path("out")};
         QTest::newRow("two projects") << QStringList{"info", job, job}; // run takes several
         QTest::newRow("two projects, no out") << QStringList{"run", job, job};
+        QTest::newRow("pack nowhere") << QStringList{"pack", job};
+        QTest::newRow("pack no copies") << QStringList{"pack", job + ":0", "--out", path("out")};
+        QTest::newRow("pack on a film without a height")
+            << QStringList{"pack", job, "--out", path("out"), "--film", "210"};
+        QTest::newRow("pack on a film of nothing")
+            << QStringList{"pack", job, "--out", path("out"), "--film", "roll:0"};
+        QTest::newRow("pack too near")
+            << QStringList{"pack", job, "--out", path("out"), "--margin", "1"};
+        QTest::newRow("pack fed by a corner")
+            << QStringList{"pack", job, "--out", path("out"), "--feed", "corner"};
         QTest::newRow("no out") << QStringList{"run", job};
         QTest::newRow("option without value") << QStringList{"run", job, "--out"};
         QTest::newRow("set without value") << QStringList{"info", job, "--set", "film.points"};

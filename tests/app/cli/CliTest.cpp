@@ -61,7 +61,7 @@ private slots:
         const Outcome help = cli({"--help"});
         QCOMPARE(help.exitCode, 0);
         for (const char* command :
-             {"new", "run", "optimize", "info", "validate", "solvers", "bench"}) {
+             {"new", "run", "pack", "optimize", "info", "validate", "solvers", "bench"}) {
             QVERIFY2(help.out.contains(command), command);
             const Outcome own = cli({command, "--help"});
             QCOMPARE(own.exitCode, 0);

@@ -1,4 +1,4 @@
-#include "traveller/QrCode.h"
+#include "sheet/QrCode.h"
 
 #include <memory>
 #include <new>
@@ -14,6 +14,8 @@ void paintQrCode(QPainter& painter, const QRectF& place, const QString& text) {
         throw std::bad_alloc(); // a short text always fits
     }
     const double side = place.width() / (code->width + 2 * quiet);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, false); // no light between two squares
     painter.fillRect(place, Qt::white);
     for (int row = 0; row < code->width; ++row) {
         for (int column = 0; column < code->width; ++column) {
@@ -24,6 +26,7 @@ void paintQrCode(QPainter& painter, const QRectF& place, const QString& text) {
             }
         }
     }
+    painter.restore();
 }
 
 } // namespace dipwright

@@ -1,0 +1,147 @@
+#include "pipeline/JobPacking.h"
+
+#include "base/Bytes.h"
+#include "disk/ResultFolder.h"
+#include "sheet/SheetFiles.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Pipeline)
+};
+
+const QString reportFile = QStringLiteral("films.json");
+
+QString filmFile(std::size_t number, const char* suffix) {
+    return QStringLiteral("film-%1.%2").arg(number + 1).arg(QLatin1String(suffix));
+}
+
+// All that may have been written before.
+QStringList filmFiles() {
+    QStringList files{reportFile};
+    for (int number = 0; number < mostFilms; ++number) {
+        for (const char* suffix : {"pdf", "png", "tif"}) {
+            files << filmFile(std::size_t(number), suffix);
+        }
+    }
+    return files;
+}
+
+bool runsAlongHeight(QSizeF size, FeedDirection feed) {
+    return (size.height() >= size.width()) == (feed == FeedDirection::ShortEdgeFirst);
+}
+
+QJsonArray boxJson(const QRectF& box) {
+    return {box.x(), box.y(), box.width(), box.height()};
+}
+
+QJsonObject pieceJson(const SheetPiece& piece) {
+    const QPointF off = piece.picture.center() - piece.middle;
+    return {{"project", piece.job.project},
+            {"immersion", piece.job.immersion},
+            {"job", piece.job.hash},
+            {"dip", piece.dip},
+            {"copy", piece.copy},
+            {"copies", piece.copies},
+            {"box_mm", boxJson(piece.box())},
+            {"turned", piece.turned},
+            {"picture_mm", QJsonArray{piece.picture.width(), piece.picture.height()}},
+            {"picture_off_mm", QJsonArray{off.x(), off.y()}}};
+}
+
+QJsonObject filmJson(const Sheet& sheet, const PlannedFilm& film, std::size_t number) {
+    QJsonArray pieces;
+    for (const SheetPiece& piece : sheet.pieces) {
+        pieces.append(pieceJson(piece));
+    }
+    return {{"file", filmFile(number, "pdf")},
+            {"job", sheet.job.hash},
+            {"size_mm", QJsonArray{film.size.width(), film.size.height()}},
+            {"used", film.used},
+            {"pieces", pieces}};
+}
+
+} // namespace
+
+Turning turningOf(const Project& project, const PackSettings& settings) {
+    const FilmSettings& film = project.film;
+    if (film.swellX == film.swellY) {
+        return settings.mayTurn ? Turning::Allowed : Turning::Never;
+    }
+    const std::optional<FilmProfile>& profile = project.profiles.film;
+    const bool own = runsAlongHeight({film.width.value(), film.height.value()},
+                                     profile ? profile->feed : FeedDirection::ShortEdgeFirst);
+    const bool here = settings.film.isRoll || runsAlongHeight(settings.film.size, settings.feed);
+    return own == here ? Turning::Never : Turning::Always;
+}
+
+std::vector<PieceToPack> piecesOf(const JobResult& result, int copies,
+                                  const PackSettings& settings) {
+    std::vector<PieceToPack> pieces;
+    for (std::size_t dip = 0; dip < result.immersions.size(); ++dip) {
+        pieces.push_back({result.immersions[dip].sheet, int(dip) + 1, copies,
+                          turningOf(result.project, settings)});
+    }
+    return pieces;
+}
+
+PackedFilms packedFilms(std::vector<PieceToPack> pieces, const PackSettings& settings) {
+    PackedFilms films{std::move(pieces), settings, {}};
+    films.plan = planFilms(films.pieces, settings.film);
+    return films;
+}
+
+Sheet sheetOf(const PackedFilms& films, std::size_t number) {
+    return filmSheet(films.pieces, films.settings.film, films.plan, number);
+}
+
+QStringList filmsText(const PackedFilms& films) {
+    QStringList lines;
+    for (std::size_t number = 0; number < films.plan.films.size(); ++number) {
+        const PlannedFilm& film = films.plan.films[number];
+        lines << Text::tr("Film %1: %2 × %3 mm, %4 pieces, %5 % of it used")
+                     .arg(number + 1)
+                     .arg(QString::number(film.size.width(), 'f', 0),
+                          QString::number(film.size.height(), 'f', 0))
+                     .arg(film.pieces.size())
+                     .arg(QString::number(100 * film.used, 'f', 0));
+    }
+    return lines;
+}
+
+void checkFilmsFolder(const QString& folder) {
+    ResultFolder(folder, filmFiles());
+}
+
+void writeFilms(const PackedFilms& films, const QString& folder, const Progress& progress) {
+    ResultFolder results(folder, filmFiles());
+    const std::size_t count = films.plan.films.size();
+    QJsonArray list;
+    for (std::size_t number = 0; number < count; ++number) {
+        progress(double(number) / double(count), Text::tr("Writing film %1").arg(number + 1));
+        progress.cancelSwitch.throwIfCancelled();
+        const Sheet sheet = sheetOf(films, number);
+        results.write(filmFile(number, "png"),
+                      bytesOf([&](QIODevice& device) { writeSheetPng(sheet, device); }));
+        results.write(filmFile(number, "pdf"),
+                      bytesOf([&](QIODevice& device) { writeSheetPdf(sheet, device); }));
+        results.write(filmFile(number, "tif"),
+                      bytesOf([&](QIODevice& device) { writeSheetTiff(sheet, device); }));
+        list.append(filmJson(sheet, films.plan.films[number], number));
+    }
+    const QJsonObject report{{"format", "dipwright-films"},
+                             {"version", 1},
+                             {"dpi", films.pieces.front().sheet.settings.resolution.value()},
+                             {"films", list}};
+    results.write(reportFile, QJsonDocument(report).toJson());
+    progress(1, Text::tr("Moving the results in place"));
+    progress.cancelSwitch.throwIfCancelled();
+    results.commit();
+}
+
+} // namespace dipwright

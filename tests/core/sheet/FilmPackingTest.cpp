@@ -1,0 +1,323 @@
+// Several jobs on one film, as who cuts them apart, and who prints them alone, would check it.
+#include "PaperMeasure.h"
+
+#include "base/Error.h"
+#include "sheet/FilmPacking.h"
+#include "sheet/SheetFiles.h"
+
+#include <QBuffer>
+#include <QTemporaryDir>
+#include <QTransform>
+#include <QtTest>
+
+#include <random>
+
+using namespace dipwright;
+
+namespace {
+
+// A film of A4 with a picture of so many mm off its middle, each pixel of which is told from its
+// neighbours, and paint that thins out to nothing.
+PieceToPack part(const QString& name, QRectF inked, int copies = 1) {
+    PieceToPack piece;
+    Sheet& sheet = piece.sheet;
+    sheet.image = QImage(sheetPixels(sheet.filmWidth, sheet.filmHeight, sheet.settings.resolution),
+                         QImage::Format_RGBA8888);
+    sheet.image.fill(Qt::transparent);
+    const double unit = sheet.image.width() / sheet.filmWidth.value();
+    const QRect box = QRectF(inked.topLeft() * unit, inked.size() * unit).toRect();
+    for (int y = box.top(); y <= box.bottom(); ++y) {
+        for (int x = box.left(); x <= box.right(); ++x) {
+            sheet.image.setPixel(
+                x, y, qRgba(x % 251, y % 241, (x + y + name.size()) % 239, 100 + (x * y) % 156));
+        }
+    }
+    sheet.job = {name,
+                 QStringLiteral("Top"),
+                 QStringLiteral("2026-03-01"),
+                 QStringLiteral("A4 210 × 297 mm"),
+                 QStringLiteral("1:1"),
+                 QStringLiteral("%1").arg(qHash(name, 7) & 0xffffff, 12, 16, QLatin1Char('0'))};
+    piece.copies = copies;
+    return piece;
+}
+
+std::vector<PieceToPack> nineParts() {
+    std::vector<PieceToPack> parts;
+    for (int number = 0; number < 9; ++number) {
+        parts.push_back(part(QStringLiteral("Part %1").arg(number + 1),
+                             {20.0 + 11 * number, 30.0 + 17 * number, 30.0 + 2 * (number % 4),
+                              35.0 + 3 * (number % 5)}));
+    }
+    return parts;
+}
+
+QRect inkedBox(const QImage& image) {
+    QRect box;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            if (qAlpha(image.pixel(x, y)) > 0) {
+                box |= QRect(x, y, 1, 1);
+            }
+        }
+    }
+    return box;
+}
+
+// Of a piece's picture on the film, pixels.
+QRect pictureBox(const Sheet& sheet, const SheetPiece& piece) {
+    const double unit = sheet.image.width() / sheet.filmWidth.value();
+    const QRectF own = piece.picture;
+    const QRectF box = piece.turned ? QRectF(piece.size.height() - own.bottom(), own.left(),
+                                             own.height(), own.width())
+                                    : own;
+    const QRectF page = box.translated(piece.corner);
+    return {(page.topLeft() * unit).toPoint(), (page.size() * unit).toSize()};
+}
+
+QByteArray pdfOf(const Sheet& sheet) {
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    writeSheetPdf(sheet, buffer);
+    return buffer.data();
+}
+
+} // namespace
+
+class FilmPackingTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    QString save(const QByteArray& bytes, const QString& name) {
+        QFile file(folder_.filePath(name));
+        if (!file.open(QIODevice::WriteOnly)) {
+            qFatal("cannot write %s", qPrintable(file.fileName()));
+        }
+        file.write(bytes);
+        return file.fileName();
+    }
+
+private slots:
+    void rectanglesNeitherOverlapNorLeave() {
+        std::mt19937 random(5);
+        std::vector<PackItem> items;
+        for (int number = 0; number < 300; ++number) {
+            items.push_back(
+                {QSize(int(20 + random() % 180), int(20 + random() % 180)), Turning(random() % 3)});
+        }
+        const QSize bin(600, 800);
+        const auto bins = packed(items, bin);
+        std::vector<int> seen(items.size(), 0);
+        double area = 0;
+        for (const auto& places : bins) {
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                const PackPlace& place = places[i];
+                const PackItem& item = items[place.item];
+                ++seen[place.item];
+                area += double(place.box.width()) * place.box.height();
+                QVERIFY(QRect({0, 0}, bin).contains(place.box));
+                QCOMPARE(place.box.size(), place.turned ? item.size.transposed() : item.size);
+                QVERIFY(item.turning == Turning::Allowed ||
+                        place.turned == (item.turning == Turning::Always));
+                for (std::size_t j = 0; j < i; ++j) {
+                    QVERIFY(!place.box.intersects(places[j].box));
+                }
+            }
+        }
+        QCOMPARE(std::count(seen.begin(), seen.end(), 1), std::ptrdiff_t(items.size()));
+        // No more bins than half as many again as the area alone would take.
+        QVERIFY2(double(bins.size()) <= 1 + 1.5 * area / (bin.width() * bin.height()),
+                 qPrintable(QString::number(bins.size())));
+    }
+
+    void nineSmallPartsGoOnOneA4() {
+        const std::vector<PieceToPack> parts = nineParts();
+        PackingFilm film;
+        const FilmPlan plan = planFilms(parts, film);
+        QCOMPARE(plan.films.size(), std::size_t(1));
+        const Sheet sheet = filmSheet(parts, film, plan, 0);
+        QCOMPARE(sheet.image.size(), QSize(2480, 3508));
+        QCOMPARE(sheet.pieces.size(), std::size_t(9));
+        const double spacing = film.spacing.value() - 0.001;
+        QSet<QString> names;
+        for (const SheetPiece& piece : sheet.pieces) {
+            names.insert(piece.job.project);
+            QVERIFY(QRectF(5, 5, 200, 282).contains(piece.box()));
+            for (const SheetPiece& other : sheet.pieces) {
+                QVERIFY(&other == &piece || !piece.box()
+                                                 .adjusted(-spacing, -spacing, spacing, spacing)
+                                                 .intersects(other.box()));
+            }
+        }
+        QCOMPARE(names.size(), 9);
+    }
+
+    void eachPictureIsThatOfItsOwnSheetPixelByPixel() {
+        const std::vector<PieceToPack> parts = nineParts();
+        const FilmPlan plan = planFilms(parts, {});
+        const Sheet sheet = filmSheet(parts, {}, plan, 0);
+        const QImage film = flattened(sheet.image);
+        qsizetype inked = 0;
+        for (const SheetPiece& piece : sheet.pieces) {
+            const PieceToPack& own =
+                *std::find_if(parts.begin(), parts.end(), [&](const PieceToPack& candidate) {
+                    return candidate.sheet.job.project == piece.job.project;
+                });
+            const QRect box = inkedBox(own.sheet.image);
+            const QRect place = pictureBox(sheet, piece);
+            QCOMPARE(place.size(), box.size());
+            QCOMPARE(sheet.image.copy(place), own.sheet.image.copy(box));
+            QCOMPARE(film.copy(place), flattened(own.sheet.image).copy(box));
+            inked += qsizetype(box.width()) * box.height();
+            // The ticks say where the middle of its own film is.
+            const QPointF middle = piece.middle - piece.picture.topLeft();
+            QVERIFY(std::abs(middle.x() - (105 - box.left() * 210 / 2480.0)) < 0.1);
+            QVERIFY(std::abs(middle.y() - (148.5 - box.top() * 297 / 3508.0)) < 0.1);
+        }
+        qsizetype all = 0;
+        for (int y = 0; y < sheet.image.height(); ++y) {
+            for (int x = 0; x < sheet.image.width(); ++x) {
+                all += qAlpha(sheet.image.pixel(x, y)) > 0;
+            }
+        }
+        QCOMPARE(all, inked); // and nothing else is on it
+    }
+
+    void aTurnedPieceIsTurnedAsItIs() {
+        std::vector<PieceToPack> parts{part("Turned", {40, 50, 30, 60})};
+        parts[0].turning = Turning::Always;
+        const FilmPlan plan = planFilms(parts, {});
+        const Sheet sheet = filmSheet(parts, {}, plan, 0);
+        QVERIFY(sheet.pieces[0].turned);
+        const QImage own = parts[0].sheet.image.copy(inkedBox(parts[0].sheet.image));
+        QCOMPARE(sheet.image.copy(inkedBox(sheet.image)), own.transformed(QTransform().rotate(90)));
+        QCOMPARE(pictureBox(sheet, sheet.pieces[0]), inkedBox(sheet.image));
+    }
+
+    void copiesStandInRows() {
+        const std::vector<PieceToPack> parts{part("Button", {90, 120, 30, 30}, 12)};
+        const FilmPlan plan = planFilms(parts, {});
+        QCOMPARE(plan.films.size(), std::size_t(1));
+        QSet<int> lefts, tops, copies;
+        for (const PlannedPiece& piece : plan.films[0].pieces) {
+            lefts.insert(piece.box.left());
+            tops.insert(piece.box.top());
+            copies.insert(piece.copy);
+        }
+        QCOMPARE(lefts.size(), 4);
+        QCOMPARE(tops.size(), 3);
+        QCOMPARE(copies.size(), 12);
+    }
+
+    void whatOneFilmDoesNotTakeGoesOnTheNext() {
+        const std::vector<PieceToPack> parts{part("Button", {90, 120, 30, 30}, 50)};
+        const FilmPlan plan = planFilms(parts, {});
+        QCOMPARE(plan.films.size(), std::size_t(4));
+        std::size_t count = 0;
+        for (const PlannedFilm& film : plan.films) {
+            count += film.pieces.size();
+        }
+        QCOMPARE(count, std::size_t(50));
+    }
+
+    void aRollIsCutOffBehindTheLastPiece() {
+        PackingFilm roll;
+        roll.isRoll = true;
+        roll.size = {610, 2000};
+        const std::vector<PieceToPack> parts{part("Button", {90, 120, 30, 30}, 20)};
+        const FilmPlan plan = planFilms(parts, roll);
+        QCOMPARE(plan.films.size(), std::size_t(1));
+        const Sheet sheet = filmSheet(parts, roll, plan, 0);
+        // Two rows of 56 mm, the spacing between and the edges.
+        QVERIFY2(std::abs(sheet.filmHeight.value() - (5 + 56 + 3 + 56 + 10)) < 0.5,
+                 qPrintable(QString::number(sheet.filmHeight.value())));
+        QCOMPARE(sheetPixels(sheet.filmWidth, sheet.filmHeight, sheet.settings.resolution),
+                 sheet.image.size());
+    }
+
+    void squaresMeasureSeventeenMillimetresInThePdf() {
+        PieceToPack chess = part("Chess", {}, 2);
+        QPainter painter(&chess.sheet.image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.scale(2480 / 210.0, 3508 / 297.0);
+        for (int column = 0; column < 5; ++column) {
+            painter.fillRect(QRectF(60 + 17 * column, 60, 8.5, 30), Qt::black);
+        }
+        painter.end();
+        const FilmPlan plan = planFilms({chess}, {});
+        const Sheet sheet = filmSheet({chess}, {}, plan, 0);
+        const QString path = save(pdfOf(sheet), QStringLiteral("chess.pdf"));
+        QCOMPARE(pdfPage(path).toSize(), QSize(210, 297));
+        constexpr int dpi = 1200;
+        for (const SheetPiece& piece : sheet.pieces) {
+            const QRectF picture = piece.picture.translated(piece.corner);
+            const QImage grey = renderedPage(path, dpi, picture.adjusted(-2, 5, 2, -5));
+            const std::vector<double> middles = darkMiddles(grey, true, grey.height() / 2);
+            QCOMPARE(middles.size(), std::size_t(5));
+            for (std::size_t i = 1; i < middles.size(); ++i) {
+                const double pitch = (middles[i] - middles[0]) / double(i) * 25.4 / dpi;
+                QVERIFY2(std::abs(pitch - 17) < 0.02, qPrintable(QString::number(pitch)));
+            }
+        }
+    }
+
+    void eachPieceSaysWhatItIsInWordsAndCode() {
+        std::vector<PieceToPack> parts = nineParts();
+        parts.resize(3);
+        parts[1].copies = 2;
+        parts[2].dip = 2;
+        parts[2].turning = Turning::Always;
+        const FilmPlan plan = planFilms(parts, {});
+        const QString path =
+            save(pdfOf(filmSheet(parts, {}, plan, 0)), QStringLiteral("words.pdf"));
+        const QString words = pdfWords(path).simplified();
+        QStringList codes = QString::fromUtf8(output("sh", {"-c",
+                                                            "pdftoppm -r 400 -png \"$1\" \"$2\" && "
+                                                            "zbarimg --quiet --raw \"$2\"*.png",
+                                                            "-", path, folder_.filePath("codes")}))
+                                .split('\n', Qt::SkipEmptyParts);
+        codes.sort();
+        QStringList expected;
+        for (const PieceToPack& piece : parts) {
+            for (int copy = 1; copy <= piece.copies; ++copy) {
+                expected << QStringLiteral("%1/%2/%3")
+                                .arg(piece.sheet.job.hash)
+                                .arg(piece.dip)
+                                .arg(copy);
+            }
+            QVERIFY2(words.contains("Job " + piece.sheet.job.hash), qPrintable(words));
+        }
+        expected.sort();
+        QCOMPARE(codes, expected);
+        QVERIFY2(words.contains("Dip 1, copy 2 of 2"), qPrintable(words));
+    }
+
+    void theSamePiecesGiveTheSameBytes() {
+        const std::vector<PieceToPack> parts = nineParts();
+        const auto once = [&] { return pdfOf(filmSheet(parts, {}, planFilms(parts, {}), 0)); };
+        QCOMPARE(once(), once());
+    }
+
+    void whatCannotBePackedIsSaid() {
+        const auto refused = [](const std::vector<PieceToPack>& parts, const char* words) {
+            try {
+                planFilms(parts, {});
+                qWarning("packed it");
+                return false;
+            } catch (const Error& error) {
+                return error.sentence().contains(QLatin1String(words));
+            }
+        };
+        QVERIFY(refused({part("Large", {1, 1, 205, 290})}, "take a larger film"));
+        QVERIFY(refused({part("Blank", {})}, "no ink"));
+        QVERIFY(refused({}, "1 to"));
+        QVERIFY(refused({part("Many", {90, 120, 30, 30}, 2001)}, "1 to"));
+        std::vector<PieceToPack> mixed{part("A", {90, 120, 30, 30}), part("B", {90, 120, 30, 30})};
+        mixed[1].sheet.settings.resolution = DotsPerInch(600);
+        QVERIFY(refused(mixed, "one resolution"));
+    }
+};
+
+QTEST_MAIN(FilmPackingTest)
+#include "FilmPackingTest.moc"
