@@ -956,6 +956,14 @@
         <source>The body reaches past the film&apos;s edge; move or turn it, or choose a larger film</source>
         <translation>Der Körper ragt über den Rand des Films hinaus; verschieben oder drehen Sie ihn, oder wählen Sie einen größeren Film</translation>
     </message>
+    <message>
+        <source>Film %1: %2 × %3 mm, pieces: %4, %5 % of it used</source>
+        <translation>Film %1: %2 × %3 mm, Teile: %4, zu %5 % genutzt</translation>
+    </message>
+    <message>
+        <source>Writing film %1</source>
+        <translation>Schreibe Film %1</translation>
+    </message>
 </context>
 <context>
     <name>Png</name>
@@ -7665,6 +7673,46 @@ mm je mm</translation>
     <message>
         <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashes</source>
         <translation>%1 · Zeile %2 von %3, Spalte %4 von %5 · an den Strichen schneiden</translation>
+    </message>
+    <message>
+        <source>Its sheet has %1 dpi and that of %2 has %3; give them one resolution</source>
+        <translation>Sein Bogen hat %1 dpi und der von %2 hat %3; geben Sie beiden eine Auflösung</translation>
+    </message>
+    <message>
+        <source>%1 pieces are to be packed; choose 1 to %2</source>
+        <translation>%1 Teile sollen zusammengelegt werden; 1 bis %2 sind möglich</translation>
+    </message>
+    <message>
+        <source>With its marks it takes %1 × %2 mm, and the film leaves %3 × %4 mm within its edges; take a larger film</source>
+        <translation>Mit seinen Marken braucht es %1 × %2 mm, und der Film lässt innerhalb seiner Ränder %3 × %4 mm; nehmen Sie einen größeren Film</translation>
+    </message>
+    <message>
+        <source>Film %1 of %2, pieces: %3</source>
+        <translation>Film %1 von %2, Teile: %3</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>There is no ink on its sheet</source>
+        <translation>Auf seinem Bogen ist keine Farbe</translation>
+    </message>
+    <message>
+        <source>This takes %1 films; choose fewer copies, up to %2 films</source>
+        <translation>Das braucht %1 Filme; wählen Sie weniger Stücke, bis zu %2 Filme</translation>
+    </message>
+    <message>
+        <source>Job %1</source>
+        <translation>Auftrag %1</translation>
+    </message>
+    <message>
+        <source>Dip %1, copy %2 of %3</source>
+        <translation>Tauchgang %1, Stück %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 · Film %4 · Scale %5</source>
+        <translation>%1 · %2 · %3 · Film %4 · Maßstab %5</translation>
     </message>
 </context>
 <context>

@@ -956,6 +956,14 @@
         <source>The body reaches past the film&apos;s edge; move or turn it, or choose a larger film</source>
         <translation>O corpo ultrapassa a borda do filme; mova-o ou gire-o, ou escolha um filme maior</translation>
     </message>
+    <message>
+        <source>Film %1: %2 × %3 mm, pieces: %4, %5 % of it used</source>
+        <translation>Filme %1: %2 × %3 mm, peças: %4, %5 % usado</translation>
+    </message>
+    <message>
+        <source>Writing film %1</source>
+        <translation>Gravando o filme %1</translation>
+    </message>
 </context>
 <context>
     <name>Png</name>
@@ -7665,6 +7673,46 @@ mm por mm</translation>
     <message>
         <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashes</source>
         <translation>%1 · linha %2 de %3, coluna %4 de %5 · corte nos tracejados</translation>
+    </message>
+    <message>
+        <source>Its sheet has %1 dpi and that of %2 has %3; give them one resolution</source>
+        <translation>Sua folha tem %1 dpi e a de %2 tem %3; dê a ambas a mesma resolução</translation>
+    </message>
+    <message>
+        <source>%1 pieces are to be packed; choose 1 to %2</source>
+        <translation>%1 peças devem ser agrupadas; escolha de 1 a %2</translation>
+    </message>
+    <message>
+        <source>With its marks it takes %1 × %2 mm, and the film leaves %3 × %4 mm within its edges; take a larger film</source>
+        <translation>Com suas marcas ocupa %1 × %2 mm, e o filme deixa %3 × %4 mm dentro de suas bordas; use um filme maior</translation>
+    </message>
+    <message>
+        <source>Film %1 of %2, pieces: %3</source>
+        <translation>Filme %1 de %2, peças: %3</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>There is no ink on its sheet</source>
+        <translation>Não há tinta em sua folha</translation>
+    </message>
+    <message>
+        <source>This takes %1 films; choose fewer copies, up to %2 films</source>
+        <translation>Isso requer %1 filmes; escolha menos cópias, até %2 filmes</translation>
+    </message>
+    <message>
+        <source>Job %1</source>
+        <translation>Trabalho %1</translation>
+    </message>
+    <message>
+        <source>Dip %1, copy %2 of %3</source>
+        <translation>Imersão %1, cópia %2 de %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 · Film %4 · Scale %5</source>
+        <translation>%1 · %2 · %3 · Filme %4 · Escala %5</translation>
     </message>
 </context>
 <context>

@@ -104,7 +104,7 @@ QStringList filmsText(const PackedFilms& films) {
     QStringList lines;
     for (std::size_t number = 0; number < films.plan.films.size(); ++number) {
         const PlannedFilm& film = films.plan.films[number];
-        lines << Text::tr("Film %1: %2 × %3 mm, %4 pieces, %5 % of it used")
+        lines << Text::tr("Film %1: %2 × %3 mm, pieces: %4, %5 % of it used")
                      .arg(number + 1)
                      .arg(QString::number(film.size.width(), 'f', 0),
                           QString::number(film.size.height(), 'f', 0))

@@ -1,0 +1,111 @@
+// `dipwright-cli pack` as a print shop types it: what comes out is what each job alone would be.
+#include "CliProcess.h"
+
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using dipwright::test::cli;
+using dipwright::test::Outcome;
+
+namespace {
+
+const QString turtle = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw");
+const QStringList coarse{
+    "--set", "film.points=41x58", "--set", "body.sdf_resolution=64", "--dpi", "100", "--quiet"};
+
+QJsonArray filmsIn(const QString& folder) {
+    QFile file(folder + QStringLiteral("/films.json"));
+    file.open(QIODevice::ReadOnly);
+    return QJsonDocument::fromJson(file.readAll()).object()["films"].toArray();
+}
+
+bool isWhite(QRgb pixel) {
+    return (pixel & 0xffffff) == 0xffffff;
+}
+
+} // namespace
+
+class PackCommandTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+private slots:
+    void aPieceIsItsOwnSheetMoved() {
+        const QString out = folder_.filePath("films");
+        const Outcome packed =
+            cli(QStringList{"pack", turtle + ":2", "--out", out, "--film", "roll:400"} + coarse);
+        QVERIFY2(packed.exitCode == 0, packed.err);
+        QVERIFY2(packed.out.contains("Film 1: 400 × "), packed.out);
+        const Outcome run =
+            cli(QStringList{"run", turtle, "--out", folder_.filePath("alone"), "--no-certainty"} +
+                coarse);
+        QVERIFY2(run.exitCode == 0, run.err);
+        const QJsonArray films = filmsIn(out);
+        QCOMPARE(films.size(), 1);
+        const QJsonArray pieces = films[0].toObject()["pieces"].toArray();
+        QCOMPARE(pieces.size(), 4);
+        const QImage film = QImage(out + "/film-1.png").convertToFormat(QImage::Format_RGB32);
+        const double unit = film.width() / 400.0;
+        for (const QJsonValue& piece : pieces) {
+            const QImage sheet =
+                QImage(
+                    folder_.filePath(
+                        QStringLiteral("alone/immersion-%1/sheet.png").arg(piece["dip"].toInt())))
+                    .convertToFormat(QImage::Format_RGB32);
+            const auto at = [&](const char* key, int number) {
+                return piece[QLatin1String(key)].toArray()[number].toDouble() * unit;
+            };
+            // The sheet's middle on the film: the picture is in the middle of its box's width.
+            const QSize size(int(std::lround(at("picture_mm", 0))),
+                             int(std::lround(at("picture_mm", 1))));
+            const QImage box =
+                film.copy(int(std::lround(at("box_mm", 0))), int(std::lround(at("box_mm", 1))),
+                          int(std::lround(at("box_mm", 2))), size.height() + 56);
+            const QPoint own(int(std::lround(sheet.width() / 2.0 + at("picture_off_mm", 0) -
+                                             size.width() / 2.0)),
+                             int(std::lround(sheet.height() / 2.0 + at("picture_off_mm", 1) -
+                                             size.height() / 2.0)));
+            const QPoint there((box.width() - size.width()) / 2, 28); // 7 mm
+            qsizetype inked = 0;
+            for (int y = 0; y < size.height(); ++y) {
+                for (int x = 0; x < size.width(); ++x) {
+                    const QRgb pixel = sheet.pixel(own + QPoint(x, y));
+                    inked += !isWhite(pixel);
+                    QCOMPARE(box.pixel(there + QPoint(x, y)), pixel);
+                }
+            }
+            QVERIFY(inked > 10000);
+        }
+        for (const char* name : {"/film-1.pdf", "/film-1.tif"}) {
+            QVERIFY(QFileInfo(out + QLatin1String(name)).size() > 10000);
+        }
+    }
+
+    void fewerFilmsReplaceMore() {
+        const QString out = folder_.filePath("fewer");
+        const auto pack = [&](const QString& copies) {
+            return cli(QStringList{"pack", turtle + copies, "--out", out, "--film", "A3"} + coarse);
+        };
+        QCOMPARE(pack(":3").exitCode, 0);
+        QVERIFY(QFile::exists(out + "/film-2.pdf"));
+        QCOMPARE(pack({}).exitCode, 0);
+        QVERIFY(QFile::exists(out + "/film-1.pdf") && !QFile::exists(out + "/film-2.pdf"));
+    }
+
+    void aPartThatIsTooLargeIsSaid() {
+        const Outcome packed = cli(
+            QStringList{"pack", turtle, "--out", folder_.filePath("small"), "--film", "100x100"} +
+            coarse);
+        QCOMPARE(packed.exitCode, 1);
+        QVERIFY2(packed.err.contains("take a larger film"), packed.err);
+        QVERIFY(!QFile::exists(folder_.filePath("small")));
+    }
+};
+
+QTEST_MAIN(PackCommandTest)
+#include "PackCommandTest.moc"
