@@ -958,7 +958,7 @@
     </message>
     <message>
         <source>Film %1: %2 × %3 mm, pieces: %4, %5 % of it used</source>
-        <translation>Film %1: %2 × %3 mm, Teile: %4, zu %5 % genutzt</translation>
+        <translation>Film %1: %2 × %3 mm, Stücke: %4, zu %5 % genutzt</translation>
     </message>
     <message>
         <source>Writing film %1</source>
@@ -5172,6 +5172,17 @@ auf steife, wasserfeste Karte gedruckt</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::JigModel</name>
+    <message>
+        <source>Its box and that of %1 overlap; move them apart on the jig</source>
+        <translation>Sein umgebender Quader und der von %1 überschneiden sich; rücken Sie beide auf dem Gestell auseinander</translation>
+    </message>
+    <message>
+        <source>A jig holds one part or more, with %1 materials at most</source>
+        <translation>Ein Gestell hält ein Teil oder mehr, mit höchstens %1 Materialien</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::JobQueue</name>
     <message>
         <source>%1 % of the body painted</source>
@@ -5607,6 +5618,181 @@ zuerst eintaucht</translation>
     <message>
         <source>Objective %1, click to try this side</source>
         <translation>Zielwert %1, Klick probiert diese Seite</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PackDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Turn pieces where that saves film</source>
+        <translation>Stücke d&amp;rehen, wo das Film spart</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Add projects and lay them out.</source>
+        <translation>Fügen Sie Projekte hinzu und ordnen Sie sie an.</translation>
+    </message>
+    <message>
+        <source>Several Jobs on One Film</source>
+        <translation>Mehrere Aufträge auf einem Film</translation>
+    </message>
+    <message>
+        <source>Projects on the film</source>
+        <translation>Projekte auf dem Film</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Exemplare</translation>
+    </message>
+    <message>
+        <source>Project files may be dropped here. They are taken as they are saved.</source>
+        <translation>Projektdateien lassen sich hierher ziehen. Sie werden genommen, wie sie gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>&amp;Add Projects…</source>
+        <translation>Projekte &amp;hinzufügen…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Eigenes Maß</translation>
+    </message>
+    <message>
+        <source>Short edge first</source>
+        <translation>Kurze Kante zuerst</translation>
+    </message>
+    <message>
+        <source>Long edge first</source>
+        <translation>Lange Kante zuerst</translation>
+    </message>
+    <message>
+        <source>Film swells more along its web. Pieces of films that swell differently both ways lie along it as they were computed.</source>
+        <translation>Film quillt längs seiner Bahn stärker. Stücke von Filmen, die in beiden Richtungen verschieden quellen, liegen zu ihr, wie sie berechnet sind.</translation>
+    </message>
+    <message>
+        <source>Bare film round what is inked. A job is computed for its whole film: cut out near its ink it behaves otherwise towards the edge.</source>
+        <translation>Freier Film um die Farbe. Ein Auftrag ist für seinen ganzen Film berechnet: nahe an der Farbe ausgeschnitten verhält er sich zum Rand hin anders.</translation>
+    </message>
+    <message>
+        <source>By a quarter, and only pieces of films that swell alike both ways.</source>
+        <translation>Um ein Viertel, und nur Stücke von Filmen, die in beiden Richtungen gleich quellen.</translation>
+    </message>
+    <message>
+        <source>&amp;Film</source>
+        <translation>&amp;Film</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Länge</translation>
+    </message>
+    <message>
+        <source>Fe&amp;ed</source>
+        <translation>Ein&amp;zug</translation>
+    </message>
+    <message>
+        <source>&amp;Spacing</source>
+        <translation>&amp;Abstand</translation>
+    </message>
+    <message>
+        <source>&amp;Bare film</source>
+        <translation>Freier Fil&amp;m</translation>
+    </message>
+    <message>
+        <source>Film that is shown</source>
+        <translation>Film, der gezeigt wird</translation>
+    </message>
+    <message>
+        <source>La&amp;y Out</source>
+        <translation>A&amp;nordnen</translation>
+    </message>
+    <message>
+        <source>Dips what has not been dipped yet, and lays it out.</source>
+        <translation>Taucht, was noch nicht getaucht ist, und ordnet es an.</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Each film as PDF, PNG and TIFF at true size, and what lies where.</source>
+        <translation>Jeder Film als PDF, PNG und TIFF in wahrer Größe, und was wo liegt.</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken…</translation>
+    </message>
+    <message>
+        <source>Copies of %1</source>
+        <translation>Exemplare von %1</translation>
+    </message>
+    <message>
+        <source>Add Projects</source>
+        <translation>Projekte hinzufügen</translation>
+    </message>
+    <message>
+        <source>At most; it is cut off behind the last piece.</source>
+        <translation>Höchstens; sie wird hinter dem letzten Stück abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Laying out</source>
+        <translation>Ordne an</translation>
+    </message>
+    <message>
+        <source>Films: %1. They are printed at true size.</source>
+        <translation>Filme: %1. Sie werden in wahrer Größe gedruckt.</translation>
+    </message>
+    <message>
+        <source>Export Films to a Folder</source>
+        <translation>Filme in einen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Writing the films</source>
+        <translation>Schreibe die Filme</translation>
+    </message>
+    <message>
+        <source>Wrote the films to %1</source>
+        <translation>Filme nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Several jobs</source>
+        <translation>Mehrere Aufträge</translation>
+    </message>
+    <message>
+        <source>Film %1</source>
+        <translation>Film %1</translation>
+    </message>
+    <message>
+        <source>Press Lay Out: projects that have not been dipped here are dipped first.</source>
+        <translation>Drücken Sie Anordnen: Projekte, die hier noch nicht getaucht sind, werden zuerst getaucht.</translation>
+    </message>
+    <message>
+        <source>Add projects, or drop their files here.</source>
+        <translation>Fügen Sie Projekte hinzu oder ziehen Sie ihre Dateien hierher.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -7680,7 +7866,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>%1 pieces are to be packed; choose 1 to %2</source>
-        <translation>%1 Teile sollen zusammengelegt werden; 1 bis %2 sind möglich</translation>
+        <translation>%1 Stücke sollen zusammengelegt werden; 1 bis %2 sind möglich</translation>
     </message>
     <message>
         <source>With its marks it takes %1 × %2 mm, and the film leaves %3 × %4 mm within its edges; take a larger film</source>
@@ -7688,7 +7874,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>Film %1 of %2, pieces: %3</source>
-        <translation>Film %1 von %2, Teile: %3</translation>
+        <translation>Film %1 von %2, Stücke: %3</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
@@ -7700,7 +7886,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>This takes %1 films; choose fewer copies, up to %2 films</source>
-        <translation>Das braucht %1 Filme; wählen Sie weniger Stücke, bis zu %2 Filme</translation>
+        <translation>Das braucht %1 Filme; wählen Sie weniger Exemplare, bis zu %2 Filme</translation>
     </message>
     <message>
         <source>Job %1</source>
@@ -7708,7 +7894,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>Dip %1, copy %2 of %3</source>
-        <translation>Tauchgang %1, Stück %2 von %3</translation>
+        <translation>Tauchgang %1, Exemplar %2 von %3</translation>
     </message>
     <message>
         <source>%1 · %2 · %3 · Film %4 · Scale %5</source>
@@ -8919,6 +9105,14 @@ mm je mm</translation>
     <message>
         <source>How everything works, beginning with what has the focus</source>
         <translation>Wie alles geht, beginnend mit dem, was den Fokus hat</translation>
+    </message>
+    <message>
+        <source>Several Jobs on One &amp;Film…</source>
+        <translation>Mehrere Aufträge auf einem &amp;Film…</translation>
+    </message>
+    <message>
+        <source>Lay the sheets of several projects, and copies, side by side on a film or roll</source>
+        <translation>Die Bögen mehrerer Projekte, und mehrere Exemplare, nebeneinander auf einen Film oder eine Rolle legen</translation>
     </message>
 </context>
 <context>

@@ -5172,6 +5172,17 @@ impresso em cartão rígido e impermeável</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::JigModel</name>
+    <message>
+        <source>Its box and that of %1 overlap; move them apart on the jig</source>
+        <translation>Sua caixa e a de %1 se sobrepõem; afaste-as no suporte</translation>
+    </message>
+    <message>
+        <source>A jig holds one part or more, with %1 materials at most</source>
+        <translation>Um suporte leva uma peça ou mais, com no máximo %1 materiais</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::JobQueue</name>
     <message>
         <source>%1 % of the body painted</source>
@@ -5607,6 +5618,181 @@ desce primeiro</translation>
     <message>
         <source>Objective %1, click to try this side</source>
         <translation>Objetivo %1, clique para experimentar este lado</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PackDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Turn pieces where that saves film</source>
+        <translation>&amp;Girar peças onde isso poupa filme</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Filme</translation>
+    </message>
+    <message>
+        <source>Add projects and lay them out.</source>
+        <translation>Adicione projetos e disponha-os.</translation>
+    </message>
+    <message>
+        <source>Several Jobs on One Film</source>
+        <translation>Vários trabalhos em um filme</translation>
+    </message>
+    <message>
+        <source>Projects on the film</source>
+        <translation>Projetos no filme</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projeto</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Cópias</translation>
+    </message>
+    <message>
+        <source>Project files may be dropped here. They are taken as they are saved.</source>
+        <translation>Arquivos de projeto podem ser soltos aqui. São tomados como estão salvos.</translation>
+    </message>
+    <message>
+        <source>&amp;Add Projects…</source>
+        <translation>&amp;Adicionar projetos…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Remover</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rolo</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Personalizado</translation>
+    </message>
+    <message>
+        <source>Short edge first</source>
+        <translation>Borda curta primeiro</translation>
+    </message>
+    <message>
+        <source>Long edge first</source>
+        <translation>Borda longa primeiro</translation>
+    </message>
+    <message>
+        <source>Film swells more along its web. Pieces of films that swell differently both ways lie along it as they were computed.</source>
+        <translation>O filme incha mais ao longo de sua banda. Peças de filmes que incham de modo diferente nos dois sentidos ficam em relação a ela como foram calculadas.</translation>
+    </message>
+    <message>
+        <source>Bare film round what is inked. A job is computed for its whole film: cut out near its ink it behaves otherwise towards the edge.</source>
+        <translation>Filme livre em volta da tinta. Um trabalho é calculado para o filme inteiro: cortado perto da tinta, ele se comporta de outro modo perto da borda.</translation>
+    </message>
+    <message>
+        <source>By a quarter, and only pieces of films that swell alike both ways.</source>
+        <translation>Em um quarto de volta, e só peças de filmes que incham igualmente nos dois sentidos.</translation>
+    </message>
+    <message>
+        <source>&amp;Film</source>
+        <translation>&amp;Filme</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Largura</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Comprimento</translation>
+    </message>
+    <message>
+        <source>Fe&amp;ed</source>
+        <translation>Alime&amp;ntação</translation>
+    </message>
+    <message>
+        <source>&amp;Spacing</source>
+        <translation>&amp;Espaçamento</translation>
+    </message>
+    <message>
+        <source>&amp;Bare film</source>
+        <translation>Filme l&amp;ivre</translation>
+    </message>
+    <message>
+        <source>Film that is shown</source>
+        <translation>Filme mostrado</translation>
+    </message>
+    <message>
+        <source>La&amp;y Out</source>
+        <translation>Di&amp;spor</translation>
+    </message>
+    <message>
+        <source>Dips what has not been dipped yet, and lays it out.</source>
+        <translation>Mergulha o que ainda não foi mergulhado e o dispõe.</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportar…</translation>
+    </message>
+    <message>
+        <source>Each film as PDF, PNG and TIFF at true size, and what lies where.</source>
+        <translation>Cada filme em PDF, PNG e TIFF em tamanho real, e o que está onde.</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>Im&amp;primir…</translation>
+    </message>
+    <message>
+        <source>Copies of %1</source>
+        <translation>Cópias de %1</translation>
+    </message>
+    <message>
+        <source>Add Projects</source>
+        <translation>Adicionar projetos</translation>
+    </message>
+    <message>
+        <source>At most; it is cut off behind the last piece.</source>
+        <translation>No máximo; é cortado depois da última peça.</translation>
+    </message>
+    <message>
+        <source>Laying out</source>
+        <translation>Dispondo</translation>
+    </message>
+    <message>
+        <source>Films: %1. They are printed at true size.</source>
+        <translation>Filmes: %1. São impressos em tamanho real.</translation>
+    </message>
+    <message>
+        <source>Export Films to a Folder</source>
+        <translation>Exportar filmes para uma pasta</translation>
+    </message>
+    <message>
+        <source>Writing the films</source>
+        <translation>Gravando os filmes</translation>
+    </message>
+    <message>
+        <source>Wrote the films to %1</source>
+        <translation>Filmes gravados em %1</translation>
+    </message>
+    <message>
+        <source>Several jobs</source>
+        <translation>Vários trabalhos</translation>
+    </message>
+    <message>
+        <source>Film %1</source>
+        <translation>Filme %1</translation>
+    </message>
+    <message>
+        <source>Press Lay Out: projects that have not been dipped here are dipped first.</source>
+        <translation>Pressione Dispor: projetos que ainda não foram mergulhados aqui são mergulhados antes.</translation>
+    </message>
+    <message>
+        <source>Add projects, or drop their files here.</source>
+        <translation>Adicione projetos ou solte seus arquivos aqui.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Cancelado.</translation>
     </message>
 </context>
 <context>
@@ -8919,6 +9105,14 @@ mm por mm</translation>
     <message>
         <source>How everything works, beginning with what has the focus</source>
         <translation>Como tudo funciona, a começar pelo que tem o foco</translation>
+    </message>
+    <message>
+        <source>Several Jobs on One &amp;Film…</source>
+        <translation>Vários trabalhos em um &amp;filme…</translation>
+    </message>
+    <message>
+        <source>Lay the sheets of several projects, and copies, side by side on a film or roll</source>
+        <translation>Dispor as folhas de vários projetos, e cópias, lado a lado em um filme ou rolo</translation>
     </message>
 </context>
 <context>

@@ -91,15 +91,6 @@ PackSettings packSettings(const QCommandLineParser& parser) {
     return settings;
 }
 
-// A roll is no longer than the pixels of a picture may be many.
-void limitRoll(PackingFilm& film, DotsPerInch resolution) {
-    constexpr double mostPixels = 32000;
-    if (film.isRoll) {
-        const double most = std::floor(mostPixels / pixelsPerMillimetre(resolution));
-        film.size.setHeight(std::min(film.size.height(), most));
-    }
-}
-
 class PackCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("pack"); }
@@ -153,7 +144,6 @@ public:
         PrintRequest request = printRequest(parser, target, first.profiles.printer);
         request.source = printSource(first, projects.front().path);
         settings.film.edges = larger(settings.film.edges, unreachable({}, request.profile));
-        limitRoll(settings.film, first.sheet.resolution);
         std::vector<PieceToPack> pieces;
         for (std::size_t i = 0; i < results.size(); ++i) {
             for (PieceToPack& piece : piecesOf(results[i], projects[i].copies, settings)) {

@@ -171,7 +171,12 @@ QPainterPath cutContour(const Sheet& sheet, const SheetLayout& layout) {
     QPainterPath path;
     const SheetSettings& settings = sheet.settings;
     if (settings.cutLine == CutLine::Film) {
-        path.addRect(layout.film);
+        for (const SheetPiece& piece : layout.pieces) {
+            path.addRect(piece.box());
+        }
+        if (layout.pieces.empty()) {
+            path.addRect(layout.film);
+        }
     }
     if (settings.cutLine != CutLine::Ink) {
         return path;

@@ -213,8 +213,10 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
     checkPieces(pieces);
     const DotsPerInch resolution = pieces.front().sheet.settings.resolution;
     const Pixels pixels(resolution);
-    const QSize most =
-        sheetPixels(Millimetres(film.size.width()), Millimetres(film.size.height()), resolution);
+    const double longest =
+        film.isRoll ? std::floor(mostSheetPixels / pixels.unit()) : film.size.height();
+    const QSize most = sheetPixels(Millimetres(film.size.width()),
+                                   Millimetres(std::min(film.size.height(), longest)), resolution);
     const QRect room = roomOf(film, most, resolution);
     const int spacing = pixels.of(film.spacing.value());
     const QSize between(spacing, spacing); // behind each piece, and once behind the room

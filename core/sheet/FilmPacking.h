@@ -15,8 +15,8 @@ inline constexpr int mostFilms = 99;
 
 // What the pieces are laid on.
 struct PackingFilm {
-    // mm. Of a roll: its width, and how long a piece of it may be at most; it is cut off behind the
-    // last piece.
+    // mm. Of a roll: its width, and how long a piece of it may be at most, and no longer than a
+    // sheet's picture may be; it is cut off behind the last piece.
     QSizeF size{210, 297};
     bool isRoll = false;
     Millimetres spacing{3};               // between two pieces

@@ -21,17 +21,16 @@ struct Text {
 } // namespace
 
 QSize sheetPixels(Millimetres width, Millimetres height, DotsPerInch resolution) {
-    constexpr double mostPixels = 32000; // QImage and QPainter count pixels in 16 bits
     const double columns = std::round(width.value() * pixelsPerMillimetre(resolution));
     const double rows = std::round(height.value() * pixelsPerMillimetre(resolution));
-    if (!(columns >= 1 && rows >= 1 && columns <= mostPixels && rows <= mostPixels)) {
+    if (!(columns >= 1 && rows >= 1 && columns <= mostSheetPixels && rows <= mostSheetPixels)) {
         throw Error(
             Text::tr("A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels "
                      "a side; choose another resolution or film size")
                 .arg(width.value())
                 .arg(height.value())
                 .arg(resolution.value())
-                .arg(mostPixels),
+                .arg(mostSheetPixels),
             QStringLiteral("sheet.dpi"));
     }
     return {int(columns), int(rows)};

@@ -83,8 +83,9 @@ struct Sheet {
 // The job of several sheets together, twelve hex digits of a SHA-256. `jobs`: those of the sheets.
 QString hashOfJobs(const QStringList& jobs);
 
-// Pixels of a film image at true size: A4 at 300 dpi is 2480 × 3508. Throws Error past 32,000
-// pixels a side.
+inline constexpr int mostSheetPixels = 32'000; // a side: QImage and QPainter count in 16 bits
+// Pixels of a film image at true size: A4 at 300 dpi is 2480 × 3508. Throws Error past
+// mostSheetPixels a side.
 QSize sheetPixels(Millimetres width, Millimetres height, DotsPerInch resolution);
 // The page in mm for this film; throws Error when the paper is smaller than the film or unknown.
 QSizeF pageSize(const Sheet& sheet);

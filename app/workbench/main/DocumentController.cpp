@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "dialogs/NewProjectDialog.h"
+#include "dialogs/PackDialog.h"
 #include "dialogs/PrintHistoryDialog.h"
 #include "dialogs/SnapshotsDialog.h"
 #include "document/RecentProjects.h"
@@ -41,6 +42,7 @@ DocumentController::DocumentController(const WindowActions& actions, DocumentSes
     on(actions.jobQueue, [this] {
         workbench_.showQueue(session_.document() ? session_.document()->path() : QString());
     });
+    on(actions.packJobs, &DocumentController::packJobs);
     connect(&workbench.queue(), &JobQueue::ended, this, [this](const QString& sentence) {
         messages_.log(sentence);
         messages_.notice(sentence);
@@ -180,6 +182,16 @@ void DocumentController::showPrintHistory() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &PrintHistoryDialog::projectAsked, &session_, &DocumentSession::openProject);
     dialog->show();
+}
+
+void DocumentController::packJobs() {
+    auto* dialog = new PackDialog(workbench_.registry(), &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &PackDialog::printed, &messages_, &Messages::logAndSay);
+    if (session_.document() && !session_.document()->path().isEmpty()) {
+        dialog->add({session_.document()->path()});
+    }
+    dialog->show(); // beside what the user does by now
 }
 
 void DocumentController::takeFiles(const QList<QUrl>& files) {

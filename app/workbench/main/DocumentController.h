@@ -31,6 +31,7 @@ public:
     bool askToReplaceChanged(const QString& path);
     void fillRecentMenu(QMenu& menu);
     void showSnapshots();
+    void packJobs();
     void showPrintHistory();                  // from which a project can be opened
     void takeFiles(const QList<QUrl>& files); // dropped on the window
 

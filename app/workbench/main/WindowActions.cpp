@@ -89,6 +89,8 @@ std::vector<WindowActions::Entry> WindowActions::fileEntries() {
          tr("See what was printed when, on what, and from which project"), key("Ctrl+Shift+H")},
         {&A::jobQueue, "jobQueue", "", tr("&Job Queue…"),
          tr("Run several projects one after the other, and go on working"), key("Ctrl+J")},
+        {&A::packJobs, "packJobs", "", tr("Several Jobs on One &Film…"),
+         tr("Lay the sheets of several projects, and copies, side by side on a film or roll")},
         {&A::calibrate, "calibratePrinter", "measure", tr("Calibrate P&rinter…"),
          tr("Print a page of rulers and put the printer's scale into its profile")},
         {&A::profiles, "profiles", "", tr("Pro&files…"),

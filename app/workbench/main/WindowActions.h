@@ -29,8 +29,8 @@ public:
     explicit WindowActions(QWidget& window); // adds them to it
 
     QAction *newWindow, *newProject, *open, *save, *saveAs, *snapshots, *exportResults, *exportPdf,
-        *exportPng, *exportCradles, *print, *printHistory, *jobQueue, *calibrate, *profiles, *close,
-        *quit;
+        *exportPng, *exportCradles, *print, *printHistory, *jobQueue, *packJobs, *calibrate,
+        *profiles, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
         *replaceModel, *replaceTexture, *preferences;
     QAction *run, *cancel, *live, *certainty, *tolerances, *findPoses, *play;

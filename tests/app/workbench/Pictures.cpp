@@ -5,6 +5,7 @@
 #include "dialogs/GuidePictures.h"
 #include "dialogs/GuideWindow.h"
 #include "dialogs/NewProjectDialog.h"
+#include "dialogs/PackDialog.h"
 #include "dialogs/PreferencesDialog.h"
 #include "dialogs/PrintDialog.h"
 #include "dialogs/PrintHistoryDialog.h"
@@ -282,6 +283,23 @@ void photographSnapshots(MainWindow& window, Workbench& workbench, const Photogr
     }
 }
 
+// Copies of the project on one film.
+void photographPacking(const MainWindow& window, const Workbench& workbench,
+                       const Photographer& camera) {
+    PackDialog dialog(workbench.registry());
+    dialog.add({window.document()->path()});
+    dialog.show();
+    camera.take(dialog, QStringLiteral("pack-empty"));
+    auto* films = dialog.findChild<QComboBox*>(QStringLiteral("packFilm"));
+    films->setCurrentIndex(films->findData(QStringLiteral("roll")));
+    dialog.findChild<QTableWidget*>()->cellWidget(0, 1)->setProperty("value", 4);
+    dialog.findChild<QPushButton*>(QStringLiteral("packLayOut"))->click();
+    const auto* write = dialog.findChild<QPushButton*>(QStringLiteral("packExport"));
+    if (QTest::qWaitFor([&] { return write->isEnabled(); }, 600000)) {
+        camera.take(dialog, QStringLiteral("pack"));
+    }
+}
+
 void photographDialogs(MainWindow& window, Workbench& workbench, const Photographer& camera) {
     NewProjectDialog create({}, workbench.preferences());
     create.show();
@@ -295,6 +313,7 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
     }
     photographHistory(window, workbench, camera);
     photographSnapshots(window, workbench, camera);
+    photographPacking(window, workbench, camera);
     PrintDialog print(window.session().outcome(), 0, window.document()->path());
     print.show();
     QTest::qWait(1500); // it looks for printers

@@ -1,0 +1,107 @@
+// The dialog for several jobs on one film as a user works it.
+#include "dialogs/PackDialog.h"
+#include "Patience.h"
+
+#include "panels/PicturePanel.h"
+#include "project/ProjectStore.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace dipwright;
+
+class PackDialogTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    SolverRegistry registry_;
+
+    // The sample ball, small and coarse.
+    QString ball(const QString& name) {
+        Project project = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/sphere.dipw"));
+        project.name = name;
+        setByPath(project, QStringLiteral("film.size_mm"), QStringLiteral("120x120"));
+        setByPath(project, QStringLiteral("film.points"), QStringLiteral("31x31"));
+        setByPath(project, QStringLiteral("body.sdf_resolution"), QStringLiteral("64"));
+        setByPath(project, QStringLiteral("sheet.dpi"), QStringLiteral("72"));
+        const QString path = folder_.filePath(name + QStringLiteral(".dipw"));
+        saveProject(project, path);
+        return path;
+    }
+
+    template <typename Widget>
+    static Widget* part(const QDialog& dialog, const char* name) {
+        return dialog.findChild<Widget*>(QLatin1String(name));
+    }
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings().clear();
+    }
+
+    void projectsAreLaidOutLookedAtAndCounted() {
+        PackDialog dialog(registry_);
+        auto* layOut = part<QPushButton>(dialog, "packLayOut");
+        auto* write = part<QPushButton>(dialog, "packExport");
+        auto* films = part<QComboBox>(dialog, "packShown");
+        auto* preview = dialog.findChild<PicturePanel*>();
+        QVERIFY(!layOut->isEnabled() && !write->isEnabled());
+        dialog.add({ball(QStringLiteral("One"))});
+        // The second is dropped from a file manager.
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(ball(QStringLiteral("Two")))});
+        QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&dialog, &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&dialog, &drop);
+        auto* table = dialog.findChild<QTableWidget*>();
+        QCOMPARE(table->rowCount(), 2);
+        QVERIFY(layOut->isEnabled() && !write->isEnabled());
+        part<QComboBox>(dialog, "packFilm")->setCurrentText(QStringLiteral("A3"));
+        layOut->click();
+        QTRY_VERIFY_WITH_TIMEOUT(write->isEnabled(), patience());
+        QCOMPARE(films->count(), 1);
+        QVERIFY2(films->currentText().contains(QStringLiteral("297 × 420")),
+                 qPrintable(films->currentText()));
+        QVERIFY(films->currentText().contains(QStringLiteral("2")));
+        const QImage two = preview->grab().toImage();
+
+        // More copies are laid out at once: what was dipped is kept.
+        qobject_cast<QSpinBox*>(table->cellWidget(0, 1))->setValue(3);
+        QTRY_VERIFY_WITH_TIMEOUT(write->isEnabled(), patience());
+        QVERIFY(films->itemText(0).contains(QStringLiteral("4")));
+        QVERIFY(preview->grab().toImage() != two);
+
+        qobject_cast<QSpinBox*>(table->cellWidget(0, 1))->setValue(20);
+        QTRY_VERIFY_WITH_TIMEOUT(films->count() > 1, patience());
+    }
+
+    void whatDoesNotFitIsSaid() {
+        PackDialog dialog(registry_);
+        dialog.add({ball(QStringLiteral("Large"))});
+        auto* film = part<QComboBox>(dialog, "packFilm");
+        film->setCurrentIndex(film->findData(QStringLiteral("custom")));
+        part<QDoubleSpinBox>(dialog, "packWidth")->setValue(60);
+        part<QDoubleSpinBox>(dialog, "packLength")->setValue(60);
+        part<QPushButton>(dialog, "packLayOut")->click();
+        auto* told = part<QLabel>(dialog, "packTold");
+        QTRY_VERIFY_WITH_TIMEOUT(told->text().contains(QStringLiteral("larger film")), patience());
+        QVERIFY(!part<QPushButton>(dialog, "packExport")->isEnabled());
+        QVERIFY(!part<QPushButton>(dialog, "packPrint")->isEnabled());
+    }
+};
+
+QTEST_MAIN(PackDialogTest)
+#include "PackDialogTest.moc"
