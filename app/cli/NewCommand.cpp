@@ -1,5 +1,6 @@
 #include "cli/Arguments.h"
 
+#include "dip/JigModel.h"
 #include "disk/WholeFile.h"
 #include "import/ImportModel.h"
 #include "model/ModelFormats.h"
@@ -7,6 +8,9 @@
 
 #include <QDate>
 #include <QFileInfo>
+#include <QRegularExpression>
+
+#include <algorithm>
 
 namespace dipwright::cli {
 namespace {
@@ -19,6 +23,7 @@ const QString outsideOption = QStringLiteral("allow-outside");
 const QString sizeOption = QStringLiteral("size-mm");
 const QString presetOption = QStringLiteral("preset");
 const QString immersionOption = QStringLiteral("immersion");
+const QString jigOption = QStringLiteral("jig");
 
 // One KEY=VALUE of a SPEC into the immersion of that index.
 void applyPart(Project& project, std::size_t index, const QString& part) {
@@ -80,9 +85,78 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
     project.modelOrigin.texture = options.texture;
 }
 
+struct JigSpec {
+    QString path;
+    JigPart part; // without its model
+    ImportOptions options;
+};
+
+// FILE,name=Knob,rotation=rx;ry;rz,offset=x;z,height=y,size=N
+JigSpec jigSpec(const QString& text) {
+    static const QRegularExpression next(
+        QStringLiteral(",(?=(?:name|rotation|offset|height|size)=)"));
+    QStringList words = text.split(next);
+    JigSpec spec;
+    spec.path = words.takeFirst();
+    Project place; // whose immersion knows how to read it, and the limits
+    place.immersions.resize(1);
+    place.immersions[0].name = QFileInfo(spec.path).completeBaseName();
+    for (const QString& word : words) {
+        const bool isHeight = word.startsWith(QLatin1String("height="));
+        if (!isHeight && !word.startsWith(QLatin1String("size="))) {
+            applyPart(place, 0, word);
+            continue;
+        }
+        bool isNumber = false;
+        const double value = word.section(QLatin1Char('='), 1).toDouble(&isNumber);
+        if (!isNumber || !(value >= (isHeight ? 0 : 0.1) && value <= 10'000)) {
+            throw UsageError(QStringLiteral("A height is 0 to 10,000 mm, a size 0.1 to 10,000 mm"),
+                             QStringLiteral("--jig %1").arg(text));
+        }
+        if (isHeight) {
+            spec.part.height = Millimetres(value);
+        } else {
+            spec.options.longestEdge = Millimetres(value);
+        }
+    }
+    spec.part.placed = place.immersions[0];
+    return spec;
+}
+
+// The field is as fine for each part as it would be for the part alone, as far as fields go.
+int jigFieldResolution(int resolution, const std::vector<JigPart>& parts, const TexturedMesh& jig) {
+    constexpr int most = 512;
+    double smallest = longestEdgeOf(jig.mesh);
+    const double whole = smallest;
+    for (const JigPart& part : parts) {
+        smallest = std::min(smallest, longestEdgeOf(part.model->mesh));
+    }
+    return int(std::clamp(resolution * whole / smallest, double(resolution), double(most)));
+}
+
+void importJig(Project& project, const std::vector<JigSpec>& specs,
+               const QCommandLineParser& parser, Console& console) {
+    std::vector<JigPart> parts;
+    for (const JigSpec& spec : specs) {
+        ImportOptions options = spec.options;
+        options.allowOutside = parser.isSet(outsideOption);
+        const ImportedModel imported = importModel(spec.path, options, console.progress());
+        for (const QString& line : imported.report.repairs + imported.report.warnings) {
+            console.out() << QStringLiteral("%1: %2\n").arg(spec.part.placed.name, line);
+        }
+        parts.push_back(spec.part);
+        parts.back().model = std::make_shared<const TexturedMesh>(imported.model);
+    }
+    auto jig = std::make_shared<const TexturedMesh>(jigModel(parts));
+    if (project.fieldResolution == Project().fieldResolution) {
+        project.fieldResolution = jigFieldResolution(project.fieldResolution, parts, *jig);
+    }
+    project.model = std::move(jig);
+}
+
 // A model or picture that the project takes in is not replaced by it.
-void requireOther(const QString& path, const QCommandLineParser& parser, const QString& option) {
-    const QString source = QFileInfo(parser.value(option)).canonicalFilePath();
+void requireOther(const QString& path, const QString& taken) {
+    const QString source = QFileInfo(taken).canonicalFilePath();
     if (!source.isEmpty() && source == QFileInfo(path).canonicalFilePath()) {
         throw UsageError(QStringLiteral("The project would replace its own source, name another "
                                         "file"),
@@ -120,17 +194,35 @@ public:
                             "in that order and millimetres on the water. Give one or two; without "
                             "it the model is dipped once, as it stands."),
              QStringLiteral("SPEC")});
+        syntax.addOption(
+            {jigOption,
+             QStringLiteral(
+                 "In place of --model, once for each of several models on one jig that "
+                 "are dipped at once: FILE,name=Knob,rotation=rx;ry;rz,offset=x;z,"
+                 "height=y,size=N. The offset is of its middle, the height of its lowest "
+                 "point, the size of its longest edge, all in mm."),
+             QStringLiteral("FILE")});
         declareSettings(syntax);
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {
         const QString path = positionalArgument(parser, QStringLiteral("OUT.dipw"));
-        if (parser.value(modelOption).isEmpty()) {
-            throw UsageError(QStringLiteral("Name the model with --model FILE"),
+        std::vector<JigSpec> jig;
+        for (const QString& text : parser.values(jigOption)) {
+            jig.push_back(jigSpec(text));
+            requireOther(path, jig.back().path);
+        }
+        if (parser.value(modelOption).isEmpty() == jig.empty()) {
+            throw UsageError(QStringLiteral("Name the model with --model FILE, or the models on a "
+                                            "jig with --jig FILE each"),
                              QStringLiteral("--model"));
         }
-        requireOther(path, parser, modelOption);
-        requireOther(path, parser, textureOption);
+        if (!jig.empty() && (parser.isSet(textureOption) || parser.isSet(sizeOption))) {
+            throw UsageError(QStringLiteral("On a jig each model has its own texture and size"),
+                             QStringLiteral("--jig"));
+        }
+        requireOther(path, parser.value(modelOption));
+        requireOther(path, parser.value(textureOption));
         ProjectFile file(path);
         checkWritable(path); // better now than after the work
         Project project;
@@ -140,7 +232,11 @@ public:
         applyPresetOption(project, parser.value(presetOption));
         applyImmersions(project, parser.values(immersionOption));
         applySettings(project, parser);
-        importInto(project, parser, console);
+        if (jig.empty()) {
+            importInto(project, parser, console);
+        } else {
+            importJig(project, jig, parser, console);
+        }
         file.save(project);
         console.out() << QStringLiteral("Wrote %1\n").arg(path);
     }

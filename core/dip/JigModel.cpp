@@ -1,0 +1,94 @@
+#include "dip/JigModel.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::JigModel)
+};
+
+constexpr std::size_t mostMaterials = 65536; // they are counted in 16 bits
+
+TriangleMesh placedMesh(const JigPart& part) {
+    const TriangleMesh& mesh = part.model->mesh;
+    Eigen::Isometry3d transform = poseTransform(mesh, part.placed);
+    transform.pretranslate(Eigen::Vector3d(part.placed.offset[0].value(), part.height.value(),
+                                           part.placed.offset[1].value()));
+    return transformed(mesh, transform);
+}
+
+// Behind what is there, all that counts by number counted on.
+void append(TexturedMesh& jig, const JigPart& part, const TriangleMesh& placed) {
+    const TexturedMesh& model = *part.model;
+    const auto firstPosition = std::uint32_t(jig.mesh.positions.size());
+    const auto firstMaterial = std::uint16_t(jig.materials.size());
+    const int firstTexture = int(jig.textures.size());
+    std::uint32_t firstChart = 0;
+    for (const std::uint32_t chart : jig.chart) {
+        firstChart = std::max(firstChart, chart + 1);
+    }
+    jig.mesh.positions.insert(jig.mesh.positions.end(), placed.positions.begin(),
+                              placed.positions.end());
+    for (std::array<std::uint32_t, 3> corners : placed.triangles) {
+        for (std::uint32_t& corner : corners) {
+            corner += firstPosition;
+        }
+        jig.mesh.triangles.push_back(corners);
+    }
+    jig.textureCoordinates.insert(jig.textureCoordinates.end(), model.textureCoordinates.begin(),
+                                  model.textureCoordinates.end());
+    for (const std::uint16_t material : model.material) {
+        jig.material.push_back(std::uint16_t(firstMaterial + material));
+    }
+    for (const std::uint32_t chart : model.chart) {
+        jig.chart.push_back(firstChart + chart);
+    }
+    for (Material material : model.materials) {
+        material.name = QStringLiteral("%1: %2").arg(part.placed.name, material.name);
+        material.texture += material.texture < 0 ? 0 : firstTexture;
+        jig.materials.push_back(material);
+    }
+    jig.textures.insert(jig.textures.end(), model.textures.begin(), model.textures.end());
+}
+
+void refuseOverlap(const std::vector<JigPart>& parts, const std::vector<BoundingBox>& boxes) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!boxes[i].intersection(boxes[j]).isEmpty()) {
+                throw Error(Text::tr("Its box and that of %1 overlap; move them apart on the jig")
+                                .arg(parts[j].placed.name),
+                            parts[i].placed.name);
+            }
+        }
+    }
+}
+
+} // namespace
+
+TexturedMesh jigModel(const std::vector<JigPart>& parts) {
+    std::size_t materials = 0;
+    for (const JigPart& part : parts) {
+        materials += part.model->materials.size();
+    }
+    if (parts.empty() || materials > mostMaterials) {
+        throw Error(
+            Text::tr("A jig holds one part or more, with %1 materials at most").arg(mostMaterials),
+            QStringLiteral("jig"));
+    }
+    TexturedMesh jig;
+    std::vector<BoundingBox> boxes;
+    for (const JigPart& part : parts) {
+        const TriangleMesh placed = placedMesh(part);
+        boxes.push_back(boundingBox(placed));
+        append(jig, part, placed);
+    }
+    refuseOverlap(parts, boxes);
+    return jig;
+}
+
+} // namespace dipwright
