@@ -7900,6 +7900,10 @@ mm je mm</translation>
         <source>%1 · %2 · %3 · Film %4 · Scale %5</source>
         <translation>%1 · %2 · %3 · Film %4 · Maßstab %5</translation>
     </message>
+    <message>
+        <source>Its white is printed otherwise than that of %1; give them one kind of white and one name for it</source>
+        <translation>Sein Weiß wird anders gedruckt als das von %1; geben Sie beiden eine Art Weiß und einen Namen dafür</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::SheetCorrection</name>

@@ -7900,6 +7900,10 @@ mm por mm</translation>
         <source>%1 · %2 · %3 · Film %4 · Scale %5</source>
         <translation>%1 · %2 · %3 · Filme %4 · Escala %5</translation>
     </message>
+    <message>
+        <source>Its white is printed otherwise than that of %1; give them one kind of white and one name for it</source>
+        <translation>Seu branco é impresso de outro modo que o de %1; dê a ambos um só tipo de branco e um só nome para ele</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::SheetCorrection</name>

@@ -24,21 +24,21 @@ QString nameOf(const PieceToPack& piece) {
     return QStringLiteral("%1, %2").arg(piece.sheet.job.project, piece.sheet.job.immersion);
 }
 
-// The smallest box with all pixels that print.
-QRect inkedBox(const QImage& filmImage) {
-    const QImage image = filmImage.convertToFormat(QImage::Format_RGBA8888);
+// The smallest box with all pixels of a picture that print, each `bytes` long.
+template <typename Prints>
+QRect printedBox(const QImage& image, int bytes, Prints isPrinted) {
     int left = image.width(), right = -1, top = -1, bottom = -1;
     for (int y = 0; y < image.height(); ++y) {
         const uchar* row = image.constScanLine(y);
         int x = 0;
-        while (x < image.width() && !prints(row + 4 * qsizetype(x))) {
+        while (x < image.width() && !isPrinted(row + bytes * qsizetype(x))) {
             ++x;
         }
         if (x == image.width()) {
             continue;
         }
         left = std::min(left, x);
-        for (x = image.width() - 1; x > right && !prints(row + 4 * qsizetype(x));) {
+        for (x = image.width() - 1; x > right && !isPrinted(row + bytes * qsizetype(x));) {
             --x;
         }
         right = std::max(right, x);
@@ -46,6 +46,32 @@ QRect inkedBox(const QImage& filmImage) {
         bottom = y;
     }
     return {QPoint(left, top), QPoint(right, bottom)};
+}
+
+// Of all plates, white ones too.
+QRect inkedBox(const Sheet& sheet) {
+    const QRect colour =
+        printedBox(sheet.image.convertToFormat(QImage::Format_RGBA8888), 4, prints);
+    const QRect white = printedBox(sheet.white, 1, [](const uchar* tint) { return *tint != 0; });
+    return !white.isValid() ? colour : !colour.isValid() ? white : colour.united(white);
+}
+
+// A printer lays its white before all colours or after them.
+void refuseMixedWhite(const std::vector<PieceToPack>& pieces) {
+    const Sheet* first = nullptr;
+    for (const PieceToPack& piece : pieces) {
+        if (piece.sheet.white.isNull()) {
+            continue;
+        }
+        if (first && (first->settings.white != piece.sheet.settings.white ||
+                      first->settings.whiteName != piece.sheet.settings.whiteName)) {
+            throw Error(Text::tr("Its white is printed otherwise than that of %1; give them one "
+                                 "kind of white and one name for it")
+                            .arg(first->job.project),
+                        nameOf(piece));
+        }
+        first = &piece.sheet;
+    }
 }
 
 // How a piece is laid out round its picture, in pixels, upright.
@@ -211,6 +237,7 @@ JobLine filmJob(const Sheet& sheet, const PlannedFilm& film, std::size_t number,
 
 FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& film) {
     checkPieces(pieces);
+    refuseMixedWhite(pieces);
     const DotsPerInch resolution = pieces.front().sheet.settings.resolution;
     const Pixels pixels(resolution);
     const double longest =
@@ -225,7 +252,7 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
     std::vector<std::pair<std::size_t, int>> copies;
     for (std::size_t number = 0; number < pieces.size(); ++number) {
         const PieceToPack& piece = pieces[number];
-        const QRect inked = inkedBox(piece.sheet.image);
+        const QRect inked = inkedBox(piece.sheet);
         if (inked.isEmpty()) {
             throw Error(Text::tr("There is no ink on its sheet"), nameOf(piece));
         }
@@ -270,21 +297,30 @@ Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
     sheet.image = QImage(planned.pixels, wide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
     sheet.image.fill(Qt::transparent);
     sheet.image.setColorSpace(wide ? wideSpace() : pieces.front().sheet.image.colorSpace());
+    for (const PieceToPack& piece : pieces) {
+        if (!piece.sheet.white.isNull() && sheet.white.isNull()) {
+            sheet.white = QImage(planned.pixels, QImage::Format_Grayscale8);
+            sheet.white.fill(0);
+            sheet.settings.white = piece.sheet.settings.white;
+            sheet.settings.whiteName = piece.sheet.settings.whiteName;
+        }
+    }
     const QPointF pixel(planned.size.width() / planned.pixels.width(),
                         planned.size.height() / planned.pixels.height());
     for (const PlannedPiece& one : planned.pieces) {
         const PieceToPack& piece = pieces[one.piece];
         const QRect& inked = plan.inked[one.piece];
         const PieceLayout layout = layoutOf(piece, inked.size(), film);
-        QImage picture = piece.sheet.image.copy(inked);
-        if (wide) {
-            picture = inWide(picture);
+        const QPoint place = onPage(layout.picture, one).topLeft();
+        const auto lay = [&](QImage& plate, const QImage& part) {
+            const QImage turned = one.turned ? part.transformed(QTransform().rotate(90)) : part;
+            copyPixels(plate, place, turned.convertToFormat(plate.format()));
+        };
+        const QImage picture = piece.sheet.image.copy(inked);
+        lay(sheet.image, wide ? inWide(picture) : picture);
+        if (!piece.sheet.white.isNull()) {
+            lay(sheet.white, piece.sheet.white.copy(inked));
         }
-        if (one.turned) {
-            picture = picture.transformed(QTransform().rotate(90));
-        }
-        copyPixels(sheet.image, onPage(layout.picture, one).topLeft(),
-                   picture.convertToFormat(sheet.image.format()));
         sheet.pieces.push_back(sheetPiece(piece, one, layout, inked, pixel));
     }
     sheet.job = filmJob(sheet, planned, number, plan.films.size());

@@ -114,6 +114,11 @@ private slots:
         QTest::newRow("no model") << QStringList{"new", path("out")};
         QTest::newRow("empty project name") << QStringList{"new", "", "--model", path("ball.obj")};
         QTest::newRow("size") << newWith({"--size-mm", "-3"});
+        QTest::newRow("a model and a jig") << newWith({"--jig", path("ball.obj")});
+        QTest::newRow("no height on the jig")
+            << QStringList{"new", path("out"), "--jig", path("ball.obj") + ",height=-1"};
+        QTest::newRow("one size for a jig")
+            << QStringList{"new", path("out"), "--size-mm", "9", "--jig", path("ball.obj")};
         QTest::newRow("preset") << newWith({"--preset", "paper-1999"});
         QTest::newRow("immersion") << newWith({"--immersion", "upside down"});
         QTest::newRow("immersion key") << newWith({"--immersion", "speed=3"});

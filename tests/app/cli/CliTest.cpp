@@ -369,6 +369,43 @@ private slots:
         QVERIFY(std::abs(size[1].toDouble() - 110) < 1e-3);
     }
 
+    void severalModelsOnAJigAreOneBody() {
+        const QString ball = path("ball.obj");
+        const QString jig = path("jig.dipw");
+        const Outcome made = cli({"new", jig, "--jig", ball + ",name=Left,offset=-25;0", "--jig",
+                                  ball + ",name=Right,offset=25;0,height=5", "--quiet"});
+        QVERIFY2(made.exitCode == 0, made.err);
+        const auto info = [&](const QString& project) {
+            return QJsonDocument::fromJson(cli({"info", project, "--json"}).out)
+                .object()["model_info"]
+                .toObject();
+        };
+        const QJsonObject both = info(jig), one = info(path("single.dipw"));
+        QCOMPARE(both["triangles"].toInt(), 2 * one["triangles"].toInt());
+        QVERIFY(both["closed"].toBool());
+        QVERIFY(std::abs(both["size_mm"].toArray()[0].toDouble() - 90) < 0.1);
+        QVERIFY(std::abs(both["size_mm"].toArray()[1].toDouble() - 45) < 0.1);
+        const Outcome ran = cli(QStringList{"run", jig, "--out", path("jig")} + quickly);
+        QVERIFY2(ran.exitCode == 0, ran.err);
+        // Both are painted from their own places on the film.
+        const QImage sheet(path("jig/immersion-1/sheet.png"));
+        const auto printed = [&](double x) { // of the pixels within 8 mm
+            int count = 0;
+            const double unit = sheet.width() / 120.0;
+            for (int row = -int(8 * unit); row < 8 * unit; ++row) {
+                for (int column = -int(8 * unit); column < 8 * unit; ++column) {
+                    count += sheet.pixelColor(int((60 + x) * unit) + column,
+                                              sheet.height() / 2 + row) != Qt::white;
+                }
+            }
+            return count;
+        };
+        QVERIFY(printed(-25) > 500 && printed(25) > 500);
+        const Outcome met = cli({"new", path("met.dipw"), "--jig", ball, "--jig", ball});
+        QCOMPARE(met.exitCode, 1);
+        QVERIFY2(met.err.contains("overlap"), met.err);
+    }
+
     void thePresetIsStored() {
         QVERIFY(
             cli({"new", path("paper.dipw"), "--model", path("ball.obj"), "--preset", "paper-2020"})

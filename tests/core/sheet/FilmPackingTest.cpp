@@ -195,6 +195,29 @@ private slots:
         QCOMPARE(pictureBox(sheet, sheet.pieces[0]), inkedBox(sheet.image));
     }
 
+    void whiteComesWithItsPicture() {
+        std::vector<PieceToPack> parts{part("Plain", {40, 50, 30, 40}),
+                                       part("White", {60, 70, 30, 40})};
+        Sheet& own = parts[1].sheet;
+        own.settings.white = WhiteLayer::Last;
+        own.white = QImage(own.image.size(), QImage::Format_Grayscale8);
+        own.white.fill(0);
+        for (int y = 700; y < 1500; ++y) { // more than is coloured: white paint on a dark part
+            own.white.scanLine(y)[800] = uchar(1 + y % 255);
+        }
+        const FilmPlan plan = planFilms(parts, {});
+        const Sheet sheet = filmSheet(parts, {}, plan, 0);
+        QCOMPARE(sheet.settings.white, WhiteLayer::Last);
+        QCOMPARE(sheet.white.size(), sheet.image.size());
+        const SheetPiece& piece = sheet.pieces[sheet.pieces[0].job.project == "White" ? 0 : 1];
+        const QRect box = inkedBox(own.image) | QRect(800, 700, 1, 800);
+        QCOMPARE(sheet.white.copy(pictureBox(sheet, piece)), own.white.copy(box));
+        QCOMPARE(sheet.image.copy(pictureBox(sheet, piece)), own.image.copy(box));
+        parts[0].sheet.white = own.white;
+        parts[0].sheet.settings.white = WhiteLayer::First;
+        QVERIFY_EXCEPTION_THROWN(planFilms(parts, {}), Error);
+    }
+
     void copiesStandInRows() {
         const std::vector<PieceToPack> parts{part("Button", {90, 120, 30, 30}, 12)};
         const FilmPlan plan = planFilms(parts, {});
