@@ -2,6 +2,7 @@
 #include "ChessSheet.h"
 #include "PaperMeasure.h"
 #include "PrivateCups.h"
+#include "TestProfiles.h"
 
 #include "base/Error.h"
 #include "printing/PrintService.h"
@@ -57,6 +58,7 @@ private slots:
     void twoSheetsArriveInOrderAndTrue();
     void imageArrivesWithoutLoss();
     void scaleOfThePrinterIsTakenOut();
+    void sheetInCmykArrivesTrue();
     void wideSheetLiesAcrossThePaper();
     void copiesArrive();
     void otherPaperThanTheDefaultIsAskedFor();
@@ -168,6 +170,26 @@ void PrintTest::scaleOfThePrinterIsTakenOut() {
     // What arrives is off by just as much the other way.
     verifySquares(cups_->received("pigment").last(), true, 17 / 1.004);
     verifySquares(cups_->received("pigment").last(), false, 17 / 0.997);
+}
+
+// A black square and the white one beside it, halved: half-inked pixels at their edges are darker
+// in inks than in RGB.
+void PrintTest::sheetInCmykArrivesTrue() {
+    PrintRequest request = to("pigment");
+    request.profile.emplace();
+    request.profile->name = "Press";
+    request.profile->iccProfile = simpleCmykProfile(0.002);
+    QCOMPARE(print(chessSheet("Top"), request), JobState::Printed);
+    const QString paper = cups_->received("pigment").last();
+    QVERIFY(output("pdfimages", {"-list", paper}).contains(" cmyk "));
+    for (const bool across : {true, false}) {
+        const std::vector<double> sizes = squares(paper, across);
+        QVERIFY(sizes.size() >= 8);
+        for (std::size_t i = 1; i < sizes.size(); ++i) {
+            const double pitch = (sizes[i - 1] + sizes[i]) / 2;
+            QVERIFY2(std::abs(pitch - 17) <= 0.02, qPrintable(QString::number(pitch)));
+        }
+    }
 }
 
 void PrintTest::wideSheetLiesAcrossThePaper() {
