@@ -628,6 +628,17 @@
     </message>
 </context>
 <context>
+    <name>MainWindow</name>
+    <message>
+        <source>Pose Search</source>
+        <translation>Lagensuche</translation>
+    </message>
+    <message>
+        <source>Artwork</source>
+        <translation>Gestaltung</translation>
+    </message>
+</context>
+<context>
     <name>MarkEdits</name>
     <message>
         <source>Mark for the Join</source>
@@ -1718,10 +1729,6 @@
         <translation>%1 muss eine Liste mit höchstens %2 Einträgen sein</translation>
     </message>
     <message>
-        <source>the sections are film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built and inspection</source>
-        <translation>die Abschnitte sind film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built und inspection</translation>
-    </message>
-    <message>
         <source>inspection.pairs names a photo that inspection.photos has not</source>
         <translation>inspection.pairs nennt ein Foto, das inspection.photos nicht hat</translation>
     </message>
@@ -1732,6 +1739,18 @@
     <message>
         <source>“%1” is not a colour, write it as #1a2b3c</source>
         <translation>„%1“ ist keine Farbe, schreiben Sie sie als #1a2b3c</translation>
+    </message>
+    <message>
+        <source>a colour such as #1a2b3c</source>
+        <translation>eine Farbe wie #1a2b3c</translation>
+    </message>
+    <message>
+        <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built and inspection</source>
+        <translation>die Abschnitte sind artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built und inspection</translation>
+    </message>
+    <message>
+        <source>The artwork has %1 layer(s), the lowest is artwork.layers[0]</source>
+        <translation>Die Gestaltung hat %1 Ebene(n), die unterste ist artwork.layers[0]</translation>
     </message>
 </context>
 <context>
@@ -3313,6 +3332,274 @@
     <message>
         <source>Not painted</source>
         <translation>Nicht bemalt</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Artwork</name>
+    <message>
+        <source>The artwork has %1 layers, as many as there may be; remove one</source>
+        <translation>Die Gestaltung hat %1 Ebenen, mehr dürfen es nicht sein; entfernen Sie eine</translation>
+    </message>
+    <message>
+        <source>The text “%1” is to be set in %2, which this computer does not have, and is set in another; install that font or choose one that is here</source>
+        <translation>Der Text „%1“ soll in %2 gesetzt werden, die es auf diesem Rechner nicht gibt, und steht in einer anderen Schrift; installieren Sie die Schrift oder wählen Sie eine vorhandene</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ArtworkController</name>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Carbon</source>
+        <translation>Carbon</translation>
+    </message>
+    <message>
+        <source>Camouflage</source>
+        <translation>Tarnmuster</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Holz</translation>
+    </message>
+    <message>
+        <source>Change Layer</source>
+        <translation>Ebene ändern</translation>
+    </message>
+    <message>
+        <source>Base Colour</source>
+        <translation>Grundfarbe</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Reading the picture</source>
+        <translation>Bild wird gelesen</translation>
+    </message>
+    <message>
+        <source>Add Picture</source>
+        <translation>Bild hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move Layer</source>
+        <translation>Ebene verschieben</translation>
+    </message>
+    <message>
+        <source>Remove Layer</source>
+        <translation>Ebene entfernen</translation>
+    </message>
+    <message>
+        <source>Turn Layer</source>
+        <translation>Ebene drehen</translation>
+    </message>
+    <message>
+        <source>Size of Layer</source>
+        <translation>Größe der Ebene</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ArtworkPage</name>
+    <message>
+        <source>Add &amp;Picture…</source>
+        <translation>&amp;Bild hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Lays a picture on the body. A picture dropped on the body in the view is laid where it was dropped.</source>
+        <translation>Legt ein Bild auf den Körper. Ein Bild, das in der Ansicht auf dem Körper fallen gelassen wird, liegt dort.</translation>
+    </message>
+    <message>
+        <source>Add &amp;Text</source>
+        <translation>&amp;Text hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add Pa&amp;ttern</source>
+        <translation>&amp;Muster hinzufügen</translation>
+    </message>
+    <message>
+        <source>Carbon</source>
+        <translation>Carbon</translation>
+    </message>
+    <message>
+        <source>Camouflage</source>
+        <translation>Tarnmuster</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Holz</translation>
+    </message>
+    <message>
+        <source>Layers, the uppermost first</source>
+        <translation>Ebenen, die oberste zuerst</translation>
+    </message>
+    <message>
+        <source>The layers, the uppermost first. The tick shows or hides one, a double click renames it; Delete removes it, Ctrl with the arrows moves it.</source>
+        <translation>Die Ebenen, die oberste zuerst. Das Häkchen blendet eine ein oder aus, ein Doppelklick benennt sie um; Entf entfernt sie, Strg mit den Pfeilen verschiebt sie.</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Lays the layer over the next one (Ctrl+Up)</source>
+        <translation>Legt die Ebene über die nächste (Strg+Auf)</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Lays the layer under the next one (Ctrl+Down)</source>
+        <translation>Legt die Ebene unter die nächste (Strg+Ab)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the layer (Delete)</source>
+        <translation>Entfernt die Ebene (Entf)</translation>
+    </message>
+    <message>
+        <source>Base colour</source>
+        <translation>Grundfarbe</translation>
+    </message>
+    <message>
+        <source>What lies below all layers; white is no ink. Without it the model shows what it looks like by itself.</source>
+        <translation>Was unter allen Ebenen liegt; Weiß ist keine Druckfarbe. Ohne sie zeigt das Modell sein eigenes Aussehen.</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Schrift</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Light colour</source>
+        <translation>Helle Farbe</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>Each number makes another pattern of the same kind.</source>
+        <translation>Jede Zahl ergibt ein anderes Muster derselben Art.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>100 %: hides what lies below it.</source>
+        <translation>100 %: verdeckt, was darunter liegt.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Laid on</source>
+        <translation>Aufgelegt</translation>
+    </message>
+    <message>
+        <source>As a decal</source>
+        <translation>Als Abziehbild</translation>
+    </message>
+    <message>
+        <source>Along an axis</source>
+        <translation>Längs einer Achse</translation>
+    </message>
+    <message>
+        <source>Round an axis</source>
+        <translation>Um eine Achse</translation>
+    </message>
+    <message>
+        <source>From six sides</source>
+        <translation>Von sechs Seiten</translation>
+    </message>
+    <message>
+        <source>A decal keeps lengths and straight lines round its middle. The others are for patterns over all of the body.</source>
+        <translation>Ein Abziehbild erhält Längen und gerade Linien um seine Mitte. Die anderen sind für Muster über den ganzen Körper.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>What is shown fits in, its proportions kept.</source>
+        <translation>Was gezeigt wird, passt hinein; seine Proportionen bleiben.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Counterclockwise as seen from outside.</source>
+        <translation>Gegen den Uhrzeigersinn, von außen gesehen.</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Repeated every</source>
+        <translation>Wiederholt alle</translation>
+    </message>
+    <message>
+        <source>The width of one repeat on the body; round an axis a whole number of them is laid.</source>
+        <translation>Die Breite einer Wiederholung auf dem Körper; um eine Achse geht eine ganze Zahl davon.</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>einmal</translation>
+    </message>
+    <message>
+        <source>Middle, X</source>
+        <translation>Mitte, X</translation>
+    </message>
+    <message>
+        <source>Middle, Y</source>
+        <translation>Mitte, Y</translation>
+    </message>
+    <message>
+        <source>Middle, Z</source>
+        <translation>Mitte, Z</translation>
+    </message>
+    <message>
+        <source>In the model&apos;s coordinates; of a decal the nearest place of the body counts.</source>
+        <translation>In Koordinaten des Modells; bei einem Abziehbild zählt die nächste Stelle des Körpers.</translation>
+    </message>
+    <message>
+        <source>the model&apos;s own</source>
+        <translation>die des Modells</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ArtworkPainter</name>
+    <message>
+        <source>Painting the artwork</source>
+        <translation>Gestaltung wird aufgetragen</translation>
     </message>
 </context>
 <context>
@@ -5315,10 +5602,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>Inspection</source>
         <translation>Prüfung</translation>
-    </message>
-    <message>
-        <source>Pose Search</source>
-        <translation>Lagensuche</translation>
     </message>
 </context>
 <context>
@@ -9117,6 +9400,14 @@ mm je mm</translation>
     <message>
         <source>Lay the sheets of several projects, and copies, side by side on a film or roll</source>
         <translation>Die Bögen mehrerer Projekte, und mehrere Exemplare, nebeneinander auf einen Film oder eine Rolle legen</translation>
+    </message>
+    <message>
+        <source>&amp;Artwork</source>
+        <translation>&amp;Gestaltung</translation>
+    </message>
+    <message>
+        <source>Lay pictures, text and patterns on the body</source>
+        <translation>Bilder, Text und Muster auf den Körper legen</translation>
     </message>
 </context>
 <context>

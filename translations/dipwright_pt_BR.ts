@@ -628,6 +628,17 @@
     </message>
 </context>
 <context>
+    <name>MainWindow</name>
+    <message>
+        <source>Pose Search</source>
+        <translation>Busca de poses</translation>
+    </message>
+    <message>
+        <source>Artwork</source>
+        <translation>Arte</translation>
+    </message>
+</context>
+<context>
     <name>MarkEdits</name>
     <message>
         <source>Mark for the Join</source>
@@ -1718,10 +1729,6 @@
         <translation>%1 deve ser uma lista de no máximo %2 itens</translation>
     </message>
     <message>
-        <source>the sections are film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built and inspection</source>
-        <translation>as seções são film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built e inspection</translation>
-    </message>
-    <message>
         <source>inspection.pairs names a photo that inspection.photos has not</source>
         <translation>inspection.pairs nomeia uma foto que inspection.photos não tem</translation>
     </message>
@@ -1732,6 +1739,18 @@
     <message>
         <source>“%1” is not a colour, write it as #1a2b3c</source>
         <translation>“%1” não é uma cor, escreva como #1a2b3c</translation>
+    </message>
+    <message>
+        <source>a colour such as #1a2b3c</source>
+        <translation>uma cor como #1a2b3c</translation>
+    </message>
+    <message>
+        <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built and inspection</source>
+        <translation>as seções são artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built e inspection</translation>
+    </message>
+    <message>
+        <source>The artwork has %1 layer(s), the lowest is artwork.layers[0]</source>
+        <translation>A arte tem %1 camada(s), a mais baixa é artwork.layers[0]</translation>
     </message>
 </context>
 <context>
@@ -3313,6 +3332,274 @@
     <message>
         <source>Not painted</source>
         <translation>Não pintado</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::Artwork</name>
+    <message>
+        <source>The artwork has %1 layers, as many as there may be; remove one</source>
+        <translation>A arte tem %1 camadas, o máximo permitido; remova uma</translation>
+    </message>
+    <message>
+        <source>The text “%1” is to be set in %2, which this computer does not have, and is set in another; install that font or choose one that is here</source>
+        <translation>O texto “%1” deve usar a fonte %2, que este computador não tem, e usa outra; instale essa fonte ou escolha uma que exista aqui</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ArtworkController</name>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Carbon</source>
+        <translation>Carbono</translation>
+    </message>
+    <message>
+        <source>Camouflage</source>
+        <translation>Camuflagem</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Madeira</translation>
+    </message>
+    <message>
+        <source>Change Layer</source>
+        <translation>Alterar camada</translation>
+    </message>
+    <message>
+        <source>Base Colour</source>
+        <translation>Cor de base</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Adicionar %1</translation>
+    </message>
+    <message>
+        <source>Reading the picture</source>
+        <translation>Lendo a imagem</translation>
+    </message>
+    <message>
+        <source>Add Picture</source>
+        <translation>Adicionar imagem</translation>
+    </message>
+    <message>
+        <source>Move Layer</source>
+        <translation>Mover camada</translation>
+    </message>
+    <message>
+        <source>Remove Layer</source>
+        <translation>Remover camada</translation>
+    </message>
+    <message>
+        <source>Turn Layer</source>
+        <translation>Girar camada</translation>
+    </message>
+    <message>
+        <source>Size of Layer</source>
+        <translation>Tamanho da camada</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ArtworkPage</name>
+    <message>
+        <source>Add &amp;Picture…</source>
+        <translation>Adicionar &amp;imagem…</translation>
+    </message>
+    <message>
+        <source>Lays a picture on the body. A picture dropped on the body in the view is laid where it was dropped.</source>
+        <translation>Põe uma imagem sobre o corpo. Uma imagem solta sobre o corpo na vista fica onde foi solta.</translation>
+    </message>
+    <message>
+        <source>Add &amp;Text</source>
+        <translation>Adicionar &amp;texto</translation>
+    </message>
+    <message>
+        <source>Add Pa&amp;ttern</source>
+        <translation>Adicionar &amp;padrão</translation>
+    </message>
+    <message>
+        <source>Carbon</source>
+        <translation>Carbono</translation>
+    </message>
+    <message>
+        <source>Camouflage</source>
+        <translation>Camuflagem</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Madeira</translation>
+    </message>
+    <message>
+        <source>Layers, the uppermost first</source>
+        <translation>Camadas, a de cima primeiro</translation>
+    </message>
+    <message>
+        <source>The layers, the uppermost first. The tick shows or hides one, a double click renames it; Delete removes it, Ctrl with the arrows moves it.</source>
+        <translation>As camadas, a de cima primeiro. A marca mostra ou esconde uma, um clique duplo muda o nome; Delete a remove, Ctrl com as setas a move.</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Para cima</translation>
+    </message>
+    <message>
+        <source>Lays the layer over the next one (Ctrl+Up)</source>
+        <translation>Põe a camada acima da seguinte (Ctrl+Cima)</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Para baixo</translation>
+    </message>
+    <message>
+        <source>Lays the layer under the next one (Ctrl+Down)</source>
+        <translation>Põe a camada abaixo da seguinte (Ctrl+Baixo)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Remover</translation>
+    </message>
+    <message>
+        <source>Removes the layer (Delete)</source>
+        <translation>Remove a camada (Delete)</translation>
+    </message>
+    <message>
+        <source>Base colour</source>
+        <translation>Cor de base</translation>
+    </message>
+    <message>
+        <source>What lies below all layers; white is no ink. Without it the model shows what it looks like by itself.</source>
+        <translation>O que fica abaixo de todas as camadas; branco é nenhuma tinta. Sem ela o modelo mostra sua própria aparência.</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Fonte</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Cor</translation>
+    </message>
+    <message>
+        <source>Light colour</source>
+        <translation>Cor clara</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>Each number makes another pattern of the same kind.</source>
+        <translation>Cada número dá outro padrão do mesmo tipo.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidade</translation>
+    </message>
+    <message>
+        <source>100 %: hides what lies below it.</source>
+        <translation>100 %: esconde o que está abaixo.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Laid on</source>
+        <translation>Aplicação</translation>
+    </message>
+    <message>
+        <source>As a decal</source>
+        <translation>Como decalque</translation>
+    </message>
+    <message>
+        <source>Along an axis</source>
+        <translation>Ao longo de um eixo</translation>
+    </message>
+    <message>
+        <source>Round an axis</source>
+        <translation>Em torno de um eixo</translation>
+    </message>
+    <message>
+        <source>From six sides</source>
+        <translation>De seis lados</translation>
+    </message>
+    <message>
+        <source>A decal keeps lengths and straight lines round its middle. The others are for patterns over all of the body.</source>
+        <translation>Um decalque mantém comprimentos e linhas retas em torno do seu meio. Os outros são para padrões sobre todo o corpo.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eixo</translation>
+    </message>
+    <message>
+        <source>What is shown fits in, its proportions kept.</source>
+        <translation>O que é mostrado cabe dentro, mantidas as proporções.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largura</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>Counterclockwise as seen from outside.</source>
+        <translation>No sentido anti-horário, visto de fora.</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Repeated every</source>
+        <translation>Repetido a cada</translation>
+    </message>
+    <message>
+        <source>The width of one repeat on the body; round an axis a whole number of them is laid.</source>
+        <translation>A largura de uma repetição sobre o corpo; em torno de um eixo cabe um número inteiro delas.</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>uma vez</translation>
+    </message>
+    <message>
+        <source>Middle, X</source>
+        <translation>Meio, X</translation>
+    </message>
+    <message>
+        <source>Middle, Y</source>
+        <translation>Meio, Y</translation>
+    </message>
+    <message>
+        <source>Middle, Z</source>
+        <translation>Meio, Z</translation>
+    </message>
+    <message>
+        <source>In the model&apos;s coordinates; of a decal the nearest place of the body counts.</source>
+        <translation>Em coordenadas do modelo; de um decalque conta o lugar mais próximo do corpo.</translation>
+    </message>
+    <message>
+        <source>the model&apos;s own</source>
+        <translation>a do modelo</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ArtworkPainter</name>
+    <message>
+        <source>Painting the artwork</source>
+        <translation>Pintando a arte</translation>
     </message>
 </context>
 <context>
@@ -5315,10 +5602,6 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>Inspection</source>
         <translation>Inspeção</translation>
-    </message>
-    <message>
-        <source>Pose Search</source>
-        <translation>Busca de poses</translation>
     </message>
 </context>
 <context>
@@ -9117,6 +9400,14 @@ mm por mm</translation>
     <message>
         <source>Lay the sheets of several projects, and copies, side by side on a film or roll</source>
         <translation>Dispor as folhas de vários projetos, e cópias, lado a lado em um filme ou rolo</translation>
+    </message>
+    <message>
+        <source>&amp;Artwork</source>
+        <translation>A&amp;rte</translation>
+    </message>
+    <message>
+        <source>Lay pictures, text and patterns on the body</source>
+        <translation>Pôr imagens, texto e padrões sobre o corpo</translation>
     </message>
 </context>
 <context>

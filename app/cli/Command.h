@@ -41,6 +41,7 @@ std::unique_ptr<Command> validateCommand();
 std::unique_ptr<Command> solversCommand();
 std::unique_ptr<Command> benchCommand();
 std::unique_ptr<Command> printCommand();
+std::unique_ptr<Command> artworkCommand();
 std::unique_ptr<Command> packCommand();
 std::unique_ptr<Command> profileCommand();
 std::unique_ptr<Command> calibrateCommand();

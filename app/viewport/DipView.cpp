@@ -41,7 +41,7 @@ struct DipView::State {
     RotationRings rings;
     QPointF pressed;
     bool leftPressed = false;
-    std::function<bool(const ViewRay&)> strokeBegins;
+    std::vector<std::function<bool(const ViewRay&)>> strokes;
     bool inStroke = false;
     int draggedAxis = -1;
     int litAxis = -1;
@@ -267,8 +267,8 @@ void DipView::take(const ViewPicture& picture) {
     }
 }
 
-void DipView::setStrokeBegin(std::function<bool(const ViewRay&)> begins) {
-    state_->strokeBegins = std::move(begins);
+void DipView::addStroke(std::function<bool(const ViewRay&)> begins) {
+    state_->strokes.push_back(std::move(begins));
 }
 
 QImage DipView::picture() {
@@ -369,7 +369,8 @@ void DipView::mousePressEvent(QMouseEvent* event) {
         }
     }
     const ViewRay ray = rayAt(s.pressed);
-    s.inStroke = s.leftPressed && s.strokeBegins && s.strokeBegins(ray);
+    s.inStroke = s.leftPressed && std::any_of(s.strokes.begin(), s.strokes.end(),
+                                              [&](const auto& begins) { return begins(ray); });
     if (s.inStroke) {
         emit stroked(ray);
         return;

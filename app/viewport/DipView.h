@@ -107,9 +107,9 @@ public:
     void setMarker(const std::optional<Eigen::Vector3f>& position);
     void setMeasure(const std::vector<Eigen::Vector3f>& points, const QString& label);
 
-    // Asked of a press of the left button: whether the drag that follows is a stroke, which leaves
-    // the camera alone. Empty: none is.
-    void setStrokeBegin(std::function<bool(const ViewRay&)> begins);
+    // Asked of a press of the left button, one after the other until one says yes: whether the drag
+    // that follows is a stroke, which leaves the camera alone.
+    void addStroke(std::function<bool(const ViewRay&)> begins);
 
     // Camera.
     void setNavigation(Navigation navigation);

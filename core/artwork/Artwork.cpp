@@ -1,11 +1,25 @@
 #include "artwork/Artwork.h"
 
+#include "artwork/LayerPicture.h"
+#include "base/Error.h"
 #include "base/WideColour.h"
+#include "geometry/SurfaceQuery.h"
 
+#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QFontDatabase>
 
+#include <algorithm>
+#include <cmath>
+
 namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Artwork)
+};
+
+} // namespace
 
 bool isPattern(LayerKind kind) {
     return kind != LayerKind::Picture && kind != LayerKind::Text;
@@ -47,14 +61,60 @@ ArtworkLayer newLayer(LayerKind kind, const QString& name) {
     return layer;
 }
 
-QStringList missingFonts(const Artwork& artwork) {
-    QStringList missing;
+ArtworkLayer placedOn(const TexturedMesh& model, ArtworkLayer layer) {
+    constexpr double share = 0.4; // of the body's extent
+    const BoundingBox box = boundingBox(model.mesh);
+    Eigen::Vector3f place = box.center();
+    if (layer.placement == LayerPlacement::Decal) {
+        const SurfaceQuery query(model.mesh);
+        const Eigen::Vector3f before(place.x(), place.y(), box.max().z() + 1);
+        const RayHit hit = query.hit(before, -Eigen::Vector3f::UnitZ());
+        place = position(model.mesh, hit.point.isValid() ? hit.point : query.closest(before).point);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        layer.place[std::size_t(axis)] =
+            Millimetres(std::round(double(place[axis]) * 100) / 100 + 0.0);
+    }
+    const double most = share * double(box.sizes().maxCoeff());
+    for (Millimetres& side : layer.size) {
+        side = Millimetres(std::clamp(std::round(std::min(side.value(), most) * 10) / 10,
+                                      smallestLayer, largestLayer));
+    }
+    return layer;
+}
+
+void addLayer(Artwork& artwork, const ArtworkLayer& layer, const TexturedMesh& model) {
+    if (artwork.layers.size() >= mostArtworkLayers) {
+        throw Error(Text::tr("The artwork has %1 layers, as many as there may be; remove one")
+                        .arg(mostArtworkLayers),
+                    layer.name);
+    }
+    if (artwork.isEmpty() && model.textures.empty()) {
+        artwork.base = QColor(255, 255, 255);
+    }
+    artwork.layers.push_back(layer);
+}
+
+std::array<Millimetres, 2> shownSize(const ArtworkLayer& layer) {
+    if (layer.repeat.value() > 0) {
+        return layer.size;
+    }
+    const double proportions = proportionsOf(layer);
+    const double width = std::min(layer.size[0].value(), layer.size[1].value() * proportions);
+    return {Millimetres(width), Millimetres(width / proportions)};
+}
+
+QStringList fontWarnings(const Artwork& artwork) {
+    QStringList warnings;
     for (const ArtworkLayer& layer : artwork.layers) {
         if (layer.kind == LayerKind::Text && !QFontDatabase::hasFamily(layer.font)) {
-            missing.append(QStringLiteral("%1 (%2)").arg(layer.name, layer.font));
+            warnings.append(Text::tr("The text “%1” is to be set in %2, which this computer does "
+                                     "not have, and is set in another; install that font or choose "
+                                     "one that is here")
+                                .arg(layer.name, layer.font));
         }
     }
-    return missing;
+    return warnings;
 }
 
 } // namespace dipwright

@@ -4,10 +4,11 @@
 #pragma once
 
 #include "base/Units.h"
+#include "model/TexturedMesh.h"
 
 #include <QColor>
 #include <QImage>
-#include <QString>
+#include <QStringList>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -60,7 +61,7 @@ struct ArtworkLayer {
     // Width and height of the area that it takes: a picture or text is as large as fits in, its
     // proportions kept. Repeats of a projection go on all over the body.
     std::array<Millimetres, 2> size{Millimetres(50), Millimetres(50)};
-    Millimetres repeat{0}; // the width of one repeat; 0: shown once, never so of patterns
+    Millimetres repeat{0}; // the width of one repeat; 0: shown once
     bool operator==(const ArtworkLayer&) const = default;
 };
 
@@ -83,8 +84,21 @@ struct Artwork {
 // decal. `name`: what it is called.
 ArtworkLayer newLayer(LayerKind kind, const QString& name);
 
-// Names of the layers whose font this computer has not, with the font, "Title (Futura)": they are
-// drawn in another. Needs a QGuiApplication.
-QStringList missingFonts(const Artwork& artwork);
+// The layer on a model it has not been placed on yet: decals in the middle of its front, the side
+// that looks along +Z, others about its middle; no larger than looks well there.
+ArtworkLayer placedOn(const TexturedMesh& model, ArtworkLayer layer);
+
+// Lays it over all others. The first on a model without a texture makes white, which is no ink, the
+// base, so that not all of the body is printed in the model's plain colour. Throws Error past
+// mostArtworkLayers.
+void addLayer(Artwork& artwork, const ArtworkLayer& layer, const TexturedMesh& model);
+
+// How large what a layer shows comes out, in the area that it takes: a picture or text shown once
+// keeps its proportions. Text needs a QGuiApplication.
+std::array<Millimetres, 2> shownSize(const ArtworkLayer& layer);
+
+// A sentence for each layer whose font this computer has not: it is drawn in another. Needs a
+// QGuiApplication.
+QStringList fontWarnings(const Artwork& artwork);
 
 } // namespace dipwright

@@ -42,6 +42,9 @@ struct JobResult {
     SolverInfo solver;                          // that dipped the last immersion's film
     FieldInputs fieldInputs;                    // of `field`
     std::shared_ptr<const DistanceField> field; // null when no dip needed it
+    PaintInputs paintInputs;                    // of `painted`
+    std::shared_ptr<const TexturedMesh>
+        painted; // the model with its artwork, which all bodies wear
     std::vector<ImmersionResult> immersions;
     std::shared_ptr<const BodyShare> share; // null: each dip paints all that it reaches
     double coverageTotal = 0;               // share of the body's surface that any immersion paints

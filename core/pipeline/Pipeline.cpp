@@ -1,5 +1,6 @@
 #include "pipeline/Pipeline.h"
 
+#include "artwork/PaintArtwork.h"
 #include "base/Error.h"
 #include "base/WideColour.h"
 #include "correction/SheetCorrection.h"
@@ -76,12 +77,30 @@ std::shared_ptr<const DistanceField> fieldOf(const Run& run, const std::vector<S
     return nullptr;
 }
 
-std::shared_ptr<const PosedBody> bodyOf(const BodyInputs& inputs, const Immersion& immersion,
-                                        const ImmersionResult* earlier) {
-    if (earlier && earlier->inputs.texture.dip.body == inputs) {
+// The model as it is to look.
+std::shared_ptr<const TexturedMesh> paintedOf(const Run& run, const PaintInputs& inputs,
+                                              const Progress& progress) {
+    if (run.previous && run.previous->painted && run.previous->paintInputs == inputs) {
+        return run.previous->painted;
+    }
+    return painted(inputs.model, inputs.artwork, texelFor(run.project.sheet.resolution), progress);
+}
+
+// Whether the earlier result's bodies look otherwise than `model`. Dips that were kept look as
+// their model does by itself.
+bool isRepainted(const Run& run, const std::shared_ptr<const TexturedMesh>& model) {
+    return run.previous &&
+           (run.previous->painted ? run.previous->painted : run.project.model) != model;
+}
+
+std::shared_ptr<const PosedBody> bodyOf(const Run& run, std::size_t number,
+                                        const BodyInputs& inputs,
+                                        const std::shared_ptr<const TexturedMesh>& model) {
+    const ImmersionResult* earlier = run.earlier(number);
+    if (earlier && earlier->inputs.texture.dip.body == inputs && !isRepainted(run, model)) {
         return earlier->body;
     }
-    return std::make_shared<const PosedBody>(posedBody(*inputs.model, immersion));
+    return std::make_shared<const PosedBody>(posedBody(*model, run.project.immersions[number]));
 }
 
 // Fills in the film on the body.
@@ -175,9 +194,9 @@ void compare(Comparison& comparison, const Run& run, const ImmersionResult& resu
 // The first part of an immersion's work: up to the film on the body. Coarser films are dipped
 // beside it on the processor; on a GPU, which it would have to share with them, after it.
 ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetInputs& inputs,
-                                const DistanceField* field, SolverChoice& solver,
-                                Comparison& comparison, const CancelSwitch& left,
-                                const Progress& progress) {
+                                const JobResult& job, SolverChoice& solver, Comparison& comparison,
+                                const CancelSwitch& left, const Progress& progress) {
+    const DistanceField* field = job.field.get();
     const ImmersionResult* earlier = run.earlier(number);
     const bool isDipped = hasDipped(earlier, inputs.texture.dip);
     const bool isBeside = solver.solver.deviceKind != QLatin1String("gpu");
@@ -187,7 +206,12 @@ ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetI
         now = *earlier;
     }
     now.immersion = run.project.immersions[number];
-    now.body = bodyOf(inputs.texture.dip.body, now.immersion, earlier);
+    now.body = bodyOf(run, number, inputs.texture.dip.body, job.painted);
+    if (isDipped && isRepainted(run, job.painted)) { // the same film on a body that looks otherwise
+        now.laid =
+            std::make_shared<const LaidFilm>(now.body, now.laid->film(), now.laid->contact());
+        now.coverage = nullptr; // is measured anew
+    }
     if (comparison.isWanted && isBeside) {
         compare(comparison, run, now, *field, solver.solver.id, left);
     }
@@ -202,8 +226,9 @@ ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetI
 }
 
 // How the dips share the body out; null where they do not.
-std::shared_ptr<const BodyShare>
-shareOf(const Run& run, const std::vector<ImmersionResult>& immersions, const Progress& progress) {
+std::shared_ptr<const BodyShare> shareOf(const Run& run, const TexturedMesh& model,
+                                         const std::vector<ImmersionResult>& immersions,
+                                         const Progress& progress) {
     const std::optional<ShareInputs>& inputs = immersions.front().inputs.texture.share;
     if (!inputs) {
         return nullptr;
@@ -212,9 +237,8 @@ shareOf(const Run& run, const std::vector<ImmersionResult>& immersions, const Pr
         run.previous->immersions.front().inputs.texture.share == inputs) {
         return run.previous->share;
     }
-    return std::make_shared<const BodyShare>(shareBody(*run.project.model,
-                                                       {immersions[0].laid, immersions[1].laid},
-                                                       inputs->settings, inputs->ink, progress));
+    return std::make_shared<const BodyShare>(shareBody(
+        model, {immersions[0].laid, immersions[1].laid}, inputs->settings, inputs->ink, progress));
 }
 
 // The second: the picture that the film wears. `share`: null where it is not shared with others.
@@ -386,16 +410,18 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
         const double begin = part * double(number);
         undisturbed([&] {
             immersions[number] =
-                dippedImmersion(run, number, inputs[number], result.field.get(), solver,
-                                comparisons[number], left, progress.part(begin, begin + part));
+                dippedImmersion(run, number, inputs[number], result, solver, comparisons[number],
+                                left, progress.part(begin, begin + part));
         });
         if (!isShared) {
             beginPicture(number);
         }
     }
     if (isShared) {
-        undisturbed(
-            [&] { result.share = shareOf(run, immersions, progress.part(dipsDone, sharesDone)); });
+        undisturbed([&] {
+            result.share =
+                shareOf(run, *result.painted, immersions, progress.part(dipsDone, sharesDone));
+        });
         for (std::size_t number = 0; number < inputs.size(); ++number) {
             beginPicture(number);
         }
@@ -422,6 +448,7 @@ QStringList notesOf(const JobResult& result) {
     if (const QString expiry = expiryWarning(result.project.profiles.film); !expiry.isEmpty()) {
         notes.append(expiry);
     }
+    notes += fontWarnings(result.project.artwork);
     for (const ImmersionResult& immersion : result.immersions) {
         notes += immersion.solverNotes;
         if (edgeIsOnBody(*immersion.laid)) {
@@ -463,7 +490,9 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
         inputs.push_back(sheetInputs(project, options, number, result.chosenSolver));
     }
     result.fieldInputs = fieldInputs(project);
-    result.field = fieldOf(run, inputs, progress.part(0, fieldDone));
+    result.paintInputs = paintInputs(project);
+    result.painted = paintedOf(run, result.paintInputs, progress.part(0, fieldDone / 2));
+    result.field = fieldOf(run, inputs, progress.part(fieldDone / 2, fieldDone));
 
     const Progress job = options.makesCradles ? progress.part(0, cradlesBegin) : progress;
     const Progress dips = options.tellsTolerances ? job.part(0, tolerancesBegin) : job;

@@ -319,6 +319,9 @@ QJsonObject report(const Project& project, const JobResult& result) {
     if (result.share) {
         json["share"] = shareJson(*result.share);
     }
+    if (!project.artwork.isEmpty()) {
+        json["artwork"] = toJson(project).value(QLatin1String("artwork"));
+    }
     if (!project.asBuilt.parts.empty()) {
         json["as_built"] = asBuiltJson(result);
     }

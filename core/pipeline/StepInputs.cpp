@@ -18,6 +18,11 @@ FieldInputs fieldInputs(const Project& project) {
     return {project.model, project.fieldResolution};
 }
 
+PaintInputs paintInputs(const Project& project) {
+    return {project.model, project.artwork,
+            project.artwork.isEmpty() ? DotsPerInch(0) : project.sheet.resolution};
+}
+
 DipInputs dipInputs(const Project& project, std::size_t number, const QString& solver) {
     DipInputs inputs{bodyInputs(project, number),
                      fieldInputs(project),
@@ -38,13 +43,16 @@ std::optional<ShareInputs> shareInputs(const Project& project, const JobOptions&
     if (!isShared(project) || options.chessboard || !options.filmImage.isNull()) {
         return std::nullopt;
     }
-    return ShareInputs{
-        {dipInputs(project, 0, solver), dipInputs(project, 1, solver)}, project.share, project.ink};
+    return ShareInputs{{dipInputs(project, 0, solver), dipInputs(project, 1, solver)},
+                       paintInputs(project),
+                       project.share,
+                       project.ink};
 }
 
 TextureInputs textureInputs(const Project& project, const JobOptions& options, std::size_t number,
                             const QString& solver) {
     return {dipInputs(project, number, solver),
+            paintInputs(project),
             shareInputs(project, options, solver),
             project.sheet.resolution,
             project.sheet.bleed,

@@ -24,6 +24,14 @@ struct FieldInputs {
     bool operator==(const FieldInputs&) const = default;
 };
 
+// What the body is to look like. Films are dipped without it: a layer that is moved takes no dip.
+struct PaintInputs {
+    std::shared_ptr<const TexturedMesh> model;
+    Artwork artwork;
+    DotsPerInch resolution{0}; // of the sheet; 0 without artwork, which nothing then depends on
+    bool operator==(const PaintInputs&) const = default;
+};
+
 // The film on the body, and what is measured of it there.
 struct DipInputs {
     BodyInputs body;
@@ -38,6 +46,7 @@ struct DipInputs {
 // How the body is shared out between two dips.
 struct ShareInputs {
     std::vector<DipInputs> dips;
+    PaintInputs paint; // where the join shows least
     ShareSettings settings;
     InkSettings ink;
     bool operator==(const ShareInputs&) const = default;
@@ -46,6 +55,7 @@ struct ShareInputs {
 // The picture of the whole film.
 struct TextureInputs {
     DipInputs dip;
+    PaintInputs paint;
     std::optional<ShareInputs> share; // none: it paints all that it reaches
     DotsPerInch resolution{0};
     Millimetres bleed{0};
@@ -75,6 +85,7 @@ struct SheetInputs {
 // SolverChoice.h.
 BodyInputs bodyInputs(const Project& project, std::size_t number);
 FieldInputs fieldInputs(const Project& project);
+PaintInputs paintInputs(const Project& project);
 DipInputs dipInputs(const Project& project, std::size_t number, const QString& solver);
 // Nothing where every dip paints all that it reaches, or a picture in place of the texture.
 std::optional<ShareInputs> shareInputs(const Project& project, const JobOptions& options,

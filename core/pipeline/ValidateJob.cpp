@@ -83,9 +83,10 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     if (!isClosed(project.model->mesh)) {
         warnings.append(Text::tr("The model is not closed, what is inside is guessed"));
     }
-    if (project.model->textures.empty()) {
+    if (project.model->textures.empty() && project.artwork.isEmpty()) {
         warnings.append(Text::tr("The model has no texture, its plain colours are printed"));
     }
+    warnings += fontWarnings(project.artwork);
     const SurfaceQuery query(project.model->mesh);
     for (const Immersion& immersion : project.immersions) {
         checkImmersion(project, immersion, query, warnings);

@@ -30,6 +30,8 @@ QString expectation(const FieldRule& rule) {
         return Text::tr("one of %1").arg(rule.choices.join(QStringLiteral(", ")));
     case FieldKind::Flag:
         return Text::tr("true or false");
+    case FieldKind::Colour:
+        return Text::tr("a colour such as #1a2b3c");
     case FieldKind::Number:
         return Text::tr("a number from %1 to %2").arg(plain(rule.minimum), plain(rule.maximum));
     case FieldKind::WholeNumber:
@@ -37,6 +39,11 @@ QString expectation(const FieldRule& rule) {
             .arg(plain(rule.minimum), plain(rule.maximum));
     }
     return {};
+}
+
+bool isColour(const QString& text) {
+    static const QRegularExpression digits(QStringLiteral("^#[0-9a-fA-F]{6}\\z"));
+    return digits.match(text).hasMatch();
 }
 
 bool keepsRule(const FieldRule& rule, const QJsonValue& value) {
@@ -48,6 +55,8 @@ bool keepsRule(const FieldRule& rule, const QJsonValue& value) {
         return value.isString() && rule.choices.contains(value.toString());
     case FieldKind::Flag:
         return value.isBool();
+    case FieldKind::Colour:
+        return value.isString() && isColour(value.toString());
     case FieldKind::Number:
         return number >= rule.minimum && number <= rule.maximum;
     case FieldKind::WholeNumber:

@@ -11,7 +11,8 @@
 
 namespace dipwright {
 
-enum class FieldKind { Text, Choice, Flag, Number, WholeNumber };
+// A colour is a text such as #1a2b3c.
+enum class FieldKind { Text, Choice, Flag, Number, WholeNumber, Colour };
 
 // What a value must be. With `parts` > 1 it is an array of that many such values.
 struct FieldRule {

@@ -6,6 +6,7 @@
 #include "project/Field.h"
 #include "texture/WedgeTable.h"
 
+#include <QColor>
 #include <QJsonArray>
 #include <cmath>
 #include <limits>
@@ -145,6 +146,33 @@ Field<Owner> choice(const char* path, const QStringList& words, Access access) {
         [access, words](Owner& owner, const QJsonValue& value) {
             access(owner) = Value(words.indexOf(value.toString()));
         }};
+}
+
+template <typename Owner = Project, typename Access>
+Field<Owner> colour(const char* path, Access access) {
+    return {QString::fromLatin1(path),
+            {FieldKind::Colour},
+            [access](const Owner& owner) { return QJsonValue(access(owner).name()); },
+            [access](Owner& owner, const QJsonValue& value) {
+                access(owner) = QColor(value.toString());
+            }};
+}
+
+// A colour that there may be none of, which is null in the file.
+template <typename Owner = Project, typename Access>
+Field<Owner> colourOrNone(const char* path, Access access) {
+    return {QString::fromLatin1(path),
+            {FieldKind::Colour, 1, true},
+            [access](const Owner& owner) {
+                const auto& colour = access(owner);
+                return colour ? QJsonValue(colour->name()) : QJsonValue();
+            },
+            [access](Owner& owner, const QJsonValue& value) {
+                access(owner).reset();
+                if (!value.isNull()) {
+                    access(owner) = QColor(value.toString());
+                }
+            }};
 }
 
 } // namespace dipwright

@@ -25,6 +25,8 @@ constexpr const char* builtPlacesPath = "as_built.places";
 constexpr const char* photosPath = "inspection.photos";
 constexpr const char* pairsPath = "inspection.pairs";
 constexpr const char* floatingPath = "inspection.film.photos";
+constexpr const char* artworkPath = "artwork";
+constexpr const char* layersPath = "artwork.layers";
 
 // A list of things that have fields of their own. `path`: the list's.
 template <typename Item>
@@ -116,6 +118,30 @@ void writeProfiles(const ProjectProfiles& profiles, QJsonObject& json) {
     write("profiles.tank", profiles.tank);
 }
 
+Artwork readArtwork(const QJsonObject& json, const QString& file) {
+    Artwork artwork;
+    const QString path = QString::fromLatin1(artworkPath);
+    if (const QJsonValue value = valueAt(json, path, file); !value.isUndefined()) {
+        if (!value.isObject()) {
+            throw Error(Text::tr("%1 must be an object").arg(path), file);
+        }
+        readFields(artwork, artworkFields(), value.toObject(), path + QLatin1Char('.'), file);
+    }
+    artwork.layers = readEntries(json, artworkLayerFields(), layersPath, mostArtworkLayers, file);
+    return artwork;
+}
+
+// Nothing where there is none: such a file is what it was before there was artwork.
+void writeArtwork(const Artwork& artwork, QJsonObject& json) {
+    if (!artwork.isEmpty()) {
+        QJsonObject own;
+        writeFields(artwork, artworkFields(), own);
+        json.insert(QLatin1String(artworkPath), own);
+        insertAt(json, QString::fromLatin1(layersPath),
+                 writeList(artwork.layers, artworkLayerFields(), {}));
+    }
+}
+
 // What of a file this version does not know, with the shape of the file.
 QJsonObject unknownPart(const QJsonObject& json) {
     QJsonObject unknown = withoutFields(json, projectFields());
@@ -129,7 +155,7 @@ QJsonObject unknownPart(const QJsonObject& json) {
         removeAt(unknown, QLatin1String(path));
     }
     for (const char* path : {shareMarksPath, zoneMarksPath, builtPartsPath, builtPlacesPath,
-                             photosPath, pairsPath, floatingPath}) {
+                             photosPath, pairsPath, floatingPath, artworkPath}) {
         removeAt(unknown, QString::fromLatin1(path));
     }
     QJsonArray immersions;
@@ -193,9 +219,9 @@ QStringList siblingPaths(const QString& path) {
 [[noreturn]] void throwUnknownPath(const QString& path) {
     const QStringList siblings = siblingPaths(path);
     const QString hint = siblings.isEmpty()
-                             ? Text::tr("the sections are film, process, body, immersions[0], "
-                                        "sheet, ink, share, cradle, tolerance, as_built and "
-                                        "inspection")
+                             ? Text::tr("the sections are artwork, film, process, body, "
+                                        "immersions[0], sheet, ink, share, cradle, tolerance, "
+                                        "as_built and inspection")
                              : Text::tr("there are %1").arg(siblings.join(QStringLiteral(", ")));
     throw Error(Text::tr("There is no such setting, %1").arg(hint), path);
 }
@@ -241,6 +267,31 @@ void applyPreset(Project& project, const QString& preset) {
     project.process.contactTravel = standard.contactTravel;
 }
 
+namespace {
+
+// "artwork.base_colour", "artwork.layers[0].turn_deg"; of a layer's picture only the id is a field,
+// which says nothing by itself. False where there is no such value.
+bool setArtworkAt(Artwork& artwork, const QString& path, const QString& value) {
+    static const QRegularExpression layerPath(
+        QStringLiteral("^artwork\\.layers\\[(\\d{1,3})\\]\\.(.+)$"));
+    const QString own = QString::fromLatin1(artworkPath) + QLatin1Char('.');
+    if (const auto match = layerPath.match(path); match.hasMatch()) {
+        const auto index = match.captured(1).toUInt();
+        if (index >= artwork.layers.size()) {
+            throw Error(Text::tr("The artwork has %1 layer(s), the lowest is artwork.layers[0]")
+                            .arg(artwork.layers.size()),
+                        path);
+        }
+        return match.captured(2) != QLatin1String("picture") &&
+               setFieldAt(artwork.layers[index], artworkLayerFields(), match.captured(2), path,
+                          value);
+    }
+    return path.startsWith(own) &&
+           setFieldAt(artwork, artworkFields(), path.mid(own.size()), path, value);
+}
+
+} // namespace
+
 void setByPath(Project& project, const QString& path, const QString& value) {
     static const QRegularExpression immersionPath(
         QStringLiteral("^immersions\\[(\\d{1,3})\\]\\.(.+)$"));
@@ -255,8 +306,9 @@ void setByPath(Project& project, const QString& path, const QString& value) {
                        value)) {
             return;
         }
-    } else if (!path.startsWith(QLatin1String("model.")) &&
-               setFieldAt(project, projectFields(), path, path, value)) {
+    } else if (setArtworkAt(project.artwork, path, value) ||
+               (!path.startsWith(QLatin1String("model.")) &&
+                setFieldAt(project, projectFields(), path, path, value))) {
         return;
     }
     throwUnknownPath(path);
@@ -284,6 +336,7 @@ QJsonObject toJson(const Project& project) {
              writeList(project.inspection.pairs, clickedPairFields(), {}));
     insertAt(json, QString::fromLatin1(floatingPath),
              writeList(project.filmOnWater.photos, floatingPhotoFields(), {}));
+    writeArtwork(project.artwork, json);
     writeProfiles(project.profiles, json);
     return json;
 }
@@ -314,6 +367,7 @@ Project fromJson(const QJsonObject& json, const QString& where) {
                         where);
         }
     }
+    project.artwork = readArtwork(current, where);
     project.profiles = readProfiles(current, where);
     project.unknown = unknownPart(current);
     return project;

@@ -2,6 +2,7 @@
 // gives its file form.
 #pragma once
 
+#include "artwork/Artwork.h"
 #include "correction/AsBuilt.h"
 #include "cradle/CradleSettings.h"
 #include "dip/Dip.h"
@@ -37,6 +38,7 @@ struct Project {
     std::shared_ptr<const TexturedMesh>
         model; // shared between versions of the document, never null in a valid project
     ModelOrigin modelOrigin;
+    Artwork artwork; // on the model; in the file only where there is any
     FilmSettings film;
     ProcessSettings process;
     int fieldResolution = 128;                      // body.sdf_resolution

@@ -30,6 +30,10 @@ QString textureEntry(std::size_t index) {
     return QStringLiteral("assets/texture-%1.png").arg(index + 1);
 }
 
+QString layerEntry(const QString& pictureId) {
+    return QStringLiteral("assets/artwork-%1.png").arg(pictureId);
+}
+
 QByteArray sha256(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex();
 }
@@ -63,6 +67,14 @@ QByteArray projectBytes(const Project& project) {
         archive.add(entry, pngBytes(project.model->textures[index], entry),
                     ArchiveWriter::Packing::Stored);
         own.insert(entry);
+    }
+    for (const ArtworkLayer& layer : project.artwork.layers) {
+        const QString entry = layerEntry(layer.picture.id);
+        if (!layer.picture.image.isNull() && !own.contains(entry)) {
+            archive.add(entry, pngBytes(layer.picture.image, entry),
+                        ArchiveWriter::Packing::Stored);
+            own.insert(entry);
+        }
     }
     for (const auto& [name, contents] : project.unknownEntries) {
         if (!own.contains(name)) {
@@ -146,14 +158,37 @@ std::shared_ptr<const TexturedMesh> readAssets(ArchiveReader& archive, const QJs
     return std::make_shared<TexturedMesh>(std::move(stored.model));
 }
 
+// Those that the artwork's layers name, by content.
+void readLayers(ArchiveReader& archive, Artwork& artwork, const QString& path) {
+    QJsonArray names;
+    for (const ArtworkLayer& layer : artwork.layers) {
+        if (!layer.picture.id.isEmpty()) {
+            names.append(layerEntry(layer.picture.id));
+        }
+    }
+    if (names.isEmpty()) {
+        return;
+    }
+    const std::vector<QImage> pictures = readPictures(packedPictures(archive, names, path));
+    auto picture = pictures.begin();
+    for (ArtworkLayer& layer : artwork.layers) {
+        if (!layer.picture.id.isEmpty()) {
+            layer.picture = artworkPicture(*picture++);
+        }
+    }
+}
+
 // All that is neither the document nor an asset that it names.
 std::map<QString, QByteArray> readOthers(ArchiveReader& archive, const QJsonObject& json,
-                                         const QString& path) {
+                                         const QStringList& layers, const QString& path) {
     const QJsonObject model = json.value(QLatin1String("model")).toObject();
     QSet<QString> others = archive.names();
     others -= {mimeEntry, documentEntry, model.value(QLatin1String("mesh")).toString()};
     for (const auto& texture : textureNames(model)) {
         others.remove(texture.toString());
+    }
+    for (const QString& layer : layers) {
+        others.remove(layer);
     }
     std::map<QString, QByteArray> entries;
     qint64 total = 0;
@@ -173,7 +208,12 @@ Project loadProject(const QString& path) {
     const QJsonObject json = readDocument(archive, path);
     Project project = fromJson(json, path);
     project.model = readAssets(archive, json, path);
-    project.unknownEntries = readOthers(archive, json, path);
+    QStringList layers; // by the ids that the file has
+    for (const ArtworkLayer& layer : project.artwork.layers) {
+        layers.append(layerEntry(layer.picture.id));
+    }
+    readLayers(archive, project.artwork, path);
+    project.unknownEntries = readOthers(archive, json, layers, path);
     return project;
 }
 

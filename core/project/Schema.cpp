@@ -495,4 +495,59 @@ const std::vector<Field<ClickedPair>>& clickedPairFields() {
     return fields;
 }
 
+const std::vector<Field<Artwork>>& artworkFields() {
+    static const std::vector<Field<Artwork>> fields{colourOrNone<Artwork>(
+        "base_colour", [](auto& a) -> auto& { return a.base; })};
+    return fields;
+}
+
+const std::vector<Field<ArtworkLayer>>& artworkLayerFields() {
+    constexpr int lettersOfId = 64;
+    static const std::vector<Field<ArtworkLayer>> fields{
+        text<ArtworkLayer>(
+            "name", longestLayerName, [](auto& l) -> auto& { return l.name; }),
+        choice<ArtworkLayer>(
+            "kind",
+            {QStringLiteral("picture"), QStringLiteral("text"), QStringLiteral("carbon"),
+             QStringLiteral("camouflage"), QStringLiteral("wood")},
+            [](auto& l) -> auto& { return l.kind; }),
+        flag<ArtworkLayer>(
+            "visible", [](auto& l) -> auto& { return l.visible; }),
+        number<ArtworkLayer>(
+            "opacity", 0, 1, [](auto& l) -> auto& { return l.opacity; }),
+        text<ArtworkLayer>(
+            "picture", lettersOfId, [](auto& l) -> auto& { return l.picture.id; }),
+        text<ArtworkLayer>(
+            "text", longestLayerText, [](auto& l) -> auto& { return l.text; }),
+        text<ArtworkLayer>(
+            "font", longestLayerName, [](auto& l) -> auto& { return l.font; }),
+        colour<ArtworkLayer>(
+            "colour", [](auto& l) -> auto& { return l.colour; }),
+        colour<ArtworkLayer>(
+            "second_colour", [](auto& l) -> auto& { return l.secondColour; }),
+        number<ArtworkLayer>(
+            "seed", 0, mostSeed, [](auto& l) -> auto& { return l.seed; }),
+        choice<ArtworkLayer>(
+            "placement",
+            {QStringLiteral("decal"), QStringLiteral("plane"), QStringLiteral("cylinder"),
+             QStringLiteral("box")},
+            [](auto& l) -> auto& { return l.placement; }),
+        choice<ArtworkLayer>(
+            "axis",
+            {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z"), QStringLiteral("-x"),
+             QStringLiteral("-y"), QStringLiteral("-z")},
+            [](auto& l) -> auto& { return l.axis; }),
+        numbers<ArtworkLayer>(
+            "place_mm", 3, -farthestLayer, farthestLayer,
+            [](auto& l, int part) -> auto& { return l.place[part]; }),
+        number<ArtworkLayer>(
+            "turn_deg", -360, 360, [](auto& l) -> auto& { return l.turn; }),
+        numbers<ArtworkLayer>(
+            "size_mm", 2, smallestLayer, largestLayer,
+            [](auto& l, int part) -> auto& { return l.size[part]; }),
+        number<ArtworkLayer>(
+            "repeat_mm", 0, largestLayer, [](auto& l) -> auto& { return l.repeat; })};
+    return fields;
+}
+
 } // namespace dipwright

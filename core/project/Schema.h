@@ -22,5 +22,8 @@ const std::vector<Field<BuiltPlace>>& builtPlaceFields();
 const std::vector<Field<InspectedPhoto>>& inspectedPhotoFields();
 const std::vector<Field<ClickedPair>>& clickedPairFields();
 const std::vector<Field<FloatingPhoto>>& floatingPhotoFields();
+// Of "artwork" beside its layers, and of a layer. A layer's picture is told by its id.
+const std::vector<Field<Artwork>>& artworkFields();
+const std::vector<Field<ArtworkLayer>>& artworkLayerFields();
 
 } // namespace dipwright

@@ -65,6 +65,7 @@ Project withSnapshots(Project project, const std::vector<Snapshot>& kept) {
 Snapshot snapshotOf(const Project& project, const QString& name, const QString& taken,
                     const QJsonObject& measures) {
     Project settings = project;
+    settings.artwork = {};
     settings.asBuilt.parts.clear();
     settings.asBuilt.places.clear();
     settings.inspection = {};
@@ -76,6 +77,7 @@ Project atSnapshot(const Project& project, const Snapshot& snapshot) {
     Project then = fromJson(snapshot.state, snapshot.name);
     then.model = project.model;
     then.modelOrigin = project.modelOrigin;
+    then.artwork = project.artwork;
     then.asBuilt.parts = project.asBuilt.parts;
     then.asBuilt.places = project.asBuilt.places;
     then.inspection = project.inspection;

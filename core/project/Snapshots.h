@@ -1,7 +1,8 @@
 // Named states of a project, kept in its file beside project.json: entries snapshots/N.json.
 //
-// A snapshot has the settings. What was found out since (parts as built, photos), the model and the
-// snapshots themselves are the project's and stay as they are when it goes back to one.
+// A snapshot has the settings. What was found out since (parts as built, photos), the model with
+// its artwork and the snapshots themselves are the project's and stay as they are when it goes back
+// to one.
 #pragma once
 
 #include "project/Project.h"

@@ -12,7 +12,18 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(GuidePlaces)
 };
 
-enum Chapter { FirstSheet, Window, Film, Immersions, Dipping, Results, Printing, Projects, Wrong };
+enum Chapter {
+    FirstSheet,
+    Window,
+    Artwork,
+    Film,
+    Immersions,
+    Dipping,
+    Results,
+    Printing,
+    Projects,
+    Wrong
+};
 
 // By the names of widgets; with the number of the tab that is shown, or of the part of the project.
 // The words are as the guide has them in each language.
@@ -27,6 +38,7 @@ QMap<QString, GuidePlace> placesByName() {
         {QStringLiteral("view"), {Window, Text::tr("Middle")}},
         {QStringLiteral("timeline"), {Window, Text::tr("timeline")}},
         {QStringLiteral("preferencesDialog"), {Window, {}}},
+        {QStringLiteral("artworkPage"), {Artwork, {}}},
         {QStringLiteral("propertyPanel/0"), {Projects, {}}},
         {QStringLiteral("propertyPanel/1"), {Projects, Text::tr("Reload Model")}},
         {QStringLiteral("propertyPanel/2"), {Film, {}}},

@@ -15,6 +15,16 @@ void scaleMarks(std::vector<Mark>& marks, double factor) {
     }
 }
 
+void scaleArtwork(Artwork& artwork, double factor) {
+    scaleMarks(artwork.layers, factor);
+    for (ArtworkLayer& layer : artwork.layers) {
+        for (Millimetres& side : layer.size) {
+            side = Millimetres(std::clamp(side.value() * factor, smallestLayer, largestLayer));
+        }
+        layer.repeat = Millimetres(std::min(layer.repeat.value() * factor, largestLayer));
+    }
+}
+
 } // namespace
 
 void resizeModel(Document& document, Millimetres longestEdge) {
@@ -31,6 +41,7 @@ void resizeModel(Document& document, Millimetres longestEdge) {
                       project.modelOrigin.sha256.clear();
                       scaleMarks(project.share.marks, factor);
                       scaleMarks(project.tolerance.marks, factor);
+                      scaleArtwork(project.artwork, factor);
                   });
 }
 

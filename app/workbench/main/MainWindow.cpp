@@ -8,6 +8,7 @@
 #endif
 #include "main/StatusLine.h"
 #include "main/WindowMenus.h"
+#include "main/WindowPages.h"
 #include "main/Workbench.h"
 #include "panels/ProjectTree.h"
 #include "panels/PropertyPanel.h"
@@ -15,13 +16,11 @@
 #include "panels/StartPage.h"
 #include "panels/StretchPanel.h"
 #include "panels/Timeline.h"
-#include "poses/SearchController.h"
 #include "view/ViewTheme.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QMenu>
 #include <QMimeData>
 #include <QStatusBar>
@@ -65,7 +64,7 @@ MainWindow::MainWindow(Workbench& workbench)
     connectPanels();
     connectSession();
     addInspection(); // told of a document after its session, and in the menus
-    addSearch();
+    addPages();
     connectMenus();
     layout_.restore();
     applyPreferences();
@@ -95,15 +94,10 @@ void MainWindow::addInspection() {
 void MainWindow::addInspection() {}
 #endif
 
-void MainWindow::addSearch() {
-    auto* search = new SearchController(session_, jobs_, workbench_.registry(), messages_, this);
-    QDockWidget* dock = layout_.addPage("searchDock", tr("Pose Search"), search->page());
-    connect(&documents_, &DocumentSession::documentChanged, search,
-            &SearchController::showDocument);
-    connect(actions_.findPoses, &QAction::triggered, dock, [dock] {
-        dock->show();
-        dock->raise();
-    });
+void MainWindow::addPages() {
+    const PageMakings makings{*this, layout_, actions_, documents_, session_, jobs_, messages_};
+    addSearchPage(makings, workbench_.registry());
+    addArtworkPage(makings, scene_, dip_);
 }
 
 void MainWindow::connectActions() {

@@ -49,7 +49,7 @@ protected:
 
 private:
     void addInspection();
-    void addSearch();
+    void addPages();
     void connectActions();
     void connectMenus();
     void connectPanels();

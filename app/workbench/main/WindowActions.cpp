@@ -119,6 +119,8 @@ std::vector<WindowActions::Entry> WindowActions::editEntries() {
          tr("Take another model")},
         {&A::replaceTexture, "replaceTexture", "texture", tr("Replace &Texture…"),
          tr("Put another picture on the model")},
+        {&A::artwork, "artwork", "artwork", tr("&Artwork"),
+         tr("Lay pictures, text and patterns on the body"), key("Ctrl+Shift+A")},
         {&A::preferences, "preferences", "preferences", tr("&Preferences…"),
          tr("Units, language, look, shortcuts and solvers"), key("Ctrl+,"), Kind::Command,
          QAction::PreferencesRole},
@@ -296,9 +298,9 @@ void WindowActions::enable(const WindowState& state) {
     const bool any = state.document != nullptr;
     const std::size_t immersions = any ? state.document->project().immersions.size() : 0;
     for (QAction* action :
-         {saveAs,  snapshots,  replaceModel, replaceTexture, fit,      oblique,  front, right,
-          top,     back,       left,         bottom,         parallel, rings,    water, body,
-          section, seeThrough, measure,      live,           zones,    findPoses}) {
+         {saveAs,  snapshots,  replaceModel, replaceTexture, fit,      oblique,   front,  right,
+          top,     back,       left,         bottom,         parallel, rings,     water,  body,
+          section, seeThrough, measure,      live,           zones,    findPoses, artwork}) {
         action->setEnabled(any);
     }
     for (QActionGroup* group : {filmLook, bodyTurns, bodyMoves}) {

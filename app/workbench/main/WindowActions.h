@@ -32,7 +32,7 @@ public:
         *exportPng, *exportCradles, *print, *printHistory, *jobQueue, *packJobs, *calibrate,
         *profiles, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
-        *replaceModel, *replaceTexture, *preferences;
+        *replaceModel, *replaceTexture, *artwork, *preferences;
     QAction *run, *cancel, *live, *certainty, *tolerances, *findPoses, *play;
     QAction *fit, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout, *saveLayout,
         *parallel;

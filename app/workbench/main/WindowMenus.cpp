@@ -57,8 +57,8 @@ void WindowMenus::makeEditMenu(QMenu& menu, const WindowActions& a) {
     menu.addMenu(tr("Turn &Body"))->addActions(a.bodyTurns->actions());
     menu.addMenu(tr("Mo&ve Body"))->addActions(a.bodyMoves->actions());
     menu.addSeparator();
-    addGroups(menu,
-              {{a.reloadModel, a.replaceModel, a.replaceTexture}, {a.profiles, a.preferences}});
+    addGroups(menu, {{a.reloadModel, a.replaceModel, a.replaceTexture, a.artwork},
+                     {a.profiles, a.preferences}});
 }
 
 void WindowMenus::makeViewMenu(QMenu& menu, const WindowActions& a) {

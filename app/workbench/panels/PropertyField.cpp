@@ -235,6 +235,7 @@ PropertyField* PropertyField::make(const PropertySpec& spec, const FieldRule& ru
                                    LengthUnit length, QWidget* parent) {
     switch (rule.kind) {
     case FieldKind::Text:
+    case FieldKind::Colour:
         return new TextField(spec, rule, parent);
     case FieldKind::Choice:
         return new ChoiceField(spec, rule, parent);

@@ -112,10 +112,34 @@ DipScene::DipScene(DipView& view, QObject* parent) : QObject(parent), view_(view
                     wear(dress);
                 }
             });
+    connect(&artist_, &ArtworkPainter::painted, this,
+            [this](const std::shared_ptr<const TexturedMesh>& model,
+                   const std::shared_ptr<const TexturedMesh>& look) {
+                if (model == project_.model && !project_.artwork.isEmpty()) {
+                    const bool isWorn = worn_.model == own_;
+                    own_ = look;
+                    if (isWorn) {
+                        wear({own_, worn_.colours, worn_.legend, worn_.lines});
+                    }
+                }
+            });
+}
+
+void DipScene::paintArtwork() {
+    if (!project_.artwork.isEmpty()) {
+        artist_.paint(project_.model, project_.artwork);
+    } else if (own_ != project_.model) {
+        const bool isWorn = worn_.model == own_;
+        own_ = project_.model;
+        if (isWorn) {
+            wear({own_, worn_.colours, worn_.legend, worn_.lines});
+        }
+    }
 }
 
 void DipScene::setProject(const Project& project, std::size_t immersion) {
     const bool otherModel = project.model != project_.model;
+    const bool otherArtwork = project.artwork != project_.artwork;
     const bool otherMarks = project.share.marks != project_.share.marks;
     const bool otherZones = project.tolerance != project_.tolerance;
     const bool otherFilm = !(project.film == project_.film) || !project_.model;
@@ -126,9 +150,13 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
         marks_.reset();
         zones_ = nullptr;
         preview_ = nullptr;
-        wear({project.model, {}});
+        own_ = project.model;
+        wear({own_, {}});
     } else if (otherMarks) {
         showLines();
+    }
+    if (otherModel || otherArtwork) {
+        paintArtwork();
     }
     if (otherModel || otherFilm) {
         const solver::FilmGrid grid = filmGrid(project.film);
@@ -427,7 +455,7 @@ void DipScene::dressBody() {
         wearZones();
     } else if (bodyLook_ == BodyLook::Own || !result_ || result_->project.model != project_.model ||
                immersion_ >= result_->immersions.size()) {
-        wear({project_.model, {}});
+        wear({own_, {}});
     } else if (bodyLook_ == BodyLook::Print) {
         print(*result_);
     } else if (result_->share) {
@@ -506,7 +534,15 @@ void DipScene::showLines() {
         const std::vector<ViewLine> marks = marks_->lines(project_.share.marks);
         lines.insert(lines.end(), marks.begin(), marks.end());
     }
+    lines.insert(lines.end(), frame_.begin(), frame_.end());
     view_.setBodyLines(lines);
+}
+
+void DipScene::setFrame(std::vector<ViewLine> frame) {
+    if (!frame.empty() || !frame_.empty()) {
+        frame_ = std::move(frame);
+        showLines();
+    }
 }
 
 std::optional<Eigen::Isometry3d> DipScene::worldToEnd() const {
@@ -530,6 +566,14 @@ std::optional<SurfacePoint> DipScene::modelSurface(const ViewRay& ray) const {
     const RayHit hit =
         query_->hit(worldToModel * ray.origin, worldToModel.linear() * ray.direction);
     return hit.point.isValid() ? std::optional(hit.point) : std::nullopt;
+}
+
+Eigen::Vector3f DipScene::toModel(const Eigen::Vector3f& worldPoint) const {
+    return modelToWorld_.inverse().cast<float>() * worldPoint;
+}
+
+SurfacePoint DipScene::nearestSurface(const Eigen::Vector3f& modelPoint) const {
+    return query_->closest(modelPoint).point;
 }
 
 Eigen::Vector3f DipScene::toWorld(const Eigen::Vector3f& modelPoint) const {

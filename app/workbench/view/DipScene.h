@@ -5,6 +5,7 @@
 #include "look/HeatScale.h"
 #include "panels/PrintFields.h"
 #include "search/CoveragePreview.h"
+#include "view/ArtworkPainter.h"
 #include "view/BodyPrinter.h"
 #include "view/MarkLines.h"
 
@@ -51,6 +52,8 @@ public:
     // What is told in BodyLook::Zones; null: nothing that is true of the project.
     void setTolerances(std::shared_ptr<const JobTolerances> tolerances);
     void setShowRings(bool show);
+    // Round the layer of the artwork that is worked on, model coordinates; empty: none.
+    void setFrame(std::vector<ViewLine> frame);
     // While the body is being turned it wears what its pose would paint, by its shape.
     void setPreviewed(bool previewed);
 
@@ -61,6 +64,9 @@ public:
     std::optional<Eigen::Vector3f> modelPoint(const ViewRay& ray) const;
     std::optional<SurfacePoint> modelSurface(const ViewRay& ray) const;
     Eigen::Vector3f toWorld(const Eigen::Vector3f& modelPoint) const;
+    Eigen::Vector3f toModel(const Eigen::Vector3f& worldPoint) const;
+    // Of the model that is shown; there must be one.
+    SurfacePoint nearestSurface(const Eigen::Vector3f& modelPoint) const;
 
 signals:
     void bodyRoomChanged();
@@ -79,6 +85,7 @@ private:
                   const std::vector<float>& positions);
     void dressFilm();
     void dressBody();
+    void paintArtwork();
     void print(const JobResult& result);
     void wear(BodyDress dress);
     void wearZones();
@@ -92,7 +99,10 @@ private:
     DipView& view_;
     Project project_;
     std::size_t immersion_ = 0;
-    BodyDress worn_; // what the view shows as the body
+    BodyDress worn_;                          // what the view shows as the body
+    std::shared_ptr<const TexturedMesh> own_; // the project's model with its artwork, as painted
+    ArtworkPainter artist_;
+    std::vector<ViewLine> frame_;
     BodyPrinter printer_;
     std::shared_ptr<const BodyShare> shared_; // what `sharedBody_` was made for
     std::shared_ptr<const TexturedMesh> sharedBody_;

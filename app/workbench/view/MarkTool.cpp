@@ -18,7 +18,7 @@ double reach(const ZoneMark& mark) {
 
 MarkTool::MarkTool(DipView& view, const DipScene& scene, const DipSession& session, QObject* parent)
     : QObject(parent), scene_(scene), session_(session) {
-    view.setStrokeBegin([this](const ViewRay& ray) { return begins(ray); });
+    view.addStroke([this](const ViewRay& ray) { return begins(ray); });
     connect(&view, &DipView::stroked, this, &MarkTool::stroke);
     connect(&view, &DipView::strokeFinished, this, &MarkTool::finish);
 }

@@ -1,0 +1,224 @@
+#include "artwork/Artwork.h"
+#include "cli/Command.h"
+#include "import/ReadPictures.h"
+#include "project/ProjectFile.h"
+#include "project/ProjectStore.h"
+
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+namespace dipwright::cli {
+namespace {
+
+const QString setOption = QStringLiteral("set");
+const QString jsonOption = QStringLiteral("json");
+
+const std::map<QString, LayerKind> kinds{{QStringLiteral("picture"), LayerKind::Picture},
+                                         {QStringLiteral("text"), LayerKind::Text},
+                                         {QStringLiteral("carbon"), LayerKind::Carbon},
+                                         {QStringLiteral("camouflage"), LayerKind::Camouflage},
+                                         {QStringLiteral("wood"), LayerKind::Wood}};
+
+// The words after `artwork`: what to do, with which project, and how.
+class Words {
+public:
+    explicit Words(const QStringList& words) : words_(words) {}
+
+    QString take(const QString& what) {
+        if (words_.isEmpty()) {
+            throw UsageError(QStringLiteral("%1 is missing, see --help").arg(what),
+                             QStringLiteral("artwork"));
+        }
+        return words_.takeFirst();
+    }
+    // A layer's number, from 1, as its index.
+    std::size_t takeLayer(const Artwork& artwork) {
+        const QString word = take(QStringLiteral("N"));
+        bool isNumber = false;
+        const uint number = word.toUInt(&isNumber);
+        if (!isNumber || number < 1 || number > artwork.layers.size()) {
+            throw UsageError(QStringLiteral("There is no such layer, the project has %1")
+                                 .arg(artwork.layers.size()),
+                             word);
+        }
+        return number - 1;
+    }
+    void finish() const {
+        if (!words_.isEmpty()) {
+            throw UsageError(QStringLiteral("There is one argument too many, see --help"),
+                             words_.first());
+        }
+    }
+
+private:
+    QStringList words_;
+};
+
+void applyToLayer(Project& project, std::size_t layer, const QCommandLineParser& parser) {
+    for (const QString& setting : parser.values(setOption)) {
+        const QString where = QStringLiteral("--set %1").arg(setting);
+        const auto equals = setting.indexOf(QLatin1Char('='));
+        if (equals <= 0) {
+            throw UsageError(
+                QStringLiteral("A setting is written KEY=VALUE, such as size_mm=40;20"), where);
+        }
+        try {
+            setByPath(project,
+                      QStringLiteral("artwork.layers[%1].%2").arg(layer).arg(setting.left(equals)),
+                      setting.mid(equals + 1));
+        } catch (const Error& error) {
+            throw UsageError(error.message(), where);
+        }
+    }
+}
+
+void list(const Project& project, const QCommandLineParser& parser, QTextStream& out) {
+    const QJsonObject json = toJson(project).value(QLatin1String("artwork")).toObject();
+    if (parser.isSet(jsonOption)) {
+        out << QJsonDocument(json).toJson();
+        return;
+    }
+    const QJsonValue base = json.value(QLatin1String("base_colour"));
+    out << QStringLiteral("base  %1\n")
+               .arg(base.isString() ? base.toString() : QStringLiteral("the model's own look"));
+    const QJsonArray layers = json.value(QLatin1String("layers")).toArray();
+    for (int index = 0; index < layers.size(); ++index) {
+        const QJsonObject layer = layers.at(index).toObject();
+        const QJsonArray size = layer.value(QLatin1String("size_mm")).toArray();
+        const double repeat = layer.value(QLatin1String("repeat_mm")).toDouble();
+        out << QStringLiteral("%1  %2  %3, %4%5%6\n")
+                   .arg(index + 1, 4)
+                   .arg(layer.value(QLatin1String("name")).toString(),
+                        layer.value(QLatin1String("kind")).toString(),
+                        layer.value(QLatin1String("placement")).toString(),
+                        repeat > 0 ? QStringLiteral(", every %1 mm").arg(repeat)
+                                   : QStringLiteral(", within %1 × %2 mm")
+                                         .arg(size.at(0).toDouble())
+                                         .arg(size.at(1).toDouble()),
+                        layer.value(QLatin1String("visible")).toBool()
+                            ? QString()
+                            : QStringLiteral(", hidden"));
+    }
+}
+
+void add(Project& project, Words& words, const QCommandLineParser& parser, QTextStream& out) {
+    const QString word = words.take(QStringLiteral("What to add"));
+    const auto kind = kinds.find(word);
+    if (kind == kinds.end()) {
+        throw UsageError(QStringLiteral("There is no such layer, use picture, text, carbon, "
+                                        "camouflage or wood"),
+                         word);
+    }
+    ArtworkLayer layer = newLayer(kind->second, word);
+    if (layer.kind == LayerKind::Picture) {
+        const QString file = words.take(QStringLiteral("FILE"));
+        layer.picture = artworkPicture(readPictureFile(file));
+        layer.name = QFileInfo(file).completeBaseName().left(longestLayerName);
+    } else if (layer.kind == LayerKind::Text) {
+        layer.text = words.take(QStringLiteral("TEXT")).left(longestLayerText);
+        layer.name = layer.text.simplified().left(longestLayerName);
+    }
+    words.finish();
+    addLayer(project.artwork, placedOn(*project.model, layer), *project.model);
+    applyToLayer(project, project.artwork.layers.size() - 1, parser);
+    out << QStringLiteral("Added %1 as layer %2\n")
+               .arg(project.artwork.layers.back().name)
+               .arg(project.artwork.layers.size());
+}
+
+void move(Artwork& artwork, Words& words, QTextStream& out) {
+    const std::size_t from = words.takeLayer(artwork), to = words.takeLayer(artwork);
+    words.finish();
+    const ArtworkLayer layer = artwork.layers[from];
+    artwork.layers.erase(artwork.layers.begin() + std::ptrdiff_t(from));
+    artwork.layers.insert(artwork.layers.begin() + std::ptrdiff_t(to), layer);
+    out << QStringLiteral("%1 is layer %2 from now on\n").arg(layer.name).arg(to + 1);
+}
+
+void remove(Artwork& artwork, Words& words, QTextStream& out) {
+    const std::size_t index = words.takeLayer(artwork);
+    words.finish();
+    out << QStringLiteral("Removed %1\n").arg(artwork.layers[index].name);
+    artwork.layers.erase(artwork.layers.begin() + std::ptrdiff_t(index));
+    artwork.base = artwork.layers.empty() ? std::nullopt : artwork.base;
+}
+
+void setBase(Project& project, Words& words, QTextStream& out) {
+    const QString colour = words.take(QStringLiteral("COLOUR"));
+    words.finish();
+    try {
+        setByPath(project, QStringLiteral("artwork.base_colour"),
+                  colour == QLatin1String("own") ? QStringLiteral("null") : colour);
+    } catch (const Error& error) {
+        throw UsageError(error.message(), colour);
+    }
+    out << QStringLiteral("Below all layers lies %1\n")
+               .arg(project.artwork.base ? project.artwork.base->name()
+                                         : QStringLiteral("the model's own look"));
+}
+
+class ArtworkCommand : public Command {
+public:
+    QString name() const override { return QStringLiteral("artwork"); }
+    QString summary() const override {
+        return QStringLiteral("Lays pictures, text and patterns on a project's body.");
+    }
+
+    void declare(CommandSyntax& syntax) const override {
+        syntax.addPositionalArgument(
+            QStringLiteral("list JOB.dipw | add JOB.dipw picture FILE | add JOB.dipw text TEXT | "
+                           "add JOB.dipw carbon|camouflage|wood | set JOB.dipw N | "
+                           "move JOB.dipw N TO | remove JOB.dipw N | base JOB.dipw COLOUR|own"),
+            QStringLiteral("What to do. Layers are numbered from 1, the lowest. A new one lies "
+                           "over the others, in the middle of the body's front. `base` says what "
+                           "lies below all: a colour such as #ffffff, which is no ink, or the "
+                           "model's own look."));
+        syntax.addOption(
+            {setOption,
+             QStringLiteral("For `add` and `set`: a value of the layer, such as size_mm=40;20, "
+                            "place_mm=0;10;25, turn_deg=15, placement=cylinder, repeat_mm=8. May "
+                            "be repeated."),
+             QStringLiteral("KEY=VALUE")});
+        syntax.addOption({jsonOption, QStringLiteral("For `list`: prints JSON.")});
+    }
+
+    void run(const QCommandLineParser& parser, Console& console) const override {
+        Words words(parser.positionalArguments());
+        const QString action = words.take(QStringLiteral("What to do"));
+        const QString path = words.take(QStringLiteral("JOB.dipw"));
+        QTextStream& out = console.out();
+        if (action == QLatin1String("list")) {
+            words.finish();
+            list(loadProject(path), parser, out);
+            return;
+        }
+        ProjectFile file(path);
+        Project project = loadProject(path);
+        if (action == QLatin1String("add")) {
+            add(project, words, parser, out);
+        } else if (action == QLatin1String("set")) {
+            const std::size_t layer = words.takeLayer(project.artwork);
+            words.finish();
+            applyToLayer(project, layer, parser);
+            out << QStringLiteral("Changed %1\n").arg(project.artwork.layers[layer].name);
+        } else if (action == QLatin1String("move")) {
+            move(project.artwork, words, out);
+        } else if (action == QLatin1String("remove")) {
+            remove(project.artwork, words, out);
+        } else if (action == QLatin1String("base")) {
+            setBase(project, words, out);
+        } else {
+            throw UsageError(QStringLiteral("There is no such action, see --help"), action);
+        }
+        file.save(project);
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Command> artworkCommand() {
+    return std::make_unique<ArtworkCommand>();
+}
+
+} // namespace dipwright::cli

@@ -1,0 +1,81 @@
+// The page on which artwork is listed and changed. Shows what it is told and changes nothing
+// itself.
+#pragma once
+
+#include "artwork/Artwork.h"
+
+#include <QWidget>
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFontComboBox;
+class QFormLayout;
+class QLabel;
+class QListWidget;
+class QPlainTextEdit;
+class QPushButton;
+class QSpinBox;
+class QToolButton;
+
+namespace dipwright {
+
+class ArtworkPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ArtworkPage(QWidget* parent = nullptr);
+
+    // `selected`: a layer's index; −1: none.
+    void show(const Artwork& artwork, int selected);
+
+signals:
+    void pictureAsked();
+    void layerAsked(dipwright::LayerKind kind); // text or a pattern
+    void selected(int layer);
+    // `what`: the value that has another value now.
+    void layerChanged(int layer, const dipwright::ArtworkLayer& changed, const QString& what);
+    void baseChanged(const std::optional<QColor>& base);
+    void moveAsked(int layer, int by); // upwards
+    void removeAsked(int layer);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void makeList();
+    void makeBase();
+    void makeFields();
+    void makePlaceFields(QFormLayout& form);
+    QDoubleSpinBox* addNumber(QFormLayout& form, const char* name, const QString& label,
+                              const QString& help, double least, double most, const QString& suffix,
+                              const std::function<void(ArtworkLayer&, double)>& set);
+    QPushButton* addColour(QFormLayout& form, const char* name, const QString& label,
+                           QColor ArtworkLayer::*colour);
+    void change(const QString& what, const std::function<void(ArtworkLayer&)>& set);
+    void askColour(const QColor& now, const std::function<void(const QColor&)>& chosen);
+    void showList();
+    void showFields();
+    int rowOf(int layer) const;
+
+    Artwork artwork_;
+    int selected_ = -1;
+    bool isShowing_ = false; // fields are being filled in
+    QListWidget* list_;
+    QToolButton *up_, *down_, *remove_;
+    QCheckBox* hasBase_;
+    QPushButton* base_;
+    QWidget* fields_;
+    QFormLayout* form_ = nullptr;
+    QPlainTextEdit* text_;
+    QFontComboBox* font_;
+    QPushButton *colour_, *secondColour_;
+    QSpinBox* seed_;
+    QDoubleSpinBox *opacity_, *turn_, *repeat_;
+    std::array<QDoubleSpinBox*, 2> size_{};
+    std::array<QDoubleSpinBox*, 3> place_{};
+    QComboBox *placement_, *axis_;
+};
+
+} // namespace dipwright

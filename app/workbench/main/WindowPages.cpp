@@ -1,0 +1,50 @@
+#include "main/WindowPages.h"
+
+#include "layers/ArtworkController.h"
+#include "main/DipController.h"
+#include "main/WindowActions.h"
+#include "main/WindowLayout.h"
+#include "poses/SearchController.h"
+#include "session/DocumentSession.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(MainWindow)
+};
+
+void openBy(const QAction& action, QDockWidget* dock) {
+    QObject::connect(&action, &QAction::triggered, dock, [dock] {
+        dock->show();
+        dock->raise();
+    });
+}
+
+} // namespace
+
+void addSearchPage(const PageMakings& makings, const SolverRegistry& registry) {
+    auto* search = new SearchController(makings.session, makings.jobs, registry, makings.messages,
+                                        &makings.window);
+    openBy(*makings.actions.findPoses,
+           makings.layout.addPage("searchDock", Text::tr("Pose Search"), search->page()));
+    QObject::connect(&makings.documents, &DocumentSession::documentChanged, search,
+                     &SearchController::showDocument);
+}
+
+void addArtworkPage(const PageMakings& makings, DipScene& scene, DipController& dip) {
+    auto* artwork = new ArtworkController(*makings.layout.parts().view, scene, makings.session,
+                                          makings.jobs, makings.messages, makings.window);
+    openBy(*makings.actions.artwork,
+           makings.layout.addPage("artworkDock", Text::tr("Artwork"), artwork->page()));
+    QObject::connect(&makings.documents, &DocumentSession::documentChanged, artwork,
+                     &ArtworkController::showDocument);
+    QObject::connect(artwork, &ArtworkController::held, &dip, &DipController::setHeld);
+}
+
+} // namespace dipwright

@@ -1,0 +1,108 @@
+// The artwork of a project, laid on it from the command line.
+#include "CliProcess.h"
+
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+class ArtworkCommandTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        QFile::remove(job_);
+        QVERIFY(QFile::copy(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/sphere.dipw"), job_));
+        QVERIFY(QFile::setPermissions(job_, QFile::ReadOwner | QFile::WriteOwner));
+        QImage logo(40, 20, QImage::Format_RGB32);
+        logo.fill(Qt::red);
+        QVERIFY(logo.save(logo_));
+    }
+
+    void layersAreAddedListedMovedAndRemoved() {
+        QVERIFY(artwork({"add", job_, "carbon", "--set", "repeat_mm=6"}));
+        QVERIFY(artwork({"add", job_, "picture", logo_, "--set", "size_mm=20;10"}));
+        QVERIFY(artwork({"add", job_, "text", "Nr. 7", "--set", "colour=#ff0000"}));
+        QVERIFY(artwork({"base", job_, "#102030"}));
+        QCOMPARE(names(), QStringList({"carbon", "logo", "Nr. 7"}));
+        QCOMPARE(layer(0)["repeat_mm"].toDouble(), 6.0);
+        QCOMPARE(layer(1)["size_mm"].toArray().at(0).toDouble(), 20.0);
+        QCOMPARE(layer(2)["text"].toString(), QStringLiteral("Nr. 7"));
+        QCOMPARE(listed()["base_colour"].toString(), QStringLiteral("#102030"));
+        QVERIFY(artwork({"move", job_, "1", "3"}));
+        QCOMPARE(names(), QStringList({"logo", "Nr. 7", "carbon"}));
+        QVERIFY(artwork({"set", job_, "2", "--set", "turn_deg=-15", "--set", "name=Number"}));
+        QCOMPARE(layer(1)["turn_deg"].toDouble(), -15.0);
+        QVERIFY(artwork({"remove", job_, "3"}));
+        QCOMPARE(names(), QStringList({"logo", "Number"}));
+        QVERIFY(cli({"artwork", "list", job_}).out.contains("Number"));
+    }
+
+    void whatMakesNoSenseIsRefusedAndTheFileStays() {
+        QVERIFY(artwork({"add", job_, "wood"}));
+        QFile file(job_);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray before = file.readAll();
+        for (const QStringList& words :
+             {QStringList{"add", job_, "gold"}, QStringList{"add", job_, "picture"},
+              QStringList{"add", job_, "picture", job_}, QStringList{"remove", job_, "2"},
+              QStringList{"remove", job_, "0"}, QStringList{"move", job_, "1", "x"},
+              QStringList{"set", job_, "1", "--set", "opacity=7"},
+              QStringList{"set", job_, "1", "--set", "gloss=1"},
+              QStringList{"set", job_, "1", "--set", "picture=abc"},
+              QStringList{"base", job_, "reddish"}, QStringList{"paint", job_}, QStringList{}}) {
+            const Outcome refused = cli(QStringList{"artwork"} + words);
+            QVERIFY2(refused.exitCode == 1 || refused.exitCode == 2, qPrintable(words.join(' ')));
+            QCOMPARE(refused.errorLines().size(), 1);
+        }
+        file.seek(0);
+        QCOMPARE(file.readAll(), before);
+    }
+
+    void theSheetShowsItAndTheReportListsIt() {
+        QVERIFY(artwork({"base", job_, "#ff0000"}));
+        const QString out = folder_.filePath(QStringLiteral("out"));
+        const Outcome run = cli({"run", job_, "--out", out, "--quiet", "--set", "film.points=40x56",
+                                 "--set", "sheet.dpi=72"});
+        QVERIFY2(run.exitCode == 0, run.err);
+        const QImage sheet(out + QStringLiteral("/immersion-1/sheet.png"));
+        const QColor middle = sheet.pixelColor(sheet.width() / 2, sheet.height() / 2);
+        QVERIFY(middle.red() > middle.green() + 60);
+        QFile report(out + QStringLiteral("/report.json"));
+        QVERIFY(report.open(QIODevice::ReadOnly));
+        QVERIFY(QJsonDocument::fromJson(report.readAll()).object().contains("artwork"));
+    }
+
+private:
+    bool artwork(const QStringList& words) const {
+        const Outcome done = cli(QStringList{"artwork"} + words);
+        if (done.exitCode != 0) {
+            qWarning() << done.err;
+        }
+        return done.exitCode == 0;
+    }
+    QJsonObject listed() const {
+        return QJsonDocument::fromJson(cli({"artwork", "list", job_, "--json"}).out).object();
+    }
+    QJsonObject layer(int index) const { return listed()["layers"].toArray().at(index).toObject(); }
+    QStringList names() const {
+        QStringList names;
+        for (const QJsonValue& one : listed()["layers"].toArray()) {
+            names.append(one.toObject()["name"].toString());
+        }
+        return names;
+    }
+
+    QTemporaryDir folder_;
+    QString job_ = folder_.filePath(QStringLiteral("job.dipw"));
+    QString logo_ = folder_.filePath(QStringLiteral("logo.png"));
+};
+
+QTEST_GUILESS_MAIN(ArtworkCommandTest)
+#include "ArtworkCommandTest.moc"

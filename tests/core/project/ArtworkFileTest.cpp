@@ -1,0 +1,194 @@
+// Artwork in the project's file: kept whole, refused where it makes no sense, absent where there is
+// none.
+#include "SampleProject.h"
+#include "base/Error.h"
+#include "project/ProjectStore.h"
+#include "project/Snapshots.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+QImage dots(const QColor& colour) {
+    QImage image(7, 5, QImage::Format_RGBA8888);
+    image.fill(Qt::transparent);
+    image.setPixelColor(3, 2, colour);
+    return image;
+}
+
+Project decorated() {
+    Project project = sampleProject();
+    project.artwork.base = QColor(1, 2, 3);
+    ArtworkLayer picture = newLayer(LayerKind::Picture, QStringLiteral("Logo"));
+    picture.picture = artworkPicture(dots(Qt::red));
+    picture.place = {Millimetres(1.5), Millimetres(-2), Millimetres(3)};
+    picture.turn = Degrees(-30);
+    picture.size = {Millimetres(12), Millimetres(8)};
+    picture.opacity = 0.25;
+    ArtworkLayer text = newLayer(LayerKind::Text, QStringLiteral("Words"));
+    text.text = QStringLiteral("Grüße\n2");
+    text.colour = QColor(9, 8, 7);
+    text.placement = LayerPlacement::Plane;
+    text.axis = LayerAxis::MinusY;
+    text.visible = false;
+    ArtworkLayer camouflage = newLayer(LayerKind::Camouflage, QStringLiteral("Pattern"));
+    camouflage.seed = 17;
+    ArtworkLayer again = picture;
+    again.repeat = Millimetres(4);
+    project.artwork.layers = {camouflage, picture, text, again};
+    return project;
+}
+
+// The sentence and place of the refusal; empty where it is taken.
+QString refusalOf(const QString& key, const QJsonValue& value) {
+    QJsonObject json = toJson(decorated());
+    QJsonObject artwork = json.value(QLatin1String("artwork")).toObject();
+    QJsonArray layers = artwork.value(QLatin1String("layers")).toArray();
+    QJsonObject layer = layers.at(1).toObject();
+    layer.insert(key, value);
+    layers.replace(1, layer);
+    artwork.insert(QStringLiteral("layers"), layers);
+    json.insert(QStringLiteral("artwork"), artwork);
+    try {
+        fromJson(json, QStringLiteral("job.dipw"));
+    } catch (const Error& error) {
+        return error.where() + QStringLiteral(" ") + error.message();
+    }
+    return {};
+}
+
+} // namespace
+
+class ArtworkFileTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void withoutArtworkTheFileSaysNothingOfIt() {
+        QVERIFY(!toJson(sampleProject()).contains(QLatin1String("artwork")));
+    }
+
+    void everythingComesBack() {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("job.dipw"));
+        const Project project = decorated();
+        saveProject(project, path);
+        const Project read = loadProject(path);
+        QCOMPARE(read.artwork, project.artwork);
+        QCOMPARE(read.artwork.layers[1].picture.image, dots(Qt::red));
+        QVERIFY(read.unknownEntries == project.unknownEntries); // the picture is none of others'
+        saveProject(read, path);
+        QCOMPARE(loadProject(path).artwork, project.artwork);
+    }
+
+    void onePictureIsKeptOnce() {
+        QTemporaryDir folder;
+        const QString one = folder.filePath(QStringLiteral("one.dipw"));
+        const QString two = folder.filePath(QStringLiteral("two.dipw"));
+        Project project = decorated();
+        QImage noise(200, 200, QImage::Format_RGBA8888);
+        for (int k = 0; k < 40000; ++k) {
+            noise.setPixelColor(k % 200, k / 200, QColor::fromRgb(QRgb(k) * 2654435761u));
+        }
+        project.artwork.layers.resize(2);
+        project.artwork.layers[1].picture = artworkPicture(noise);
+        saveProject(project, one);
+        project.artwork.layers.push_back(project.artwork.layers[1]);
+        saveProject(project, two);
+        QVERIFY(QFileInfo(two).size() < QFileInfo(one).size() + 2000);
+    }
+
+    void valuesOutOfRangeAreRefusedByTheirPath_data() {
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<QJsonValue>("value");
+        const auto row = [](const char* key, const QJsonValue& value) {
+            QTest::addRow("%s %s", key, qPrintable(value.toVariant().toString()))
+                << QString::fromLatin1(key) << value;
+        };
+        row("opacity", 1.5);
+        row("opacity", -1);
+        row("opacity", QStringLiteral("half"));
+        row("kind", QStringLiteral("gold"));
+        row("placement", 3);
+        row("axis", QStringLiteral("w"));
+        row("turn_deg", 1e9);
+        row("repeat_mm", -1);
+        row("repeat_mm", 1e300);
+        row("seed", 0.5);
+        row("colour", QStringLiteral("red"));
+        row("colour", QStringLiteral("#12345"));
+        row("second_colour", QStringLiteral("#1234567"));
+        row("name", QString(5000, QLatin1Char('a')));
+        row("text", QString(5000, QLatin1Char('a')));
+        row("visible", 1);
+        row("size_mm", QJsonArray{0, 10});
+        row("size_mm", QJsonArray{10});
+        row("place_mm", QJsonArray{1e7, 0, 0});
+    }
+
+    void valuesOutOfRangeAreRefusedByTheirPath() {
+        QFETCH(QString, key);
+        QFETCH(QJsonValue, value);
+        const QString refusal = refusalOf(key, value);
+        QVERIFY2(refusal.contains(QStringLiteral("artwork.layers[1].%1").arg(key)),
+                 qPrintable(refusal));
+    }
+
+    void anythingButAListOfLayersIsRefused() {
+        for (const QJsonValue& layers :
+             {QJsonValue(3), QJsonValue(QJsonArray{QJsonValue(1)}), QJsonValue(QJsonObject())}) {
+            QJsonObject json = toJson(sampleProject());
+            json.insert(QStringLiteral("artwork"), QJsonObject{{QStringLiteral("layers"), layers}});
+            QVERIFY_EXCEPTION_THROWN(fromJson(json, QStringLiteral("job")), Error);
+        }
+        QJsonObject json = toJson(sampleProject());
+        json.insert(QStringLiteral("artwork"), 7);
+        QVERIFY_EXCEPTION_THROWN(fromJson(json, QStringLiteral("job")), Error);
+        QJsonArray many;
+        for (std::size_t k = 0; k <= mostArtworkLayers; ++k) {
+            many.append(QJsonObject());
+        }
+        json.insert(QStringLiteral("artwork"), QJsonObject{{QStringLiteral("layers"), many}});
+        QVERIFY_EXCEPTION_THROWN(fromJson(json, QStringLiteral("job")), Error);
+    }
+
+    void aPictureThatIsNotThereIsSaid() {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("job.dipw"));
+        Project project = decorated();
+        project.artwork.layers[1].picture.image = {};
+        project.artwork.layers[3].picture.image = {};
+        saveProject(project, path);
+        QVERIFY_EXCEPTION_THROWN(loadProject(path), Error);
+    }
+
+    void valuesAreSetByTheirPath() {
+        Project project = decorated();
+        setByPath(project, QStringLiteral("artwork.layers[1].opacity"), QStringLiteral("0.75"));
+        setByPath(project, QStringLiteral("artwork.layers[1].place_mm"), QStringLiteral("1;2;-3"));
+        setByPath(project, QStringLiteral("artwork.base_colour"), QStringLiteral("null"));
+        QCOMPARE(project.artwork.layers[1].opacity, 0.75);
+        QCOMPARE(project.artwork.layers[1].place[2].value(), -3.0);
+        QVERIFY(!project.artwork.base);
+        for (const char* path : {"artwork.layers[9].opacity", "artwork.layers[0].picture",
+                                 "artwork.layers", "artwork.layers[0].gloss", "artwork.colour"}) {
+            QVERIFY_EXCEPTION_THROWN(
+                setByPath(project, QString::fromLatin1(path), QStringLiteral("1")), Error);
+        }
+    }
+
+    void goingBackToASnapshotKeepsTheArtwork() {
+        const Project project = decorated();
+        Project plain = project;
+        plain.artwork = {};
+        const Snapshot snapshot = snapshotOf(plain, QStringLiteral("before"), {}, {});
+        QCOMPARE(atSnapshot(project, snapshot).artwork, project.artwork);
+    }
+};
+
+QTEST_MAIN(ArtworkFileTest)
+#include "ArtworkFileTest.moc"
