@@ -4,6 +4,7 @@
 #include "import/ReadPictures.h"
 #include "session/StartJob.h"
 
+#include <QCoreApplication>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -12,6 +13,7 @@
 #include <QPalette>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dipwright {
 namespace {

@@ -11,6 +11,7 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
 #include <QPushButton>
@@ -41,14 +42,10 @@ void writeBall(const QString& path) {
 void acceptFileDialog(const QString& path) {
     auto* timer = new QTimer(qApp);
     QObject::connect(timer, &QTimer::timeout, qApp, [timer, path] {
-        for (QWidget* widget : QApplication::topLevelWidgets()) {
-            auto* dialog = qobject_cast<QFileDialog*>(widget);
-            if (dialog && dialog->isVisible()) {
-                timer->deleteLater();
-                dialog->selectFile(path);
-                QMetaObject::invokeMethod(dialog, "accept");
-                return;
-            }
+        if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+            timer->deleteLater();
+            dialog->findChild<QLineEdit*>()->setText(path);
+            dialog->findChild<QPushButton*>()->click();
         }
     });
     timer->start(50);
@@ -119,7 +116,7 @@ private slots:
         QCOMPARE(artwork().layers.size(), std::size_t(1));
         QCOMPARE(artwork().base, std::optional(QColor(255, 255, 255)));
         ++actions; // the logo dropped on the body
-        dropOn(view(), logo_, positionOf(underside()));
+        dropOn(view(), logo_, positionOf({0, 0, 0}));
         QTRY_COMPARE_WITH_TIMEOUT(artwork().layers.size(), std::size_t(2), patience());
         ++actions;
         QVERIFY(driver_->run());
@@ -173,11 +170,12 @@ private slots:
     void aDecalIsMovedTurnedAndSizedInTheView() {
         driver_->find<QListWidget>("artworkLayers")->setCurrentRow(0);
         driver_->action("front")->trigger();
-        const Artwork before = artwork();
-        Project project = document().project();
-        document().edit(QStringLiteral("Up"), {}, [](Project& changed) {
+        driver_->action("rings")->setChecked(false); // they are taken hold of before all else
+        document().edit(QStringLiteral("Front"), {}, [](Project& changed) {
             changed.immersions[0].rotation[0] = Degrees(0); // the front faces the eye
+            changed.artwork.layers[1].place = {Millimetres(0), Millimetres(0), Millimetres(30)};
         });
+        const Artwork before = artwork();
         view().picture();
         const auto middle = positionOf(placeOf(artwork().layers[1]));
         drag(middle, middle + QPointF(40, 0));
@@ -227,8 +225,6 @@ private:
         return {float(layer.place[0].value()), float(layer.place[1].value()),
                 float(layer.place[2].value())};
     }
-    // A place of the front that is seen from where the camera stands at first.
-    Eigen::Vector3f underside() { return 30 * Eigen::Vector3f(0, -0.55F, 0.83F).normalized(); }
     QPointF positionOf(const Eigen::Vector3f& place) {
         view().picture();
         const Project& project = document().project();

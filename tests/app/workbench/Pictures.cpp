@@ -24,6 +24,7 @@
 #include <QCommandLineParser>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
@@ -227,6 +228,17 @@ void photographTolerances(WindowDriver& driver, MainWindow& window, const Photog
     driver.trigger("undo");
 }
 
+// The page of the artwork, with each of its layers chosen, before the dip and on the film.
+void photographArtwork(const WindowDriver& driver, MainWindow& window, const Photographer& camera) {
+    driver.trigger("artwork");
+    auto* list = driver.find<QListWidget>("artworkLayers");
+    for (int row = 0; row < list->count(); ++row) {
+        list->setCurrentRow(row);
+        QTest::qWait(1500); // it is painted
+        camera.take(window, QStringLiteral("artwork-%1").arg(row));
+    }
+}
+
 // While poses are searched, and what was found.
 void photographSearch(const WindowDriver& driver, MainWindow& window, const Photographer& camera) {
     driver.trigger("findPoses");
@@ -422,6 +434,7 @@ int main(int argc, char* argv[]) {
          {QStringLiteral("only-inside"), {}},
          {QStringLiteral("only-planning"), {}},
          {QStringLiteral("only-tolerances"), {}},
+         {QStringLiteral("only-artwork"), {}},
          {QStringLiteral("only-search"), {}}});
     parser.addPositionalArgument(QStringLiteral("PROJECT"), {});
     parser.process(*qApp);
@@ -443,6 +456,7 @@ int main(int argc, char* argv[]) {
     const bool all = !parser.isSet(QStringLiteral("only-window")) &&
                      !parser.isSet(QStringLiteral("only-tolerances")) &&
                      !parser.isSet(QStringLiteral("only-search")) &&
+                     !parser.isSet(QStringLiteral("only-artwork")) &&
                      !parser.isSet(QStringLiteral("only-dialogs")) &&
                      !parser.isSet(QStringLiteral("only-inside")) &&
                      !parser.isSet(QStringLiteral("only-planning")) &&
@@ -481,6 +495,10 @@ int main(int argc, char* argv[]) {
     }
     if (parser.isSet(QStringLiteral("only-planning"))) {
         photographPlanning(driver, window, workbench, camera);
+        return 0;
+    }
+    if (parser.isSet(QStringLiteral("only-artwork"))) {
+        photographArtwork(driver, window, camera);
         return 0;
     }
     if (parser.isSet(QStringLiteral("only-search"))) {

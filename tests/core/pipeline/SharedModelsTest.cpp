@@ -1,5 +1,6 @@
 // Needs models that are not in the repository: those in ../shared beside it. Without them its cases
 // are skipped, and scripts/test counts them.
+#include "artwork/PaintArtwork.h"
 #include "import/ImportModel.h"
 #include "pipeline/SheetCertainty.h"
 
@@ -40,6 +41,61 @@ private slots:
         QCOMPARE(model.textures.size(), std::size_t(1));
         QVERIFY(std::set(model.chart.begin(), model.chart.end()).size() > 1);
         QVERIFY(model.hasTextureCoordinates(0));
+    }
+
+    // Scans and drawings, with and without texture coordinates, most of them not meant for it.
+    void everyModelIsUnwrappedForArtwork_data() {
+        QTest::addColumn<QString>("file");
+        for (const char* file : {"boot/boot.obj", "goathead/goathead.obj", "hand/hand_closed.obj",
+                                 "koala/koala_low_resolution.obj", "penguin/penguin.obj",
+                                 "spot/spot_triangulated.obj"}) {
+            QTest::newRow(file) << QString::fromLatin1(file);
+        }
+    }
+
+    void everyModelIsUnwrappedForArtwork() {
+        QFETCH(QString, file);
+        ImportOptions options;
+        options.longestEdge = Millimetres(90);
+        const TexturedMesh model = importModel(models.filePath(file), options, {}).model;
+        Artwork artwork;
+        artwork.base = QColor(20, 60, 200);
+        addLayer(artwork, placedOn(model, newLayer(LayerKind::Carbon, {})), model);
+        const TexturedMesh body = paintArtwork(model, artwork, 0.25, {});
+        QCOMPARE(body.chart.size(), model.mesh.triangles.size());
+        const QSize size = body.textures.front().size();
+        QVERIFY(std::int64_t(size.width()) * size.height() < 20'000'000);
+        std::vector<std::uint8_t> claimed(std::size_t(size.width()) * std::size_t(size.height()));
+        std::size_t twice = 0, once = 0;
+        for (const auto& corners : body.textureCoordinates) {
+            std::array<Eigen::Vector2d, 3> at;
+            Eigen::AlignedBox2d box;
+            for (std::size_t k = 0; k < 3; ++k) {
+                at[k] = {double(corners[k].x()) * size.width(),
+                         (1 - double(corners[k].y())) * size.height()};
+                box.extend(at[k]);
+            }
+            QVERIFY(box.min().minCoeff() > 0 && box.max().x() < size.width() &&
+                    box.max().y() < size.height());
+            const Eigen::Vector2d u = at[1] - at[0], v = at[2] - at[0];
+            const double area = u.x() * v.y() - u.y() * v.x();
+            for (int row = int(box.min().y()); row <= int(box.max().y()); ++row) {
+                for (int column = int(box.min().x()); column <= int(box.max().x()); ++column) {
+                    const Eigen::Vector2d p = Eigen::Vector2d(column + 0.5, row + 0.5) - at[0];
+                    const double s = (p.x() * v.y() - p.y() * v.x()) / area;
+                    const double t = (u.x() * p.y() - u.y() * p.x()) / area;
+                    if (s > 0.01 && t > 0.01 && s + t < 0.99) {
+                        std::uint8_t& claim = claimed[std::size_t(row) * std::size_t(size.width()) +
+                                                      std::size_t(column)];
+                        twice += claim;
+                        once += 1 - claim;
+                        claim = 1;
+                    }
+                }
+            }
+        }
+        QCOMPARE(twice, std::size_t(0));
+        QVERIFY(once > 10'000);
     }
 
     // Legs of six film cells, and a head dipped after the shoulders have let film go: what the

@@ -43,7 +43,7 @@ private slots:
         row("film.gathering_stretch", "0.75", "dip texture sheet");
         row("process.overhang_deg", "30", "dip texture sheet");
         row("process.depth_mm", "12", "dip texture sheet");
-        row("process.solver", "pbd-cuda", ""); // the id that was chosen tells
+        row("process.solver", "pbd-cuda", "");                  // the id that was chosen tells
         row("artwork.base_colour", "#ff0000", "texture sheet"); // no dip
         row("ink.limit", "1.5", "texture sheet");
         row("ink.exponents", "1;0.9;0.8", "texture sheet");
