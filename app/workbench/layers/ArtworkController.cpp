@@ -4,7 +4,6 @@
 #include "import/ReadPictures.h"
 #include "session/StartJob.h"
 
-#include <QCoreApplication>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -275,11 +274,10 @@ bool ArtworkController::eventFilter(QObject* watched, QEvent* event) {
         for (const QUrl& url : dropped->mimeData()->urls()) {
             files.append(url.toLocalFile());
         }
-        if (dropOnBody(files, dropped->position())) {
-            dropped->acceptProposedAction();
-        } else {
-            QCoreApplication::sendEvent(&window_, event); // as beside the view
+        if (!dropOnBody(files, dropped->position())) {
+            emit droppedBeside(dropped->mimeData()->urls());
         }
+        dropped->acceptProposedAction();
         return true;
     }
     if (event->type() == QEvent::KeyPress && frame()) {

@@ -8,6 +8,7 @@
 #include "session/Messages.h"
 
 #include <QPointer>
+#include <QUrl>
 
 namespace dipwright {
 
@@ -23,7 +24,8 @@ public:
     void showDocument();
 
 signals:
-    void held(bool isHeld); // as long as something is dragged
+    void held(bool isHeld);                       // as long as something is dragged
+    void droppedBeside(const QList<QUrl>& files); // on the view, and not pictures on the body
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -2,6 +2,7 @@
 
 #include "layers/ArtworkController.h"
 #include "main/DipController.h"
+#include "main/DocumentController.h"
 #include "main/WindowActions.h"
 #include "main/WindowLayout.h"
 #include "poses/SearchController.h"
@@ -37,7 +38,8 @@ void addSearchPage(const PageMakings& makings, const SolverRegistry& registry) {
                      &SearchController::showDocument);
 }
 
-void addArtworkPage(const PageMakings& makings, DipScene& scene, DipController& dip) {
+void addArtworkPage(const PageMakings& makings, DipScene& scene, DipController& dip,
+                    DocumentController& files) {
     auto* artwork = new ArtworkController(*makings.layout.parts().view, scene, makings.session,
                                           makings.jobs, makings.messages, makings.window);
     openBy(*makings.actions.artwork,
@@ -45,6 +47,8 @@ void addArtworkPage(const PageMakings& makings, DipScene& scene, DipController& 
     QObject::connect(&makings.documents, &DocumentSession::documentChanged, artwork,
                      &ArtworkController::showDocument);
     QObject::connect(artwork, &ArtworkController::held, &dip, &DipController::setHeld);
+    QObject::connect(artwork, &ArtworkController::droppedBeside, &files,
+                     &DocumentController::takeFiles);
 }
 
 } // namespace dipwright

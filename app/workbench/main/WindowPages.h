@@ -8,6 +8,7 @@ namespace dipwright {
 class DipController;
 class DipScene;
 class DipSession;
+class DocumentController;
 class DocumentSession;
 class JobRunner;
 class Messages;
@@ -28,6 +29,7 @@ struct PageMakings {
 
 // Before WindowLayout::restore().
 void addSearchPage(const PageMakings& makings, const SolverRegistry& registry);
-void addArtworkPage(const PageMakings& makings, DipScene& scene, DipController& dip);
+void addArtworkPage(const PageMakings& makings, DipScene& scene, DipController& dip,
+                    DocumentController& files);
 
 } // namespace dipwright
