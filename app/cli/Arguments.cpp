@@ -60,6 +60,20 @@ void requireNoPositionalArgument(const QCommandLineParser& parser) {
     }
 }
 
+QString Words::take(const QString& what) {
+    if (words_.isEmpty()) {
+        throw UsageError(QStringLiteral("%1 is missing, see --help").arg(what), command_);
+    }
+    return words_.takeFirst();
+}
+
+void Words::finish() const {
+    if (!words_.isEmpty()) {
+        throw UsageError(QStringLiteral("There is one argument too many, see --help"),
+                         words_.first());
+    }
+}
+
 double numberOption(const QCommandLineParser& parser, const QString& option, double minimum,
                     double maximum) {
     bool isNumber = false;

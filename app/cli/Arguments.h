@@ -12,6 +12,21 @@ namespace dipwright::cli {
 QString positionalArgument(const QCommandLineParser& parser, const QString& name);
 void requireNoPositionalArgument(const QCommandLineParser& parser);
 
+// The words after a command that does several things: what to do, and with what.
+class Words {
+public:
+    Words(const QString& command, const QStringList& words) : command_(command), words_(words) {}
+
+    // The next one; throws UsageError that `what` is missing.
+    QString take(const QString& what);
+    // Throws UsageError where some are left.
+    void finish() const;
+
+private:
+    QString command_;
+    QStringList words_;
+};
+
 // A number within limits; throws UsageError naming the option.
 double numberOption(const QCommandLineParser& parser, const QString& option, double minimum,
                     double maximum);

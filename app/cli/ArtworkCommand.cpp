@@ -1,5 +1,5 @@
 #include "artwork/Artwork.h"
-#include "cli/Command.h"
+#include "cli/Arguments.h"
 #include "import/ReadPictures.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
@@ -20,40 +20,18 @@ const std::map<QString, LayerKind> kinds{{QStringLiteral("picture"), LayerKind::
                                          {QStringLiteral("camouflage"), LayerKind::Camouflage},
                                          {QStringLiteral("wood"), LayerKind::Wood}};
 
-// The words after `artwork`: what to do, with which project, and how.
-class Words {
-public:
-    explicit Words(const QStringList& words) : words_(words) {}
-
-    QString take(const QString& what) {
-        if (words_.isEmpty()) {
-            throw UsageError(QStringLiteral("%1 is missing, see --help").arg(what),
-                             QStringLiteral("artwork"));
-        }
-        return words_.takeFirst();
+// A layer's number, from 1, as its index.
+std::size_t takeLayer(Words& words, const Artwork& artwork) {
+    const QString word = words.take(QStringLiteral("N"));
+    bool isNumber = false;
+    const uint number = word.toUInt(&isNumber);
+    if (!isNumber || number < 1 || number > artwork.layers.size()) {
+        throw UsageError(
+            QStringLiteral("There is no such layer, the project has %1").arg(artwork.layers.size()),
+            word);
     }
-    // A layer's number, from 1, as its index.
-    std::size_t takeLayer(const Artwork& artwork) {
-        const QString word = take(QStringLiteral("N"));
-        bool isNumber = false;
-        const uint number = word.toUInt(&isNumber);
-        if (!isNumber || number < 1 || number > artwork.layers.size()) {
-            throw UsageError(QStringLiteral("There is no such layer, the project has %1")
-                                 .arg(artwork.layers.size()),
-                             word);
-        }
-        return number - 1;
-    }
-    void finish() const {
-        if (!words_.isEmpty()) {
-            throw UsageError(QStringLiteral("There is one argument too many, see --help"),
-                             words_.first());
-        }
-    }
-
-private:
-    QStringList words_;
-};
+    return number - 1;
+}
 
 void applyToLayer(Project& project, std::size_t layer, const QCommandLineParser& parser) {
     for (const QString& setting : parser.values(setOption)) {
@@ -128,7 +106,7 @@ void add(Project& project, Words& words, const QCommandLineParser& parser, QText
 }
 
 void move(Artwork& artwork, Words& words, QTextStream& out) {
-    const std::size_t from = words.takeLayer(artwork), to = words.takeLayer(artwork);
+    const std::size_t from = takeLayer(words, artwork), to = takeLayer(words, artwork);
     words.finish();
     const ArtworkLayer layer = artwork.layers[from];
     artwork.layers.erase(artwork.layers.begin() + std::ptrdiff_t(from));
@@ -137,7 +115,7 @@ void move(Artwork& artwork, Words& words, QTextStream& out) {
 }
 
 void remove(Artwork& artwork, Words& words, QTextStream& out) {
-    const std::size_t index = words.takeLayer(artwork);
+    const std::size_t index = takeLayer(words, artwork);
     words.finish();
     out << QStringLiteral("Removed %1\n").arg(artwork.layers[index].name);
     artwork.layers.erase(artwork.layers.begin() + std::ptrdiff_t(index));
@@ -184,7 +162,7 @@ public:
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {
-        Words words(parser.positionalArguments());
+        Words words(name(), parser.positionalArguments());
         const QString action = words.take(QStringLiteral("What to do"));
         const QString path = words.take(QStringLiteral("JOB.dipw"));
         QTextStream& out = console.out();
@@ -198,7 +176,7 @@ public:
         if (action == QLatin1String("add")) {
             add(project, words, parser, out);
         } else if (action == QLatin1String("set")) {
-            const std::size_t layer = words.takeLayer(project.artwork);
+            const std::size_t layer = takeLayer(words, project.artwork);
             words.finish();
             applyToLayer(project, layer, parser);
             out << QStringLiteral("Changed %1\n").arg(project.artwork.layers[layer].name);

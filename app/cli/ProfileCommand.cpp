@@ -1,4 +1,4 @@
-#include "cli/Command.h"
+#include "cli/Arguments.h"
 
 #include "disk/SmallFile.h"
 #include "project/ProfileFields.h"
@@ -17,36 +17,14 @@ const QString setOption = QStringLiteral("set");
 const QString iccOption = QStringLiteral("icc");
 const QString jsonOption = QStringLiteral("json");
 
-// The words after `profile`: what to do, and with what.
-class Words {
-public:
-    explicit Words(const QStringList& words) : words_(words) {}
-
-    QString take(const QString& what) {
-        if (words_.isEmpty()) {
-            throw UsageError(QStringLiteral("%1 is missing, see --help").arg(what),
-                             QStringLiteral("profile"));
-        }
-        return words_.takeFirst();
+ProfileKind takeKind(Words& words) {
+    const QString word = words.take(QStringLiteral("KIND"));
+    try {
+        return profileKindOf(word);
+    } catch (const Error& error) {
+        throw UsageError(error.message(), error.where());
     }
-    ProfileKind takeKind() {
-        const QString word = take(QStringLiteral("KIND"));
-        try {
-            return profileKindOf(word);
-        } catch (const Error& error) {
-            throw UsageError(error.message(), error.where());
-        }
-    }
-    void finish() const {
-        if (!words_.isEmpty()) {
-            throw UsageError(QStringLiteral("There is one argument too many, see --help"),
-                             words_.first());
-        }
-    }
-
-private:
-    QStringList words_;
-};
+}
 
 void list(const Words& words, const QCommandLineParser& parser, QTextStream& out) {
     words.finish();
@@ -70,7 +48,7 @@ void list(const Words& words, const QCommandLineParser& parser, QTextStream& out
 }
 
 void show(Words words, QTextStream& out) {
-    const ProfileKind kind = words.takeKind();
+    const ProfileKind kind = takeKind(words);
     const QString name = words.take(QStringLiteral("NAME"));
     words.finish();
     out << QJsonDocument(toJson(ProfileLibrary().profile(kind, name))).toJson();
@@ -88,7 +66,7 @@ void setIccProfile(Profile& profile, const QString& path) {
 }
 
 void change(Words words, const QCommandLineParser& parser, QTextStream& out) {
-    const ProfileKind kind = words.takeKind();
+    const ProfileKind kind = takeKind(words);
     const QString name = words.take(QStringLiteral("NAME"));
     words.finish();
     const ProfileLibrary library;
@@ -125,7 +103,7 @@ void import(Words words, QTextStream& out) {
 }
 
 void exportOne(Words words, QTextStream& out) {
-    const ProfileKind kind = words.takeKind();
+    const ProfileKind kind = takeKind(words);
     const QString name = words.take(QStringLiteral("NAME"));
     const QString path = words.take(QStringLiteral("FILE"));
     words.finish();
@@ -134,7 +112,7 @@ void exportOne(Words words, QTextStream& out) {
 }
 
 void remove(Words words, QTextStream& out) {
-    const ProfileKind kind = words.takeKind();
+    const ProfileKind kind = takeKind(words);
     const QString name = words.take(QStringLiteral("NAME"));
     words.finish();
     ProfileLibrary().remove(kind, name);
@@ -172,7 +150,7 @@ void takeWedge(Words words, QTextStream& out) {
 }
 
 void use(Words words, QTextStream& out) {
-    const ProfileKind kind = words.takeKind();
+    const ProfileKind kind = takeKind(words);
     const QString name = words.take(QStringLiteral("NAME"));
     const QString path = words.take(QStringLiteral("JOB.dipw"));
     words.finish();
@@ -211,7 +189,7 @@ public:
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {
-        Words words(parser.positionalArguments());
+        Words words(name(), parser.positionalArguments());
         const QString action = words.take(QStringLiteral("What to do"));
         QTextStream& out = console.out();
         if (action == QLatin1String("list")) {
