@@ -269,14 +269,15 @@ private slots:
                                    [&](const ViewRay& ray) { stroke.push_back(ray); });
         const auto end = connect(view_.get(), &DipView::strokeFinished, [&] { ++finished; });
         const QPointF before = view_->positionOf({50, 0, 0});
-        view_->setStrokeBegin([](const ViewRay&) { return true; });
+        bool begins = true;
+        view_->addStroke([&](const ViewRay&) { return begins; });
         WindowDriver::drag(*view_, {0.4, 0.4}, {0.6, 0.5});
         view_->picture();
         QCOMPARE(view_->positionOf({50, 0, 0}), before);
         QVERIFY(stroke.size() > 5);
         QCOMPARE(finished, 1);
         stroke.clear();
-        view_->setStrokeBegin({});
+        begins = false;
         WindowDriver::drag(*view_, {0.4, 0.4}, {0.6, 0.5});
         view_->picture();
         QVERIFY(QLineF(before, view_->positionOf({50, 0, 0})).length() > 2);
