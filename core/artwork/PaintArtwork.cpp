@@ -48,8 +48,8 @@ bool isWide(const TexturedMesh& model, const Artwork& artwork) {
 class Ground {
 public:
     Ground(const TexturedMesh& model, const Artwork& artwork, bool wide)
-        : model_(model), isModelWide_(std::any_of(model.textures.begin(), model.textures.end(),
-                                                  dipwright::isWide)),
+        : isModelWide_(
+              std::any_of(model.textures.begin(), model.textures.end(), dipwright::isWide)),
           wide_(wide) {
         if (artwork.base) {
             base_ = linearColour(*artwork.base);
@@ -69,7 +69,6 @@ public:
     }
 
 private:
-    const TexturedMesh& model_;
     bool isModelWide_, wide_;
     std::optional<LinearColour> base_;
     std::unique_ptr<const SurfaceColours> colours_;
