@@ -6,7 +6,7 @@
 // is that of a printer, the file is PDF/X-4.
 #pragma once
 
-#include "sheet/Separation.h"
+#include "sheet/Plates.h"
 
 #include <QByteArray>
 #include <QPainter>

@@ -2,26 +2,10 @@
 // stands in.
 #pragma once
 
+#include "sheet/Plates.h"
 #include "sheet/Sheet.h"
 
 namespace dipwright {
-
-// One more plate beside cyan, magenta, yellow and black.
-struct SpotPlate {
-    QString name;    // as raster image processors know it
-    QByteArray tint; // a byte a pixel, 0 no ink … 255 full, rows without padding
-    bool operator==(const SpotPlate&) const = default;
-};
-
-// What is printed beside the four inks, in the order of printing.
-struct SpotPlates {
-    std::vector<SpotPlate> before, after; // the four inks
-};
-
-struct Plates {
-    QSize size;      // pixels, those of the picture
-    QByteArray cmyk; // four bytes a pixel, 0 no ink … 255 full, rows without padding
-};
 
 // A film image on white paper, in the inks of `correction`, whose colour must be in CMYK, and
 // within its total of ink. All cores.

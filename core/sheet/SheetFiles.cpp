@@ -5,6 +5,7 @@
 #include "base/ProgramName.h"
 #include "base/WideColour.h"
 #include "sheet/PrinterColour.h"
+#include "sheet/Separation.h"
 #include "sheet/SheetInk.h"
 
 #include <QColorSpace>
