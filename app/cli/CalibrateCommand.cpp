@@ -96,6 +96,17 @@ BoardKind boardKind(const QString& word) {
     return word == QLatin1String("film") ? BoardKind::Film : BoardKind::Card;
 }
 
+// Of the printer that a page goes to, where one is named.
+template <typename Page>
+void takeScale(Page& page, const QCommandLineParser& parser) {
+    if (parser.isSet(profileOption)) {
+        const auto printer = std::get<PrinterProfile>(
+            ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
+        page.scaleX = printer.scaleX;
+        page.scaleY = printer.scaleY;
+    }
+}
+
 // A page of the film watch, into a file.
 void writeWatchPage(const QString& kind, const QCommandLineParser& parser, const QString& path,
                     QTextStream& out) {
@@ -107,12 +118,7 @@ void writeWatchPage(const QString& kind, const QCommandLineParser& parser, const
     page.paper = paperSize(paper);
     page.lot = parser.value(lotOption);
     page.date = parser.value(dateOption);
-    if (parser.isSet(profileOption)) {
-        const auto printer = std::get<PrinterProfile>(
-            ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
-        page.scaleX = printer.scaleX;
-        page.scaleY = printer.scaleY;
-    }
+    takeScale(page, parser);
     const WatchBoard board = watchBoard(page);
     writeWhole(path, [&](QIODevice& device) {
         path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)
@@ -151,12 +157,7 @@ void writeWedgePage(const QCommandLineParser& parser, const QString& path, QText
     page.paper = paperSize(parser.value(paperOption));
     page.lot = parser.value(lotOption);
     page.date = parser.value(dateOption);
-    if (parser.isSet(profileOption)) {
-        const auto printer = std::get<PrinterProfile>(
-            ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
-        page.scaleX = printer.scaleX;
-        page.scaleY = printer.scaleY;
-    }
+    takeScale(page, parser);
     for (const double tone : wedgeTones) {
         page.tones.append(QString::number(tone));
     }

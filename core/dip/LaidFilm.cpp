@@ -23,6 +23,13 @@ LaidFilm::LaidFilm(std::shared_ptr<const PosedBody> body, DippedFilm film, FilmC
 
 LaidFilm::~LaidFilm() = default;
 
+const std::vector<float>& LaidFilm::pointAreas() const {
+    std::call_once(hasPointAreas_, [this] {
+        pointAreas_ = paintedPointAreas(film_, triangles_, stretches_, contact_);
+    });
+    return pointAreas_;
+}
+
 std::uint8_t LaidFilm::marks(std::uint32_t triangle) const {
     std::uint8_t marks = 0;
     if (!film_.marks.empty()) {

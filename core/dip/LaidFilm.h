@@ -9,6 +9,7 @@
 #include "film/DippedFilm.h"
 
 #include <memory>
+#include <mutex>
 #include <optional>
 
 namespace dipwright {
@@ -21,8 +22,8 @@ struct FilmPlace {
     std::uint32_t triangle = 0;                     // the film triangle it is in
 };
 
-// Immutable, everything in it computed once when it is made: any thread may read. Shared, not
-// copied: it is handed on as std::shared_ptr<const LaidFilm>.
+// Immutable, everything in it computed once, most of it when it is made: any thread may read.
+// Shared, not copied: it is handed on as std::shared_ptr<const LaidFilm>.
 class LaidFilm {
 public:
     // Of a contact that is known; layFilm() finds it. `film` is in the body's pose frame.
@@ -39,6 +40,8 @@ public:
     // A film triangle each, painted or not.
     const std::vector<PrincipalStretch>& stretches() const { return stretches_; }
     const PaintedStretch& painted() const { return painted_; }
+    // paintedPointAreas(), computed when it is first asked for: only ink asks.
+    const std::vector<float>& pointAreas() const;
     // The solver::PointMark bits of a film triangle: those of its corners that are on the body,
     // together. What it paints depends on a law without measurement behind it, or on film that
     // found no rest.
@@ -62,6 +65,8 @@ private:
     std::vector<FilmTriangle> triangles_;
     std::vector<PrincipalStretch> stretches_;
     PaintedStretch painted_;
+    mutable std::once_flag hasPointAreas_;
+    mutable std::vector<float> pointAreas_;
     std::unique_ptr<const FilmOnBody> onBody_;
 };
 

@@ -282,12 +282,18 @@ PaintedStretch paintedStretch(const DippedFilm& film, const std::vector<FilmTria
             result.areas.push_back(stretches[triangle].area());
         }
     }
-    const std::vector<float> means = meanOfTriangles(
-        triangles, contact, [&](std::size_t triangle) { return stretches[triangle].area(); });
-    result.pointAreas = continuedToLimit(means, result.points, triangles, contact,
-                                         StretchAtRim(film, triangles, stretches, contact));
     result.wrinkling = wrinkling(film, triangles, stretches, contact);
     return result;
+}
+
+std::vector<float> paintedPointAreas(const DippedFilm& film,
+                                     const std::vector<FilmTriangle>& triangles,
+                                     const std::vector<PrincipalStretch>& stretches,
+                                     const FilmContact& contact) {
+    const std::vector<float> means = meanOfTriangles(
+        triangles, contact, [&](std::size_t triangle) { return stretches[triangle].area(); });
+    return continuedToLimit(means, paintedPoints(triangles, contact), triangles, contact,
+                            StretchAtRim(film, triangles, stretches, contact));
 }
 
 } // namespace dipwright

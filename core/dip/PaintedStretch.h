@@ -24,12 +24,7 @@ struct PaintedStretch {
     // Final over rest length of the horizontal and vertical constraints that are sides of painted
     // film, and for each film point the mean of those that meet in it; 1 where none does.
     std::vector<float> constraints, pointMeans;
-    // Area stretch J of the painted film triangles, and for each film point the mean of those round
-    // it, so that the ink's density, which is reckoned with it, does not jump from triangle to
-    // triangle. Where these lie on one side only, and at points past the limit of contact, it tends
-    // to what a linear function through the painted triangles near by says there (patch recovery,
-    // Zienkiewicz & Zhu 1992), as far as one explains them; 1 where no film that paints is near.
-    std::vector<float> areas, pointAreas;
+    std::vector<float> areas; // area stretch J of the painted film triangles
     Wrinkling wrinkling;
 };
 
@@ -37,5 +32,15 @@ struct PaintedStretch {
 PaintedStretch paintedStretch(const DippedFilm& film, const std::vector<FilmTriangle>& triangles,
                               const std::vector<PrincipalStretch>& stretches,
                               const FilmContact& contact);
+
+// J for each film point: the mean of the painted triangles round it, so that the ink's density,
+// which is reckoned with it, does not jump from triangle to triangle. Where these lie on one side
+// only, and at points past the limit of contact, it tends to what a linear function through the
+// painted triangles near by says there (patch recovery, Zienkiewicz & Zhu 1992), as far as one
+// explains them; 1 where no film that paints is near.
+std::vector<float> paintedPointAreas(const DippedFilm& film,
+                                     const std::vector<FilmTriangle>& triangles,
+                                     const std::vector<PrincipalStretch>& stretches,
+                                     const FilmContact& contact);
 
 } // namespace dipwright

@@ -127,7 +127,7 @@ private:
     }
     float areaStretch(const FilmPlace& place) const {
         const auto& [a, b, c] = laid_->triangles()[place.triangle];
-        const std::vector<float>& stretches = laid_->painted().pointAreas;
+        const std::vector<float>& stretches = laid_->pointAreas();
         const Eigen::Vector3f share = laid_->weights(place);
         return stretches[a] + share[1] * (stretches[b] - stretches[a]) +
                share[2] * (stretches[c] - stretches[a]);

@@ -281,7 +281,7 @@ private:
     double print(const FilmPiece& piece, const Pixel& pixel, const LinearColour& wanted) const {
         const FilmTriangle& corners = laid_.triangles()[piece.triangle];
         const Eigen::Vector3f weights = filmWeights(piece, pixel.weights);
-        const std::vector<float>& stretches = laid_.painted().pointAreas;
+        const std::vector<float>& stretches = laid_.pointAreas();
         const float stretch = weights[0] * stretches[corners[0]] +
                               weights[1] * stretches[corners[1]] +
                               weights[2] * stretches[corners[2]];

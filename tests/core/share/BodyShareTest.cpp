@@ -78,7 +78,7 @@ LinearColour shownBy(const LaidFilm& laid, const QImage& sheet, const SurfacePoi
     const FilmTriangle& corners = laid.triangles()[place->triangle];
     float stretch = 0;
     for (int k = 0; k < 3; ++k) {
-        stretch += weights[k] * laid.painted().pointAreas[corners[std::size_t(k)]];
+        stretch += weights[k] * laid.pointAreas()[corners[std::size_t(k)]];
     }
     return InkCompensation({}).shown(printedAt(sheet, laid.film().grid, place->rest), stretch);
 }
