@@ -975,6 +975,10 @@
         <source>Writing film %1</source>
         <translation>Schreibe Film %1</translation>
     </message>
+    <message>
+        <source>Dipping deeper</source>
+        <translation>Tiefer getaucht</translation>
+    </message>
 </context>
 <context>
     <name>Png</name>
@@ -4146,6 +4150,17 @@
     </message>
 </context>
 <context>
+    <name>dipwright::DeeperFilm</name>
+    <message>
+        <source>Dipping deeper</source>
+        <translation>Tiefer getaucht</translation>
+    </message>
+    <message>
+        <source>Deeper dip</source>
+        <translation>Tieferer Tauchvorgang</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::DipController</name>
     <message>
         <source>The Dip</source>
@@ -6812,14 +6827,6 @@ Dehnung</translation>
         <translation>Wie viel mehr er gewachsen ist, als der Bogen annimmt.</translation>
     </message>
     <message>
-        <source>Less deep</source>
-        <translation>Weniger tief</translation>
-    </message>
-    <message>
-        <source>How much less deep the body is dipped: what stays over the water gets no ink.</source>
-        <translation>Wie viel weniger tief der Körper getaucht wird: Was über dem Wasser bleibt, bekommt keine Farbe.</translation>
-    </message>
-    <message>
         <source>In its Place</source>
         <translation>An seinen Platz</translation>
     </message>
@@ -6834,6 +6841,14 @@ Dehnung</translation>
     <message>
         <source>After %1</source>
         <translation>Nach %1</translation>
+    </message>
+    <message>
+        <source>Deeper</source>
+        <translation>Tiefer</translation>
+    </message>
+    <message>
+        <source>How much deeper the body is dipped, less deep if negative: what stays over the water gets no ink. A body that is dipped whole cannot go deeper.</source>
+        <translation>Um wie viel tiefer der Körper getaucht wird, weniger tief, wenn negativ: Was über dem Wasser bleibt, bekommt keine Farbe. Ein Körper, der ganz getaucht wird, kann nicht tiefer gehen.</translation>
     </message>
 </context>
 <context>

@@ -975,6 +975,10 @@
         <source>Writing film %1</source>
         <translation>Gravando o filme %1</translation>
     </message>
+    <message>
+        <source>Dipping deeper</source>
+        <translation>Mergulhando mais fundo</translation>
+    </message>
 </context>
 <context>
     <name>Png</name>
@@ -4146,6 +4150,17 @@
     </message>
 </context>
 <context>
+    <name>dipwright::DeeperFilm</name>
+    <message>
+        <source>Dipping deeper</source>
+        <translation>Mergulhando mais fundo</translation>
+    </message>
+    <message>
+        <source>Deeper dip</source>
+        <translation>Imersão mais funda</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::DipController</name>
     <message>
         <source>The Dip</source>
@@ -6812,14 +6827,6 @@ estiramento</translation>
         <translation>Quanto ele cresceu além do que a folha supõe.</translation>
     </message>
     <message>
-        <source>Less deep</source>
-        <translation>Menos fundo</translation>
-    </message>
-    <message>
-        <source>How much less deep the body is dipped: what stays over the water gets no ink.</source>
-        <translation>Quanto menos fundo o corpo é imerso: o que fica fora da água não recebe tinta.</translation>
-    </message>
-    <message>
         <source>In its Place</source>
         <translation>No seu lugar</translation>
     </message>
@@ -6834,6 +6841,14 @@ estiramento</translation>
     <message>
         <source>After %1</source>
         <translation>Depois de %1</translation>
+    </message>
+    <message>
+        <source>Deeper</source>
+        <translation>Mais fundo</translation>
+    </message>
+    <message>
+        <source>How much deeper the body is dipped, less deep if negative: what stays over the water gets no ink. A body that is dipped whole cannot go deeper.</source>
+        <translation>Quanto mais fundo o corpo é mergulhado, menos fundo se negativo: o que fica acima da água não recebe tinta. Um corpo mergulhado por inteiro não pode ir mais fundo.</translation>
     </message>
 </context>
 <context>

@@ -68,7 +68,7 @@ public:
     PaintedFilm(const WornFilm& worn, const InkSettings& ink)
         : laid_(worn.laid), picture_(worn.image, worn.laid->film().grid), ink_(ink),
           isCompensated_(ink.compensate), white_(worn.white), slip_(worn.slip),
-          highest_(float(worn.depth - worn.slip.lessDeep.value())) {}
+          highest_(float(worn.depth + worn.slip.deeper.value())) {}
 
     // How much of a place its white hides, 0 … 1.
     float whiteAt(const SurfacePoint& point) const {

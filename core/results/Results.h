@@ -66,14 +66,14 @@ std::vector<ShareLine> shareLines(const BodyShare& share, const QStringList& dip
 QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t dip, QSize pixels);
 
 // How far a floating film lies off its place when the body comes down, how much it has grown beyond
-// what was reckoned with, and how much less deep the body is dipped. The film is much alike
+// what was reckoned with, and how much deeper the body is dipped. The film is much alike
 // everywhere, so that the body meets other ink and no other film; what is laid is laid as it would
 // be in a deeper dip.
 struct FilmSlip {
     std::array<Millimetres, 2> shift{}; // along the film's X and Z
     Degrees turn{0};                    // from X to Z, about the film's middle
     double swell = 1;                   // times as large
-    Millimetres lessDeep{0};            // 0 or more
+    Millimetres deeper{0};              // less deep where negative
     bool operator==(const FilmSlip&) const = default;
 };
 
@@ -82,7 +82,8 @@ struct WornFilm {
     std::shared_ptr<const LaidFilm> laid;
     QImage image; // of the flat film
     FilmSlip slip = {};
-    // mm from the body's lowest point up to the water at the end of the dip.
+    // mm from the body's lowest point up to the water at the end of the dip that was reckoned with;
+    // a slip that goes deeper needs a film that was dipped so deep.
     double depth = std::numeric_limits<double>::infinity();
     QImage white = {}; // tints of its white layer, Grayscale8; null: none
 };

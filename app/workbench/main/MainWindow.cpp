@@ -38,7 +38,8 @@ MainWindow::MainWindow(Workbench& workbench)
                   [this]() -> DocumentSession& { return workbench_.openWindow()->documents(); },
                   [this] { close(); }}),
       session_(jobs_, workbench.registry()), check_(jobs_, workbench.registry(), messages_),
-      toleranceCheck_(jobs_, workbench.registry(), messages_), layout_(*this, workbench.registry()),
+      toleranceCheck_(jobs_, workbench.registry(), messages_),
+      deeperFilm_(jobs_, workbench.registry(), messages_), layout_(*this, workbench.registry()),
       parts_(layout_.parts()), actions_(*this), shownMessages_(messages_, parts_, *this),
       status_(new StatusLine(*statusBar(), jobs_, *actions_.cancel)),
       placeWarning_(session_, *status_), scene_(*parts_.view),
@@ -108,6 +109,7 @@ void MainWindow::connectActions() {
     on(actions_.close, &QWidget::close);
     on(actions_.quit, [] { QApplication::closeAllWindows(); });
     on(actions_.preferences, &MainWindow::askPreferences);
+    connect(actions_.run, &QAction::triggered, &deeperFilm_, &DeeperFilm::cancel);
     on(actions_.play, [this] { parts_.timeline->togglePlaying(); });
     on(actions_.resetLayout, [this] { layout_.reset(); });
     on(actions_.saveLayout, [this] { layout_.askName(); });
@@ -143,6 +145,8 @@ void MainWindow::connectPanels() {
     });
     connect(parts_.properties, &PropertyPanel::shownPrintChanged, &scene_,
             &DipScene::setShownPrint);
+    connect(&scene_, &DipScene::deeperFilmWanted, &deeperFilm_, &DeeperFilm::start);
+    connect(&deeperFilm_, &DeeperFilm::done, &scene_, &DipScene::setDeeperFilm);
     connect(parts_.properties, &PropertyPanel::brushChanged, this, [this](const MarkBrush& brush) {
         marks_.setBrush(brush);
         scene_.setMarking(std::holds_alternative<ShareMark>(brush));

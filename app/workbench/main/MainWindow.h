@@ -15,6 +15,7 @@
 #include "main/WindowActions.h"
 #include "main/WindowLayout.h"
 #include "main/WindowMessages.h"
+#include "session/DeeperFilm.h"
 #include "view/BodyTurn.h"
 #include "view/DipPlayback.h"
 #include "view/FilmReader.h"
@@ -69,6 +70,7 @@ private:
     DipSession session_;
     CertaintyCheck check_;
     ToleranceCheck toleranceCheck_;
+    DeeperFilm deeperFilm_;
 
     WindowLayout layout_;
     const WindowParts& parts_;

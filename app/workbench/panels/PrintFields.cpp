@@ -20,7 +20,7 @@ constexpr double mostDepth = 40; // mm
 
 } // namespace
 
-PrintFields::PrintFields(LengthUnit unit, QWidget* parent)
+PrintFields::PrintFields(LengthUnit unit, Millimetres mostDeeper, QWidget* parent)
     : QWidget(parent), unit_(unit), dips_(new QComboBox) {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
@@ -48,15 +48,17 @@ PrintFields::PrintFields(LengthUnit unit, QWidget* parent)
     swell_ = add(*form, {QStringLiteral("slipSwell"), tr("Swell"),
                          tr("How much more it has grown than the sheet reckons with."), -mostSwell,
                          mostSwell, 0.5, QStringLiteral(" %"), 1});
-    lessDeep_ = add(*form, {QStringLiteral("slipDepth"), tr("Less deep"),
-                            tr("How much less deep the body is dipped: what stays over the water "
-                               "gets no ink."),
-                            0, mostDepth * shown, 0.5 * shown, length, decimals});
+    deeper_ =
+        add(*form, {QStringLiteral("slipDepth"), tr("Deeper"),
+                    tr("How much deeper the body is dipped, less deep if negative: what stays "
+                       "over the water gets no ink. A body that is dipped whole cannot go "
+                       "deeper."),
+                    -mostDepth * shown, mostDeeper.value() * shown, 0.5 * shown, length, decimals});
     auto* reset = new QPushButton(tr("In its Place"));
     reset->setToolTip(tr("The second film where it belongs."));
     form->addRow(reset);
     connect(reset, &QPushButton::clicked, this, [this] {
-        for (QDoubleSpinBox* box : {across_, down_, turn_, swell_, lessDeep_}) {
+        for (QDoubleSpinBox* box : {across_, down_, turn_, swell_, deeper_}) {
             box->setValue(0);
         }
     });
@@ -107,7 +109,7 @@ ShownPrint PrintFields::print() const {
             {{millimetres(*across_), millimetres(*down_)},
              Degrees(turn_->value()),
              1 + swell_->value() / 100,
-             millimetres(*lessDeep_)}};
+             millimetres(*deeper_)}};
 }
 
 } // namespace dipwright

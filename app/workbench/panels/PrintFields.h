@@ -24,7 +24,8 @@ class PrintFields : public QWidget {
     Q_OBJECT
 
 public:
-    explicit PrintFields(LengthUnit unit, QWidget* parent = nullptr);
+    // `mostDeeper`: how much deeper it can be shown as dipped.
+    PrintFields(LengthUnit unit, Millimetres mostDeeper, QWidget* parent = nullptr);
 
     ShownPrint print() const;
     void setDips(const QString& first, const QString& second); // their names
@@ -49,7 +50,7 @@ private:
     QDoubleSpinBox* down_;
     QDoubleSpinBox* turn_;
     QDoubleSpinBox* swell_;
-    QDoubleSpinBox* lessDeep_;
+    QDoubleSpinBox* deeper_;
 };
 
 } // namespace dipwright

@@ -9,6 +9,7 @@
 #include "panels/PropertySpecs.h"
 #include "panels/ShippedNames.h"
 #include "panels/ZoneFields.h"
+#include "pipeline/DeeperDip.h"
 
 #include <QComboBox>
 #include <QFileInfo>
@@ -314,7 +315,8 @@ void PropertyPanel::addPrintFields(QFormLayout& form) {
     auto* note = new QLabel(tr("Shown with “Print on the Body”; changes no sheet."));
     note->setWordWrap(true);
     form.addRow(note);
-    auto* fields = new PrintFields(lengthUnit_);
+    const bool isDippedWhole = !document_->project().process.depth;
+    auto* fields = new PrintFields(lengthUnit_, isDippedWhole ? Millimetres(0) : mostDeeper);
     form.addRow(fields);
     connect(fields, &PrintFields::changed, this,
             [this, fields] { emit shownPrintChanged(fields->print()); });

@@ -180,6 +180,9 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
 
 void DipScene::setResult(std::shared_ptr<const JobResult> result,
                          std::shared_ptr<const FilmReading> reading) {
+    if (result_ != result) {
+        deeper_ = nullptr;
+    }
     result_ = std::move(result);
     reading_ = std::move(reading);
     filmSource_ = {};
@@ -345,6 +348,14 @@ void DipScene::setShownPrint(const ShownPrint& print) {
     }
 }
 
+void DipScene::setDeeperFilm(const std::shared_ptr<const JobResult>& result,
+                             std::shared_ptr<const LaidFilm> film) {
+    if (result == result_) {
+        deeper_ = std::move(film);
+        dressBody();
+    }
+}
+
 void DipScene::setMarking(bool marking) {
     if (marking != marking_) {
         marking_ = marking;
@@ -457,7 +468,7 @@ void DipScene::dressBody() {
                immersion_ >= result_->immersions.size()) {
         wear({own_, {}});
     } else if (bodyLook_ == BodyLook::Print) {
-        print(*result_);
+        print();
     } else if (result_->share) {
         if (shared_ != result_->share) {
             shared_ = result_->share;
@@ -469,18 +480,34 @@ void DipScene::dressBody() {
     }
 }
 
-void DipScene::print(const JobResult& result) {
+void DipScene::print() {
+    const JobResult& result = *result_;
     std::vector<WornFilm> films;
     for (const ImmersionResult& dip : result.immersions) {
         films.push_back({dip.laid, dip.texture->image});
         films.back().depth = dipDepth(result.project.process, *dip.body);
     }
     if (films.size() > 1) {
-        films.back().slip = shownPrint_.slip;
+        slip(films.back());
         films.resize(std::min(films.size(), shownPrint_.dips));
     }
     const TextureInputs& inputs = result.immersions.front().inputs.texture;
     printer_.print(project_.model, std::move(films), inputs.printedInk());
+}
+
+void DipScene::slip(WornFilm& film) {
+    film.slip = shownPrint_.slip;
+    if (film.slip.deeper.value() <= 0) {
+        return;
+    }
+    if (deeper_) {
+        film.laid = deeper_;
+        return;
+    }
+    film.slip.deeper = Millimetres(0); // until it is there
+    if (result_->project.process.depth) {
+        emit deeperFilmWanted(result_);
+    }
 }
 
 void DipScene::setPreviewed(bool previewed) {

@@ -46,6 +46,9 @@ public:
     void setHeat(FilmQuantity quantity, const HeatScale& scale);
     void setBodyLook(BodyLook look);
     void setShownPrint(const ShownPrint& print); // of BodyLook::Print
+    // The last film of `result` dipped deeper, for prints that show it so.
+    void setDeeperFilm(const std::shared_ptr<const JobResult>& result,
+                       std::shared_ptr<const LaidFilm> film);
     // Whether the user's marks for the join are drawn whatever the body wears; over the coverage
     // they always are.
     void setMarking(bool marking);
@@ -70,6 +73,8 @@ public:
 
 signals:
     void bodyRoomChanged();
+    // A print is to be shown that needs the last film of the result dipped deeper.
+    void deeperFilmWanted(const std::shared_ptr<const dipwright::JobResult>& result);
 
 private:
     enum class Moment { Setup, Frame, End };
@@ -86,7 +91,8 @@ private:
     void dressFilm();
     void dressBody();
     void paintArtwork();
-    void print(const JobResult& result);
+    void print();
+    void slip(WornFilm& film); // as the shown print has it
     void wear(BodyDress dress);
     void wearZones();
     void wearPreview();
@@ -114,7 +120,8 @@ private:
     std::optional<MarkLines> marks_; // of the project's model; empty until there is a mark
     std::shared_ptr<const JobResult> result_;
     std::shared_ptr<const FilmReading> reading_;
-    std::unique_ptr<SurfaceQuery> query_; // of the model
+    std::shared_ptr<const LaidFilm> deeper_; // its last film dipped deeper; null: not yet
+    std::unique_ptr<SurfaceQuery> query_;    // of the model
     Moment moment_ = Moment::Setup;
     Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
     double descent_ = 0;

@@ -365,6 +365,32 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() == both, patience());
     }
 
+    void thePrintIsShownWithTheSecondDipDeeper() {
+        MainWindow window(*workbench_);
+        window.show();
+        WindowDriver driver(window);
+        QVERIFY(driver.create(model, texture, 90, [](Project& project) {
+            makeTwoCoarseDips(project);
+            project.process.depth = Millimetres(20);
+        }));
+        QVERIFY(driver.run());
+        driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
+        const QImage own = window.view().picture();
+        driver.trigger("bodyPrint");
+        QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != own, patience());
+        QTest::qWait(patience() / 240); // the last of the prints
+        const QImage both = window.view().picture();
+        auto* deeper = driver.find<QDoubleSpinBox>("slipDepth");
+        deeper->setValue(8);
+        QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != both, patience());
+        deeper->setValue(-8);
+        QTest::qWait(patience() / 240);
+        const QImage lessDeep = window.view().picture();
+        QVERIFY(lessDeep != both);
+        deeper->setValue(0);
+        QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() == both, patience());
+    }
+
     void swappedDipsAreSwappedBack() {
         MainWindow window(*workbench_);
         window.show();

@@ -5,9 +5,11 @@
 #include "base/Error.h"
 #include "disk/ResultFolder.h"
 #include "geometry/Shapes.h"
+#include "pipeline/DeeperDip.h"
 #include "pipeline/Report.h"
 #include "pipeline/ValidateJob.h"
 #include "pipeline/WriteResults.h"
+#include "results/Results.h"
 #include "texture/Chessboard.h"
 
 #include <QCryptographicHash>
@@ -104,6 +106,37 @@ private slots:
         job.immersions[1].rotation = job.immersions[0].rotation;
         const JobResult result = runJob(job, *registry_, {}, &first_, {});
         QVERIFY(std::abs(result.coverageTotal - first_.immersions[0].coverage->share) < 0.01);
+    }
+
+    // What was laid before lies as it did, and what is laid besides is where the water has risen.
+    void aDeeperDipLaysWhatTheJobDoesAndMore() {
+        Project job = job_;
+        job.immersions.resize(1);
+        job.process.depth = Millimetres(10);
+        const JobResult reckoned = runJob(job, *registry_, {}, nullptr, {});
+        const ImmersionResult& dip = reckoned.immersions.front();
+        const auto deeper = dippedDeeper(reckoned, 0, *registry_, {});
+        QVERIFY(coverage(*deeper).share > dip.coverage->share + 0.1);
+        const double cell = job.film.width.value() / (job.film.columns - 1);
+        const RefinedMesh fine(job.model->mesh, 1);
+        std::size_t same = 0, above = 0, laid = 0;
+        for (std::size_t triangle = 0; triangle < fine.mesh().triangles.size(); ++triangle) {
+            const SurfacePoint point = fine.middle(triangle);
+            const double height = double(position(dip.body->model.mesh, point).y());
+            const auto before = dip.laid->place(point);
+            const auto after = deeper->place(point);
+            if (height < 10 - 2 * cell) {
+                QVERIFY(before && after);
+                QVERIFY((before->rest - after->rest).norm() < 0.05f);
+                ++same;
+            } else if (height > 10 + cell && height < 15) {
+                QVERIFY(!before);
+                ++above;
+                laid += std::size_t(after.has_value());
+            }
+        }
+        QVERIFY(same > 500 && above > 500);
+        QVERIFY(double(laid) > 0.99 * double(above)); // up to the equator
     }
 
     void nothingChangedIsAllTakenOver() {

@@ -599,7 +599,7 @@ void ResultsTest::lessDeepDipLeavesTheUpperPartBare() {
     red.fill(Qt::red);
     const RefinedMesh fine(dip_.model.mesh, 1);
     FilmSlip slip;
-    slip.lessDeep = Millimetres(12);
+    slip.deeper = Millimetres(-12);
     const double depth = 32;
     const std::vector<QRgb> colours =
         printedColours(fine, {{dip_.laid, red, slip, depth}}, {.compensate = false});
