@@ -110,6 +110,9 @@ void photographShares(WindowDriver& driver, MainWindow& window, const Photograph
     driver.find<QComboBox>("printDips")->setCurrentIndex(0);
     driver.find<QDoubleSpinBox>("slipX")->setValue(3);
     camera.take(window, QStringLiteral("slipped"));
+    driver.find<QDoubleSpinBox>("slipX")->setValue(0);
+    driver.find<QDoubleSpinBox>("slipDepth")->setValue(8); // of dips with a depth
+    camera.take(window, QStringLiteral("deeper"));
     driver.trigger("bodyPrint");
     driver.find<QTabWidget>("results")->setCurrentIndex(0);
 }
