@@ -16,6 +16,9 @@ constexpr float otherSide = -0.05f;
 // Weights up to this count as none: the place is on an edge or in a corner.
 constexpr float noWeight = 1e-5f;
 
+// Of how far film may be: where it lies on the body it is closer, and a short search is faster.
+constexpr float close = 0.1f;
+
 std::vector<std::uint32_t> reachedTriangles(const FilmContact& contact) {
     std::vector<std::uint32_t> reached;
     for (std::uint32_t triangle = 0; triangle < contact.painted.size(); ++triangle) {
@@ -120,7 +123,10 @@ bool FilmOnBody::isBeyondBorder(const SurfacePoint& onFilm, const Eigen::Vector3
 // The film on the side of the body where `place` is.
 ClosestPoint FilmOnBody::filmOver(const Eigen::Vector3f& place,
                                   const Eigen::Vector3f& outward) const {
-    ClosestPoint nearest = query_.closest(place, reach_);
+    ClosestPoint nearest = query_.closest(place, close * reach_);
+    if (!nearest.point.isValid()) {
+        nearest = query_.closest(place, reach_);
+    }
     if (fits(nearest.point, nearest.distance, outward)) {
         return nearest;
     }
