@@ -1717,10 +1717,6 @@
         <translation>Die Vorgabe %1 gibt es nicht; nehmen Sie production oder paper-2020</translation>
     </message>
     <message>
-        <source>The project has %1 immersion(s), the first is immersions[0]</source>
-        <translation>Das Projekt hat %1 Tauchvorgänge, der erste ist immersions[0]</translation>
-    </message>
-    <message>
         <source>%1 × %2 points are more than the %3 million that a film may have, give fewer</source>
         <translation>%1 × %2 Punkte sind mehr als die %3 Millionen, die ein Film haben darf; nehmen Sie weniger</translation>
     </message>
@@ -1753,8 +1749,12 @@
         <translation>die Abschnitte sind artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built und inspection</translation>
     </message>
     <message>
-        <source>The artwork has %1 layer(s), the lowest is artwork.layers[0]</source>
-        <translation>Die Gestaltung hat %1 Ebene(n), die unterste ist artwork.layers[0]</translation>
+        <source>The artwork&apos;s layers are %1 in number, the lowest is artwork.layers[0]</source>
+        <translation>Die Gestaltung hat Ebenen in der Zahl %1, die unterste ist artwork.layers[0]</translation>
+    </message>
+    <message>
+        <source>The project&apos;s immersions are %1 in number, the first is immersions[0]</source>
+        <translation>Die Zahl der Tauchvorgänge des Projekts ist %1, der erste ist immersions[0]</translation>
     </message>
 </context>
 <context>
@@ -5181,30 +5181,9 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <source>%1 corners of the model&apos;s triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
         <translation>%1 Ecken der Dreiecke des Modells sind keine Zahlen (NaN oder unendlich); reparieren Sie das Modell und speichern Sie es neu</translation>
     </message>
-    <message numerus="yes">
-        <source>Removed %n triangle(s) without area</source>
-        <translation>
-            <numerusform>%n Dreieck ohne Fläche entfernt</numerusform>
-            <numerusform>%n Dreiecke ohne Fläche entfernt</numerusform>
-        </translation>
-    </message>
     <message>
         <source>None of the model&apos;s triangles has an area; choose another model</source>
         <translation>Keines der Dreiecke des Modells hat eine Fläche; wählen Sie ein anderes Modell</translation>
-    </message>
-    <message numerus="yes">
-        <source>Turned %n triangle(s) that faced the other way than their neighbours</source>
-        <translation>
-            <numerusform>%n Dreieck gewendet, das anders als seine Nachbarn gerichtet war</numerusform>
-            <numerusform>%n Dreiecke gewendet, die anders als ihre Nachbarn gerichtet waren</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Turned %n part(s) of the surface that were inside out</source>
-        <translation>
-            <numerusform>%n Teil der Oberfläche gewendet, der umgestülpt war</numerusform>
-            <numerusform>%n Teile der Oberfläche gewendet, die umgestülpt waren</numerusform>
-        </translation>
     </message>
     <message>
         <source>The model has no extent; choose another model</source>
@@ -5365,6 +5344,18 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>The model names files that do not belong to its folder, such as %1, and is not read; put them beside it, or allow it to read them (--allow-outside)</source>
         <translation>Das Modell nennt Dateien, die nicht zu seinem Ordner gehören, etwa %1, und wird nicht gelesen; legen Sie sie daneben, oder erlauben Sie, sie zu lesen (--allow-outside)</translation>
+    </message>
+    <message>
+        <source>Triangles without area that were removed: %1</source>
+        <translation>Dreiecke ohne Fläche, die entfernt wurden: %1</translation>
+    </message>
+    <message>
+        <source>Triangles turned that faced the other way than their neighbours: %1</source>
+        <translation>Gewendete Dreiecke, die anders herum lagen als ihre Nachbarn: %1</translation>
+    </message>
+    <message>
+        <source>Parts of the surface turned that were inside out: %1</source>
+        <translation>Gewendete Teile der Oberfläche, die von innen nach außen gekehrt waren: %1</translation>
     </message>
 </context>
 <context>
@@ -8205,27 +8196,21 @@ mm je mm</translation>
 </context>
 <context>
     <name>dipwright::SheetCorrection</name>
-    <message numerus="yes">
-        <source>Red: off on the mean of %n part(s), %1 times as long</source>
-        <translation>
-            <numerusform>Rot: Abweichung an %n Teil, %1-mal so lang</numerusform>
-            <numerusform>Rot: Abweichung im Mittel von %n Teilen, %1-mal so lang</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Blue: what the next sheet is corrected by</source>
         <translation>Blau: worum der nächste Bogen korrigiert wird</translation>
     </message>
-    <message numerus="yes">
-        <source>Dip %1: %2 places on %n part(s); up to %3 mm repeat, alike within %4 mm</source>
-        <translation>
-            <numerusform>Tauchgang %1: %2 Stellen an %n Teil; bis zu %3 mm wiederholen sich, ähnlich innerhalb von %4 mm</numerusform>
-            <numerusform>Tauchgang %1: %2 Stellen an %n Teilen; bis zu %3 mm wiederholen sich, ähnlich innerhalb von %4 mm</numerusform>
-        </translation>
+    <message>
+        <source>Dip %1: %2 places on one part, off by up to %3 mm. What of this repeats is told by three parts or more.</source>
+        <translation>Tauchvorgang %1: %2 Stellen auf einem Teil, bis zu %3 mm daneben. Was sich davon wiederholt, sagen drei Teile oder mehr.</translation>
     </message>
     <message>
-        <source>; scatter of a place %1 mm, of a whole part %2 mm</source>
-        <translation>; Streuung einer Stelle %1 mm, eines ganzen Teils %2 mm</translation>
+        <source>Dip %1: %2 places on %3 parts. Up to %4 mm repeat, much the same within %5 mm; a place scatters by %6 mm, a whole part by %7 mm.</source>
+        <translation>Tauchvorgang %1: %2 Stellen auf %3 Teilen. Bis zu %4 mm wiederholen sich, etwa gleich innerhalb von %5 mm; eine Stelle streut um %6 mm, ein ganzes Teil um %7 mm.</translation>
+    </message>
+    <message>
+        <source>Red: how far off, the mean of parts measured (%1), %2 times as long</source>
+        <translation>Rot: wie weit daneben, Mittel der gemessenen Teile (%1), %2-mal so lang</translation>
     </message>
 </context>
 <context>

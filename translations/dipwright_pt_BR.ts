@@ -1717,10 +1717,6 @@
         <translation>Não há predefinição %1; use production ou paper-2020</translation>
     </message>
     <message>
-        <source>The project has %1 immersion(s), the first is immersions[0]</source>
-        <translation>O projeto tem %1 imersão(ões); a primeira é immersions[0]</translation>
-    </message>
-    <message>
         <source>%1 × %2 points are more than the %3 million that a film may have, give fewer</source>
         <translation>%1 × %2 pontos passam dos %3 milhões que um filme pode ter; use menos</translation>
     </message>
@@ -1753,8 +1749,12 @@
         <translation>as seções são artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built e inspection</translation>
     </message>
     <message>
-        <source>The artwork has %1 layer(s), the lowest is artwork.layers[0]</source>
-        <translation>A arte tem %1 camada(s), a mais baixa é artwork.layers[0]</translation>
+        <source>The artwork&apos;s layers are %1 in number, the lowest is artwork.layers[0]</source>
+        <translation>As camadas da arte são %1, a mais baixa é artwork.layers[0]</translation>
+    </message>
+    <message>
+        <source>The project&apos;s immersions are %1 in number, the first is immersions[0]</source>
+        <translation>As imersões do projeto são %1, a primeira é immersions[0]</translation>
     </message>
 </context>
 <context>
@@ -5181,30 +5181,9 @@ impresso em cartão rígido e impermeável</translation>
         <source>%1 corners of the model&apos;s triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
         <translation>%1 vértices dos triângulos do modelo não são números (NaN ou infinito); repare o modelo e salve-o de novo</translation>
     </message>
-    <message numerus="yes">
-        <source>Removed %n triangle(s) without area</source>
-        <translation>
-            <numerusform>Removido %n triângulo sem área</numerusform>
-            <numerusform>Removidos %n triângulos sem área</numerusform>
-        </translation>
-    </message>
     <message>
         <source>None of the model&apos;s triangles has an area; choose another model</source>
         <translation>Nenhum triângulo do modelo tem área; escolha outro modelo</translation>
-    </message>
-    <message numerus="yes">
-        <source>Turned %n triangle(s) that faced the other way than their neighbours</source>
-        <translation>
-            <numerusform>Virado %n triângulo voltado ao contrário dos vizinhos</numerusform>
-            <numerusform>Virados %n triângulos voltados ao contrário dos vizinhos</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Turned %n part(s) of the surface that were inside out</source>
-        <translation>
-            <numerusform>Virada %n parte da superfície que estava do avesso</numerusform>
-            <numerusform>Viradas %n partes da superfície que estavam do avesso</numerusform>
-        </translation>
     </message>
     <message>
         <source>The model has no extent; choose another model</source>
@@ -5365,6 +5344,18 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>The model names files that do not belong to its folder, such as %1, and is not read; put them beside it, or allow it to read them (--allow-outside)</source>
         <translation>O modelo cita arquivos que não pertencem à sua pasta, como %1, e não é lido; coloque-os ao lado dele ou permita que sejam lidos (--allow-outside)</translation>
+    </message>
+    <message>
+        <source>Triangles without area that were removed: %1</source>
+        <translation>Triângulos sem área que foram removidos: %1</translation>
+    </message>
+    <message>
+        <source>Triangles turned that faced the other way than their neighbours: %1</source>
+        <translation>Triângulos virados que estavam ao contrário dos vizinhos: %1</translation>
+    </message>
+    <message>
+        <source>Parts of the surface turned that were inside out: %1</source>
+        <translation>Partes da superfície viradas que estavam do avesso: %1</translation>
     </message>
 </context>
 <context>
@@ -8205,27 +8196,21 @@ mm por mm</translation>
 </context>
 <context>
     <name>dipwright::SheetCorrection</name>
-    <message numerus="yes">
-        <source>Red: off on the mean of %n part(s), %1 times as long</source>
-        <translation>
-            <numerusform>Vermelho: desvio de %n peça, %1 vezes mais longo</numerusform>
-            <numerusform>Vermelho: desvio médio de %n peças, %1 vezes mais longo</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Blue: what the next sheet is corrected by</source>
         <translation>Azul: em quanto a próxima folha é corrigida</translation>
     </message>
-    <message numerus="yes">
-        <source>Dip %1: %2 places on %n part(s); up to %3 mm repeat, alike within %4 mm</source>
-        <translation>
-            <numerusform>Imersão %1: %2 lugares em %n peça; até %3 mm se repetem, parecidos dentro de %4 mm</numerusform>
-            <numerusform>Imersão %1: %2 lugares em %n peças; até %3 mm se repetem, parecidos dentro de %4 mm</numerusform>
-        </translation>
+    <message>
+        <source>Dip %1: %2 places on one part, off by up to %3 mm. What of this repeats is told by three parts or more.</source>
+        <translation>Imersão %1: %2 lugares em uma peça, desviados em até %3 mm. O que disso se repete é dito por três peças ou mais.</translation>
     </message>
     <message>
-        <source>; scatter of a place %1 mm, of a whole part %2 mm</source>
-        <translation>; dispersão de um lugar %1 mm, de uma peça inteira %2 mm</translation>
+        <source>Dip %1: %2 places on %3 parts. Up to %4 mm repeat, much the same within %5 mm; a place scatters by %6 mm, a whole part by %7 mm.</source>
+        <translation>Imersão %1: %2 lugares em %3 peças. Até %4 mm se repetem, quase iguais dentro de %5 mm; um lugar varia em %6 mm, uma peça inteira em %7 mm.</translation>
+    </message>
+    <message>
+        <source>Red: how far off, the mean of parts measured (%1), %2 times as long</source>
+        <translation>Vermelho: o desvio, média das peças medidas (%1), %2 vezes maior</translation>
     </message>
 </context>
 <context>

@@ -163,16 +163,22 @@ QString repeatingSentence(const RepeatingError& error, int dip) {
     for (const RepeatedPlace& place : error.places()) {
         most = std::max(most, error.at(place.sheet).norm());
     }
-    const QString sentence =
-        Text::tr("Dip %1: %2 places on %n part(s); up to %3 mm repeat, alike within %4 mm", nullptr,
-                 error.parts())
+    if (error.parts() < 2) {
+        return Text::tr(
+                   "Dip %1: %2 places on one part, off by up to %3 mm. What of this repeats is "
+                   "told by three parts or more.")
             .arg(dip)
             .arg(error.places().size())
-            .arg(number(most, 2), number(error.reach(), 0));
-    return error.parts() < 2
-               ? sentence
-               : sentence + Text::tr("; scatter of a place %1 mm, of a whole part %2 mm")
-                                .arg(number(error.scatter(), 2), number(error.partScatter(), 2));
+            .arg(number(most, 2));
+    }
+    return Text::tr(
+               "Dip %1: %2 places on %3 parts. Up to %4 mm repeat, much the same within %5 mm; "
+               "a place scatters by %6 mm, a whole part by %7 mm.")
+        .arg(dip)
+        .arg(error.places().size())
+        .arg(error.parts())
+        .arg(number(most, 2), number(error.reach(), 0), number(error.scatter(), 2),
+             number(error.partScatter(), 2));
 }
 
 QImage correctionPicture(const RepeatingError& error, Millimetres width, Millimetres height,
@@ -212,10 +218,10 @@ QImage correctionPicture(const RepeatingError& error, Millimetres width, Millime
     font.setPixelSize(std::max(8, int(1.8 * unit)));
     painter.setFont(font);
     painter.setPen(QColor(40, 44, 50));
-    painter.drawText(
-        QPointF(4 * unit, 4 * unit),
-        Text::tr("Red: off on the mean of %n part(s), %1 times as long", nullptr, error.parts())
-            .arg(QLocale().toString(times, 'f', 0)));
+    painter.drawText(QPointF(4 * unit, 4 * unit),
+                     Text::tr("Red: how far off, the mean of parts measured (%1), %2 times as long")
+                         .arg(error.parts())
+                         .arg(QLocale().toString(times, 'f', 0)));
     painter.drawText(QPointF(4 * unit, 6.8 * unit),
                      Text::tr("Blue: what the next sheet is corrected by"));
     return picture;

@@ -76,20 +76,20 @@ void checkPositions(const TriangleMesh& mesh, const QString& path) {
 void repair(TexturedMesh& model, QStringList& repairs, const QString& path) {
     weldPositions(model.mesh);
     if (const std::size_t count = removeDegenerateTriangles(model); count > 0) {
-        repairs.push_back(Text::tr("Removed %n triangle(s) without area", nullptr, int(count)));
+        repairs.push_back(Text::tr("Triangles without area that were removed: %1").arg(count));
     }
     if (model.mesh.triangles.empty()) {
         throw Error(Text::tr("None of the model's triangles has an area; choose another model"),
                     path);
     }
     if (const std::size_t count = orientTriangles(model); count > 0) {
-        repairs.push_back(Text::tr("Turned %n triangle(s) that faced the other way than their "
-                                   "neighbours",
-                                   nullptr, int(count)));
+        repairs.push_back(Text::tr("Triangles turned that faced the other way than their "
+                                   "neighbours: %1")
+                              .arg(count));
     }
     if (const std::size_t count = turnInsideOutParts(model); count > 0) {
         repairs.push_back(
-            Text::tr("Turned %n part(s) of the surface that were inside out", nullptr, int(count)));
+            Text::tr("Parts of the surface turned that were inside out: %1").arg(count));
     }
 }
 

@@ -278,9 +278,10 @@ bool setArtworkAt(Artwork& artwork, const QString& path, const QString& value) {
     if (const auto match = layerPath.match(path); match.hasMatch()) {
         const auto index = match.captured(1).toUInt();
         if (index >= artwork.layers.size()) {
-            throw Error(Text::tr("The artwork has %1 layer(s), the lowest is artwork.layers[0]")
-                            .arg(artwork.layers.size()),
-                        path);
+            throw Error(
+                Text::tr("The artwork's layers are %1 in number, the lowest is artwork.layers[0]")
+                    .arg(artwork.layers.size()),
+                path);
         }
         return match.captured(2) != QLatin1String("picture") &&
                setFieldAt(artwork.layers[index], artworkLayerFields(), match.captured(2), path,
@@ -298,9 +299,10 @@ void setByPath(Project& project, const QString& path, const QString& value) {
     if (const auto match = immersionPath.match(path); match.hasMatch()) {
         const auto index = match.captured(1).toUInt();
         if (index >= project.immersions.size()) {
-            throw Error(Text::tr("The project has %1 immersion(s), the first is immersions[0]")
-                            .arg(project.immersions.size()),
-                        path);
+            throw Error(
+                Text::tr("The project's immersions are %1 in number, the first is immersions[0]")
+                    .arg(project.immersions.size()),
+                path);
         }
         if (setFieldAt(project.immersions[index], immersionFields(), match.captured(2), path,
                        value)) {

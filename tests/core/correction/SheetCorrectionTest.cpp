@@ -80,8 +80,8 @@ double worstFallen(int parts, double scatter, double whole) {
     for (int seed = 1; seed <= 20; ++seed) {
         worst = std::min(worst, fallen(parts, scatter, whole, seed));
     }
-    qInfo("%d part(s), scatter %.2f mm, of parts %.2f mm: falls by %.1f %% at least", parts,
-          scatter, whole, 100 * worst);
+    qInfo("parts %d, scatter %.2f mm, of parts %.2f mm: falls by %.1f %% at least", parts, scatter,
+          whole, 100 * worst);
     return worst;
 }
 

@@ -524,7 +524,8 @@ void ImportModelTest::degenerateTrianglesAreRemoved() {
     const auto [model, report] = import(write(QStringLiteral("degenerate.obj"), text));
     QCOMPARE(report.triangles, std::size_t(12));
     QVERIFY(report.closed);
-    QCOMPARE(report.repairs, QStringList(QStringLiteral("Removed 3 triangle(s) without area")));
+    QCOMPARE(report.repairs,
+             QStringList(QStringLiteral("Triangles without area that were removed: 3")));
     QCOMPARE(model.textureCoordinates.size(), std::size_t(12));
     QCOMPARE(model.material.size(), std::size_t(12));
 }

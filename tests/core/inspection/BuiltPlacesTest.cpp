@@ -111,7 +111,7 @@ private:
                 }
             }
         }
-        qInfo("%d part(s), scatter %.1f mm: %.3f mm before, %.3f mm after, of %d places", parts,
+        qInfo("parts %d, scatter %.1f mm: %.3f mm before, %.3f mm after, of %d places", parts,
               scatter, std::sqrt(before / count), std::sqrt(after / count), int(count));
         return 1 - std::sqrt(after / before);
     }
