@@ -3804,11 +3804,11 @@
     </message>
     <message>
         <source>Dip</source>
-        <translation>Tauchgang</translation>
+        <translation>Tauchvorgang</translation>
     </message>
     <message>
         <source>Dip %1</source>
-        <translation>Tauchgang %1</translation>
+        <translation>Tauchvorgang %1</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -4430,7 +4430,7 @@
     </message>
     <message>
         <source>%1, dip %2</source>
-        <translation>%1, Tauchgang %2</translation>
+        <translation>%1, Tauchvorgang %2</translation>
     </message>
     <message>
         <source>%1 and %2 are told together rather than each by itself: correlation %3</source>
@@ -4542,7 +4542,7 @@
     </message>
     <message>
         <source>A place is said to be of dip %1, and the project has %2</source>
-        <translation>Eine Stelle soll von Tauchgang %1 sein, und das Projekt hat %2</translation>
+        <translation>Eine Stelle soll von Tauchvorgang %1 sein, und das Projekt hat %2</translation>
     </message>
     <message>
         <source>%1: %2, was taken for %3; 95 %: %4</source>
@@ -4893,7 +4893,7 @@
     <name>dipwright::FitController</name>
     <message>
         <source>Fitting film and dip</source>
-        <translation>Film und Tauchgang werden angepasst</translation>
+        <translation>Film und Tauchvorgang werden angepasst</translation>
     </message>
     <message>
         <source>Use in Project</source>
@@ -4928,11 +4928,11 @@
     </message>
     <message>
         <source>&amp;Fit Film and Dip</source>
-        <translation>Film und Tauchgang an&amp;passen</translation>
+        <translation>Film und Tauchvorgang an&amp;passen</translation>
     </message>
     <message>
         <source>Finds what film and dip really were: simulates the dip again and again until the print lies where the photos show it</source>
-        <translation>Findet, wie Film und Tauchgang wirklich waren: simuliert immer wieder, bis der Druck liegt, wo die Fotos ihn zeigen</translation>
+        <translation>Findet, wie Film und Tauchvorgang wirklich waren: simuliert immer wieder, bis der Druck liegt, wo die Fotos ihn zeigen</translation>
     </message>
     <message>
         <source>&amp;Use in Project</source>
@@ -4968,7 +4968,7 @@
     </message>
     <message>
         <source>Find the corners of the print on the page “Dipped Part” first: film and dip are fitted to them.</source>
-        <translation>Suchen Sie zuerst die Ecken des Drucks auf der Seite „Getauchtes Teil“: Film und Tauchgang werden an sie angepasst.</translation>
+        <translation>Suchen Sie zuerst die Ecken des Drucks auf der Seite „Getauchtes Teil“: Film und Tauchvorgang werden an sie angepasst.</translation>
     </message>
     <message>
         <source>The pairs are not of the body itself: a shift or turn of the whole print cannot be told from one of the camera.</source>
@@ -6155,7 +6155,7 @@ zuerst eintaucht</translation>
     </message>
     <message>
         <source>the number of a photo, two numbers of pixels, the number of a dip, and two and three of millimetres, joined by commas</source>
-        <translation>die Nummer eines Fotos, zwei Zahlen in Pixeln, die Nummer eines Tauchgangs und zwei und drei in Millimetern, durch Kommas verbunden</translation>
+        <translation>die Nummer eines Fotos, zwei Zahlen in Pixeln, die Nummer eines Tauchvorgangs und zwei und drei in Millimetern, durch Kommas verbunden</translation>
     </message>
     <message>
         <source>The photos are of different sizes; take those of one camera, held the same way</source>
@@ -8183,7 +8183,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>Dip %1, copy %2 of %3</source>
-        <translation>Tauchgang %1, Exemplar %2 von %3</translation>
+        <translation>Tauchvorgang %1, Exemplar %2 von %3</translation>
     </message>
     <message>
         <source>%1 · %2 · %3 · Film %4 · Scale %5</source>

@@ -119,6 +119,16 @@ private slots:
         }
     }
 
+    // A Tauchgang is a diver's; a part has a Tauchvorgang.
+    void germanIsThatOfTheTrade() {
+        for (const char* file : {"/translations/dipwright_de.ts", "/resources/guide/guide.de.md"}) {
+            const QString text = textOf(sources + QLatin1String(file));
+            QVERIFY(text.contains(QStringLiteral("Tauchvorgang")));
+            QVERIFY2(!text.contains(QStringLiteral("tauchgang"), Qt::CaseInsensitive) &&
+                         !text.contains(QStringLiteral("tauchgäng"), Qt::CaseInsensitive),
+                     file);
+        }
+    }
     void theGuideHasTheSameChaptersInEveryLanguage() {
         const int chapters = chaptersOf(QStringLiteral("guide.md"));
         QVERIFY(chapters > 5);
