@@ -3,12 +3,15 @@
 
 #include "disk/WholeFile.h"
 #include "printing/Calibration.h"
+#include "printing/PrintFile.h"
+#include "sheet/PrinterColour.h"
 #include "sheet/WatchPage.h"
 #include "sheet/WedgePage.h"
 #include "texture/LinearLight.h"
 #include "texture/WedgeTable.h"
 
 #include <QRegularExpression>
+#include <algorithm>
 #include <cmath>
 
 namespace dipwright::cli {
@@ -134,21 +137,77 @@ void writeWatchPage(const QString& kind, const QCommandLineParser& parser, const
                .arg(watchRuler);
 }
 
-QColor patchColour(ProcessInk ink, double density) {
+// One of the first three inks alone, for a printer of RGB.
+QColor patchColour(FilmInk ink, double density) {
     QColor colour(Qt::white);
     const auto value = float(srgbFromLinear(std::pow(10, -density)));
     switch (ink) {
-    case ProcessInk::Cyan:
+    case FilmInk::Cyan:
         colour.setRedF(value);
         break;
-    case ProcessInk::Magenta:
+    case FilmInk::Magenta:
         colour.setGreenF(value);
         break;
-    case ProcessInk::Yellow:
+    case FilmInk::Yellow:
         colour.setBlueF(value);
+        break;
+    case FilmInk::Black:
+    case FilmInk::White:
         break;
     }
     return colour;
+}
+
+WedgeRow rgbRow(FilmInk ink) {
+    WedgeRow row{inkName(ink), {}};
+    for (const double tone : wedgeTones) {
+        row.patches.push_back(patchColour(ink, tone));
+    }
+    return row;
+}
+
+// As much of an ink as is so dense by the printer's ICC profile; the row ends where it has no more.
+WedgeRow inkRow(FilmInk ink, const PrinterColour& colour) {
+    WedgeRow row{inkName(ink), {}};
+    const std::array<float, 256> densities = colour.inkDensities(int(ink));
+    for (const double tone : wedgeTones) {
+        const auto above = std::lower_bound(densities.begin(), densities.end(), float(tone));
+        if (above == densities.begin() || above == densities.end()) {
+            break;
+        }
+        const float low = *(above - 1);
+        const float amount =
+            (float(above - densities.begin()) - 1 + (float(tone) - low) / (*above - low)) / 255;
+        std::array<float, 4> inks{};
+        inks[std::size_t(ink)] = amount;
+        row.patches.push_back(QColor::fromCmykF(inks[0], inks[1], inks[2], inks[3]));
+    }
+    return row;
+}
+
+// Patches of the four inks themselves where the printer's ICC profile is in CMYK, else of the three
+// that pictures in RGB know.
+void addRows(WedgePage& page, const QCommandLineParser& parser, const QString& path) {
+    std::optional<PrinterProfile> printer;
+    if (parser.isSet(profileOption)) {
+        printer = std::get<PrinterProfile>(
+            ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
+    }
+    const std::unique_ptr<PrinterColour> colour = printerColour(printer);
+    const bool inks = colour && colour->isCmyk();
+    if (inks && path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) {
+        throw UsageError(QStringLiteral("The wedge of a printer in CMYK is of its inks, which PNG "
+                                        "has not; name the file .pdf"),
+                         path);
+    }
+    for (const FilmInk ink : {FilmInk::Cyan, FilmInk::Magenta, FilmInk::Yellow}) {
+        page.rows.push_back(inks ? inkRow(ink, *colour) : rgbRow(ink));
+    }
+    if (inks) {
+        page.rows.push_back(inkRow(FilmInk::Black, *colour));
+        page.inks = colour->iccProfile();
+        page.inksName = colour->description();
+    }
 }
 
 // The step wedge, and beside it the table for its readings.
@@ -161,20 +220,16 @@ void writeWedgePage(const QCommandLineParser& parser, const QString& path, QText
     for (const double tone : wedgeTones) {
         page.tones.append(QString::number(tone));
     }
-    for (const ProcessInk ink : {ProcessInk::Cyan, ProcessInk::Magenta, ProcessInk::Yellow}) {
-        WedgeRow row{inkName(ink), {}};
-        for (const double tone : wedgeTones) {
-            row.patches.push_back(patchColour(ink, tone));
-        }
-        page.rows.push_back(row);
-    }
+    addRows(page, parser, path);
     writeWhole(path, [&](QIODevice& device) {
         path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)
             ? writeWedgePng(page, DotsPerInch(600), device)
             : writeWedgePdf(page, device);
     });
     const QString table = path.left(path.lastIndexOf(u'.')) + QStringLiteral(".csv");
-    writeWhole(table, [](QIODevice& device) { device.write(blankWedge(4)); });
+    writeWhole(table, [&](QIODevice& device) {
+        device.write(blankWedge(4, !page.inks.isEmpty()));
+    });
     out << QStringLiteral("Wrote %1 and, for its readings, %2; both rulers are %3 mm long before "
                           "the film is stretched\n")
                .arg(path, table)
@@ -211,7 +266,8 @@ public:
             QStringLiteral("In place of the rulers: the chessboard to print on a film, the card "
                            "that lies beside it on the water, or the step wedge that tells how ink "
                            "thins on stretched film, with a table for its readings. With --to "
-                           "FILE.pdf or FILE.png; --profile corrects its scale."));
+                           "FILE.pdf or FILE.png; --profile corrects its scale, and a "
+                           "wedge is of that printer's inks where its colours are in CMYK."));
         declarePrinter(syntax);
         syntax.addOption({paperOption, QStringLiteral("A5, A4, A3, A2 or Letter."),
                           QStringLiteral("PAPER"), QStringLiteral("A4")});

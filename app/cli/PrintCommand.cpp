@@ -97,14 +97,15 @@ PrintFileRequest fileRequest(const PrintRequest& request) {
 
 void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& path) {
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
-    const QImage proof = printProof(onPaper(sheet.image), *colour, true).page;
+    const QImage proof = 
+        printProof(sheet, printCorrection(request.profile, colour.get()), true).page;
     writeWhole(path, [&](QIODevice& device) { writePng(proof, device, path); });
 }
 
 void tellGamut(const Sheet& sheet, const PrintRequest& request, QTextStream& out) {
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     if (colour) {
-        const double share = colour->gamutWarning(sheet.image).share;
+        const double share = colour->gamutWarning(askedColours(sheet, *colour)).share;
         out << QStringLiteral("%1: %2 % of the printed colour is out of the printer's reach\n")
                    .arg(sheet.job.immersion)
                    .arg(100 * share, 0, 'f', 1);

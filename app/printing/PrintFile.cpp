@@ -4,10 +4,12 @@
 #include "disk/WholeFile.h"
 #include "printing/PrintReach.h"
 #include "sheet/PrinterColour.h"
+#include "sheet/Separation.h"
 #include "sheet/SheetFiles.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <cmath>
 
 namespace dipwright {
 namespace {
@@ -15,6 +17,8 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
 };
+
+constexpr double leastShortfall = 1; // mm² that are worth a word
 
 } // namespace
 
@@ -59,6 +63,12 @@ QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool 
     if (sheet.settings.cutLine != CutLine::None && (tiff || !inks)) {
         sentences << Text::tr("The cut line is left out: it needs a PDF and a printer profile with "
                               "an ICC profile in CMYK");
+    }
+    const double area = inkShortfall(sheet, correction);
+    if (area >= leastShortfall) {
+        sentences << Text::tr("On %1 mm² of the part the inks fall visibly short: full ink, the ink "
+                              "limit or the total of ink does not make up for the stretch")
+                         .arg(std::round(area));
     }
     return sentences;
 }
@@ -111,9 +121,18 @@ QStringList writePrintFile(const Sheet& sheet, const PrintFileRequest& request, 
     return warnings;
 }
 
-PrintProof printProof(const QImage& page, const PrinterColour& colour, bool marked) {
+const QImage& askedColours(const Sheet& sheet, const PrinterColour& colour) {
+    return sheet.wanted && colour.isCmyk() ? sheet.wanted->image : sheet.image;
+}
+
+PrintProof printProof(const Sheet& sheet, const PrintCorrection& correction, bool marked) {
+    const PrinterColour& colour = *correction.colour;
+    const QImage page = onPaper(askedColours(sheet, colour));
     const GamutWarning warning = colour.gamutWarning(page);
-    PrintProof proof{colour.softProof(page).convertToFormat(QImage::Format_RGB32), 0};
+    const QImage shown = sheet.wanted && colour.isCmyk()
+                             ? colour.screen(separate(sheet, correction).cmyk, page.size())
+                             : colour.softProof(page);
+    PrintProof proof{shown.convertToFormat(QImage::Format_RGB32), 0};
     qint64 painted = 0;
     qint64 outside = 0;
     for (int y = 0; y < page.height(); ++y) {

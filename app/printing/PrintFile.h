@@ -23,7 +23,8 @@ TileSettings tileSettings(QSizeF paper, const QMarginsF& lost);
 
 bool isTiff(const QString& path);
 
-// Sentences on what the sheet has and its file cannot hold: spot inks, without a colour in CMYK.
+// Sentences on what the sheet has and its print does not: spot inks, without a colour in CMYK, and
+// ink where no more of it makes up for the stretch.
 QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool tiff);
 
 struct PrintFileRequest {
@@ -41,12 +42,16 @@ struct PrintFileRequest {
 QStringList writePrintFile(const Sheet& sheet, const PrintFileRequest& request, const QString& path,
                            const PrintHistory& history);
 
-// A page as the printer will show it, and the share of its paint that the printer cannot make.
+// A sheet's film on white as the printer will show it, and the share of its paint that the printer
+// cannot make.
 struct PrintProof {
     QImage page; // opaque, sRGB
     double outOfGamut = 0;
 };
-// `page`: opaque, sRGB. What is out of reach is painted over in magenta where `marked`.
-PrintProof printProof(const QImage& page, const PrinterColour& colour, bool marked);
+// `correction` with a colour. What is out of reach is painted over in magenta where `marked`.
+PrintProof printProof(const Sheet& sheet, const PrintCorrection& correction, bool marked);
+// The colours that the printer is asked for: where it compensates each ink by itself, those that
+// are to show, else those of the film image.
+const QImage& askedColours(const Sheet& sheet, const PrinterColour& colour);
 
 } // namespace dipwright

@@ -28,6 +28,9 @@ struct ImmersionResult {
     ReadBackError readBack;
     std::shared_ptr<const ReverseTexture> texture;
     Sheet sheet;
+    // mm² of the part that the inks of the project's printer leave visibly too pale
+    // (sheet/Separation.h); none: it is no printer of inks that are compensated one by one.
+    std::optional<double> inkShortfall;
 };
 
 // How far the colours of a job may land off their places.

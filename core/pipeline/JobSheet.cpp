@@ -100,20 +100,24 @@ QString jobHash(const Project& project, const Immersion& immersion, const QImage
 
 } // namespace
 
-Sheet jobSheet(const Project& project, const Immersion& immersion, const QImage& filmImage,
-               const QImage& white) {
+Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film) {
     Sheet sheet;
-    sheet.image = filmImage;
-    if (!white.isNull()) {
-        const double pixels = white.width() / project.film.width.value(); // to the mm
-        sheet.white = choked(white, project.sheet.whiteChoke.value() * pixels);
+    sheet.image = film.colours;
+    if (!film.white.isNull()) {
+        const double pixels = film.white.width() / project.film.width.value(); // to the mm
+        sheet.plates.push_back({project.sheet.whiteName,
+                                choked(film.white, project.sheet.whiteChoke.value() * pixels),
+                                project.sheet.white == WhiteLayer::First});
+    }
+    if (!film.wanted.isNull()) {
+        sheet.wanted = WantedInk{film.wanted, film.stretch, project.ink};
     }
     sheet.filmWidth = project.film.width;
     sheet.filmHeight = project.film.height;
     sheet.settings = project.sheet;
     sheet.job = {
         project.name,           immersion.name,          project.date,
-        filmText(project.film), scaleText(project.film), jobHash(project, immersion, filmImage)};
+        filmText(project.film), scaleText(project.film), jobHash(project, immersion, film.colours)};
     return sheet;
 }
 

@@ -6,8 +6,13 @@
 
 namespace dipwright {
 
-// `white`: the tints of its white layer, Grayscale8, not choked yet; may be null.
-Sheet jobSheet(const Project& project, const Immersion& immersion, const QImage& filmImage,
-               const QImage& white = {});
+// What is printed on a film; all but the colours may be null.
+struct PrintedFilm {
+    QImage colours;
+    QImage white = {};                // tints of the white layer, Grayscale8, not choked yet
+    QImage wanted = {}, stretch = {}; // as of WantedInk (sheet/Sheet.h)
+};
+
+Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film);
 
 } // namespace dipwright

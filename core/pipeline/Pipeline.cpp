@@ -9,9 +9,13 @@
 #include "pipeline/JobSheet.h"
 #include "pipeline/JobTolerances.h"
 #include "pipeline/LawChanges.h"
+#include "pipeline/PrintedBody.h"
 #include "pipeline/SolverChoice.h"
 #include "results/Results.h"
+#include "sheet/PrinterColour.h"
+#include "sheet/Separation.h"
 #include "texture/Chessboard.h"
+#include "texture/StretchPlane.h"
 
 #include <QCoreApplication>
 #include <QScopeGuard>
@@ -154,7 +158,9 @@ ReverseTexture textureOf(const LaidFilm& laid, const TextureInputs& inputs,
     const QSize pixels = sheetPixels(film.width, film.height, inputs.resolution);
     if (inputs.isReversed()) {
         return reverseTexture(
-            laid, {pixels, inputs.bleed.value(), inputs.ink, std::move(share), inputs.white},
+            laid,
+            {pixels, inputs.bleed.value(), inputs.ink, std::move(share), inputs.white,
+             inputs.isPerInk()},
             progress);
     }
     ReverseTexture picture;
@@ -252,24 +258,40 @@ void paint(ImmersionResult& now, const Run& run, std::size_t number, const BodyS
     }
 }
 
-// The film's picture with what repeats in the parts before taken off, where that is wanted.
-QImage printedImage(const QImage& filmImage, const SheetInputs& inputs, const Project& project,
-                    std::size_t number) {
+// What stands on the film, with what repeats in the parts before taken off, where that is wanted.
+PrintedFilm printedFilm(const ReverseTexture& texture, const SheetInputs& inputs,
+                        const Project& project, std::size_t number) {
+    PrintedFilm film{texture.image, texture.white, texture.wanted, texture.stretch};
     if (!inputs.correction) {
-        return filmImage;
+        return film;
     }
-    return correctedImage(filmImage, project.film.width, project.film.height,
-                          RepeatingError(*inputs.correction, int(number) + 1),
-                          inputs.correction->strength);
+    const RepeatingError error(*inputs.correction, int(number) + 1);
+    const auto moved = [&](const QImage& picture) {
+        return correctedImage(picture, project.film.width, project.film.height, error,
+                              inputs.correction->strength);
+    };
+    film.colours = moved(film.colours);
+    if (!film.white.isNull()) {
+        film.white = moved(film.white.convertToFormat(QImage::Format_RGBA8888))
+                         .convertToFormat(QImage::Format_Grayscale8);
+    }
+    if (!film.wanted.isNull()) {
+        film.wanted = moved(film.wanted);
+        film.stretch = stretchOfPicture(moved(pictureOfStretch(film.stretch)));
+    }
+    return film;
 }
 
-// Its white moved as the picture is.
-QImage printedWhite(const QImage& white, const SheetInputs& inputs, const Project& project,
-                    std::size_t number) {
-    return white.isNull() ? white
-                          : printedImage(white.convertToFormat(QImage::Format_RGBA8888), inputs,
-                                         project, number)
-                                .convertToFormat(QImage::Format_Grayscale8);
+std::optional<double> shortfallOf(const Sheet& sheet,
+                                  const std::optional<PrinterProfile>& printer) {
+    if (!sheet.wanted || !printer || printer->iccProfile.isEmpty()) {
+        return std::nullopt;
+    }
+    const PrinterColour colour(printer->iccProfile, printer->intent, printer->blackPoint,
+                               printer->name);
+    PrintCorrection correction{.colour = &colour};
+    correction.totalInk = printer->totalInk;
+    return colour.isCmyk() ? std::optional(inkShortfall(sheet, correction)) : std::nullopt;
 }
 
 // The rest: what is measured of the film, its sheet, and the verdict on that.
@@ -281,8 +303,8 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
     }
     if (!earlier || earlier->inputs != now.inputs) {
         now.sheet = jobSheet(run.project, now.immersion,
-                             printedImage(now.texture->image, now.inputs, run.project, number),
-                             printedWhite(now.texture->white, now.inputs, run.project, number));
+                             printedFilm(*now.texture, now.inputs, run.project, number));
+        now.inkShortfall = shortfallOf(now.sheet, run.project.profiles.printer);
     }
     measuring.wait();
     if (comparison.isWanted) {
@@ -345,19 +367,11 @@ bool hasOldNames(const JobResult* previous, const std::vector<SheetInputs>& inpu
 // `white`: as printed, else as it were without that plate.
 QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& immersions, bool white,
                const Progress& progress) {
-    std::vector<WornFilm> films;
-    for (const ImmersionResult& immersion : immersions) {
-        films.push_back({immersion.laid, immersion.texture->image});
-        films.back().white = white ? immersion.texture->white : QImage();
-    }
     const SheetInputs& inputs = immersions.front().inputs;
     ProofOptions options;
     options.ink = inputs.texture.printedInk();
-    if (!inputs.baseColour.isEmpty()) {
-        options.ground.base = QColor(inputs.baseColour);
-    }
-    options.ground.whiteOutside = inputs.settings.white == WhiteLayer::First;
-    return proofPicture(stage, films, options, progress);
+    options.ground = groundOf(inputs.settings, inputs.baseColour);
+    return proofPicture(stage, wornFilms(immersions, white), options, progress);
 }
 
 // Null where the dips do not share the body out.

@@ -48,6 +48,14 @@ QJsonArray reasonsOf(const Verdict& verdict) {
     return reasons;
 }
 
+QJsonObject inkJson(const ImmersionResult& result) {
+    QJsonObject json{{"shortfall_area", result.texture->shortfallArea}};
+    if (result.inkShortfall) {
+        json["per_ink_shortfall_area"] = *result.inkShortfall;
+    }
+    return json;
+}
+
 QJsonObject certaintyJson(const ImmersionResult& result) {
     const Verdict& verdict = result.verdict;
     QJsonArray places;
@@ -164,10 +172,10 @@ QJsonObject immersionJson(const ImmersionResult& result) {
         {"marked_area_mm2", result.coverage->marked.any}, // as in earlier versions
         {"read_back_mm", toJson(result.readBack)},
         {"registration_mm", toJson(result.readBack)}, // its name in earlier versions
-        {"ink", QJsonObject{{"shortfall_area", result.texture->shortfallArea}}},
+        {"ink", inkJson(result)},
         {"job", result.sheet.job.hash}};
-    if (!result.sheet.white.isNull()) {
-        const SheetSettings& sheet = result.sheet.settings;
+    const SheetSettings& sheet = result.sheet.settings;
+    if (sheet.white != WhiteLayer::None) {
         json["white"] =
             QJsonObject{{"printed", sheet.white == WhiteLayer::First ? "first" : "last"},
                         {"name", sheet.whiteName},

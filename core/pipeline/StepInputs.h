@@ -64,6 +64,8 @@ struct TextureInputs {
     bool chessboard = false;
     QImage filmImage;
     bool isReversed() const { return !chessboard && filmImage.isNull(); }
+    // Whether printers of inks compensate each by itself, for which more of the film is kept.
+    bool isPerInk() const { return isReversed() && ink.isPerInk(); }
     // Whether and how the picture's ink was compensated: a given picture's was not.
     InkSettings printedInk() const;
     bool operator==(const TextureInputs&) const = default;

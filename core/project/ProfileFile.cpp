@@ -167,8 +167,13 @@ const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
                 "feed", {QStringLiteral("short edge first"), QStringLiteral("long edge first")},
                 [](auto& p) -> auto& { return p.feed; }),
             numbers<P>(
-                "ink_exponents", inkCount, 0, mostInkExponent,
+                "ink_exponents", lightInks, 0, mostInkExponent,
                 [](auto& p, int part) -> auto& { return p.ink.exponents[std::size_t(part)]; }),
+            leftOutWhenUsual(numbers<P>(
+                "ink_black_white_exponents", inkCount - lightInks, 0, mostInkExponent,
+                [](auto& p, int part) -> auto& {
+                    return p.ink.exponents[std::size_t(lightInks + part)];
+                })),
             inkTonesField<P>(
                 "ink_tones", [](auto& p) -> auto& { return p.ink.tones; }),
             number<P>(

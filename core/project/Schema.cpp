@@ -257,8 +257,13 @@ void addSheetFields(std::vector<Field<Project>>& fields) {
     fields.push_back(number(
         "ink.limit", 0.1, 10, [](auto& p) -> auto& { return p.ink.limit; }));
     fields.push_back(numbers(
-        "ink.exponents", inkCount, 0, mostInkExponent,
+        "ink.exponents", lightInks, 0, mostInkExponent,
         [](auto& p, int part) -> auto& { return p.ink.law.exponents[std::size_t(part)]; }));
+    fields.push_back(leftOutWhenUsual(numbers(
+        "ink.black_white_exponents", inkCount - lightInks, 0, mostInkExponent,
+        [](auto& p, int part) -> auto& {
+            return p.ink.law.exponents[std::size_t(lightInks + part)];
+        })));
     fields.push_back(inkTonesField(
         "ink.tones", [](auto& p) -> auto& { return p.ink.law.tones; }));
 }

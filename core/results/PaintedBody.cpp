@@ -84,7 +84,7 @@ public:
         const int column = pixel(at.x() / float(grid.width) + 0.5f, white_.width());
         const int row = pixel(at.y() / float(grid.depth) + 0.5f, white_.height());
         const float printed = float(white_.constScanLine(row)[column]) / 255;
-        return isCompensated_ ? std::min(1.0f, printed / areaStretch(*place)) : printed;
+        return isCompensated_ ? ink_.shownWhite(printed, areaStretch(*place)) : printed;
     }
 
     // The light that its ink lets through at a place of the body, and how much of it is there.
@@ -195,8 +195,8 @@ std::optional<std::uint8_t> PaintedBody::marks(const SurfacePoint& point) const 
 }
 
 std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<WornFilm>& films,
-                                 const InkSettings& ink) {
-    const PaintedBody painted(films, ink);
+                                 const InkSettings& ink, const Ground& ground) {
+    const PaintedBody painted(films, ink, ground);
     std::vector<QRgb> colours(body.mesh().triangles.size());
     parallelFor(std::size_t(0), colours.size(), [&](std::size_t triangle) {
         const LinearColour colour = painted.colour(body.middle(triangle));

@@ -88,11 +88,6 @@ struct WornFilm {
     QImage white = {}; // tints of its white layer, Grayscale8; null: none
 };
 
-// What the films give the body, by the middles of the fine triangles: a colour each, as the proof
-// has it in white light. All cores.
-std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<WornFilm>& films,
-                                 const InkSettings& ink);
-
 // What the films' ink is seen on.
 struct Ground {
     // Of the bare body: light goes through the ink to it, but for what white hides. None: a bare
@@ -100,6 +95,11 @@ struct Ground {
     std::optional<QColor> base = {};
     bool whiteOutside = false; // white was printed first: it lies over the colour
 };
+
+// What the films give the body, by the middles of the fine triangles: a colour each, as the proof
+// has it in white light. All cores.
+std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<WornFilm>& films,
+                                 const InkSettings& ink, const Ground& ground = {});
 
 struct ProofOptions {
     QSize tile{640, 640}; // one view's pixels

@@ -20,6 +20,11 @@ struct Text {
 void writeDrawnPdf(const DrawnPage& page, QIODevice& device) {
     PdfSettings settings;
     settings.title = page.title;
+    if (!page.inks.isEmpty()) {
+        settings.outputProfile = page.inks;
+        settings.outputName = page.inksName;
+        settings.inks = std::make_shared<const Plates>(); // it has no picture
+    }
     const auto paint = [&](QPainter& painter) {
         correctScale(painter, page.paper, {page.scaleX, page.scaleY});
         page.paint(painter);

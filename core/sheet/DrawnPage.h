@@ -17,6 +17,8 @@ struct DrawnPage {
     // Printed length over true length of the printer that it goes to, across and along.
     double scaleX = 1, scaleY = 1;
     std::function<void(QPainter&)> paint; // in mm, origin the page's upper left corner
+    QByteArray inks = {}; // the ICC profile of those that a PDF is drawn in; empty: sRGB
+    QString inksName = {};
 };
 
 // Same bytes for the same page. Throws Error where `device` takes no more.

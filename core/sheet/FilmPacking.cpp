@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "base/WideColour.h"
+#include "texture/StretchPlane.h"
 #include "sheet/PieceInk.h"
 #include "sheet/SheetLayout.h"
 
@@ -48,19 +49,50 @@ QRect printedBox(const QImage& image, int bytes, Prints isPrinted) {
     return {QPoint(left, top), QPoint(right, bottom)};
 }
 
-// Of all plates, white ones too.
+// Of all plates, spots too.
 QRect inkedBox(const Sheet& sheet) {
-    const QRect colour =
-        printedBox(sheet.image.convertToFormat(QImage::Format_RGBA8888), 4, prints);
-    const QRect white = printedBox(sheet.white, 1, [](const uchar* tint) { return *tint != 0; });
-    return !white.isValid() ? colour : !colour.isValid() ? white : colour.united(white);
+    QRect box = printedBox(sheet.image.convertToFormat(QImage::Format_RGBA8888), 4, prints);
+    for (const SheetPlate& plate : sheet.plates) {
+        const QRect spot = printedBox(plate.tint, 1, [](const uchar* tint) { return *tint != 0; });
+        box = !spot.isValid() ? box : !box.isValid() ? spot : box.united(spot);
+    }
+    return box;
+}
+
+// The plates of all pieces, without their tints; white is the last before the four inks or after
+// them.
+std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
+    std::vector<SheetPlate> plates;
+    std::vector<SheetPlate> white;
+    for (const PieceToPack& piece : pieces) {
+        const SheetSettings& settings = piece.sheet.settings;
+        for (SheetPlate plate : piece.sheet.plates) {
+            plate.tint = {};
+            const bool isWhite =
+                settings.white != WhiteLayer::None && plate.name == settings.whiteName;
+            std::vector<SheetPlate>& kind = isWhite ? white : plates;
+            const auto known =
+                std::find_if(kind.begin(), kind.end(),
+                             [&](const SheetPlate& other) { return other.name == plate.name; });
+            if (known == kind.end()) {
+                kind.push_back(plate);
+            } else if (known->first != plate.first || known->alternate != plate.alternate) {
+                throw Error(Text::tr("Its spot ink %1 is printed otherwise than that of another "
+                                     "job; give them one colour and order")
+                                .arg(plate.name),
+                            nameOf(piece));
+            }
+        }
+    }
+    plates.insert(plates.end(), white.begin(), white.end());
+    return plates;
 }
 
 // A printer lays its white before all colours or after them.
 void refuseMixedWhite(const std::vector<PieceToPack>& pieces) {
     const Sheet* first = nullptr;
     for (const PieceToPack& piece : pieces) {
-        if (piece.sheet.white.isNull()) {
+        if (piece.sheet.settings.white == WhiteLayer::None || piece.sheet.plates.empty()) {
             continue;
         }
         if (first && (first->settings.white != piece.sheet.settings.white ||
@@ -282,6 +314,20 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
     return plan;
 }
 
+namespace {
+
+// By which printers of inks compensate all of them: none where they are not of one mind.
+std::optional<InkSettings> commonInk(const std::vector<PieceToPack>& pieces) {
+    const std::optional<WantedInk>& first = pieces.front().sheet.wanted;
+    const bool isCommon =
+        first && std::all_of(pieces.begin(), pieces.end(), [&](const PieceToPack& piece) {
+            return piece.sheet.wanted && piece.sheet.wanted->settings == first->settings;
+        });
+    return isCommon ? std::optional(first->settings) : std::nullopt;
+}
+
+} // namespace
+
 Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
                 const FilmPlan& plan, std::size_t number) {
     const PlannedFilm& planned = plan.films[number];
@@ -298,12 +344,18 @@ Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
     sheet.image.fill(Qt::transparent);
     sheet.image.setColorSpace(wide ? wideSpace() : pieces.front().sheet.image.colorSpace());
     for (const PieceToPack& piece : pieces) {
-        if (!piece.sheet.white.isNull() && sheet.white.isNull()) {
-            sheet.white = QImage(planned.pixels, QImage::Format_Grayscale8);
-            sheet.white.fill(0);
+        if (piece.sheet.settings.white != WhiteLayer::None) {
             sheet.settings.white = piece.sheet.settings.white;
             sheet.settings.whiteName = piece.sheet.settings.whiteName;
         }
+    }
+    sheet.plates = platesOf(pieces);
+    for (SheetPlate& plate : sheet.plates) {
+        plate.tint = QImage(planned.pixels, QImage::Format_Grayscale8);
+        plate.tint.fill(0);
+    }
+    if (const std::optional<InkSettings> ink = commonInk(pieces)) {
+        sheet.wanted = WantedInk{sheet.image, unstretched(planned.pixels), *ink};
     }
     const QPointF pixel(planned.size.width() / planned.pixels.width(),
                         planned.size.height() / planned.pixels.height());
@@ -316,10 +368,19 @@ Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
             const QImage turned = one.turned ? part.transformed(QTransform().rotate(90)) : part;
             copyPixels(plate, place, turned.convertToFormat(plate.format()));
         };
-        const QImage picture = piece.sheet.image.copy(inked);
-        lay(sheet.image, wide ? inWide(picture) : picture);
-        if (!piece.sheet.white.isNull()) {
-            lay(sheet.white, piece.sheet.white.copy(inked));
+        const auto layColours = [&](QImage& plate, const QImage& picture) {
+            lay(plate, wide ? inWide(picture.copy(inked)) : picture.copy(inked));
+        };
+        layColours(sheet.image, piece.sheet.image);
+        for (const SheetPlate& own : piece.sheet.plates) {
+            const auto plate =
+                std::find_if(sheet.plates.begin(), sheet.plates.end(),
+                             [&](const SheetPlate& other) { return other.name == own.name; });
+            lay(plate->tint, own.tint.copy(inked));
+        }
+        if (sheet.wanted) {
+            layColours(sheet.wanted->image, piece.sheet.wanted->image);
+            lay(sheet.wanted->stretch, piece.sheet.wanted->stretch.copy(inked));
         }
         sheet.pieces.push_back(sheetPiece(piece, one, layout, inked, pixel));
     }

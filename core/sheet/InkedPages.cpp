@@ -115,14 +115,16 @@ public:
         place(box);
     }
 
-    void strokeSpot(const QPainterPath& path, double width, const QString& spot) {
+    void strokeSpot(const QPainterPath& path, double width, const SpotInk& spot) {
         const QByteArray name = spotName(spot);
         add("/Over gs /" + name + " CS 1 SCN\n" + lineStyle(QPen(Qt::black, width)) +
             construction(path) + "S\n");
     }
     // The name of a spot's colour space on the page.
-    QByteArray spotName(const QString& spot) {
-        const auto found = std::find(spots_.begin(), spots_.end(), spot);
+    QByteArray spotName(const SpotInk& spot) {
+        const auto found = std::find_if(spots_.begin(), spots_.end(), [&](const SpotInk& known) {
+            return known.name == spot.name;
+        });
         const auto index = found - spots_.begin();
         if (found == spots_.end()) {
             spots_.push_back(spot);
@@ -131,7 +133,7 @@ public:
     }
 
     const QByteArray& content() const { return content_; }
-    const std::vector<QString>& spots() const { return spots_; }
+    const std::vector<SpotInk>& spots() const { return spots_; }
 
 private:
     void add(const QByteArray& operators) {
@@ -154,7 +156,7 @@ private:
 
     int plates_; // images that a picture is made of
     QByteArray content_;
-    std::vector<QString> spots_;
+    std::vector<SpotInk> spots_;
 };
 
 // A page in points, its origin the upper left corner.
@@ -201,15 +203,19 @@ QPDFObjectHandle name(const QString& text) {
     return QPDFObjectHandle::newName((QLatin1Char('/') + text).toStdString());
 }
 
-// [/Separation /Name /DeviceCMYK function]: `full` is what stands for full ink where the spot is
-// not known.
-QPDFObjectHandle separation(QPDF& pdf, const QString& spot, const char* full) {
+// [/Separation /Name /DeviceCMYK function].
+QPDFObjectHandle separation(QPDF& pdf, const SpotInk& spot) {
+    QByteArray full;
+    for (const double share : spot.alternate) {
+        full += QByteArray::number(share) + ' ';
+    }
     QPDFObjectHandle space = QPDFObjectHandle::newArray();
     space.appendItem(QPDFObjectHandle::newName("/Separation"));
-    space.appendItem(name(spot));
+    space.appendItem(name(spot.name));
     space.appendItem(QPDFObjectHandle::newName("/DeviceCMYK"));
-    space.appendItem(QPDFObjectHandle::parse("<< /FunctionType 2 /Domain [0 1] /C0 [0 0 0 0] /C1 " +
-                                             std::string(full) + " /N 1 >>"));
+    space.appendItem(QPDFObjectHandle::parse(
+        "<< /FunctionType 2 /Domain [0 1] /C0 [0 0 0 0] /C1 [" + full.toStdString() +
+        "] /N 1 >>"));
     return pdf.makeIndirectObject(space);
 }
 
@@ -235,21 +241,24 @@ QPDFObjectHandle imageOf(QPDF& pdf, QSize size, const QByteArray& bytes,
     return stream;
 }
 
-// In the order of printing. White has no colour of its own where nobody knows it: nothing is
-// printed for it rather than something else.
-std::vector<QPDFObjectHandle> plateImages(QPDF& pdf, const InkedPicture& picture) {
-    const QSize size = picture.plates.size;
+// In the order of printing.
+std::vector<QPDFObjectHandle> plateImages(QPDF& pdf, const Plates& plates) {
     std::vector<QPDFObjectHandle> images;
-    const auto add = [&](const std::vector<SpotPlate>& plates) {
-        for (const SpotPlate& plate : plates) {
-            images.push_back(
-                imageOf(pdf, size, plate.tint, separation(pdf, plate.name, "[0 0 0 0]")));
+    if (plates.size.isEmpty()) { // pages without a picture
+        return images;
+    }
+    const auto add = [&](bool first) {
+        for (const SpotPlate& plate : plates.spots) {
+            if (plate.first == first) {
+                images.push_back(
+                    imageOf(pdf, plates.size, plate.tint, separation(pdf, plate.ink)));
+            }
         }
     };
-    add(picture.spots.before);
+    add(true);
     images.push_back(
-        imageOf(pdf, size, picture.plates.cmyk, QPDFObjectHandle::newName("/DeviceCMYK")));
-    add(picture.spots.after);
+        imageOf(pdf, plates.size, plates.cmyk, QPDFObjectHandle::newName("/DeviceCMYK")));
+    add(false);
     return images;
 }
 
@@ -263,16 +272,16 @@ bool takesSpots(const QPainter& painter) {
     return dynamic_cast<const InkPage*>(painter.device()) != nullptr;
 }
 
-void strokeSpot(QPainter& painter, const QPainterPath& path, double width, const QString& spot) {
+void strokeSpot(QPainter& painter, const QPainterPath& path, double width, const SpotInk& spot) {
     const auto* page = dynamic_cast<const InkPage*>(painter.device());
     if (page && !path.isEmpty()) {
         page->engine().strokeSpot(path, width, spot);
     }
 }
 
-void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const InkedPicture& picture) {
-    const QPDFObjectHandle all = separation(pdf, QStringLiteral("All"), "[1 1 1 1]");
-    const std::vector<QPDFObjectHandle> plates = plateImages(pdf, picture);
+void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& inks) {
+    const QPDFObjectHandle all = separation(pdf, {QStringLiteral("All"), {1, 1, 1, 1}});
+    const std::vector<QPDFObjectHandle> plates = plateImages(pdf, inks);
     QPDFPageDocumentHelper document(pdf);
     for (const PdfPage& one : pages) {
         const QSizeF size = inPoints(one.size);
@@ -283,9 +292,9 @@ void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const InkedPict
         painter.end();
         QPDFObjectHandle spaces = QPDFObjectHandle::newDictionary();
         spaces.replaceKey("/All", all);
-        for (const QString& spot : drawn.engine().spots()) {
+        for (const SpotInk& spot : drawn.engine().spots()) {
             spaces.replaceKey(('/' + drawn.engine().spotName(spot)).toStdString(),
-                              separation(pdf, spot, "[0 1 0 0]"));
+                              separation(pdf, spot));
         }
         // Multiplied, a plate takes nothing away from the others (ISO 32000-1, 11.7.3), on screens
         // as in separations; many viewers do not heed overprinting, and white would hide the rest.

@@ -16,12 +16,12 @@ inline const QColor registrationBlack = QColor::fromCmyk(255, 255, 255, 255);
 // Adds the pages, drawn by their painters, to a document: greys in black ink only, CMYK colours as
 // they are, registrationBlack in the separation All. Whatever image a page draws stands for
 // `plates`.
-void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const InkedPicture& picture);
+void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& plates);
 
 // Whether the painter's page is in inks.
 bool takesSpots(const QPainter& painter);
 // Draws a line in a spot ink of its own, over the other inks and not in place of them, on a page
 // that takes spots.
-void strokeSpot(QPainter& painter, const QPainterPath& path, double width, const QString& spot);
+void strokeSpot(QPainter& painter, const QPainterPath& path, double width, const SpotInk& spot);
 
 } // namespace dipwright

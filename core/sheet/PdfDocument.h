@@ -24,19 +24,14 @@ struct PdfPage {
     std::function<void(QPainter&)> paint;
 };
 
-// The film's picture in inks, in place of whatever image the pages draw.
-struct InkedPicture {
-    Plates plates;
-    SpotPlates spots; // as many pixels
-};
-
 struct PdfSettings {
     QString title;
     QString date;             // of the work, ISO 8601; may be empty
     QByteArray outputProfile; // an ICC profile; empty: sRGB
     QString outputName = QStringLiteral("sRGB IEC61966-2.1");
-    // Of pages in CMYK, as the profile then is; null: in RGB.
-    std::shared_ptr<const InkedPicture> inks = {};
+    // Of pages in CMYK, as the profile then is: the film's picture, in place of whatever image the
+    // pages draw. Null: in RGB.
+    std::shared_ptr<const Plates> inks = {};
 };
 
 // The pages as one file, in the order given, at least one. Same bytes for the same pages. Needs a

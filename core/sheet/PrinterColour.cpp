@@ -7,6 +7,7 @@
 #include <QColorSpace>
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 #include <lcms2.h>
 #include <vector>
 
@@ -191,6 +192,38 @@ QByteArray PrinterColour::cmyk(const QImage& picture) const {
     return result;
 }
 
+std::array<float, 256> PrinterColour::inkDensities(int ink) const {
+    Q_ASSERT(isCmyk() && ink >= 0 && ink < 4);
+    constexpr double leastLight = 1e-4;
+    // Wide colour's primaries in linear light; luminance alone for black.
+    const cmsCIExyY white{0.3127, 0.3290, 1};
+    const cmsCIExyYTRIPLE primaries{{0.708, 0.292, 1}, {0.170, 0.797, 1}, {0.131, 0.046, 1}};
+    const std::unique_ptr<cmsToneCurve, void (*)(cmsToneCurve*)> linear(
+        cmsBuildGamma(nullptr, 1), [](cmsToneCurve* curve) { cmsFreeToneCurve(curve); });
+    cmsToneCurve* curves[3] = {linear.get(), linear.get(), linear.get()};
+    const ProfileHandle light(cmsCreateRGBProfile(&white, &primaries, curves));
+    const TransformHandle shown = required(
+        cmsCreateTransform(data_->printer.get(), TYPE_CMYK_8, light.get(), TYPE_RGB_FLT,
+                           INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_NOCACHE | cmsFLAGS_NOOPTIMIZE),
+        description());
+    std::array<float, 256> densities{};
+    double bare = 1;
+    for (int amount = 0; amount < 256; ++amount) {
+        std::array<uchar, 4> inks{};
+        inks[std::size_t(ink)] = uchar(amount);
+        std::array<float, 3> rgb{};
+        cmsDoTransform(shown.get(), inks.data(), rgb.data(), 1);
+        const double through =
+            ink < 3 ? double(rgb[std::size_t(ink)])
+                    : 0.2627 * double(rgb[0]) + 0.6780 * double(rgb[1]) + 0.0593 * double(rgb[2]);
+        bare = amount == 0 ? std::max(through, leastLight) : bare;
+        const double density = -std::log10(std::max(through / bare, leastLight));
+        densities[std::size_t(amount)] =
+            std::max(float(density), amount == 0 ? 0.0f : densities[std::size_t(amount) - 1]);
+    }
+    return densities;
+}
+
 QImage PrinterColour::softProof(const QImage& picture) const {
     const QImage source = opaque(picture);
     QImage proof(source.size(), QImage::Format_RGB888);
@@ -201,6 +234,17 @@ QImage PrinterColour::softProof(const QImage& picture) const {
                        cmsUInt32Number(source.width()));
     });
     return withAlphaOf(picture, proof);
+}
+
+QImage PrinterColour::screen(const QByteArray& cmyk, QSize size) const {
+    Q_ASSERT(isCmyk() && cmyk.size() == qsizetype(size.width()) * size.height() * 4);
+    QImage shown(size, QImage::Format_RGB888);
+    uchar* const bits = shown.bits();
+    parallelFor(0, size.height(), [&, stride = shown.bytesPerLine()](int y) {
+        cmsDoTransform(data_->toScreen.get(), cmyk.constData() + qsizetype(y) * size.width() * 4,
+                       bits + y * stride, cmsUInt32Number(size.width()));
+    });
+    return shown;
 }
 
 GamutWarning PrinterColour::gamutWarning(const QImage& picture, double tolerance) const {

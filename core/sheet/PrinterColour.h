@@ -4,6 +4,7 @@
 
 #include <QByteArray>
 #include <QImage>
+#include <array>
 #include <memory>
 
 namespace dipwright {
@@ -39,8 +40,15 @@ public:
     // padding. CMYK printers only.
     QByteArray cmyk(const QImage& picture) const;
 
+    // How dense each amount, 0 … 255, of one of the four inks (cyan, magenta, yellow, black) is
+    // alone: −log10 of the light it lets through of what bare paper does, red, green or blue of
+    // wide colour's primaries, of black all of it; never falling. CMYK printers only.
+    std::array<float, 256> inkDensities(int ink) const;
+
     // The picture as the print will look, in sRGB; keeps alpha.
     QImage softProof(const QImage& picture) const;
+    // What four bytes of ink a pixel look like in print, in sRGB. CMYK printers only.
+    QImage screen(const QByteArray& cmyk, QSize size) const;
     // Colours whose print differs from them by more than `tolerance` (CIE ΔE 1976).
     GamutWarning gamutWarning(const QImage& picture, double tolerance = 5) const;
 

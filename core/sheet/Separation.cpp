@@ -2,10 +2,13 @@
 
 #include "parallel/ParallelFor.h"
 #include "sheet/InkDistance.h"
+#include "sheet/PlateCompensation.h"
 #include "sheet/PrinterColour.h"
+#include "texture/StretchPlane.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace dipwright {
 
@@ -50,26 +53,101 @@ QImage choked(const QImage& tint, double choke) {
     return smaller;
 }
 
-SpotPlates spotPlates(const Sheet& sheet) {
-    SpotPlates plates;
-    if (sheet.white.isNull()) {
-        return plates;
+namespace {
+
+std::vector<SpotPlate> spotsOf(const Sheet& sheet, const PrinterColour& colour) {
+    std::vector<SpotPlate> spots;
+    for (const SheetPlate& plate : sheet.plates) {
+        SpotPlate spot{{plate.name, {}}, plate.first, {}};
+        if (plate.alternate.isValid()) {
+            QImage pixel(1, 1, QImage::Format_RGB888);
+            pixel.fill(plate.alternate);
+            const QByteArray inks = colour.cmyk(pixel);
+            std::transform(inks.begin(), inks.end(), spot.ink.alternate.begin(),
+                           [](char ink) { return uchar(ink) / 255.0; });
+        }
+        for (int y = 0; y < plate.tint.height(); ++y) {
+            spot.tint.append(reinterpret_cast<const char*>(plate.tint.constScanLine(y)),
+                             plate.tint.width());
+        }
+        spots.push_back(spot);
     }
-    SpotPlate white{sheet.settings.whiteName, {}};
-    for (int y = 0; y < sheet.white.height(); ++y) {
-        white.tint.append(reinterpret_cast<const char*>(sheet.white.constScanLine(y)),
-                          sheet.white.width());
-    }
-    (sheet.settings.white == WhiteLayer::First ? plates.before : plates.after).push_back(white);
-    return plates;
+    return spots;
 }
 
-Plates separate(const QImage& filmImage, const PrintCorrection& correction) {
-    Plates plates{filmImage.size(), correction.colour->cmyk(onPaper(filmImage))};
+// Calls work(inks, stretch) of every pixel in four bytes each, a row a thread.
+template <typename Work>
+void forPixels(QByteArray& cmyk, const QImage& stretch, const Work& work) {
+    auto* const bytes = reinterpret_cast<uchar*>(cmyk.data());
+    parallelFor(0, stretch.height(), [&](int y) {
+        const auto* codes = reinterpret_cast<const std::uint16_t*>(stretch.constScanLine(y));
+        const qsizetype first = qsizetype(y) * stretch.width();
+        for (int x = 0; x < stretch.width(); ++x) {
+            work(first + x, bytes + 4 * (first + x), areaStretchOf(codes[x]));
+        }
+    });
+}
+
+// Where all of the picture's inks are compensated, each by itself.
+struct PerInk {
+    QByteArray wanted, printed; // four bytes a pixel
+    PlateCompensation law;
+
+    PerInk(const WantedInk& film, const PrintCorrection& correction)
+        : wanted(correction.colour->cmyk(onPaper(film.image))), printed(wanted),
+          law(*correction.colour, film.settings) {
+        forPixels(printed, film.stretch, [&](qsizetype, uchar* inks, float stretch) {
+            for (int ink = 0; ink < 4; ++ink) {
+                inks[ink] = law.printed(ink, inks[ink], stretch);
+            }
+        });
+        if (correction.totalInk) {
+            limitInk(printed, *correction.totalInk);
+        }
+    }
+};
+
+} // namespace
+
+std::array<char, 4> bareInks(const PrinterColour& colour) {
+    QImage pixel(1, 1, QImage::Format_RGB888);
+    pixel.fill(Qt::white);
+    const QByteArray inks = colour.cmyk(pixel);
+    return {inks[0], inks[1], inks[2], inks[3]};
+}
+
+Plates separate(const Sheet& sheet, const PrintCorrection& correction) {
+    Plates plates{sheet.image.size(), {}, spotsOf(sheet, *correction.colour)};
+    if (sheet.wanted) {
+        plates.cmyk = PerInk(*sheet.wanted, correction).printed;
+        return plates;
+    }
+    plates.cmyk = correction.colour->cmyk(onPaper(sheet.image));
     if (correction.totalInk) {
         limitInk(plates.cmyk, *correction.totalInk);
     }
     return plates;
+}
+
+double inkShortfall(const Sheet& sheet, const PrintCorrection& correction) {
+    if (!sheet.wanted || !correction.colour || !correction.colour->isCmyk()) {
+        return 0;
+    }
+    PerInk inks(*sheet.wanted, correction);
+    const QImage& stretch = sheet.wanted->stretch;
+    std::vector<double> rows(std::size_t(stretch.height()), 0);
+    const auto* wanted = reinterpret_cast<const uchar*>(inks.wanted.constData());
+    forPixels(inks.printed, stretch, [&](qsizetype pixel, const uchar* printed, float grown) {
+        for (int ink = 0; ink < 4; ++ink) {
+            if (inks.law.fallsShort(ink, wanted[4 * pixel + ink], printed[ink], grown)) {
+                rows[std::size_t(pixel / stretch.width())] += double(grown);
+                break;
+            }
+        }
+    });
+    const double pixelArea = sheet.filmWidth.value() * sheet.filmHeight.value() /
+                             (double(stretch.width()) * stretch.height());
+    return pixelArea * std::accumulate(rows.begin(), rows.end(), 0.0);
 }
 
 } // namespace dipwright

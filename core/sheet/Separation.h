@@ -7,12 +7,19 @@
 
 namespace dipwright {
 
-// A film image on white paper, in the inks of `correction`, whose colour must be in CMYK, and
-// within its total of ink. All cores.
-Plates separate(const QImage& filmImage, const PrintCorrection& correction);
+// A sheet's film on white paper, in the inks of `correction`, whose colour must be in CMYK, within
+// its total of ink, and in the sheet's spot inks. Where the sheet says how its film stretches, what
+// is to show is separated and then each ink compensated by its own law (PlateCompensation.h). All
+// cores.
+Plates separate(const Sheet& sheet, const PrintCorrection& correction);
 
-// The sheet's white as far as it has one, in the film image's pixels.
-SpotPlates spotPlates(const Sheet& sheet);
+// mm² of the part where the inks do not show what they were to: where full ink does not make up for
+// the stretch, or the total of ink or the ink limit does not let it. 0 for sheets that do not say
+// how their film stretches.
+double inkShortfall(const Sheet& sheet, const PrintCorrection& correction);
+
+// Bare paper in these inks: what is round the film.
+std::array<char, 4> bareInks(const PrinterColour& colour);
 
 // A plate without what lies nearer than `choke` pixels to a place without tint. Grayscale8.
 QImage choked(const QImage& tint, double choke);

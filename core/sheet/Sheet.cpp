@@ -66,7 +66,8 @@ void paintSheet(QPainter& painter, const Sheet& sheet) {
     painter.setRenderHint(QPainter::LosslessImageRendering);
     painter.drawImage(layout.film, flattened(sheet.image));
     if (takesSpots(painter)) {
-        strokeSpot(painter, cutContour(sheet, layout), hairline, sheet.settings.cutName);
+        const SpotInk cutter{sheet.settings.cutName, {0, 1, 0, 0}}; // magenta where it is not known
+        strokeSpot(painter, cutContour(sheet, layout), hairline, cutter);
     }
     paintMarks(painter, layout);
     painter.restore();

@@ -6,6 +6,7 @@
 
 #include "base/Units.h"
 #include "film/FilmSettings.h"
+#include "texture/Ink.h"
 
 #include <QImage>
 #include <QPainter>
@@ -66,6 +67,21 @@ struct SheetPiece {
     QRectF box() const { return {corner, turned ? size.transposed() : size}; } // on the page
 };
 
+// A plate beside the four inks: white, varnish, a colour of its own.
+struct SheetPlate {
+    QString name;       // of its ink, as raster image processors know it
+    QImage tint;        // of the film image's size, Grayscale8, 255 full tint
+    bool first = false; // printed before the four inks, so that it ends up outside them
+    QColor alternate{}; // what stands for full ink where the name is not known; invalid: nothing
+};
+
+// What printers of inks need to compensate each of these by itself, after separation.
+struct WantedInk {
+    QImage image;   // what is to show, of the film image's size and colours, not compensated
+    QImage stretch; // of the film there, of its size: Grayscale16, codes of texture/StretchPlane.h
+    InkSettings settings;
+};
+
 // A film image at its printed size with what is printed round it.
 struct Sheet {
     QImage image; // ink side up, the film's printed size; sRGB or wide
@@ -74,9 +90,8 @@ struct Sheet {
     JobLine job;
     // Of marks, ruler and job line from the page's edge; more where a printer reaches less.
     Millimetres clearance{3};
-    // The white under or over the image, choked; of its size, Grayscale8, 255 full tint. Null:
-    // none.
-    QImage white = {};
+    std::vector<SheetPlate> plates = {}; // in the order of printing
+    std::optional<WantedInk> wanted = {}; // none: the film image is what is printed, in any colours
     std::vector<SheetPiece> pieces = {}; // empty: the image is of one job
 };
 

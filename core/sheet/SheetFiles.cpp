@@ -26,10 +26,6 @@ QSize pagePixels(const Sheet& sheet, const SheetLayout& layout) {
                        sheet.settings.resolution);
 }
 
-int inkChannels(const Sheet& sheet) {
-    return sheet.white.isNull() ? 4 : 5;
-}
-
 // The film on its page, without what is printed round it.
 QImage filmOnPage(const Sheet& sheet, const SheetLayout& layout) {
     const QImage film = onPaper(sheet.image);
@@ -62,41 +58,41 @@ QByteArray rgbPage(const Sheet& sheet, const SheetLayout& layout, const PrinterC
     return bytes;
 }
 
-// The film's white on its page, a byte a pixel.
-QImage whiteOnPage(const Sheet& sheet, const SheetLayout& layout) {
-    QImage page(pagePixels(sheet, layout), QImage::Format_Grayscale8);
-    page.fill(0);
-    QPainter painter(&page);
-    const double unit = pixelsPerMillimetre(sheet.settings.resolution);
-    painter.drawImage((layout.film.topLeft() * unit).toPoint(), sheet.white);
-    return page;
-}
-
-// The page's inks, four bytes a pixel, with one more for its white.
-QByteArray withWhite(const QByteArray& inks, const QImage& white) {
-    QByteArray all;
-    all.reserve(inks.size() / 4 * 5);
-    const char* ink = inks.constData();
-    for (int y = 0; y < white.height(); ++y) {
-        const uchar* row = white.constScanLine(y);
-        for (int x = 0; x < white.width(); ++x, ink += 4) {
-            all.append(ink, 4).append(char(row[x]));
+// The film's plates on its page, all inks of a pixel one after the other: as many bytes as there
+// are plates. The film is moved to whole pixels.
+QByteArray platesOnPage(const Plates& plates, const std::array<char, 4>& bare, QSize page,
+                        QPoint corner) {
+    const int channels = plates.channels();
+    QByteArray bytes(qsizetype(page.width()) * page.height() * channels, '\0');
+    char* pixel = bytes.data();
+    for (int y = 0; y < page.height(); ++y) {
+        for (int x = 0; x < page.width(); ++x, pixel += channels) {
+            const QPoint at = QPoint(x, y) - corner;
+            if (!QRect(QPoint(), plates.size).contains(at)) {
+                std::copy(bare.begin(), bare.end(), pixel);
+                continue;
+            }
+            const qsizetype place = qsizetype(at.y()) * plates.size.width() + at.x();
+            std::copy_n(plates.cmyk.constData() + 4 * place, 4, pixel);
+            char* spot = pixel + 4;
+            for (const SpotPlate& plate : plates.spots) {
+                *spot++ = plate.tint[place];
+            }
         }
     }
-    return all;
+    return bytes;
 }
 
-// In the printer's CMYK, and white where the sheet has it. Marks are laid over it in black ink
-// alone: hairlines in four inks blur where these do not meet exactly. Their white rim takes the
-// film's inks away.
-QByteArray inkedPage(const Sheet& sheet, const SheetLayout& layout,
-                     const PrintCorrection& correction) {
-    QByteArray inks = separate(filmOnPage(sheet, layout), correction).cmyk;
-    const int channels = inkChannels(sheet);
-    if (channels > 4) {
-        inks = withWhite(inks, whiteOnPage(sheet, layout));
-    }
-    QImage marks(pagePixels(sheet, layout), QImage::Format_ARGB32_Premultiplied);
+// In the printer's inks. Marks are laid over it in black ink alone: hairlines in four inks blur
+// where these do not meet exactly. Their white rim takes the film's inks away.
+QByteArray inkedPage(const Sheet& sheet, const SheetLayout& layout, const Plates& plates,
+                     const PrinterColour& colour) {
+    const double unit = pixelsPerMillimetre(sheet.settings.resolution);
+    const QSize page = pagePixels(sheet, layout);
+    QByteArray inks =
+        platesOnPage(plates, bareInks(colour), page, (layout.film.topLeft() * unit).toPoint());
+    const int channels = plates.channels();
+    QImage marks(page, QImage::Format_ARGB32_Premultiplied);
     marks.fill(Qt::transparent);
     addMarks(marks, sheet, layout);
     auto* ink = reinterpret_cast<uchar*>(inks.data());
@@ -176,15 +172,16 @@ struct Resolution {
 
 // Inks past the four are samples that readers of CMYK pass over; all have their names, as TIFF has
 // them: one after the other, each with a zero.
-void setInks(TIFF* tiff, int channels, const QString& white) {
+void setInks(TIFF* tiff, const std::vector<SpotPlate>& spots) {
     TIFFSetField(tiff, TIFFTAG_INKSET, INKSET_CMYK);
-    if (channels > 4) {
-        const std::uint16_t kind = EXTRASAMPLE_UNSPECIFIED;
-        TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &kind);
+    if (!spots.empty()) {
+        const std::vector<std::uint16_t> kinds(spots.size(), EXTRASAMPLE_UNSPECIFIED);
+        TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, int(kinds.size()), kinds.data());
         QByteArray names("Cyan\0Magenta\0Yellow\0Black\0", 26);
-        names += white.toUtf8();
-        names += '\0';
-        TIFFSetField(tiff, TIFFTAG_NUMBEROFINKS, channels);
+        for (const SpotPlate& spot : spots) {
+            names += spot.ink.name.toUtf8() + '\0';
+        }
+        TIFFSetField(tiff, TIFFTAG_NUMBEROFINKS, 4 + int(spots.size()));
         TIFFSetField(tiff, TIFFTAG_INKNAMES, std::uint32_t(names.size()), names.constData());
     }
 }
@@ -229,8 +226,7 @@ PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correctio
         prepared.settings.outputProfile = correction.colour->iccProfile();
         prepared.settings.outputName = correction.colour->description();
         if (correction.colour->isCmyk()) {
-            prepared.settings.inks = std::make_shared<const InkedPicture>(
-                InkedPicture{separate(sheet.image, correction), spotPlates(sheet)});
+            prepared.settings.inks = std::make_shared<const Plates>(separate(sheet, correction));
         } else {
             prepared.sheet.image = correction.colour->rgb(sheet.image);
         }
@@ -258,13 +254,15 @@ void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection
     const SheetLayout layout = sheetLayout(sheet);
     const QSize size = pagePixels(sheet, layout);
     const bool cmyk = colour && colour->isCmyk();
-    const int channels = cmyk ? inkChannels(sheet) : 3;
-    QByteArray page = cmyk ? inkedPage(sheet, layout, correction) : rgbPage(sheet, layout, colour);
+    const Plates plates = cmyk ? separate(sheet, correction) : Plates{};
+    const int channels = cmyk ? plates.channels() : 3;
+    QByteArray page =
+        cmyk ? inkedPage(sheet, layout, plates, *colour) : rgbPage(sheet, layout, colour);
     TiffBuffer buffer;
     setTags(buffer.tiff(), size, channels, {dpi * correction.scaleX, dpi * correction.scaleY},
             colour ? colour->iccProfile() : QColorSpace(QColorSpace::SRgb).iccProfile());
     if (cmyk) {
-        setInks(buffer.tiff(), channels, sheet.settings.whiteName);
+        setInks(buffer.tiff(), plates.spots);
     }
     bool written = true;
     for (int y = 0; y < size.height() && written; ++y) {

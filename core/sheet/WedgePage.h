@@ -23,6 +23,10 @@ struct WedgePage {
     // Printed length over true length of the printer that it goes to, across and along.
     double scaleX = 1, scaleY = 1;
     std::vector<WedgeRow> rows;
+    // The ICC profile of the printer whose inks the patches are in, QColors in CMYK, and its name;
+    // empty: they are in sRGB. PDF only.
+    QByteArray inks;
+    QString inksName;
     QStringList tones; // over the columns
     QString lot, date; // as they are to stand on the page; empty: a line to write them on
 };

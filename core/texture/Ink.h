@@ -4,6 +4,7 @@
 
 #include "texture/InkLaw.h"
 #include "texture/LinearLight.h"
+#include "texture/Thinning.h"
 
 namespace dipwright {
 
@@ -13,6 +14,9 @@ struct InkSettings {
     // than this by itself is printed as it is.
     double limit = 2.0;
     InkLaw law = {}; // of the ink on the film
+    // Whether a printer of inks is to get each compensated by itself, after separation: where more
+    // is known of them than that they might be dyes.
+    bool isPerInk() const { return compensate && law != InkLaw(); }
     bool operator==(const InkSettings&) const = default;
 };
 
@@ -33,29 +37,16 @@ public:
     // What `printed` looks like on film that has grown by `areaStretch`.
     LinearColour shown(const LinearColour& printed, float areaStretch) const;
 
+    // The tint of white, 0 … 1, to print so that `wanted` shows, as far as full tint goes.
+    float printWhite(float wanted, float areaStretch) const;
+    // What `printed` shows, 0 … 1.
+    float shownWhite(float printed, float areaStretch) const;
+
 private:
-    // One ink's law, ready to be asked for every pixel.
-    class Thinning {
-    public:
-        Thinning(const InkLaw& law, ProcessInk ink);
-        // Printed density over the shown one, by the light of the one or of the other.
-        float byShown(float light, float areaStretch) const;
-        float byPrinted(float light, float areaStretch) const;
-
-    private:
-        struct Tone {
-            float density, exponent, bend, mostGrown; // all but exponent and bend as logarithms
-        };
-        float shownAt(const Tone& tone, float grown) const;
-        float ofLayer(float areaStretch) const;
-
-        float exponent_;
-        std::vector<Tone> tones_;
-    };
-
     bool compensate_;
     float darkest_; // the linear light of the density limit
-    std::array<Thinning, inkCount> thinning_;
+    std::array<Thinning, lightInks> thinning_;
+    Thinning white_;
 };
 
 } // namespace dipwright

@@ -26,14 +26,15 @@ double thinned(const InkTone& tone, double stretch) {
 }
 
 void checkReading(const WedgeReading& reading, const QString& where) {
-    const auto isDensity = [](double density) {
-        return density >= leastToneDensity && density <= mostToneDensity;
+    const double most = reading.ink == FilmInk::White ? 1 : mostToneDensity;
+    const auto isDensity = [most](double density) {
+        return density >= leastToneDensity && density <= most;
     };
     if (!isDensity(reading.nominal) || !isDensity(reading.flat) || !isDensity(reading.shown)) {
         throw Error(Text::tr("A density is from %1 to %2; zero the densitometer on a place without "
                              "ink, and leave that patch out")
                         .arg(leastToneDensity)
-                        .arg(mostToneDensity),
+                        .arg(most),
                     where);
     }
     if (!(reading.stretch >= leastWedgeStretch && reading.stretch <= mostWedgeStretch)) {
@@ -82,7 +83,8 @@ void checkInkLaw(const InkLaw& law, const QString& where) {
         const InkTone& low = law.tones[next - 1];
         const InkTone& high = law.tones[next];
         if (low.ink > high.ink) {
-            throw Error(Text::tr("The tones must stand by ink, cyan, magenta, yellow"), where);
+            throw Error(Text::tr("The tones must stand by ink: cyan, magenta, yellow, black, white"),
+                        where);
         }
         if (low.ink < high.ink) {
             continue;
@@ -105,7 +107,7 @@ void checkInkLaw(const InkLaw& law, const QString& where) {
 }
 
 FittedInk fitInk(std::span<const WedgeReading> readings, const QString& where) {
-    std::map<std::pair<ProcessInk, double>, std::vector<WedgeReading>> patches;
+    std::map<std::pair<FilmInk, double>, std::vector<WedgeReading>> patches;
     for (const WedgeReading& reading : readings) {
         checkReading(reading, where);
         patches[{reading.ink, reading.nominal}].push_back(reading);

@@ -13,14 +13,15 @@
 
 namespace dipwright {
 
-// Inks by the light that they take away: red, green, blue.
-enum class ProcessInk { Cyan, Magenta, Yellow };
-inline constexpr int inkCount = 3;
+// Inks: three by the light that they take away, red, green, blue; black; white, which hides.
+enum class FilmInk { Cyan, Magenta, Yellow, Black, White };
+inline constexpr int inkCount = 5;
+inline constexpr int lightInks = 3; // the first of them, which pictures in RGB know
 
 // What one patch of a step wedge told: n = exponent + bend·ln J for what is printed with `density`,
-// and as at `mostStretch` beyond it.
+// and as at `mostStretch` beyond it. Of white the density is the share that it hides, 0 … 1.
 struct InkTone {
-    ProcessInk ink = ProcessInk::Cyan;
+    FilmInk ink = FilmInk::Cyan;
     double density = 0;
     double exponent = 1;
     double bend = 0;
@@ -34,7 +35,7 @@ inline constexpr double mostInkBend = 2;
 inline constexpr double mostWedgeStretch = 20;
 
 struct InkLaw {
-    std::array<double, inkCount> exponents{1, 1, 1}; // of inks without tones
+    std::array<double, inkCount> exponents{1, 1, 1, 1, 1}; // of inks without tones
     // Of each ink in the order of their density; between two of them n is linear in the density's
     // logarithm, outside it is the last one's.
     std::vector<InkTone> tones;
@@ -46,7 +47,7 @@ void checkInkLaw(const InkLaw& law, const QString& where);
 
 // A patch of a step wedge, read before the film was stretched and after.
 struct WedgeReading {
-    ProcessInk ink = ProcessInk::Cyan;
+    FilmInk ink = FilmInk::Cyan;
     double nominal = 0; // density that the page asked for
     double flat = 0;    // density that unstretched film shows
     double stretch = 1; // J, above 1

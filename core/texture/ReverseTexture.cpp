@@ -6,6 +6,7 @@
 #include "texture/Bleed.h"
 #include "texture/BodyColours.h"
 #include "texture/ReverseMap.h"
+#include "texture/StretchPlane.h"
 
 #include <QCoreApplication>
 
@@ -53,18 +54,74 @@ struct CellPlaces {
     }
 };
 
+// What is told of each pixel beside its colour: the tint of white and how far the film stretches.
+// A picture, so that it is continued past the edge as colours are.
+class AsidePicture {
+public:
+    // Of an image; none is made where neither is asked for.
+    AsidePicture(QSize pixels, bool isWanted) {
+        if (isWanted) {
+            picture_ = QImage(pixels, QImage::Format_RGBA8888);
+            picture_.fill(Qt::transparent);
+            bits_ = picture_.bits();
+        }
+    }
+
+    bool isMade() const { return bits_ != nullptr; }
+    QImage& picture() { return picture_; }
+    void write(int column, int row, float white, float stretch) const {
+        unsigned char* const place = bits_ + row * picture_.bytesPerLine() + 4 * column;
+        const std::uint16_t code = stretchCode(stretch);
+        place[0] = std::uint8_t(std::lround(255 * white));
+        place[1] = std::uint8_t(code >> 8);
+        place[2] = std::uint8_t(code & 255);
+        place[3] = 255;
+    }
+
+    // The tints, where the film image has colour.
+    QImage white(const QImage& image) const {
+        const PixelCode code(image);
+        QImage tint(picture_.size(), QImage::Format_Grayscale8);
+        for (int y = 0; y < tint.height(); ++y) {
+            const uchar* colour = image.constScanLine(y);
+            for (int x = 0; x < tint.width(); ++x, colour += code.bytes()) {
+                tint.scanLine(y)[x] =
+                    code.alpha(colour) != 0 ? picture_.constScanLine(y)[4 * x] : 0;
+            }
+        }
+        return tint;
+    }
+    QImage stretch() const {
+        QImage plane = unstretched(picture_.size());
+        for (int y = 0; y < plane.height(); ++y) {
+            const uchar* told = picture_.constScanLine(y);
+            auto* const codes = reinterpret_cast<std::uint16_t*>(plane.scanLine(y));
+            for (int x = 0; x < plane.width(); ++x, told += 4) {
+                codes[x] = told[3] != 0 ? std::uint16_t(told[1] << 8 | told[2]) : codes[x];
+            }
+        }
+        return plane;
+    }
+
+private:
+    QImage picture_;
+    unsigned char* bits_ = nullptr;
+};
+
 class FilmPainter {
 public:
+    // `wanted`: may be null.
     FilmPainter(const LaidFilm& laid, const ReverseMap& map, const BodyColours& colours,
-                const ReverseTextureOptions& options, QImage& image, QImage& white)
+                const ReverseTextureOptions& options, QImage& image, QImage& wanted,
+                const AsidePicture& aside)
         : laid_(laid), grid_(laid.film().grid), model_(laid.body().model), map_(map),
           colours_(colours), ink_(options.ink), share_(options.share ? &*options.share : nullptr),
           columns_(grid_, image.width(), grid_.columns - 1, columnAt),
           rows_(grid_, image.height(), grid_.rows - 1, rowAt),
           pixelSize_(float(grid_.width / image.width()), float(grid_.depth / image.height())),
           code_(image), bits_(image.bits()), stride_(image.bytesPerLine()),
-          white_(float(options.white)), growsWhite_(options.ink.compensate),
-          whiteBits_(white.isNull() ? nullptr : white.bits()), whiteStride_(white.bytesPerLine()) {}
+          white_(float(options.white)), wantedBits_(wanted.isNull() ? nullptr : wanted.bits()),
+          aside_(aside) {}
 
     // What painting one row of cells has come to.
     struct PaintedRow {
@@ -285,20 +342,18 @@ private:
         const float stretch = weights[0] * stretches[corners[0]] +
                               weights[1] * stretches[corners[1]] +
                               weights[2] * stretches[corners[2]];
-        const InkCompensation::Ink ink = ink_.print(ink_.faded(wanted, pixel.share), stretch);
-        code_.write(bytesOf(pixel), ink.colour, code_.opaque());
-        if (whiteBits_) {
-            printWhite(pixel, stretch);
+        const LinearColour shown = ink_.faded(wanted, pixel.share);
+        const InkCompensation::Ink ink = ink_.print(shown, stretch);
+        unsigned char* const bytes = bytesOf(pixel);
+        code_.write(bytes, ink.colour, code_.opaque());
+        if (wantedBits_) {
+            code_.write(wantedBits_ + (bytes - bits_), shown, code_.opaque());
+        }
+        if (aside_.isMade()) {
+            aside_.write(pixel.column, pixel.row, ink_.printWhite(white_ * pixel.share, stretch),
+                         stretch);
         }
         return ink.fallsShort ? double(pixelSize_.prod() * stretch) : 0;
-    }
-
-    // White thins as an even layer (docs/film-model.md, "White").
-    void printWhite(const Pixel& pixel, float stretch) const {
-        const float tint = white_ * pixel.share * (growsWhite_ ? stretch : 1);
-        unsigned char* const place = whiteBits_ + pixel.row * whiteStride_ + 4 * pixel.column;
-        std::fill_n(place, 3, std::uint8_t(std::lround(255 * std::clamp(tint, 0.0f, 1.0f))));
-        place[3] = 255;
     }
 
     const LaidFilm& laid_;
@@ -314,24 +369,23 @@ private:
     PixelCode code_;
     unsigned char* bits_;
     std::ptrdiff_t stride_;
-    float white_; // on the body, 0 … 1
-    bool growsWhite_;
-    unsigned char* whiteBits_; // RGBA8888; null: none
-    std::ptrdiff_t whiteStride_;
+    float white_;               // on the body, 0 … 1
+    unsigned char* wantedBits_; // a picture like the image; null: none
+    const AsidePicture& aside_;
 };
 
-// The tints that were painted as greys, where the film image has colour.
-QImage tintOf(const QImage& painted, const QImage& image) {
+// Blank where the film image is.
+void blankAs(const QImage& image, QImage& picture) {
     const PixelCode code(image);
-    QImage tint(painted.size(), QImage::Format_Grayscale8);
-    for (int y = 0; y < tint.height(); ++y) {
-        for (int x = 0; x < tint.width(); ++x) {
-            const bool isPrinted =
-                code.alpha(image.constScanLine(y) + std::ptrdiff_t(x) * code.bytes()) != 0;
-            tint.scanLine(y)[x] = isPrinted ? painted.constScanLine(y)[4 * x] : 0;
+    for (int y = 0; y < image.height(); ++y) {
+        const uchar* from = image.constScanLine(y);
+        uchar* to = picture.scanLine(y);
+        for (int x = 0; x < image.width(); ++x, from += code.bytes(), to += code.bytes()) {
+            if (code.alpha(from) == 0) {
+                std::fill_n(to, code.bytes(), std::uint8_t(0));
+            }
         }
     }
-    return tint;
 }
 
 } // namespace
@@ -353,15 +407,15 @@ ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions&
         result.image.setColorSpace(wideSpace());
     }
     result.image.fill(Qt::transparent);
-    if (options.white > 0) {
-        result.white = QImage(options.pixels, QImage::Format_RGBA8888);
-        result.white.fill(Qt::transparent);
+    if (options.keepsWanted) {
+        result.wanted = result.image;
     }
+    AsidePicture aside(options.pixels, options.white > 0 || options.keepsWanted);
     const ReverseMap map(laid);
     result.seamTriangles = map.seamCount();
     progress(0.1, Text::tr("Reversing the texture"));
 
-    const FilmPainter painter(laid, map, colours, options, result.image, result.white);
+    const FilmPainter painter(laid, map, colours, options, result.image, result.wanted, aside);
     const solver::FilmGrid& grid = laid.film().grid;
     std::vector<FilmPainter::PaintedRow> painted(std::size_t(grid.rows - 1));
     parallelFor(0, grid.rows - 1, [&](int row) {
@@ -380,9 +434,16 @@ ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions&
             std::fill_n(pixel, PixelCode(result.image).bytes(), std::uint8_t(0));
         }
     }
-    if (!result.white.isNull()) {
-        continueColour(result.white, options.bleed / pixelSize);
-        result.white = tintOf(result.white, result.image);
+    if (aside.isMade()) {
+        continueColour(aside.picture(), options.bleed / pixelSize);
+    }
+    if (options.white > 0) {
+        result.white = aside.white(result.image);
+    }
+    if (options.keepsWanted) {
+        continueColour(result.wanted, options.bleed / pixelSize);
+        blankAs(result.image, result.wanted);
+        result.stretch = aside.stretch();
     }
     progress(1, Text::tr("Reversing the texture"));
     return result;

@@ -20,6 +20,7 @@ struct ReverseTextureOptions {
     InkSettings ink;
     std::optional<PaintShare> share = {}; // none: it gives all the colour wherever it reaches
     double white = 0; // tint that a white layer is to have on the body, 0 … 1; 0: no layer
+    bool keepsWanted = false; // what colour is to show, and how far the film stretches there
 };
 
 struct ReverseTexture {
@@ -30,6 +31,9 @@ struct ReverseTexture {
     // The tint of white to print wherever there is colour, more where the film stretches, as far as
     // full tint goes; of the image's size, Grayscale8. Null where none is wanted.
     QImage white;
+    // What the image is to show on the body, as it would be printed on film that is not stretched,
+    // and how far it is: Grayscale16, codes of StretchPlane.h. Null where they are not kept.
+    QImage wanted, stretch;
 };
 
 // The image to print so that the dip puts the body's texture where it belongs: every pixel in a

@@ -18,7 +18,8 @@ struct Text {
 
 const QByteArray columns = "ink,nominal,flat,across,down,shown";
 const QStringList inkNames{QStringLiteral("cyan"), QStringLiteral("magenta"),
-                           QStringLiteral("yellow")};
+                           QStringLiteral("yellow"), QStringLiteral("black"),
+                           QStringLiteral("white")};
 constexpr double ruler = 100; // mm, of the page's rulers before the film is stretched
 constexpr int mostReadings = 10'000;
 
@@ -35,12 +36,12 @@ std::optional<std::vector<double>> numbers(const QStringList& words) {
     return values;
 }
 
-std::vector<ProcessInk> inksOf(const QString& word) {
+std::vector<FilmInk> inksOf(const QString& word) {
     if (word == QLatin1String("grey")) {
-        return {ProcessInk::Cyan, ProcessInk::Magenta, ProcessInk::Yellow};
+        return {FilmInk::Cyan, FilmInk::Magenta, FilmInk::Yellow};
     }
     const auto index = inkNames.indexOf(word);
-    return index < 0 ? std::vector<ProcessInk>() : std::vector{ProcessInk(index)};
+    return index < 0 ? std::vector<FilmInk>() : std::vector{FilmInk(index)};
 }
 
 QString shortest(double number) {
@@ -49,7 +50,7 @@ QString shortest(double number) {
 
 } // namespace
 
-QString inkName(ProcessInk ink) {
+QString inkName(FilmInk ink) {
     return inkNames.at(int(ink));
 }
 
@@ -69,25 +70,25 @@ std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& wher
         if (words.size() == 1 || words.back().trimmed().isEmpty()) {
             continue;
         }
-        const std::vector<ProcessInk> inks = inksOf(words.front().trimmed());
+        const std::vector<FilmInk> inks = inksOf(words.front().trimmed());
         const auto values = numbers(words.mid(1));
         if (words.size() != 6 || inks.empty() || !values) {
-            throw Error(Text::tr("Line %1 of the wedge is not an ink (cyan, magenta, yellow or "
-                                 "grey) and five numbers, joined by commas")
+            throw Error(Text::tr("Line %1 of the wedge is not an ink (cyan, magenta, yellow, "
+                                 "black, white or grey) and five numbers, joined by commas")
                             .arg(line + 1),
                         where);
         }
         const std::vector<double>& v = *values;
-        for (const ProcessInk ink : inks) {
+        for (const FilmInk ink : inks) {
             readings.push_back({ink, v[0], v[1], v[2] * v[3] / (ruler * ruler), v[4]});
         }
     }
     return readings;
 }
 
-QByteArray blankWedge(int stretches) {
+QByteArray blankWedge(int stretches, bool black) {
     QByteArray table = columns + '\n';
-    for (const QString& ink : inkNames) {
+    for (const QString& ink : inkNames.first(black ? lightInks + 1 : lightInks)) {
         for (const double tone : wedgeTones) {
             for (int stretch = 0; stretch < stretches; ++stretch) {
                 table += ink.toUtf8() + ',' + QByteArray::number(tone) + ",,,,\n";
@@ -115,7 +116,7 @@ std::vector<InkTone> inkTones(const QString& text, const QString& where) {
     const QStringList parts = text.split(u';');
     for (const QString& part : parts) {
         const QStringList words = part.simplified().split(u' ');
-        const std::vector<ProcessInk> inks = inksOf(words.front());
+        const std::vector<FilmInk> inks = inksOf(words.front());
         const auto values = numbers(words.mid(1));
         const auto isWithin = [&](std::size_t index, double least, double most) {
             return (*values)[index] >= least && (*values)[index] <= most;

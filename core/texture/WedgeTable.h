@@ -13,17 +13,18 @@ inline constexpr std::array wedgeTones{0.05, 0.1,  0.2, 0.3,  0.45, 0.6,  0.75,
                                        0.9,  1.05, 1.2, 1.35, 1.5,  1.75, 2.0};
 inline constexpr qint64 mostWedgeBytes = 1 << 20;
 
-// "cyan", "magenta", "yellow".
-QString inkName(ProcessInk ink);
+// "cyan", "magenta", "yellow", "black", "white".
+QString inkName(FilmInk ink);
 
 // A line for each reading after one with the columns' names: ink,nominal,flat,across,down,shown.
-// `ink` is cyan, magenta, yellow, or grey for all three at once; the three in the middle are the
-// density that the page asked for, the one that unstretched film shows, and the lengths in mm that
+// `ink` is cyan, magenta, yellow, black, white, or grey for the first three at once; the three in
+// the middle are the density that the page asked for, the one that unstretched film shows, and the lengths in mm that
 // the page's two rulers have on the stretched film; the last is the density shown there. Throws
 // Error naming the line.
 std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& where);
-// Such a table for these inks, with the readings still to be filled in.
-QByteArray blankWedge(int stretches);
+// Such a table for cyan, magenta and yellow, with black where `black`, with the readings still to
+// be filled in.
+QByteArray blankWedge(int stretches, bool black = false);
 
 // "cyan 0.3 0.48 0.11 2.9; …": ink, density, exponent, bend, greatest stretch. Reading gives the
 // same numbers; it throws Error on what is no such text and as checkInkLaw() does.

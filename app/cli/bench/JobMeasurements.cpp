@@ -44,7 +44,7 @@ public:
     Sheet sheet(double dpi) const {
         Project project = project_;
         project.sheet.resolution = DotsPerInch(dpi);
-        return jobSheet(project, project.immersions.front(), texture(dpi).image);
+        return jobSheet(project, project.immersions.front(), {texture(dpi).image});
     }
 
 private:
@@ -145,7 +145,7 @@ std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& pr
         {QStringLiteral("reverse texture"),
          [&] { turtle.texture(project.sheet.resolution.value()); }},
         {QStringLiteral("sheet and its job number"),
-         [&] { jobSheet(project, dipped.immersion, dipped.texture->image); }},
+         [&] { jobSheet(project, dipped.immersion, {dipped.texture->image}); }},
         {QStringLiteral("sheet as PNG"),
          [&] { bytesOf([&](QIODevice& device) { writeSheetPng(dipped.sheet, device); }); }},
         {QStringLiteral("sheet as PDF"),

@@ -214,13 +214,22 @@ void PrintDialog::startProof(const Sheet& sheet, const SheetPreview& page, int p
     // The film itself and not the page as it is seen: that holds no more colours than a screen's.
     Sheet small = sheet;
     const double scale = page.page.width() / page.size.width();
-    small.image = sheet.image.scaled((page.film.size() * scale).toSize(), Qt::IgnoreAspectRatio,
-                                     Qt::SmoothTransformation);
+    const auto scaled = [size = (page.film.size() * scale).toSize()](const QImage& image) {
+        return image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    };
+    small.image = scaled(sheet.image);
+    small.plates.clear();
+    if (small.wanted) {
+        small.wanted->image = scaled(sheet.wanted->image);
+        small.wanted->stretch = sheet.wanted->stretch.scaled(small.image.size()); // numbers
+    }
     jobs_.start(std::make_unique<ValueJob<PrintProof>>(
         tr("Proofing the colours"),
         [small, profile = *outcome_.result->project.profiles.printer,
          marked = proof_->currentIndex() == 2](const Progress&) {
-            PrintProof proof = printProof(onPaper(small.image), *printerColour(profile), marked);
+            const auto colour = printerColour(profile);
+            PrintProof proof =
+                printProof(small, printCorrection(profile, colour.get()), marked);
             Sheet proofed = small;
             proofed.image = proof.page;
             proof.page = sheetPreview(proofed).page;

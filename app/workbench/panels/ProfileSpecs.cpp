@@ -216,6 +216,10 @@ std::vector<PropertySection> filmSections() {
                           "behind them. A guess, taken for inks without tones."),
          .parts = {Text::tr("C", "cyan"), Text::tr("M", "magenta"), Text::tr("Y", "yellow")},
          .linked = true},
+        {.path = QStringLiteral("ink_black_white_exponents"),
+         .label = Text::tr("Black and white"),
+         .help = Text::tr("The same of black and white ink, which printers in CMYK have."),
+         .parts = {Text::tr("K", "black"), Text::tr("W", "white")}},
         {.path = QStringLiteral("ink_tones"),
          .label = Text::tr("Ink, measured"),
          .help = Text::tr("What a step wedge told, tone by tone: ink, density, exponent, bend, "

@@ -4,6 +4,7 @@
 #include "panels/NumberBox.h"
 
 #include <QCheckBox>
+#include <QColorDialog>
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -11,6 +12,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPainter>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -205,20 +207,57 @@ class TextField : public PropertyField {
 public:
     TextField(const PropertySpec& spec, const FieldRule& rule, QWidget* parent)
         : PropertyField(spec, parent), line_(new QLineEdit(this)) {
-        makeRow(this)->addWidget(line_);
+        auto* row = makeRow(this);
+        row->addWidget(line_);
         line_->setMaxLength(int(rule.maximum));
         adopt(line_, spec.label, {});
         connect(line_, &QLineEdit::textEdited, this,
                 [this](const QString& text) { emit edited(text); });
+        if (spec.isColour) {
+            addSwatch(*row);
+        }
     }
     void show(const QJsonValue& value) override {
         if (line_->text() != value.toString()) {
             line_->setText(value.toString());
         }
+        if (swatch_) {
+            swatch_->setIcon(swatchOf(QColor(value.toString())));
+        }
     }
 
 private:
+    void addSwatch(QHBoxLayout& row) {
+        swatch_ = new QToolButton(this);
+        swatch_->setObjectName(spec().path + QStringLiteral(".choose"));
+        swatch_->setAccessibleName(PropertyField::tr("Choose %1").arg(spec().label));
+        swatch_->setToolTip(PropertyField::tr("Choose the colour"));
+        connect(swatch_, &QToolButton::clicked, this, [this] {
+            const QColor now(line_->text());
+            auto* dialog = new QColorDialog(now.isValid() ? now : QColor(Qt::white), this);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
+                emit edited(colour.name());
+                emit left();
+            });
+            dialog->open();
+        });
+        row.addWidget(swatch_);
+    }
+    // Of no colour: an empty frame.
+    QIcon swatchOf(const QColor& colour) const {
+        QPixmap picture(QSize(14, 14) * devicePixelRatio());
+        picture.setDevicePixelRatio(devicePixelRatio());
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        painter.setPen(palette().color(QPalette::Mid));
+        painter.setBrush(colour.isValid() ? QBrush(colour) : QBrush(Qt::NoBrush));
+        painter.drawRect(QRectF(0.5, 0.5, 13, 13));
+        return {picture};
+    }
+
     QLineEdit* line_;
+    QToolButton* swatch_ = nullptr; // null: no colour
 };
 
 // Undo takes back what is being typed; where nothing is, it takes back the project's last change.

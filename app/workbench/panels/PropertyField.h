@@ -26,6 +26,7 @@ struct PropertySpec {
     // Of several parts that usually are one number: typing one of them sets all, as long as the
     // user does not unlink them.
     bool linked = false;
+    bool isColour = false; // of a text: "#rrggbb", which a dialog may choose as well
 };
 
 class PropertyField : public QWidget {

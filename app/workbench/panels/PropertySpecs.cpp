@@ -371,8 +371,9 @@ std::vector<PropertySection> sheetProperties() {
     spots.specs = {
         {.path = QStringLiteral("body.base_colour"),
          .label = Text::tr("Part's colour"),
-         .help = Text::tr("Of the bare part, as #1a2b3c: the proof shows the ink on it. Empty: "
-                          "light grey, and ink as it looks on white.")},
+         .help = Text::tr("Of the bare part, as #1a2b3c: proof and view show the ink on it. "
+                          "Empty: light grey, and ink as it looks on white."),
+         .isColour = true},
         {.path = QStringLiteral("sheet.white"),
          .label = Text::tr("White"),
          .help = Text::tr("A plate of white under all colour. What is printed last touches the "
@@ -444,6 +445,11 @@ std::vector<PropertySection> inkProperties() {
                                 "hide what is behind them. A guess, taken for inks without tones."),
                .parts = {Text::tr("C", "cyan"), Text::tr("M", "magenta"), Text::tr("Y", "yellow")},
                .linked = true},
+              {.path = QStringLiteral("ink.black_white_exponents"),
+               .label = Text::tr("Black and white"),
+               .help = Text::tr("The same of black and white ink, which printers in CMYK have: "
+                                "there each ink is made up for by itself, after separation."),
+               .parts = {Text::tr("K", "black"), Text::tr("W", "white")}},
               {.path = QStringLiteral("ink.tones"),
                .label = Text::tr("Measured"),
                .help = Text::tr("What a step wedge told, tone by tone: ink, density, exponent, "

@@ -16,13 +16,14 @@ BodyPrinter::Paper BodyPrinter::paperOf(const std::shared_ptr<const TexturedMesh
 }
 
 void BodyPrinter::print(const std::shared_ptr<const TexturedMesh>& model,
-                        std::vector<WornFilm> films, const InkSettings& ink) {
+                        std::vector<WornFilm> films, const InkSettings& ink,
+                        const Ground& ground) {
     jobs_.cancelAll();
     jobs_.start(std::make_unique<ValueJob<Print>>(
         tr("Printing the body"),
-        [paper = paper_, model, films = std::move(films), ink](const Progress&) {
+        [paper = paper_, model, films = std::move(films), ink, ground](const Progress&) {
             Print print{paper.model == model ? paper : paperOf(model), {}};
-            print.colours = printedColours(*print.paper.mesh, films, ink);
+            print.colours = printedColours(*print.paper.mesh, films, ink, ground);
             return print;
         },
         [this](const Print& print) {

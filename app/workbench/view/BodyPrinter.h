@@ -14,9 +14,9 @@ class BodyPrinter : public QObject {
 public:
     explicit BodyPrinter(QObject* parent = nullptr);
 
-    // What `films` give `model`; printed() tells.
+    // What `films` give `model` on `ground`; printed() tells.
     void print(const std::shared_ptr<const TexturedMesh>& model, std::vector<WornFilm> films,
-               const InkSettings& ink);
+               const InkSettings& ink, const Ground& ground);
 
 signals:
     void printed(const std::shared_ptr<const dipwright::TexturedMesh>& model,

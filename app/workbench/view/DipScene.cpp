@@ -3,6 +3,7 @@
 #include "dip/FilmMarks.h"
 #include "dip/Pose.h"
 #include "look/Theme.h"
+#include "pipeline/PrintedBody.h"
 #include "results/Results.h"
 #include "texture/Chessboard.h"
 #include "view/ZoneDress.h"
@@ -142,6 +143,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     const bool otherArtwork = project.artwork != project_.artwork;
     const bool otherMarks = project.share.marks != project_.share.marks;
     const bool otherZones = project.tolerance != project_.tolerance;
+    const bool otherBase = project.baseColour != project_.baseColour;
     const bool otherFilm = !(project.film == project_.film) || !project_.model;
     project_ = project;
     immersion_ = std::min(immersion, project.immersions.size() - 1);
@@ -164,7 +166,8 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
         view_.setTank({grid.width, grid.depth}, std::max(40.0, 0.8 * height));
         filmSource_ = {};
     }
-    if (bodyLook_ == BodyLook::Zones && (otherModel || otherZones)) {
+    if ((bodyLook_ == BodyLook::Zones && (otherModel || otherZones)) ||
+        (bodyLook_ == BodyLook::Print && !otherModel && otherBase)) {
         dressBody();
     }
     if (moment_ == Moment::Setup) {
@@ -482,17 +485,17 @@ void DipScene::dressBody() {
 
 void DipScene::print() {
     const JobResult& result = *result_;
-    std::vector<WornFilm> films;
-    for (const ImmersionResult& dip : result.immersions) {
-        films.push_back({dip.laid, dip.texture->image});
-        films.back().depth = dipDepth(result.project.process, *dip.body);
+    std::vector<WornFilm> films = wornFilms(result.immersions, true);
+    for (std::size_t dip = 0; dip < films.size(); ++dip) {
+        films[dip].depth = dipDepth(result.project.process, *result.immersions[dip].body);
     }
     if (films.size() > 1) {
         slip(films.back());
         films.resize(std::min(films.size(), shownPrint_.dips));
     }
-    const TextureInputs& inputs = result.immersions.front().inputs.texture;
-    printer_.print(project_.model, std::move(films), inputs.printedInk());
+    const SheetInputs& inputs = result.immersions.front().inputs;
+    printer_.print(project_.model, std::move(films), inputs.texture.printedInk(),
+                   groundOf(inputs.settings, project_.baseColour));
 }
 
 void DipScene::slip(WornFilm& film) {

@@ -169,6 +169,7 @@ private slots:
     void sharesAreShownOnTheFilm();
     void sharesAreShownFromSixSides();
     void shiftedJoinIsAsWrongAsReckoned();
+    void bareBodyInTheViewHasThePartsColour();
     void proofIsTheSameEveryTime();
     void proofCanBeCancelled();
     void creasesStaySharp();
@@ -716,6 +717,21 @@ void ResultsTest::shiftedJoinIsAsWrongAsReckoned() {
     const double wanted = std::pow(grey, 1 - shift / band);
     QVERIFY2(std::abs(sum / double(count) - wanted) < 0.01 * wanted,
              qPrintable(QStringLiteral("%1 instead of %2").arg(sum / double(count)).arg(wanted)));
+}
+
+// As in the proof: where no film paints, the part's own colour, and ink over it darker.
+void ResultsTest::bareBodyInTheViewHasThePartsColour() {
+    const RefinedMesh fine(dip_.model.mesh, 2);
+    QImage picture(140, 196, QImage::Format_RGBA8888);
+    picture.fill(Qt::transparent);
+    const QColor own(40, 90, 160);
+    const auto colours = printedColours(fine, {{dip_.laid, picture}}, {.compensate = false},
+                                        Ground{.base = own});
+    for (const QRgb colour : colours) {
+        QVERIFY(std::abs(qRed(colour) - own.red()) <= 1 &&
+                std::abs(qGreen(colour) - own.green()) <= 1 &&
+                std::abs(qBlue(colour) - own.blue()) <= 1);
+    }
 }
 
 void ResultsTest::proofIsTheSameEveryTime() {

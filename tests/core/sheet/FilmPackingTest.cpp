@@ -200,20 +200,23 @@ private slots:
                                        part("White", {60, 70, 30, 40})};
         Sheet& own = parts[1].sheet;
         own.settings.white = WhiteLayer::Last;
-        own.white = QImage(own.image.size(), QImage::Format_Grayscale8);
-        own.white.fill(0);
+        QImage white(own.image.size(), QImage::Format_Grayscale8);
+        white.fill(0);
         for (int y = 700; y < 1500; ++y) { // more than is coloured: white paint on a dark part
-            own.white.scanLine(y)[800] = uchar(1 + y % 255);
+            white.scanLine(y)[800] = uchar(1 + y % 255);
         }
+        own.plates = {{own.settings.whiteName, white}};
         const FilmPlan plan = planFilms(parts, {});
         const Sheet sheet = filmSheet(parts, {}, plan, 0);
         QCOMPARE(sheet.settings.white, WhiteLayer::Last);
-        QCOMPARE(sheet.white.size(), sheet.image.size());
+        QCOMPARE(sheet.plates.size(), std::size_t(1));
+        QCOMPARE(sheet.plates[0].name, own.settings.whiteName);
+        QCOMPARE(sheet.plates[0].tint.size(), sheet.image.size());
         const SheetPiece& piece = sheet.pieces[sheet.pieces[0].job.project == "White" ? 0 : 1];
         const QRect box = inkedBox(own.image) | QRect(800, 700, 1, 800);
-        QCOMPARE(sheet.white.copy(pictureBox(sheet, piece)), own.white.copy(box));
+        QCOMPARE(sheet.plates[0].tint.copy(pictureBox(sheet, piece)), white.copy(box));
         QCOMPARE(sheet.image.copy(pictureBox(sheet, piece)), own.image.copy(box));
-        parts[0].sheet.white = own.white;
+        parts[0].sheet.plates = own.plates;
         parts[0].sheet.settings.white = WhiteLayer::First;
         QVERIFY_EXCEPTION_THROWN(planFilms(parts, {}), Error);
     }

@@ -357,9 +357,7 @@ void PrepressTest::whiteIsAPlateOfItsOwn() {
     sheet.image.fill(QColor(200, 60, 60)); // under the white, and over it
     sheet.settings.ruler = sheet.settings.jobLine = sheet.settings.marks = false;
     const Separations without = separations(pdfOf(sheet, {.colour = &inks_}), 150);
-    sheet.settings.white = first ? WhiteLayer::First : WhiteLayer::Last;
-    sheet.settings.whiteName = QStringLiteral("Opaque White");
-    sheet.white = cornerOfWhite(sheet);
+    sheet.plates = {{QStringLiteral("Opaque White"), cornerOfWhite(sheet), first}};
     const QString path = pdfOf(sheet, {.colour = &inks_});
     QVERIFY(!output("qpdf", {"--check", path}).isEmpty());
     const Separations plates = separations(path, 150);
@@ -378,8 +376,7 @@ void PrepressTest::whiteIsAPlateOfItsOwn() {
 
 void PrepressTest::whiteIsASampleWithItsName() {
     Sheet sheet = patchSheet();
-    sheet.settings.white = WhiteLayer::Last;
-    sheet.white = cornerOfWhite(sheet);
+    sheet.plates = {{QStringLiteral("White"), cornerOfWhite(sheet)}};
     const QString path = written(
         "white.tif", [&](QIODevice& device) { writeSheetTiff(sheet, device, {.colour = &inks_}); });
     TIFF* tiff = TIFFOpen(qPrintable(path), "r");

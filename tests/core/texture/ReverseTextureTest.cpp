@@ -1,5 +1,6 @@
 // The image to print, on films laid by closed forms.
 #include "texture/ReverseTexture.h"
+#include "texture/StretchPlane.h"
 #include "DippedByHand.h"
 #include "base/Units.h"
 #include "base/WideColour.h"
@@ -102,6 +103,7 @@ private Q_SLOTS:
     void inkFollowsTheStretch();
     void colourThatCannotBeHadIsReported();
     void whiteIsPrintedMoreWhereTheFilmStretches();
+    void whatIsWantedIsKeptWhereItIsAskedFor();
     void sameBytesOnOneThreadAndOnMany();
     void tinyImageStillWorks();
     void cancellingThrows();
@@ -378,6 +380,36 @@ void ReverseTextureTest::whiteIsPrintedMoreWhereTheFilmStretches() {
     options.white = 0.9; // more than full tint is not to be had
     const ReverseTexture full = reversed(model, film, options);
     QCOMPARE(int(full.white.constScanLine(full.white.height() / 2)[full.white.width() / 2]), 255);
+}
+
+// What is to show, and by how much the film stretches, for printers that see to each ink.
+void ReverseTextureTest::whatIsWantedIsKeptWhereItIsAskedFor() {
+    DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize / 1.2);
+    for (Eigen::Vector3f& position : film.positions) {
+        position *= 1.2f;
+    }
+    const TexturedMesh model = test::plainModel(boxMesh(boxSize), QColor(200, 60, 60));
+    ReverseTextureOptions options;
+    options.pixels = a4Pixels;
+    const ReverseTexture plain = reversed(model, film, options);
+    QVERIFY(plain.wanted.isNull() && plain.stretch.isNull());
+    options.keepsWanted = true;
+    const ReverseTexture kept = reversed(model, film, options);
+    QCOMPARE(kept.image, plain.image);
+    options.ink.compensate = options.keepsWanted = false;
+    QCOMPARE(kept.wanted, reversed(model, film, options).image);
+    QCOMPARE(kept.stretch.size(), kept.image.size());
+    int printed = 0;
+    for (int y = 0; y < kept.stretch.height(); ++y) {
+        const auto* codes = reinterpret_cast<const std::uint16_t*>(kept.stretch.constScanLine(y));
+        for (int x = 0; x < kept.stretch.width(); ++x) {
+            const bool isPrinted = qAlpha(kept.image.pixel(x, y)) != 0;
+            const float wanted = isPrinted ? 1.44f : 1.0f;
+            QVERIFY(std::abs(areaStretchOf(codes[x]) - wanted) < 0.02f);
+            printed += isPrinted;
+        }
+    }
+    QVERIFY(printed > 10'000);
 }
 
 void ReverseTextureTest::sameBytesOnOneThreadAndOnMany() {

@@ -44,7 +44,7 @@ std::vector<WedgeReading> wedge(const InkOnFilm& ink, double solid, double noise
     std::normal_distribution<double> off(0, noise > 0 ? noise : 1);
     const auto read = [&](double value) { return value + (noise > 0 ? off(random) : 0); };
     std::vector<WedgeReading> readings;
-    for (const ProcessInk kind : {ProcessInk::Cyan, ProcessInk::Magenta, ProcessInk::Yellow}) {
+    for (const FilmInk kind : {FilmInk::Cyan, FilmInk::Magenta, FilmInk::Yellow}) {
         for (const double tone :
              {0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.75, 0.9, 1.05, 1.2, 1.35, 1.5, 1.75, 2.0}) {
             for (const double stretch : {1.3, 1.7, 2.3, 3.0}) {
@@ -243,12 +243,12 @@ void StretchedInkTest::readingsThatNoInkGivesAreRefused_data() {
 
 void StretchedInkTest::readingsThatNoInkGivesAreRefused() {
     QFETCH(const QList<double>, reading);
-    const WedgeReading wrong{ProcessInk::Cyan, reading[0], reading[1], reading[2], reading[3]};
+    const WedgeReading wrong{FilmInk::Cyan, reading[0], reading[1], reading[2], reading[3]};
     QVERIFY_EXCEPTION_THROWN(fitInk(std::vector{wrong}, {}), Error);
     QVERIFY_EXCEPTION_THROWN(fitInk({}, {}), Error);
     // More ink that shows less.
-    const std::vector<WedgeReading> crossing{{ProcessInk::Cyan, 1, 1, 3, 0.9},
-                                             {ProcessInk::Cyan, 1.1, 1.1, 3, 0.4}};
+    const std::vector<WedgeReading> crossing{{FilmInk::Cyan, 1, 1, 3, 0.9},
+                                             {FilmInk::Cyan, 1.1, 1.1, 3, 0.4}};
     QVERIFY_EXCEPTION_THROWN(fitInk(crossing, {}), Error);
 }
 
@@ -257,12 +257,12 @@ void StretchedInkTest::tableIsRead() {
     const std::vector<WedgeReading> readings =
         readWedge(head + "magenta,0.3,0.31,120,150,0.2\n\ngrey,1,1.02, 150 ,140,0.6\r\n", "w.csv");
     QCOMPARE(readings.size(), std::size_t(4));
-    QCOMPARE(readings[0].ink, ProcessInk::Magenta);
+    QCOMPARE(readings[0].ink, FilmInk::Magenta);
     QCOMPARE(readings[0].nominal, 0.3);
     QCOMPARE(readings[0].flat, 0.31);
     QCOMPARE(readings[0].stretch, 1.8); // 1.2 across and 1.5 down
     QCOMPARE(readings[0].shown, 0.2);
-    QCOMPARE(readings[3].ink, ProcessInk::Yellow);
+    QCOMPARE(readings[3].ink, FilmInk::Yellow);
     QCOMPARE(readings[3].stretch, 2.1);
     // The table that comes with the page: whatever is not filled in was not read.
     QVERIFY(readWedge(blankWedge(4), "w.csv").empty());
@@ -274,7 +274,7 @@ void StretchedInkTest::tableWithAFaultIsRefused_data() {
     const QByteArray head = "ink,nominal,flat,across,down,shown\n";
     QTest::newRow("empty") << QByteArray();
     QTest::newRow("another's head") << QByteArray("a,b\n1,2\n");
-    QTest::newRow("no ink") << head + "black,1,1,120,120,0.5\n";
+    QTest::newRow("no ink") << head + "green,1,1,120,120,0.5\n";
     QTest::newRow("a number short") << head + "cyan,1,1,120,0.5\n";
     QTest::newRow("a word") << head + "cyan,1,1,120,wide,0.5\n";
     QTest::newRow("not a number") << head + "cyan,1,1,120,nan,0.5\n";
