@@ -1,6 +1,7 @@
 #include "geometry/UnfoldedSurface.h"
 
 #include "base/Units.h"
+#include "geometry/OpenSeams.h"
 
 #include <algorithm>
 #include <cmath>
@@ -190,7 +191,8 @@ SurfaceFrame uprightFrame(const Eigen::Vector3d& outward) {
 
 UnfoldedSurface::UnfoldedSurface(const TriangleMesh& mesh, const SurfacePoint& middle,
                                  double radius)
-    : fine_(refinedRound(mesh, position(mesh, middle).cast<double>(), radius)), radius_(radius) {
+    : fine_(refinedRound(withClosedSeams(mesh), position(mesh, middle).cast<double>(), radius)),
+      radius_(radius) {
     const TriangleMesh& fine = fine_.mesh();
     const SurfacePoint place = fine_.onFine(middle);
     const std::array<Eigen::Vector3f, 3> corners = cornersOf(fine, place.triangle);

@@ -26,7 +26,8 @@ SurfaceFrame uprightFrame(const Eigen::Vector3d& outward);
 // thread may read; the same answer in every run.
 class UnfoldedSurface {
 public:
-    // Of all within `radius` (> 0) mm of `middle` along the surface. Right and up of the plane are
+    // Of all within `radius` (> 0) mm of `middle` along the surface, over seams whose two sides
+    // only a rounding parts. Right and up of the plane are
     // those of uprightFrame() of the middle's triangle.
     UnfoldedSurface(const TriangleMesh& mesh, const SurfacePoint& middle, double radius);
 

@@ -45,6 +45,8 @@ private Q_SLOTS:
     void uprightIsUpwardsAndReadsFromOutside();
     void largeTrianglesAreNotNoticed();
     void nothingIsPastTheRadius();
+    void openSeamIsCrossed_data();
+    void openSeamIsCrossed();
 };
 
 void UnfoldedSurfaceTest::cylinderUnrollsToTheHundredth() {
@@ -172,6 +174,56 @@ void UnfoldedSurfaceTest::nothingIsPastTheRadius() {
     QVERIFY(!unfolded.at(placeAt(query, {11, 0, 30})));
     QVERIFY(!unfolded.at(placeAt(query, {0, 0, -30})));
     QVERIFY(unfolded.at(placeAt(query, {9.9, 0, 30})));
+}
+
+void UnfoldedSurfaceTest::openSeamIsCrossed_data() {
+    QTest::addColumn<double>("z");
+    QTest::newRow("middle in the seam") << 0.0;
+    QTest::newRow("middle at its end") << 50.0;
+}
+
+// As files have a texture's seam: along it each place is there twice, a rounding apart.
+void UnfoldedSurfaceTest::openSeamIsCrossed() {
+    QFETCH(const double, z);
+    const TriangleMesh closed = cylinderMesh(20, 100, 48);
+    TriangleMesh open = closed;
+    for (auto& corners : open.triangles) {
+        const bool isBehind = std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+            return closed.positions[corner].y() < -0.1f;
+        });
+        for (std::uint32_t& corner : corners) {
+            const Eigen::Vector3f place = closed.positions[corner];
+            if (isBehind && place.x() > 19.9f && std::abs(place.y()) < 1e-3f) {
+                open.positions.push_back(place + Eigen::Vector3f(0, -3e-5f, 2e-5f));
+                corner = std::uint32_t(open.positions.size() - 1);
+            }
+        }
+    }
+    QVERIFY(open.positions.size() > closed.positions.size());
+    const SurfaceQuery query(closed), openQuery(open);
+    const Eigen::Vector3d middle(20, 0, z);
+    const UnfoldedSurface whole(closed, placeAt(query, middle), 30);
+    const UnfoldedSurface cut(open, placeAt(openQuery, middle), 30);
+    // Up and right are those of the middle's triangle, which is on one side or the other.
+    int compared = 0;
+    for (double angle = -0.9; angle <= 0.9; angle += 0.1) {
+        for (double away = -20; away <= 0; away += 2.5) {
+            const Eigen::Vector3d place = onPrism(angle, 20, 48, z + away);
+            const auto wanted = whole.at(placeAt(query, place));
+            const auto flat = cut.at(placeAt(openQuery, place));
+            QCOMPARE(flat.has_value(), wanted.has_value());
+            if (flat) {
+                QVERIFY2(std::abs(flat->norm() - wanted->norm()) < 0.02,
+                         qPrintable(QStringLiteral("%1 %2: %3 in place of %4")
+                                        .arg(angle)
+                                        .arg(away)
+                                        .arg(flat->norm())
+                                        .arg(wanted->norm())));
+                ++compared;
+            }
+        }
+    }
+    QVERIFY(compared > 50);
 }
 
 QTEST_GUILESS_MAIN(UnfoldedSurfaceTest)
