@@ -65,7 +65,8 @@ void list(const Project& project, const QCommandLineParser& parser, QTextStream&
         const QJsonObject layer = layers.at(index).toObject();
         const QJsonArray size = layer.value(QLatin1String("size_mm")).toArray();
         const double repeat = layer.value(QLatin1String("repeat_mm")).toDouble();
-        out << QStringLiteral("%1  %2  %3, %4%5%6\n")
+        const QString spot = layer.value(QLatin1String("spot")).toString();
+        out << QStringLiteral("%1  %2  %3, %4%5%6%7\n")
                    .arg(index + 1, 4)
                    .arg(layer.value(QLatin1String("name")).toString(),
                         layer.value(QLatin1String("kind")).toString(),
@@ -74,9 +75,9 @@ void list(const Project& project, const QCommandLineParser& parser, QTextStream&
                                    : QStringLiteral(", within %1 × %2 mm")
                                          .arg(size.at(0).toDouble())
                                          .arg(size.at(1).toDouble()),
-                        layer.value(QLatin1String("visible")).toBool()
-                            ? QString()
-                            : QStringLiteral(", hidden"));
+                        layer.value(QLatin1String("visible")).toBool() ? QString()
+                                                                       : QStringLiteral(", hidden"),
+                        spot.isEmpty() ? QString() : QStringLiteral(", in %1").arg(spot));
     }
 }
 
@@ -155,8 +156,9 @@ public:
         syntax.addOption(
             {setOption,
              QStringLiteral("For `add` and `set`: a value of the layer, such as size_mm=40;20, "
-                            "place_mm=0;10;25, turn_deg=15, placement=cylinder, repeat_mm=8. May "
-                            "be repeated."),
+                            "place_mm=0;10;25, turn_deg=15, placement=cylinder, repeat_mm=8, or "
+                            "spot=Varnish for a "
+                            "plate of its own in place of its colours. May be repeated."),
              QStringLiteral("KEY=VALUE")});
         syntax.addOption({jsonOption, QStringLiteral("For `list`: prints JSON.")});
     }

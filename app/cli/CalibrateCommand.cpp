@@ -227,9 +227,8 @@ void writeWedgePage(const QCommandLineParser& parser, const QString& path, QText
             : writeWedgePdf(page, device);
     });
     const QString table = path.left(path.lastIndexOf(u'.')) + QStringLiteral(".csv");
-    writeWhole(table, [&](QIODevice& device) {
-        device.write(blankWedge(4, !page.inks.isEmpty()));
-    });
+    writeWhole(table,
+               [&](QIODevice& device) { device.write(blankWedge(4, !page.inks.isEmpty())); });
     out << QStringLiteral("Wrote %1 and, for its readings, %2; both rulers are %3 mm long before "
                           "the film is stretched\n")
                .arg(path, table)

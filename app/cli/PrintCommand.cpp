@@ -97,7 +97,7 @@ PrintFileRequest fileRequest(const PrintRequest& request) {
 
 void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& path) {
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
-    const QImage proof = 
+    const QImage proof =
         printProof(sheet, printCorrection(request.profile, colour.get()), true).page;
     writeWhole(path, [&](QIODevice& device) { writePng(proof, device, path); });
 }

@@ -9,6 +9,7 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <algorithm>
 #include <cmath>
 
 namespace dipwright {
@@ -60,14 +61,20 @@ QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool 
         sentences << Text::tr("The white layer is left out: it needs a printer profile with an ICC "
                               "profile in CMYK");
     }
+    if (!inks && std::any_of(sheet.plates.begin(), sheet.plates.end(),
+                             [](const auto& plate) { return plate.alternate.isValid(); })) {
+        sentences << Text::tr("The spot inks are left out: they need a printer profile with an ICC "
+                              "profile in CMYK");
+    }
     if (sheet.settings.cutLine != CutLine::None && (tiff || !inks)) {
         sentences << Text::tr("The cut line is left out: it needs a PDF and a printer profile with "
                               "an ICC profile in CMYK");
     }
     const double area = inkShortfall(sheet, correction);
     if (area >= leastShortfall) {
-        sentences << Text::tr("On %1 mm² of the part the inks fall visibly short: full ink, the ink "
-                              "limit or the total of ink does not make up for the stretch")
+        sentences << Text::tr(
+                         "On %1 mm² of the part the inks fall visibly short: full ink, the ink "
+                         "limit or the total of ink does not make up for the stretch")
                          .arg(std::round(area));
     }
     return sentences;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace dipwright {
 namespace {
@@ -36,6 +37,33 @@ ArtworkPicture artworkPicture(const QImage& image) {
         hash.addData(QByteArrayView(kept.constScanLine(row), bytes));
     }
     return {QString::fromLatin1(hash.result().toHex()), kept};
+}
+
+Artwork Artwork::inColours() const {
+    Artwork coloured{base, {}};
+    std::copy_if(layers.begin(), layers.end(), std::back_inserter(coloured.layers),
+                 [](const ArtworkLayer& layer) { return layer.spot.isEmpty(); });
+    return coloured;
+}
+
+Artwork Artwork::inSpot(const QString& spot) const {
+    Artwork own{QColor(Qt::white), {}};
+    std::copy_if(layers.begin(), layers.end(), std::back_inserter(own.layers),
+                 [&](const ArtworkLayer& layer) { return layer.spot == spot; });
+    return own;
+}
+
+std::vector<ArtworkLayer> Artwork::spots() const {
+    std::vector<ArtworkLayer> found;
+    for (const ArtworkLayer& layer : layers) {
+        const bool isKnown =
+            std::any_of(found.begin(), found.end(),
+                        [&](const ArtworkLayer& known) { return known.spot == layer.spot; });
+        if (layer.visible && !layer.spot.isEmpty() && !isKnown) {
+            found.push_back(layer);
+        }
+    }
+    return found;
 }
 
 ArtworkLayer newLayer(LayerKind kind, const QString& name) {

@@ -62,12 +62,19 @@ struct ArtworkLayer {
     // proportions kept. Repeats of a projection go on all over the body.
     std::array<Millimetres, 2> size{Millimetres(50), Millimetres(50)};
     Millimetres repeat{0}; // the width of one repeat; 0: shown once
+    // The spot ink, as varnish or a colour of its own, that it is printed with, in full tint where
+    // it covers all: a plate beside the four inks. Empty: in its colours.
+    QString spot = {};
+    QColor spotColour{128, 128, 128}; // what the ink looks like where nobody knows its name
+    bool spotFirst = false;           // printed before the four inks: it ends up outside them
     bool operator==(const ArtworkLayer&) const = default;
 };
 
 // Limits, of the project file too.
 inline constexpr std::size_t mostArtworkLayers = 100;
 inline constexpr int longestLayerName = 100, longestLayerText = 500, mostSeed = 1'000'000;
+inline constexpr int longestSpotName = 60;
+inline constexpr std::size_t mostSpots = 8;                       // inks of one artwork
 inline constexpr double smallestLayer = 0.1, largestLayer = 5000; // mm
 inline constexpr double farthestLayer = 1e5;                      // mm, of a place
 
@@ -77,6 +84,12 @@ struct Artwork {
     std::vector<ArtworkLayer> layers; // from below to above
 
     bool isEmpty() const { return !base && layers.empty(); }
+    // Without what is printed with spot inks.
+    Artwork inColours() const;
+    // The layers that are printed with a spot ink; nothing below them.
+    Artwork inSpot(const QString& spot) const;
+    // Of the layers that are shown, from below to above; each once, as its lowest layer has it.
+    std::vector<ArtworkLayer> spots() const;
     bool operator==(const Artwork&) const = default;
 };
 

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double facing = 0.05;    // cosine: what is seen more aslant a plane does not paint
 constexpr double endOfTube = 0.94; // cosine: what looks so much along the axis is its end
+constexpr double goingOver = 0.15; // of cosines, between two sides of a box
 
 Eigen::Vector3d placeOf(const ArtworkLayer& layer) {
     return {layer.place[0].value(), layer.place[1].value(), layer.place[2].value()};
@@ -54,6 +55,8 @@ LayerPlane::LayerPlane(const ArtworkLayer& layer, const TriangleMesh& mesh,
         reach_ = area.norm() / 2 * 1.02 + 1e-3;
         place_ = position(mesh, middle).cast<double>();
         unfolded_ = std::make_unique<const UnfoldedSurface>(mesh, middle, reach_);
+    } else if (placement_ == LayerPlacement::Box) {
+        normals_ = cornerNormals(mesh);
     } else if (placement_ == LayerPlacement::Cylinder) {
         lengthOfTurn_ = 2 * pi * meanRadius(mesh, place_, axis_);
         if (layer.repeat.value() > 0) { // whole repeats go round
@@ -81,8 +84,34 @@ std::optional<Eigen::Vector2d> LayerPlane::round(const Eigen::Vector3d& place,
     return Eigen::Vector2d(angle / (2 * pi) * lengthOfTurn_, axis_.dot(place));
 }
 
-std::optional<Eigen::Vector2d> LayerPlane::at(const SurfacePoint& point,
-                                              const Eigen::Vector3d& outward) const {
+// Sides that a place looks to about as much share it, so that no line shows between them.
+PlanePlaces LayerPlane::boxed(const SurfacePoint& point) const {
+    const Eigen::Vector3d place = position(mesh_, point).cast<double>() - place_;
+    const Eigen::Vector3d normal = normalAt(normals_, point).cast<double>();
+    const Eigen::Vector3d looks = normal.cwiseAbs();
+    const Eigen::Vector3d over = (looks.array() - looks.maxCoeff() + goingOver).max(0).square();
+    PlanePlaces places;
+    for (Eigen::Index side = 0; side < 3; ++side) {
+        if (over[side] > 0) {
+            const double sign = normal[side] < 0 ? -1 : 1;
+            places[std::size_t(side)] = {
+                projected(place, uprightFrame(sign * Eigen::Vector3d::Unit(side))),
+                float(over[side] / over.sum())};
+        }
+    }
+    return places;
+}
+
+PlanePlaces LayerPlane::at(const SurfacePoint& point, const Eigen::Vector3d& outward) const {
+    if (placement_ == LayerPlacement::Box) {
+        return boxed(point);
+    }
+    const std::optional<Eigen::Vector2d> place = single(point, outward);
+    return place ? PlanePlaces{PlanePlace{*place, 1}} : PlanePlaces{};
+}
+
+std::optional<Eigen::Vector2d> LayerPlane::single(const SurfacePoint& point,
+                                                  const Eigen::Vector3d& outward) const {
     const Eigen::Vector3d place = position(mesh_, point).cast<double>() - place_;
     if (placement_ == LayerPlacement::Decal) {
         if (place.norm() > reach_) {
@@ -94,14 +123,8 @@ std::optional<Eigen::Vector2d> LayerPlane::at(const SurfacePoint& point,
     if (placement_ == LayerPlacement::Cylinder) {
         return round(place, outward);
     }
-    if (placement_ == LayerPlacement::Plane) {
-        return outward.dot(axis_) > facing ? std::optional(projected(place, uprightFrame(axis_)))
-                                           : std::nullopt;
-    }
-    Eigen::Index most = 0;
-    outward.cwiseAbs().maxCoeff(&most);
-    return projected(place,
-                     uprightFrame((outward[most] < 0 ? -1 : 1) * Eigen::Vector3d::Unit(most)));
+    return outward.dot(axis_) > facing ? std::optional(projected(place, uprightFrame(axis_)))
+                                       : std::nullopt;
 }
 
 } // namespace dipwright

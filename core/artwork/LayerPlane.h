@@ -2,12 +2,23 @@
 #pragma once
 
 #include "artwork/Artwork.h"
+#include "geometry/CornerNormals.h"
 #include "geometry/SurfaceQuery.h"
 #include "geometry/UnfoldedSurface.h"
 
+#include <array>
 #include <memory>
+#include <optional>
 
 namespace dipwright {
+
+// Where a place of the body lies in a layer's plane, mm to the right and up from its middle, and
+// for what share of the picture that counts.
+struct PlanePlace {
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    float share = 0; // 0: not at all
+};
+using PlanePlaces = std::array<PlanePlace, 3>;
 
 // Reading is const, any thread.
 class LayerPlane {
@@ -16,14 +27,17 @@ public:
     LayerPlane(const ArtworkLayer& layer, const TriangleMesh& mesh, const SurfaceQuery& query,
                const Eigen::Vector2d& size);
 
-    // Where a place of the body lies in the layer's plane, mm to the right and up from its middle;
-    // nothing where the layer does not reach. `outward`: the unit normal there.
-    std::optional<Eigen::Vector2d> at(const SurfacePoint& place,
-                                      const Eigen::Vector3d& outward) const;
+    // The shares add up to one, or to nothing where the layer does not reach. More than one place
+    // counts only where a box goes over from one side to the next on a rounded body. `outward`: the
+    // unit normal of the triangle there.
+    PlanePlaces at(const SurfacePoint& place, const Eigen::Vector3d& outward) const;
     // Whether repeats go on past the layer's size.
     bool isEndless() const { return placement_ != LayerPlacement::Decal; }
 
 private:
+    std::optional<Eigen::Vector2d> single(const SurfacePoint& point,
+                                          const Eigen::Vector3d& outward) const;
+    PlanePlaces boxed(const SurfacePoint& point) const;
     Eigen::Vector2d projected(const Eigen::Vector3d& place, const SurfaceFrame& frame) const;
     std::optional<Eigen::Vector2d> round(const Eigen::Vector3d& place,
                                          const Eigen::Vector3d& outward) const;
@@ -36,6 +50,7 @@ private:
     double reach_ = 0;        // mm from the place, of a decal
     double lengthOfTurn_ = 0; // mm once round a cylinder, as the picture counts them
     std::unique_ptr<const UnfoldedSurface> unfolded_; // of a decal
+    CornerNormals normals_;                           // of a box
 };
 
 } // namespace dipwright

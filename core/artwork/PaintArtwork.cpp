@@ -34,6 +34,16 @@ struct Layer {
           double texel, bool wide)
         : picture(layer, texel, wide), plane(layer, mesh, query, picture.size()),
           opacity(float(layer.opacity)) {}
+
+    CoveringLight at(const SurfacePoint& place, const Eigen::Vector3d& outward) const {
+        CoveringLight light = CoveringLight::Zero();
+        for (const PlanePlace& flat : plane.at(place, outward)) {
+            if (flat.share > 0) {
+                light += flat.share * picture.at(flat.place, plane.isEndless());
+            }
+        }
+        return opacity * light;
+    }
 };
 
 bool isWide(const TexturedMesh& model, const Artwork& artwork) {
@@ -104,8 +114,11 @@ struct Weights {
     }
 };
 
+// What layers give: their colours, or how much they cover, as black.
+enum class Painted { Colour, Cover };
+
 QImage bake(const TexturedMesh& model, const Unwrapping& charts, const Ground& ground,
-            const std::vector<std::unique_ptr<const Layer>>& layers, bool wide,
+            const std::vector<std::unique_ptr<const Layer>>& layers, bool wide, Painted painted,
             const Progress& progress) {
     QImage picture(charts.width, charts.height,
                    wide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
@@ -140,10 +153,11 @@ QImage bake(const TexturedMesh& model, const Unwrapping& charts, const Ground& g
             const SurfacePoint place = weights->at(triangle, column, row);
             LinearColour colour = ground.at(place, weights->steps);
             for (const auto& layer : layers) {
-                if (const auto flat = layer->plane.at(place, outward)) {
-                    const CoveringLight over =
-                        layer->opacity * layer->picture.at(*flat, layer->plane.isEndless());
-                    colour = LinearColour(over[0], over[1], over[2]) + (1 - over[3]) * colour;
+                const CoveringLight over = layer->at(place, outward);
+                if (over[3] > 0) {
+                    const LinearColour own(over[0], over[1], over[2]);
+                    colour = (1 - over[3]) * colour +
+                             (painted == Painted::Colour ? own : LinearColour(0, 0, 0));
                 }
             }
             code.write(bits + row * stride + code.bytes() * column, colour, code.opaque());
@@ -152,14 +166,8 @@ QImage bake(const TexturedMesh& model, const Unwrapping& charts, const Ground& g
     return picture;
 }
 
-} // namespace
-
-double texelFor(DotsPerInch resolution) {
-    return texelShare / pixelsPerMillimetre(resolution);
-}
-
-TexturedMesh paintArtwork(const TexturedMesh& model, const Artwork& artwork, double texel,
-                          const Progress& progress, qint64 mostTexels) {
+TexturedMesh baked(const TexturedMesh& model, const Artwork& artwork, Painted painted, double texel,
+                   const Progress& progress, qint64 mostTexels) {
     const QString step = Text::tr("Painting the artwork");
     progress(0, step);
     const qint64 most = mostOf(Budget::Pixels);
@@ -179,7 +187,8 @@ TexturedMesh paintArtwork(const TexturedMesh& model, const Artwork& artwork, dou
     }
     progress(0.5, step);
     TexturedMesh result;
-    result.textures = {bake(model, charts, Ground(model, artwork, wide), layers, wide, progress)};
+    result.textures = {
+        bake(model, charts, Ground(model, artwork, wide), layers, wide, painted, progress)};
     result.mesh = model.mesh;
     result.material = model.material;
     result.materials = model.materials;
@@ -197,6 +206,22 @@ TexturedMesh paintArtwork(const TexturedMesh& model, const Artwork& artwork, dou
     }
     progress(1, step);
     return result;
+}
+
+} // namespace
+
+double texelFor(DotsPerInch resolution) {
+    return texelShare / pixelsPerMillimetre(resolution);
+}
+
+TexturedMesh paintArtwork(const TexturedMesh& model, const Artwork& artwork, double texel,
+                          const Progress& progress, qint64 mostTexels) {
+    return baked(model, artwork, Painted::Colour, texel, progress, mostTexels);
+}
+
+TexturedMesh paintSpot(const TexturedMesh& model, const Artwork& artwork, const QString& spot,
+                       double texel, const Progress& progress) {
+    return baked(model, artwork.inSpot(spot), Painted::Cover, texel, progress, 0);
 }
 
 std::shared_ptr<const TexturedMesh> painted(const std::shared_ptr<const TexturedMesh>& model,

@@ -19,7 +19,12 @@ namespace dipwright {
 TexturedMesh paintArtwork(const TexturedMesh& model, const Artwork& artwork, double texel,
                           const Progress& progress, qint64 mostTexels = 0);
 
-// The same for models that are shared; one without artwork comes back as it is.
+// The model with the layers of a spot ink as its plate: grey, the tint being 1 − its linear light.
+// Only what a layer covers counts, and not in which colour.
+TexturedMesh paintSpot(const TexturedMesh& model, const Artwork& artwork, const QString& spot,
+                       double texel, const Progress& progress);
+
+// paintArtwork() for models that are shared; one without artwork comes back as it is.
 std::shared_ptr<const TexturedMesh> painted(const std::shared_ptr<const TexturedMesh>& model,
                                             const Artwork& artwork, double texel,
                                             const Progress& progress, qint64 mostTexels = 0);

@@ -51,9 +51,7 @@ TriangleMesh withClosedSeams(const TriangleMesh& mesh) {
     const float near = apart * box.sizes().maxCoeff();
     // Swept aslant: seams and rims run along the axes, and share their coordinates.
     const Eigen::Vector3f aslant = Eigen::Vector3f(0.53f, 0.62f, 0.58f).normalized();
-    const auto along = [&](std::uint32_t position) {
-        return aslant.dot(mesh.positions[position]);
-    };
+    const auto along = [&](std::uint32_t position) { return aslant.dot(mesh.positions[position]); };
     std::stable_sort(open.begin(), open.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return along(a) < along(b); });
     std::vector<std::uint32_t> one(mesh.positions.size());

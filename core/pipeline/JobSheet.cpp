@@ -1,5 +1,6 @@
 #include "pipeline/JobSheet.h"
 
+#include "base/Error.h"
 #include "pipeline/StepInputs.h"
 #include "sheet/Separation.h"
 
@@ -100,9 +101,40 @@ QString jobHash(const Project& project, const Immersion& immersion, const QImage
 
 } // namespace
 
+void checkSpots(const Project& project) {
+    QStringList names;
+    if (project.sheet.white != WhiteLayer::None) {
+        names << project.sheet.whiteName.toLower();
+    }
+    if (project.sheet.cutLine != CutLine::None) {
+        names << project.sheet.cutName.toLower();
+    }
+    const std::vector<ArtworkLayer> spots = project.artwork.spots();
+    for (const ArtworkLayer& layer : spots) {
+        if (names.contains(layer.spot.toLower())) {
+            throw Error(Text::tr("Two plates of the sheet are called %1; give each a name of its "
+                                 "own")
+                            .arg(layer.spot),
+                        layer.name);
+        }
+        names << layer.spot.toLower();
+    }
+    if (spots.size() > mostSpots) {
+        throw Error(Text::tr("The artwork has %1 spot inks, and there is room for %2")
+                        .arg(spots.size())
+                        .arg(mostSpots),
+                    QStringLiteral("artwork"));
+    }
+}
+
 Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film) {
     Sheet sheet;
     sheet.image = film.colours;
+    const std::vector<ArtworkLayer> spots = project.artwork.spots();
+    for (std::size_t spot = 0; spot < film.spots.size(); ++spot) {
+        const ArtworkLayer& layer = spots[spot];
+        sheet.plates.push_back({layer.spot, film.spots[spot], layer.spotFirst, layer.spotColour});
+    }
     if (!film.white.isNull()) {
         const double pixels = film.white.width() / project.film.width.value(); // to the mm
         sheet.plates.push_back({project.sheet.whiteName,

@@ -11,7 +11,11 @@ struct PrintedFilm {
     QImage colours;
     QImage white = {};                // tints of the white layer, Grayscale8, not choked yet
     QImage wanted = {}, stretch = {}; // as of WantedInk (sheet/Sheet.h)
+    std::vector<QImage> spots = {};   // tints of the artwork's spot inks, in their order
 };
+
+// Throws Error where two plates of a sheet had one name, or the artwork has too many.
+void checkSpots(const Project& project);
 
 Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film);
 

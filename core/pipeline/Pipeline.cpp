@@ -87,7 +87,8 @@ std::shared_ptr<const TexturedMesh> paintedOf(const Run& run, const PaintInputs&
     if (run.previous && run.previous->painted && run.previous->paintInputs == inputs) {
         return run.previous->painted;
     }
-    return painted(inputs.model, inputs.artwork, texelFor(run.project.sheet.resolution), progress);
+    return painted(inputs.model, inputs.artwork.inColours(), texelFor(run.project.sheet.resolution),
+                   progress);
 }
 
 // Whether the earlier result's bodies look otherwise than `model`. Dips that were kept look as
@@ -152,16 +153,37 @@ QImage evenWhite(const QImage& picture, double tint) {
     return white;
 }
 
+// The tints of the artwork's spot inks: the film on a body that shows nothing else.
+std::vector<QImage> spotsOf(const LaidFilm& laid, const TextureInputs& inputs,
+                            const Immersion& immersion, const ReverseTextureOptions& colours,
+                            const Progress& progress) {
+    ReverseTextureOptions options = colours;
+    options.white = 0;
+    options.keepsWanted = false;
+    options.isPlate = true;
+    std::vector<QImage> spots;
+    for (const ArtworkLayer& layer : inputs.paint.artwork.spots()) {
+        const TexturedMesh plate = paintSpot(*inputs.paint.model, inputs.paint.artwork, layer.spot,
+                                             texelFor(inputs.resolution), progress);
+        const LaidFilm own(std::make_shared<const PosedBody>(posedBody(plate, immersion)),
+                           laid.film(), laid.contact());
+        spots.push_back(tintsOf(reverseTexture(own, options, progress).image));
+    }
+    return spots;
+}
+
 ReverseTexture textureOf(const LaidFilm& laid, const TextureInputs& inputs,
-                         std::optional<PaintShare> share, const Progress& progress) {
+                         const Immersion& immersion, std::optional<PaintShare> share,
+                         const Progress& progress) {
     const FilmSettings& film = inputs.dip.film;
     const QSize pixels = sheetPixels(film.width, film.height, inputs.resolution);
     if (inputs.isReversed()) {
-        return reverseTexture(
-            laid,
-            {pixels, inputs.bleed.value(), inputs.ink, std::move(share), inputs.white,
-             inputs.isPerInk()},
-            progress);
+        ReverseTextureOptions options{pixels, inputs.bleed.value(), inputs.ink, std::move(share),
+                                      inputs.white};
+        options.keepsWanted = inputs.isPerInk();
+        ReverseTexture picture = reverseTexture(laid, options, progress);
+        picture.spots = spotsOf(laid, inputs, immersion, options, progress);
+        return picture;
     }
     ReverseTexture picture;
     picture.image =
@@ -253,7 +275,7 @@ void paint(ImmersionResult& now, const Run& run, std::size_t number, const BodyS
     const ImmersionResult* earlier = run.earlier(number);
     if (!earlier || earlier->inputs.texture != now.inputs.texture) {
         now.texture = std::make_shared<const ReverseTexture>(
-            textureOf(*now.laid, now.inputs.texture,
+            textureOf(*now.laid, now.inputs.texture, now.immersion,
                       share ? std::optional(share->of(number)) : std::nullopt, progress));
     }
 }
@@ -261,7 +283,7 @@ void paint(ImmersionResult& now, const Run& run, std::size_t number, const BodyS
 // What stands on the film, with what repeats in the parts before taken off, where that is wanted.
 PrintedFilm printedFilm(const ReverseTexture& texture, const SheetInputs& inputs,
                         const Project& project, std::size_t number) {
-    PrintedFilm film{texture.image, texture.white, texture.wanted, texture.stretch};
+    PrintedFilm film{texture.image, texture.white, texture.wanted, texture.stretch, texture.spots};
     if (!inputs.correction) {
         return film;
     }
@@ -270,11 +292,13 @@ PrintedFilm printedFilm(const ReverseTexture& texture, const SheetInputs& inputs
         return correctedImage(picture, project.film.width, project.film.height, error,
                               inputs.correction->strength);
     };
+    const auto movedTints = [&](const QImage& tints) {
+        return moved(tints.convertToFormat(QImage::Format_RGBA8888))
+            .convertToFormat(QImage::Format_Grayscale8);
+    };
     film.colours = moved(film.colours);
-    if (!film.white.isNull()) {
-        film.white = moved(film.white.convertToFormat(QImage::Format_RGBA8888))
-                         .convertToFormat(QImage::Format_Grayscale8);
-    }
+    film.white = film.white.isNull() ? film.white : movedTints(film.white);
+    std::transform(film.spots.begin(), film.spots.end(), film.spots.begin(), movedTints);
     if (!film.wanted.isNull()) {
         film.wanted = moved(film.wanted);
         film.stretch = stretchOfPicture(moved(pictureOfStretch(film.stretch)));
@@ -491,6 +515,7 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     if (!project.model) {
         throw Error(Text::tr("The project has no model, import one first"), project.name);
     }
+    checkSpots(project);
     const Run run{project, registry, options, previous, progress.cancelSwitch};
     JobResult result;
     result.project = project;

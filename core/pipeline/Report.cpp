@@ -48,6 +48,19 @@ QJsonArray reasonsOf(const Verdict& verdict) {
     return reasons;
 }
 
+// All plates beside the four inks, in the order of printing.
+QJsonArray spotsJson(const ImmersionResult& result) {
+    QJsonArray spots;
+    for (const SheetPlate& plate : result.sheet.plates) {
+        spots.append(
+            QJsonObject{{"name", plate.name},
+                        {"printed", plate.first ? "first" : "last"},
+                        {"colour", plate.alternate.isValid() ? QJsonValue(plate.alternate.name())
+                                                             : QJsonValue()}});
+    }
+    return spots;
+}
+
 QJsonObject inkJson(const ImmersionResult& result) {
     QJsonObject json{{"shortfall_area", result.texture->shortfallArea}};
     if (result.inkShortfall) {
@@ -174,6 +187,9 @@ QJsonObject immersionJson(const ImmersionResult& result) {
         {"registration_mm", toJson(result.readBack)}, // its name in earlier versions
         {"ink", inkJson(result)},
         {"job", result.sheet.job.hash}};
+    if (const QJsonArray spots = spotsJson(result); !spots.isEmpty()) {
+        json["spots"] = spots;
+    }
     const SheetSettings& sheet = result.sheet.settings;
     if (sheet.white != WhiteLayer::None) {
         json["white"] =

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "dip/FilmUnderBody.h"
+#include "pipeline/JobSheet.h"
 #include "pipeline/SolverChoice.h"
 
 #include <QCoreApplication>
@@ -78,6 +79,7 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     }
     sheetPixels(project.film.width, project.film.height, project.sheet.resolution);
     pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}});
+    checkSpots(project);
     QStringList warnings;
     warnings += chooseSolver(project.process.solver, registry).notes;
     if (!isClosed(project.model->mesh)) {

@@ -181,10 +181,10 @@ Field<Project> paper() {
 }
 
 // A plate's name, which must not be one that stands for other inks.
-template <typename Access>
-Field<Project> spotName(const char* path, Access access) {
-    Field<Project> field = leftOutWhenUsual(text(path, 60, access));
-    field.set = [path, access](Project& project, const QJsonValue& value) {
+template <typename Owner = Project, typename Access>
+Field<Owner> spotName(const char* path, Access access, bool mayBeNone = false) {
+    Field<Owner> field = leftOutWhenUsual(text<Owner>(path, longestSpotName, access));
+    field.set = [path, access, mayBeNone](Owner& owner, const QJsonValue& value) {
         const QString name = value.toString().simplified();
         const QStringList taken{QString(),
                                 QStringLiteral("all"),
@@ -193,12 +193,12 @@ Field<Project> spotName(const char* path, Access access) {
                                 QStringLiteral("magenta"),
                                 QStringLiteral("yellow"),
                                 QStringLiteral("black")};
-        if (taken.contains(name.toLower())) {
+        if (taken.contains(name.toLower()) && !(mayBeNone && name.isEmpty())) {
             throw Error(Text::tr("A spot ink needs a name of its own, and not All, None, or that "
                                  "of one of the four inks"),
                         QString::fromLatin1(path));
         }
-        access(project) = name;
+        access(owner) = name;
     };
     return field;
 }
@@ -252,6 +252,8 @@ void addSheetFields(std::vector<Field<Project>>& fields) {
     fields.push_back(baseColour());
     fields.push_back(spotName(
         "sheet.cut_name", [](auto& p) -> auto& { return p.sheet.cutName; }));
+    fields.push_back(leftOutWhenUsual(number(
+        "sheet.cut_bleed_mm", 0, 50, [](auto& p) -> auto& { return p.sheet.cutBleed; })));
     fields.push_back(flag(
         "ink.compensate", [](auto& p) -> auto& { return p.ink.compensate; }));
     fields.push_back(number(
@@ -551,7 +553,13 @@ const std::vector<Field<ArtworkLayer>>& artworkLayerFields() {
             "size_mm", 2, smallestLayer, largestLayer,
             [](auto& l, int part) -> auto& { return l.size[part]; }),
         number<ArtworkLayer>(
-            "repeat_mm", 0, largestLayer, [](auto& l) -> auto& { return l.repeat; })};
+            "repeat_mm", 0, largestLayer, [](auto& l) -> auto& { return l.repeat; }),
+        spotName<ArtworkLayer>(
+            "spot", [](auto& l) -> auto& { return l.spot; }, true),
+        leftOutWhenUsual(colour<ArtworkLayer>(
+            "spot_colour", [](auto& l) -> auto& { return l.spotColour; })),
+        leftOutWhenUsual(flag<ArtworkLayer>(
+            "spot_first", [](auto& l) -> auto& { return l.spotFirst; }))};
     return fields;
 }
 

@@ -2,9 +2,9 @@
 
 #include "base/Error.h"
 #include "base/WideColour.h"
-#include "texture/StretchPlane.h"
 #include "sheet/PieceInk.h"
 #include "sheet/SheetLayout.h"
+#include "texture/StretchPlane.h"
 
 #include <QCoreApplication>
 #include <QTransform>
@@ -71,9 +71,9 @@ std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
             const bool isWhite =
                 settings.white != WhiteLayer::None && plate.name == settings.whiteName;
             std::vector<SheetPlate>& kind = isWhite ? white : plates;
-            const auto known =
-                std::find_if(kind.begin(), kind.end(),
-                             [&](const SheetPlate& other) { return other.name == plate.name; });
+            const auto known = std::find_if(kind.begin(), kind.end(), [&](const SheetPlate& other) {
+                return other.name == plate.name;
+            });
             if (known == kind.end()) {
                 kind.push_back(plate);
             } else if (known->first != plate.first || known->alternate != plate.alternate) {

@@ -115,11 +115,20 @@ public:
         place(box);
     }
 
-    void strokeSpot(const QPainterPath& path, double width, const SpotInk& spot) {
+    void strokeCut(const QPainterPath& path, double width, const SpotInk& spot, double bleed) {
         const QByteArray name = spotName(spot);
         add("/Over gs /" + name + " CS 1 SCN\n" + lineStyle(QPen(Qt::black, width)) +
             construction(path) + "S\n");
+        if (bleed > 0) {
+            const QTransform onPage = painter()->combinedTransform();
+            trim_ = trim_.united(onPage.mapRect(path.boundingRect()));
+            bleed_ = trim_.united(
+                onPage.mapRect(path.boundingRect().adjusted(-bleed, -bleed, bleed, bleed)));
+        }
     }
+    // In points from the page's upper left corner; empty: as the page.
+    const QRectF& trim() const { return trim_; }
+    const QRectF& bleed() const { return bleed_; }
     // The name of a spot's colour space on the page.
     QByteArray spotName(const SpotInk& spot) {
         const auto found = std::find_if(spots_.begin(), spots_.end(), [&](const SpotInk& known) {
@@ -157,6 +166,7 @@ private:
     int plates_; // images that a picture is made of
     QByteArray content_;
     std::vector<SpotInk> spots_;
+    QRectF trim_, bleed_;
 };
 
 // A page in points, its origin the upper left corner.
@@ -214,8 +224,7 @@ QPDFObjectHandle separation(QPDF& pdf, const SpotInk& spot) {
     space.appendItem(name(spot.name));
     space.appendItem(QPDFObjectHandle::newName("/DeviceCMYK"));
     space.appendItem(QPDFObjectHandle::parse(
-        "<< /FunctionType 2 /Domain [0 1] /C0 [0 0 0 0] /C1 [" + full.toStdString() +
-        "] /N 1 >>"));
+        "<< /FunctionType 2 /Domain [0 1] /C0 [0 0 0 0] /C1 [" + full.toStdString() + "] /N 1 >>"));
     return pdf.makeIndirectObject(space);
 }
 
@@ -250,8 +259,7 @@ std::vector<QPDFObjectHandle> plateImages(QPDF& pdf, const Plates& plates) {
     const auto add = [&](bool first) {
         for (const SpotPlate& plate : plates.spots) {
             if (plate.first == first) {
-                images.push_back(
-                    imageOf(pdf, plates.size, plate.tint, separation(pdf, plate.ink)));
+                images.push_back(imageOf(pdf, plates.size, plate.tint, separation(pdf, plate.ink)));
             }
         }
     };
@@ -266,16 +274,32 @@ QPDFObjectHandle boxOf(QSizeF points) {
     return QPDFObjectHandle::newFromRectangle({0, 0, points.width(), points.height()});
 }
 
+// `box`: from the upper left corner of a page.
+QPDFObjectHandle boxOf(QRectF box, QSizeF page) {
+    box = box.intersected(QRectF(QPointF(), page));
+    return QPDFObjectHandle::newFromRectangle(
+        {box.left(), page.height() - box.bottom(), box.right(), page.height() - box.top()});
+}
+
+void setBoxes(QPDFObjectHandle page, QSizeF size, const InkEngine& drawn) {
+    page.replaceKey("/MediaBox", boxOf(size));
+    page.replaceKey("/TrimBox", drawn.trim().isEmpty() ? boxOf(size) : boxOf(drawn.trim(), size));
+    if (!drawn.trim().isEmpty()) {
+        page.replaceKey("/BleedBox", boxOf(drawn.bleed(), size));
+    }
+}
+
 } // namespace
 
 bool takesSpots(const QPainter& painter) {
     return dynamic_cast<const InkPage*>(painter.device()) != nullptr;
 }
 
-void strokeSpot(QPainter& painter, const QPainterPath& path, double width, const SpotInk& spot) {
+void strokeCut(QPainter& painter, const QPainterPath& path, double width, const SpotInk& spot,
+               double bleed) {
     const auto* page = dynamic_cast<const InkPage*>(painter.device());
     if (page && !path.isEmpty()) {
-        page->engine().strokeSpot(path, width, spot);
+        page->engine().strokeCut(path, width, spot, bleed);
     }
 }
 
@@ -309,8 +333,7 @@ void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& i
         }
         const QByteArray turned = matrix(QTransform(1, 0, 0, -1, 0, size.height()));
         QPDFObjectHandle page = QPDFObjectHandle::parse("<< /Type /Page >>");
-        page.replaceKey("/MediaBox", boxOf(size));
-        page.replaceKey("/TrimBox", boxOf(size));
+        setBoxes(page, size, drawn.engine());
         page.replaceKey("/Group",
                         QPDFObjectHandle::parse("<< /S /Transparency /CS /DeviceCMYK >>"));
         page.replaceKey("/Resources", resources);

@@ -20,8 +20,10 @@ void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& p
 
 // Whether the painter's page is in inks.
 bool takesSpots(const QPainter& painter);
-// Draws a line in a spot ink of its own, over the other inks and not in place of them, on a page
-// that takes spots.
-void strokeSpot(QPainter& painter, const QPainterPath& path, double width, const SpotInk& spot);
+// Draws the line along which is cut in a spot ink of its own, over the other inks and not in place
+// of them, on a page that takes spots. Where there is a bleed, what is in the line is the page's
+// trim box, and what is so many mm round it its bleed box.
+void strokeCut(QPainter& painter, const QPainterPath& path, double width, const SpotInk& spot,
+               double bleed);
 
 } // namespace dipwright

@@ -75,9 +75,8 @@ std::uint8_t PlateCompensation::printed(int ink, std::uint8_t wanted, float area
 double PlateCompensation::shown(int ink, double printed, float areaStretch) const {
     const OneInk& one = inks_[std::size_t(ink)];
     const float density = one.density(printed);
-    return density > 0
-               ? one.amount(density / one.law.byPrinted(std::log(density), areaStretch))
-               : printed;
+    return density > 0 ? one.amount(density / one.law.byPrinted(std::log(density), areaStretch))
+                       : printed;
 }
 
 bool PlateCompensation::fallsShort(int ink, std::uint8_t wanted, std::uint8_t printed,

@@ -4,6 +4,7 @@
 #include "sheet/InkDistance.h"
 #include "sheet/PlateCompensation.h"
 #include "sheet/PrinterColour.h"
+#include "texture/Bleed.h"
 #include "texture/StretchPlane.h"
 
 #include <algorithm>
@@ -75,6 +76,54 @@ std::vector<SpotPlate> spotsOf(const Sheet& sheet, const PrinterColour& colour) 
     return spots;
 }
 
+QImage tintOf(const QImage& picture) {
+    QImage tint(picture.size(), QImage::Format_Grayscale8);
+    for (int y = 0; y < tint.height(); ++y) {
+        const uchar* pixel = picture.constScanLine(y);
+        for (int x = 0; x < tint.width(); ++x) {
+            tint.scanLine(y)[x] = pixel[4 * x];
+        }
+    }
+    return tint;
+}
+
+// A plate with what it has at its edges continued by `radius` pixels.
+QImage continuedTint(const QImage& tint, double radius) {
+    QImage picture(tint.size(), QImage::Format_RGBA8888);
+    for (int y = 0; y < tint.height(); ++y) {
+        const uchar* value = tint.constScanLine(y);
+        uchar* pixel = picture.scanLine(y);
+        for (int x = 0; x < tint.width(); ++x, pixel += 4) {
+            std::fill_n(pixel, 4, value[x]);
+            pixel[3] = value[x] != 0 ? 255 : 0;
+        }
+    }
+    continueColour(picture, radius);
+    return tintOf(picture);
+}
+
+// All plates of the sheet continued past the line along which is cut.
+Sheet withCutBleed(const Sheet& sheet) {
+    const SheetSettings& settings = sheet.settings;
+    if (settings.cutLine != CutLine::Ink || settings.cutBleed.value() <= 0) {
+        return sheet;
+    }
+    const double radius = (settings.cutDistance + settings.cutBleed).value() * sheet.image.width() /
+                          sheet.filmWidth.value();
+    Sheet wider = sheet;
+    continueColour(wider.image, radius);
+    for (SheetPlate& plate : wider.plates) {
+        plate.tint = continuedTint(plate.tint, radius);
+    }
+    if (wider.wanted) {
+        QImage stretch = pictureOfStretch(wider.wanted->stretch, wider.wanted->image);
+        continueColour(stretch, radius);
+        wider.wanted->stretch = stretchOfPicture(stretch);
+        continueColour(wider.wanted->image, radius);
+    }
+    return wider;
+}
+
 // Calls work(inks, stretch) of every pixel in four bytes each, a row a thread.
 template <typename Work>
 void forPixels(QByteArray& cmyk, const QImage& stretch, const Work& work) {
@@ -116,7 +165,8 @@ std::array<char, 4> bareInks(const PrinterColour& colour) {
     return {inks[0], inks[1], inks[2], inks[3]};
 }
 
-Plates separate(const Sheet& sheet, const PrintCorrection& correction) {
+Plates separate(const Sheet& original, const PrintCorrection& correction) {
+    const Sheet sheet = withCutBleed(original);
     Plates plates{sheet.image.size(), {}, spotsOf(sheet, *correction.colour)};
     if (sheet.wanted) {
         plates.cmyk = PerInk(*sheet.wanted, correction).printed;

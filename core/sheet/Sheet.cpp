@@ -67,7 +67,8 @@ void paintSheet(QPainter& painter, const Sheet& sheet) {
     painter.drawImage(layout.film, flattened(sheet.image));
     if (takesSpots(painter)) {
         const SpotInk cutter{sheet.settings.cutName, {0, 1, 0, 0}}; // magenta where it is not known
-        strokeSpot(painter, cutContour(sheet, layout), hairline, cutter);
+        strokeCut(painter, cutContour(sheet, layout), hairline, cutter,
+                  sheet.settings.cutBleed.value());
     }
     paintMarks(painter, layout);
     painter.restore();

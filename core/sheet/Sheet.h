@@ -39,6 +39,9 @@ struct SheetSettings {
     CutLine cutLine = CutLine::None;
     Millimetres cutDistance{3};
     QString cutName = QStringLiteral("CutContour");
+    // How far beyond the line round the ink all plates go on, in CMYK: colours as at the painted
+    // film's edge, as far as the film goes.
+    Millimetres cutBleed{0};
     WhiteLayer white = WhiteLayer::None;
     double whiteDensity = 1;     // wanted on the body, share of full tint
     Millimetres whiteChoke{0.2}; // so much smaller than the colour all round, on the film
@@ -90,9 +93,9 @@ struct Sheet {
     JobLine job;
     // Of marks, ruler and job line from the page's edge; more where a printer reaches less.
     Millimetres clearance{3};
-    std::vector<SheetPlate> plates = {}; // in the order of printing
+    std::vector<SheetPlate> plates = {};  // in the order of printing
     std::optional<WantedInk> wanted = {}; // none: the film image is what is printed, in any colours
-    std::vector<SheetPiece> pieces = {}; // empty: the image is of one job
+    std::vector<SheetPiece> pieces = {};  // empty: the image is of one job
 };
 
 // The job of several sheets together, twelve hex digits of a SHA-256. `jobs`: those of the sheets.

@@ -94,9 +94,13 @@ void paintWedge(QPainter& painter, const WedgePage& page) {
 
 DrawnPage drawnPage(const WedgePage& page) {
     patchSize(page);
-    return {titleOf(),     page.paper,
-            page.scaleX,   page.scaleY,
-            [page](QPainter& painter) { paintWedge(painter, page); }, page.inks, page.inksName};
+    return {titleOf(),
+            page.paper,
+            page.scaleX,
+            page.scaleY,
+            [page](QPainter& painter) { paintWedge(painter, page); },
+            page.inks,
+            page.inksName};
 }
 
 } // namespace

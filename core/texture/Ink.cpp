@@ -40,8 +40,9 @@ InkCompensation::Ink InkCompensation::print(const LinearColour& wanted, float ar
         ink.colour[channel] = std::max(compensated, std::min(light, darkest_));
         if (compensated < darkest_) {
             const float reached = std::max(ink.colour[channel], darkest_);
-            const float missing = std::log2(reached) / thinning.byPrinted(logDensity(reached), stretch) -
-                                  std::log2(std::max(light, darkest_));
+            const float missing =
+                std::log2(reached) / thinning.byPrinted(logDensity(reached), stretch) -
+                std::log2(std::max(light, darkest_));
             ink.fallsShort = ink.fallsShort || missing > visibleDensity * log2Of10;
         }
     }

@@ -83,8 +83,9 @@ void checkInkLaw(const InkLaw& law, const QString& where) {
         const InkTone& low = law.tones[next - 1];
         const InkTone& high = law.tones[next];
         if (low.ink > high.ink) {
-            throw Error(Text::tr("The tones must stand by ink: cyan, magenta, yellow, black, white"),
-                        where);
+            throw Error(
+                Text::tr("The tones must stand by ink: cyan, magenta, yellow, black, white"),
+                where);
         }
         if (low.ink < high.ink) {
             continue;

@@ -120,8 +120,9 @@ public:
           rows_(grid_, image.height(), grid_.rows - 1, rowAt),
           pixelSize_(float(grid_.width / image.width()), float(grid_.depth / image.height())),
           code_(image), bits_(image.bits()), stride_(image.bytesPerLine()),
-          white_(float(options.white)), wantedBits_(wanted.isNull() ? nullptr : wanted.bits()),
-          aside_(aside) {}
+          white_(float(options.white)), isPlate_(options.isPlate),
+          growsPlate_(options.ink.compensate),
+          wantedBits_(wanted.isNull() ? nullptr : wanted.bits()), aside_(aside) {}
 
     // What painting one row of cells has come to.
     struct PaintedRow {
@@ -342,6 +343,12 @@ private:
         const float stretch = weights[0] * stretches[corners[0]] +
                               weights[1] * stretches[corners[1]] +
                               weights[2] * stretches[corners[2]];
+        if (isPlate_) {
+            const float tint = (1 - wanted[0]) * pixel.share * (growsPlate_ ? stretch : 1);
+            code_.write(bytesOf(pixel), LinearColour::Constant(1 - std::min(tint, 1.0f)),
+                        code_.opaque());
+            return 0;
+        }
         const LinearColour shown = ink_.faded(wanted, pixel.share);
         const InkCompensation::Ink ink = ink_.print(shown, stretch);
         unsigned char* const bytes = bytesOf(pixel);
@@ -370,6 +377,7 @@ private:
     unsigned char* bits_;
     std::ptrdiff_t stride_;
     float white_;               // on the body, 0 … 1
+    bool isPlate_, growsPlate_; // printed more where the film stretches
     unsigned char* wantedBits_; // a picture like the image; null: none
     const AsidePicture& aside_;
 };
@@ -389,6 +397,19 @@ void blankAs(const QImage& image, QImage& picture) {
 }
 
 } // namespace
+
+QImage tintsOf(const QImage& plate) {
+    const PixelCode code(plate);
+    QImage tints(plate.size(), QImage::Format_Grayscale8);
+    for (int y = 0; y < plate.height(); ++y) {
+        const uchar* pixel = plate.constScanLine(y);
+        for (int x = 0; x < plate.width(); ++x, pixel += code.bytes()) {
+            const float light = code.alpha(pixel) != 0 ? code.light(pixel)[0] : 1;
+            tints.scanLine(y)[x] = std::uint8_t(std::lround(255 * (1 - light)));
+        }
+    }
+    return tints;
+}
 
 ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions& options,
                               const Progress& progress) {

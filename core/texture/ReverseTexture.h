@@ -21,6 +21,9 @@ struct ReverseTextureOptions {
     std::optional<PaintShare> share = {}; // none: it gives all the colour wherever it reaches
     double white = 0; // tint that a white layer is to have on the body, 0 … 1; 0: no layer
     bool keepsWanted = false; // what colour is to show, and how far the film stretches there
+    // The body shows a plate, in grey of 1 − its tint in linear light; so does the image then. Tint
+    // thins as an even layer, and shares of it are shares of tint.
+    bool isPlate = false;
 };
 
 struct ReverseTexture {
@@ -34,7 +37,11 @@ struct ReverseTexture {
     // What the image is to show on the body, as it would be printed on film that is not stretched,
     // and how far it is: Grayscale16, codes of StretchPlane.h. Null where they are not kept.
     QImage wanted, stretch;
+    std::vector<QImage> spots; // the tints of other plates, of its size, Grayscale8; by the caller
 };
+
+// The tints, Grayscale8, of a plate's image.
+QImage tintsOf(const QImage& plate);
 
 // The image to print so that the dip puts the body's texture where it belongs: every pixel in a
 // painted film triangle shows its place of the texture, filtered over what the pixel covers there.

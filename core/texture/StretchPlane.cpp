@@ -1,6 +1,7 @@
 #include "texture/StretchPlane.h"
 
 #include "base/WideColour.h"
+#include "texture/LinearLight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,14 +32,17 @@ QImage unstretched(QSize pixels) {
     return plane;
 }
 
-QImage pictureOfStretch(const QImage& plane) {
+QImage pictureOfStretch(const QImage& plane, const QImage& film) {
+    const PixelCode code(film);
     QImage picture(plane.size(), QImage::Format_RGBA64);
     for (int y = 0; y < plane.height(); ++y) {
         const auto* codes = reinterpret_cast<const std::uint16_t*>(plane.constScanLine(y));
         auto* channels = reinterpret_cast<std::uint16_t*>(picture.scanLine(y));
+        const uchar* pixel = film.isNull() ? nullptr : film.constScanLine(y);
         for (int x = 0; x < plane.width(); ++x, channels += 4) {
-            std::fill_n(channels, 3, codes[x]);
-            channels[3] = 65535;
+            const bool isPainted = !pixel || code.alpha(pixel + code.bytes() * x) != 0;
+            std::fill_n(channels, 3, isPainted ? codes[x] : 0);
+            channels[3] = isPainted ? 65535 : 0;
         }
     }
     picture.setColorSpace(wideSpace());

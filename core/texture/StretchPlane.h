@@ -17,8 +17,9 @@ float areaStretchOf(std::uint16_t code);
 QImage unstretched(QSize pixels);
 
 // The plane as a picture whose colours and cover can be moved as an image's are (wide, a code in
-// every channel), and back: film that none came to is not stretched.
-QImage pictureOfStretch(const QImage& plane);
+// every channel), and back: film that none came to is not stretched. With a film image (RGBA) only
+// what that paints is covered.
+QImage pictureOfStretch(const QImage& plane, const QImage& film = {});
 QImage stretchOfPicture(const QImage& picture);
 
 } // namespace dipwright

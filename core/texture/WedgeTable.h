@@ -18,9 +18,9 @@ QString inkName(FilmInk ink);
 
 // A line for each reading after one with the columns' names: ink,nominal,flat,across,down,shown.
 // `ink` is cyan, magenta, yellow, black, white, or grey for the first three at once; the three in
-// the middle are the density that the page asked for, the one that unstretched film shows, and the lengths in mm that
-// the page's two rulers have on the stretched film; the last is the density shown there. Throws
-// Error naming the line.
+// the middle are the density that the page asked for, the one that unstretched film shows, and the
+// lengths in mm that the page's two rulers have on the stretched film; the last is the density
+// shown there. Throws Error naming the line.
 std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& where);
 // Such a table for cyan, magenta and yellow, with black where `black`, with the readings still to
 // be filled in.

@@ -228,8 +228,7 @@ void PrintDialog::startProof(const Sheet& sheet, const SheetPreview& page, int p
         [small, profile = *outcome_.result->project.profiles.printer,
          marked = proof_->currentIndex() == 2](const Progress&) {
             const auto colour = printerColour(profile);
-            PrintProof proof =
-                printProof(small, printCorrection(profile, colour.get()), marked);
+            PrintProof proof = printProof(small, printCorrection(profile, colour.get()), marked);
             Sheet proofed = small;
             proofed.image = proof.page;
             proof.page = sheetPreview(proofed).page;

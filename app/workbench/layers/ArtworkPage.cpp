@@ -10,10 +10,12 @@
 #include <QFormLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpressionValidator>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -226,6 +228,40 @@ void ArtworkPage::makeFields() {
                          tr("100 %: hides what lies below it."), 0, 100, tr(" %"),
                          [](ArtworkLayer& layer, double value) { layer.opacity = value / 100; });
     makePlaceFields(*form_);
+    makeSpotFields(*form_);
+}
+
+void ArtworkPage::makeSpotFields(QFormLayout& form) {
+    spot_ = new QLineEdit;
+    spot_->setObjectName(QStringLiteral("layerSpot"));
+    spot_->setAccessibleName(tr("Spot ink"));
+    spot_->setPlaceholderText(tr("printed in its colours"));
+    spot_->setToolTip(tr("The name of a varnish or of an ink of its own, as the printer knows it. "
+                         "The layer is then a plate beside the four inks, in PDF and TIFF in "
+                         "CMYK; what it covers counts, and not its colours."));
+    spot_->setMaxLength(longestSpotName);
+    static const QRegularExpression usable( // names that stand for other inks are none of it
+        QStringLiteral("^(?!\\s*(all|none|cyan|magenta|yellow|black)\\s*$).*$"),
+        QRegularExpression::CaseInsensitiveOption);
+    spot_->setValidator(new QRegularExpressionValidator(usable, spot_));
+    connect(spot_, &QLineEdit::editingFinished, this, [this] {
+        const QString name = spot_->text().simplified();
+        if (selected_ >= 0 && name != artwork_.layers[std::size_t(selected_)].spot) {
+            change(QStringLiteral("layerSpot"), [&](ArtworkLayer& layer) { layer.spot = name; });
+        }
+    });
+    form.addRow(tr("Spot ink"), spot_);
+    spotColour_ = addColour(form, "layerSpotColour", tr("Looks like"), &ArtworkLayer::spotColour);
+    spotColour_->setToolTip(tr("What stands for the ink where nobody knows its name."));
+    spotFirst_ = new QCheckBox(tr("Outside the colours"));
+    spotFirst_->setObjectName(QStringLiteral("layerSpotFirst"));
+    spotFirst_->setToolTip(tr("Printed before the four inks, so that it ends up outside them, as a "
+                              "varnish does; else after them, towards the part."));
+    connect(spotFirst_, &QCheckBox::clicked, this, [this](bool isFirst) {
+        change(QStringLiteral("layerSpotFirst"),
+               [&](ArtworkLayer& layer) { layer.spotFirst = isFirst; });
+    });
+    form.addRow(QString(), spotFirst_);
 }
 
 void ArtworkPage::makePlaceFields(QFormLayout& form) {
@@ -362,10 +398,16 @@ void ArtworkPage::showFields() {
     }
     font_->setCurrentFont(QFont(layer.font));
     for (const auto& [button, colour] :
-         {std::pair(colour_, layer.colour), std::pair(secondColour_, layer.secondColour)}) {
+         {std::pair(colour_, layer.colour), std::pair(secondColour_, layer.secondColour),
+          std::pair(spotColour_, layer.spotColour)}) {
         button->setIcon(swatch(colour));
         button->setText(colour.name());
     }
+    const bool isSpot = !layer.spot.isEmpty();
+    spot_->setText(layer.spot);
+    showRow(spotColour_, isSpot);
+    spotFirst_->setVisible(isSpot);
+    spotFirst_->setChecked(layer.spotFirst);
     seed_->setValue(layer.seed);
     opacity_->setValue(100 * layer.opacity);
     placement_->setCurrentIndex(int(layer.placement));

@@ -13,6 +13,7 @@ class QDoubleSpinBox;
 class QFontComboBox;
 class QFormLayout;
 class QLabel;
+class QLineEdit;
 class QListWidget;
 class QPlainTextEdit;
 class QPushButton;
@@ -48,6 +49,7 @@ private:
     void makeBase();
     void makeFields();
     void makePlaceFields(QFormLayout& form);
+    void makeSpotFields(QFormLayout& form);
     QDoubleSpinBox* addNumber(QFormLayout& form, const char* name, const QString& label,
                               const QString& help, double least, double most, const QString& suffix,
                               const std::function<void(ArtworkLayer&, double)>& set);
@@ -76,6 +78,9 @@ private:
     std::array<QDoubleSpinBox*, 2> size_{};
     std::array<QDoubleSpinBox*, 3> place_{};
     QComboBox *placement_, *axis_;
+    QLineEdit* spot_;
+    QPushButton* spotColour_;
+    QCheckBox* spotFirst_;
 };
 
 } // namespace dipwright

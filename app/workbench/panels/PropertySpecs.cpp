@@ -408,6 +408,12 @@ std::vector<PropertySection> sheetProperties() {
          .help = Text::tr("Of the cut line from the ink."),
          .unit = Unit::Length,
          .relevant = cutsInk},
+        {.path = QStringLiteral("sheet.cut_bleed_mm"),
+         .label = Text::tr("Bleed past it"),
+         .help = Text::tr("How far beyond the cut line the colours of the painted film's edge go "
+                          "on, so that a cut that slips shows no bare film."),
+         .unit = Unit::Length,
+         .relevant = cutsInk},
         {.path = QStringLiteral("sheet.cut_name"),
          .label = Text::tr("Its ink"),
          .help = Text::tr("The name by which the cutter knows the line."),

@@ -115,7 +115,8 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
                                             shownLength(result.readBack.percentile95, unit)));
     table.row(Text::tr("Film triangles across texture seams"),
               locale.toString(qulonglong(result.texture->seamTriangles)));
-    table.row(Text::tr("Colour short of ink"), shownArea(result.inkShortfall.value_or(result.texture->shortfallArea), unit));
+    table.row(Text::tr("Colour short of ink"),
+              shownArea(result.inkShortfall.value_or(result.texture->shortfallArea), unit));
     table.row(Text::tr("Air trapped"), shownArea(result.coverage->trappedAir.area, unit));
     table.row(Text::tr("Simulated in"), Text::tr("%1 s").arg(number(film.wallSeconds, 2)));
     table.row(Text::tr("Steps"), locale.toString(qlonglong(film.steps)));

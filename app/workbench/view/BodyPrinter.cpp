@@ -16,8 +16,7 @@ BodyPrinter::Paper BodyPrinter::paperOf(const std::shared_ptr<const TexturedMesh
 }
 
 void BodyPrinter::print(const std::shared_ptr<const TexturedMesh>& model,
-                        std::vector<WornFilm> films, const InkSettings& ink,
-                        const Ground& ground) {
+                        std::vector<WornFilm> films, const InkSettings& ink, const Ground& ground) {
     jobs_.cancelAll();
     jobs_.start(std::make_unique<ValueJob<Print>>(
         tr("Printing the body"),

@@ -117,6 +117,7 @@ private Q_SLOTS:
     void patternsContinueOnTheirOtherSide();
     void seedMakesAnotherPattern();
     void planePaintsOnlyWhatFacesIt();
+    void noLineShowsBetweenTheSidesOfABox();
     void textIsDrawnAndReadsFromOutside();
     void missingFontIsNamed();
     void wideColourStaysWide();
@@ -383,6 +384,32 @@ void ArtworkTest::seedMakesAnotherPattern() {
     QCOMPARE(patternRepeat(layer, 100), one);
     layer.seed = 2;
     QVERIFY(patternRepeat(layer, 100) != one);
+}
+
+// Soft waves from six sides on a ball: from side to side they go over into each other.
+void ArtworkTest::noLineShowsBetweenTheSidesOfABox() {
+    QImage waves(64, 64, QImage::Format_RGBA8888);
+    for (int column = 0; column < 64; ++column) {
+        const int grey = 128 + int(std::lround(90 * std::sin(2 * pi * column / 64)));
+        for (int row = 0; row < 64; ++row) {
+            waves.setPixelColor(column, row, QColor(grey, grey, grey));
+        }
+    }
+    Artwork artwork;
+    artwork.layers = {pictureLayer(waves, {1, 2, 3}, 50)};
+    artwork.layers[0].placement = LayerPlacement::Box;
+    artwork.layers[0].repeat = Millimetres(17);
+    const double radius = 30;
+    const TexturedMesh body =
+        paintArtwork(bodyOf(sphereMesh(radius, 90, 180)), artwork, 0.2, Progress());
+    int last = -1, most = 0;
+    for (double angle = 25; angle <= 65; angle += 0.5) { // over the line at 45°, 0.26 mm a step
+        const double turn = angle * pi / 180;
+        const QColor colour = colourAt(body, {radius * std::sin(turn), 0, radius * std::cos(turn)});
+        most = std::max(most, last < 0 ? 0 : std::abs(colour.red() - last));
+        last = colour.red();
+    }
+    QVERIFY2(most < 20, qPrintable(QString::number(most)));
 }
 
 void ArtworkTest::planePaintsOnlyWhatFacesIt() {

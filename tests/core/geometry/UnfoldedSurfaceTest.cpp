@@ -188,9 +188,9 @@ void UnfoldedSurfaceTest::openSeamIsCrossed() {
     const TriangleMesh closed = cylinderMesh(20, 100, 48);
     TriangleMesh open = closed;
     for (auto& corners : open.triangles) {
-        const bool isBehind = std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-            return closed.positions[corner].y() < -0.1f;
-        });
+        const bool isBehind =
+            std::any_of(corners.begin(), corners.end(),
+                        [&](std::uint32_t corner) { return closed.positions[corner].y() < -0.1f; });
         for (std::uint32_t& corner : corners) {
             const Eigen::Vector3f place = closed.positions[corner];
             if (isBehind && place.x() > 19.9f && std::abs(place.y()) < 1e-3f) {

@@ -1,5 +1,6 @@
 // Artwork from the project to the sheet: what it paints, what it makes anew, what it leaves alone.
 #include "artwork/PaintArtwork.h"
+#include "base/Error.h"
 #include "base/WideColour.h"
 #include "geometry/Shapes.h"
 #include "pipeline/Pipeline.h"
@@ -132,6 +133,57 @@ private slots:
         const JobResult again = run(spotted_.project, &spotted_);
         QCOMPARE(again.painted, spotted_.painted);
         QCOMPARE(again.immersions[0].texture, spotted_.immersions[0].texture);
+    }
+
+    // The same places of the film, as a plate of its own and no more as colour.
+    void aLayerInASpotInkIsAPlateAndNoColour() {
+        Project project = spottedJob();
+        project.model = spotted_.project.model;
+        project.artwork.layers[0].spot = QStringLiteral("Pantone 485 C");
+        project.artwork.layers[0].spotColour = QColor(218, 41, 28);
+        project.artwork.layers.push_back(project.artwork.layers[0]);
+        project.artwork.layers[1].spot = QStringLiteral("Gloss varnish");
+        project.artwork.layers[1].spotFirst = true;
+        project.artwork.layers[1].opacity = 0.5;
+        project.sheet.white = WhiteLayer::Last;
+        const JobResult result = run(project, &spotted_);
+        const ImmersionResult& dip = result.immersions[0];
+        QCOMPARE(redArea(dip, project), 0.0);
+        QCOMPARE(dip.sheet.plates.size(), std::size_t(3));
+        QStringList names;
+        for (const SheetPlate& plate : dip.sheet.plates) {
+            names << plate.name;
+            QCOMPARE(plate.tint.size(), dip.sheet.image.size());
+        }
+        QCOMPARE(names, QStringList({"Pantone 485 C", "Gloss varnish", "White"}));
+        QVERIFY(!dip.sheet.plates[0].first && dip.sheet.plates[1].first);
+        QCOMPARE(dip.sheet.plates[0].alternate, QColor(218, 41, 28));
+        const QImage red = inSrgb(spotted_.immersions[0].texture->image);
+        int same = 0, other = 0;
+        for (int row = 0; row < red.height(); ++row) {
+            for (int column = 0; column < red.width(); ++column) {
+                const QColor colour = red.pixelColor(column, row);
+                const bool isRed = colour.alpha() == 255 && colour.red() > colour.green() + 60;
+                const bool isTinted = dip.sheet.plates[0].tint.constScanLine(row)[column] > 128;
+                same += isRed && isTinted;
+                other += isRed != isTinted;
+            }
+        }
+        QVERIFY2(same > 800 && other < same / 10,
+                 qPrintable(QString("%1 %2").arg(same).arg(other)));
+        // Half the tint on the part, and more of it where the film is stretched.
+        const QImage& varnish = dip.sheet.plates[1].tint;
+        const int middle = varnish.constScanLine(varnish.height() / 2)[varnish.width() / 2];
+        QVERIFY2(middle > 110 && middle < 180, qPrintable(QString::number(middle)));
+        const QJsonArray spots = report(result.project, result)[QLatin1String("immersions")]
+                                     .toArray()[0]
+                                     .toObject()[QLatin1String("spots")]
+                                     .toArray();
+        QCOMPARE(spots.size(), 3);
+        QCOMPARE(spots[1].toObject()[QLatin1String("printed")].toString(), "first");
+        project.artwork.layers[1].spot = QStringLiteral("white");
+        QVERIFY_EXCEPTION_THROWN(run(project, &spotted_), Error);
+        QVERIFY_EXCEPTION_THROWN(validateJob(project, *registry_), Error);
     }
 
     void theReportListsTheLayers() {

@@ -47,6 +47,7 @@ private slots:
         row("artwork.base_colour", "#ff0000", "texture sheet"); // no dip
         row("ink.limit", "1.5", "texture sheet");
         row("ink.exponents", "1;0.9;0.8", "texture sheet");
+        row("ink.black_white_exponents", "0.5;0.7", "texture sheet");
         row("ink.tones", "cyan 0.3 0.5 0.1 2.5", "texture sheet");
         row("share.overlap_mm", "3", "texture sheet");
         row("sheet.bleed_mm", "4", "texture sheet");
@@ -54,6 +55,7 @@ private slots:
         row("sheet.marks", "false", "sheet");
         row("sheet.cut_line", "ink", "sheet");
         row("sheet.cut_name", "Thru-cut", "sheet");
+        row("sheet.cut_bleed_mm", "3", "sheet");
         row("sheet.white", "last", "texture sheet");
         row("sheet.white_choke_mm", "1", "sheet");
         row("body.base_colour", "#102030", "sheet");

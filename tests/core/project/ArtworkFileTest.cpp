@@ -6,6 +6,7 @@
 #include "project/Snapshots.h"
 
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -179,6 +180,30 @@ private slots:
             QVERIFY_EXCEPTION_THROWN(
                 setByPath(project, QString::fromLatin1(path), QStringLiteral("1")), Error);
         }
+    }
+
+    void spotInksAreKeptAndOldFilesHaveNone() {
+        Project project = decorated();
+        const QJsonObject plain = toJson(project);
+        QVERIFY(!QJsonDocument(plain).toJson().contains("spot"));
+        setByPath(project, QStringLiteral("artwork.layers[0].spot"),
+                  QStringLiteral("Gloss varnish"));
+        setByPath(project, QStringLiteral("artwork.layers[0].spot_colour"),
+                  QStringLiteral("#da291c"));
+        setByPath(project, QStringLiteral("artwork.layers[0].spot_first"), QStringLiteral("true"));
+        const ArtworkLayer& layer = project.artwork.layers[0];
+        QCOMPARE(layer.spot, QStringLiteral("Gloss varnish"));
+        QVERIFY(layer.spotFirst);
+        const ArtworkLayer back =
+            fromJson(toJson(project), QStringLiteral("job")).artwork.layers[0];
+        QCOMPARE(back.spot, layer.spot);
+        QCOMPARE(back.spotColour, layer.spotColour);
+        QCOMPARE(back.spotFirst, true);
+        QVERIFY_EXCEPTION_THROWN(
+            setByPath(project, QStringLiteral("artwork.layers[0].spot"), QStringLiteral("Cyan")),
+            Error);
+        setByPath(project, QStringLiteral("artwork.layers[0].spot"), QString());
+        QVERIFY(project.artwork.layers[0].spot.isEmpty());
     }
 
     void goingBackToASnapshotKeepsTheArtwork() {

@@ -725,8 +725,8 @@ void ResultsTest::bareBodyInTheViewHasThePartsColour() {
     QImage picture(140, 196, QImage::Format_RGBA8888);
     picture.fill(Qt::transparent);
     const QColor own(40, 90, 160);
-    const auto colours = printedColours(fine, {{dip_.laid, picture}}, {.compensate = false},
-                                        Ground{.base = own});
+    const auto colours =
+        printedColours(fine, {{dip_.laid, picture}}, {.compensate = false}, Ground{.base = own});
     for (const QRgb colour : colours) {
         QVERIFY(std::abs(qRed(colour) - own.red()) <= 1 &&
                 std::abs(qGreen(colour) - own.green()) <= 1 &&

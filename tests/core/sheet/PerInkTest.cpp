@@ -1,5 +1,5 @@
-// Inks of a CMYK printer on film that stretches, each by its own law: what is printed is taken apart
-// by Ghostscript, carried forward by the laws and looked at by lcms2.
+// Inks of a CMYK printer on film that stretches, each by its own law: what is printed is taken
+// apart by Ghostscript, carried forward by the laws and looked at by lcms2.
 #include "PaperMeasure.h"
 #include "TestProfiles.h"
 

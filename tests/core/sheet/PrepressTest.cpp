@@ -127,8 +127,10 @@ private slots:
     void inkKeepsToItsTotal();
     void cutLineIsAPlateOfItsOwn();
     void cutLineKeepsItsDistanceFromTheInk();
+    void colourGoesOnPastTheCut();
     void whiteIsAPlateOfItsOwn_data();
     void whiteIsAPlateOfItsOwn();
+    void spotsComeInTheirOrder();
     void whiteIsASampleWithItsName();
     void chokedWhiteIsSmallerAllRound();
     void pdfInInksIsTheSameEveryTime();
@@ -345,6 +347,57 @@ void PrepressTest::cutLineKeepsItsDistanceFromTheInk() {
     QVERIFY(std::abs(sides[1] - sides[0] - pixels(100)) < pixels(0.02));
 }
 
+// The patches of 60 × 10 mm in the middle of the film, cut 1 mm from them, with 3 mm of bleed.
+void PrepressTest::colourGoesOnPastTheCut() {
+    constexpr int dpi = 150;
+    const auto pixel = [](double x, double y) {
+        return QPoint(int(x / millimetresPerInch * dpi), int(y / millimetresPerInch * dpi));
+    };
+    Sheet sheet = patchSheet();
+    sheet.settings.marks = sheet.settings.ruler = sheet.settings.jobLine = false;
+    sheet.settings.cutLine = CutLine::Ink;
+    sheet.settings.cutDistance = Millimetres(1);
+    QImage white(sheet.image.size(), QImage::Format_Grayscale8);
+    white.fill(0);
+    for (int y = white.height() * 36 / 80; y < white.height() * 44 / 80; ++y) {
+        std::fill_n(white.scanLine(y) + white.width() * 21 / 100, white.width() * 58 / 100, 180);
+    }
+    sheet.plates = {{QStringLiteral("White"), white}};
+    const Separations without = separations(pdfOf(sheet, {.colour = &inks_}), dpi);
+    sheet.settings.cutBleed = Millimetres(3);
+    const QString path = pdfOf(sheet, {.colour = &inks_});
+    QVERIFY(!output("qpdf", {"--check", path}).isEmpty());
+    const Separations plates = separations(path, dpi);
+    QCOMPARE(plates.at("CutContour"), without.at("CutContour"));
+    const double edge = ink(plates, "Magenta", pixel(35, 36)); // the second patch, red
+    QVERIFY(edge > 0.3);
+    QCOMPARE(ink(without, "Magenta", pixel(35, 33)), 0.0);
+    QCOMPARE(ink(plates, "Magenta", pixel(35, 33)), edge);   // 2 mm out: past the cut
+    QCOMPARE(ink(plates, "Magenta", pixel(35, 31.3)), edge); // 3.7 mm
+    QCOMPARE(ink(plates, "Magenta", pixel(35, 30.7)), 0.0);  // 4.3 mm
+    QVERIFY(ink(plates, "White", pixel(35, 33)) > 0.6);      // its choke is kept
+    QCOMPARE(ink(plates, "White", pixel(35, 31.4)), 0.0);
+    // The boxes say so, in points from below.
+    const QByteArray page = output("qpdf", {"--qdf", "--stream-data=uncompress", path, "-"});
+    const auto box = [&](const char* name) {
+        const auto at = page.indexOf('[', page.indexOf(name)) + 1;
+        QList<double> sides;
+        for (const QByteArray& word :
+             page.mid(at, page.indexOf(']', at) - at).simplified().split(' ')) {
+            sides << word.toDouble() / 72 * millimetresPerInch;
+        }
+        return sides;
+    };
+    const QList<double> trim = box("/TrimBox"), bleed = box("/BleedBox");
+    const QList<double> cut{19, 34, 81, 46};
+    QCOMPARE(trim.size(), 4);
+    QCOMPARE(bleed.size(), 4);
+    for (int side = 0; side < 4; ++side) {
+        QVERIFY2(std::abs(trim[side] - cut[side]) < 0.25, qPrintable(QString::number(trim[side])));
+        QVERIFY(std::abs(std::abs(bleed[side] - trim[side]) - 3) < 1e-3);
+    }
+}
+
 void PrepressTest::whiteIsAPlateOfItsOwn_data() {
     QTest::addColumn<bool>("first");
     QTest::newRow("printed last") << false;
@@ -372,6 +425,58 @@ void PrepressTest::whiteIsAPlateOfItsOwn() {
     const QByteArray page = output("qpdf", {"--qdf", "--stream-data=uncompress", path, "-"});
     const QByteArray order = page.mid(page.indexOf("/Plate0 Do"));
     QVERIFY(order.indexOf("/Plate1 Do") > 0);
+}
+
+// Varnish outside, a colour of its own, white on the part: names and order as they are printed.
+void PrepressTest::spotsComeInTheirOrder() {
+    Sheet sheet = patchSheet();
+    sheet.settings.marks = sheet.settings.ruler = sheet.settings.jobLine = false;
+    const auto tinted = [&](int value) {
+        QImage tint(sheet.image.size(), QImage::Format_Grayscale8);
+        tint.fill(value);
+        return tint;
+    };
+    sheet.plates = {{QStringLiteral("Pantone 485 C"), tinted(255), false, QColor(200, 60, 60)},
+                    {QStringLiteral("Gloss varnish"), tinted(100), true, QColor(250, 250, 250)},
+                    {QStringLiteral("White"), tinted(200)}};
+    sheet.settings.cutLine = CutLine::Film;
+    const QString path = pdfOf(sheet, {.colour = &inks_});
+    QVERIFY(!output("qpdf", {"--check", path}).isEmpty());
+    const Separations plates = separations(path, 150);
+    QStringList names;
+    for (const auto& [name, plate] : plates) {
+        names << name;
+    }
+    QCOMPARE(names, QStringList({"Black", "Cyan", "CutContour", "Gloss varnish", "Magenta",
+                                 "Pantone 485 C", "White", "Yellow"}));
+    QCOMPARE(ink(plates, "Pantone 485 C", {200, 100}), 1.0);
+    QVERIFY(std::abs(ink(plates, "Gloss varnish", {200, 100}) - 100 / 255.0) < 0.01);
+    const QByteArray page = output("qpdf", {"--qdf", "--stream-data=uncompress", path, "-"});
+    QList<qsizetype> places;
+    for (const char* name : {"/Gloss#20varnish", "/Pantone#20485#20C", "/White"}) {
+        places << page.indexOf(name);
+        QVERIFY(places.back() > 0);
+    }
+    // Whoever does not know the ink sees a colour for it, the patches' red over bare film.
+    const QColor seen = renderedPage(path, 100, QRectF(5, 5, 2, 2)).pixelColor(3, 3);
+    QVERIFY2(seen.red() > seen.green() + 60, qPrintable(seen.name()));
+    const QString tiff = written(
+        "spots.tif", [&](QIODevice& device) { writeSheetTiff(sheet, device, {.colour = &inks_}); });
+    TIFF* file = TIFFOpen(qPrintable(tiff), "r");
+    QVERIFY(file);
+    const auto close = qScopeGuard([&] { TIFFClose(file); });
+    const char* inkNames = nullptr;
+    QVERIFY(TIFFGetField(file, TIFFTAG_INKNAMES, &inkNames));
+    QStringList samples;
+    for (int i = 0; i < 7; ++i, inkNames += std::strlen(inkNames) + 1) {
+        samples << QString::fromUtf8(inkNames);
+    }
+    QCOMPARE(samples.mid(4), QStringList({"Pantone 485 C", "Gloss varnish", "White"}));
+    std::vector<uchar> row(std::size_t(TIFFScanlineSize(file)));
+    QCOMPARE(TIFFReadScanline(file, row.data(), 0), 1);
+    QCOMPARE(int(row[7 * 100 + 4]), 255);
+    QCOMPARE(int(row[7 * 100 + 5]), 100);
+    QCOMPARE(int(row[7 * 100 + 6]), 200);
 }
 
 void PrepressTest::whiteIsASampleWithItsName() {

@@ -1,12 +1,12 @@
 // The image to print, on films laid by closed forms.
 #include "texture/ReverseTexture.h"
-#include "texture/StretchPlane.h"
 #include "DippedByHand.h"
 #include "base/Units.h"
 #include "base/WideColour.h"
 #include "geometry/Shapes.h"
 #include "parallel/Threads.h"
 #include "texture/LinearLight.h"
+#include "texture/StretchPlane.h"
 
 #include <QtTest>
 
