@@ -979,6 +979,14 @@
         <source>Dipping deeper</source>
         <translation>Tiefer getaucht</translation>
     </message>
+    <message>
+        <source>Two plates of the sheet are called %1; give each a name of its own</source>
+        <translation>Zwei Platten des Bogens heißen %1; geben Sie jeder einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>The artwork has %1 spot inks, and there is room for %2</source>
+        <translation>Die Gestaltung hat %1 Sonderfarben, und Platz ist für %2</translation>
+    </message>
 </context>
 <context>
     <name>Png</name>
@@ -1565,6 +1573,24 @@
     <message>
         <source>As the ICC profile has it</source>
         <translation>Wie im ICC-Profil</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Schwarz und Weiß</translation>
+    </message>
+    <message>
+        <source>The same of black and white ink, which printers in CMYK have.</source>
+        <translation>Dasselbe für schwarze und weiße Tinte, die Drucker in CMYK haben.</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <comment>black</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>white</comment>
+        <translation>W</translation>
     </message>
 </context>
 <context>
@@ -2629,10 +2655,6 @@
         <translation>Farbe des Teils</translation>
     </message>
     <message>
-        <source>Of the bare part, as #1a2b3c: the proof shows the ink on it. Empty: light grey, and ink as it looks on white.</source>
-        <translation>Des unbedruckten Teils, als #1a2b3c: Die Vorschau zeigt die Druckfarbe darauf. Leer: hellgrau, und Druckfarbe wie auf Weiß.</translation>
-    </message>
-    <message>
         <source>White</source>
         <translation>Weiß</translation>
     </message>
@@ -2671,6 +2693,36 @@
     <message>
         <source>The name by which the printer knows its white ink.</source>
         <translation>Der Name, unter dem der Drucker seine weiße Farbe kennt.</translation>
+    </message>
+    <message>
+        <source>Of the bare part, as #1a2b3c: proof and view show the ink on it. Empty: light grey, and ink as it looks on white.</source>
+        <translation>Des unbedruckten Teils, wie #1a2b3c: Vorschau und Ansicht zeigen die Farbe darauf. Leer: hellgrau, und Farbe, wie sie auf Weiß aussieht.</translation>
+    </message>
+    <message>
+        <source>Bleed past it</source>
+        <translation>Beschnittzugabe</translation>
+    </message>
+    <message>
+        <source>How far beyond the cut line the colours of the painted film&apos;s edge go on, so that a cut that slips shows no bare film.</source>
+        <translation>Wie weit die Farben vom Rand des bemalten Films über die Schnittlinie hinaus weitergehen, damit ein verrutschter Schnitt keinen leeren Film zeigt.</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Schwarz und Weiß</translation>
+    </message>
+    <message>
+        <source>The same of black and white ink, which printers in CMYK have: there each ink is made up for by itself, after separation.</source>
+        <translation>Dasselbe für schwarze und weiße Tinte, die Drucker in CMYK haben: Dort wird jede Tinte für sich ausgeglichen, nach der Separation.</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <comment>black</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>white</comment>
+        <translation>W</translation>
     </message>
 </context>
 <context>
@@ -3597,6 +3649,34 @@
     <message>
         <source>the model&apos;s own</source>
         <translation>die des Modells</translation>
+    </message>
+    <message>
+        <source>Spot ink</source>
+        <translation>Sonderfarbe</translation>
+    </message>
+    <message>
+        <source>printed in its colours</source>
+        <translation>in ihren Farben gedruckt</translation>
+    </message>
+    <message>
+        <source>The name of a varnish or of an ink of its own, as the printer knows it. The layer is then a plate beside the four inks, in PDF and TIFF in CMYK; what it covers counts, and not its colours.</source>
+        <translation>Der Name eines Lacks oder einer eigenen Druckfarbe, wie der Drucker sie kennt. Die Ebene ist dann eine Platte neben den vier Farben, in PDF und TIFF in CMYK; es zählt, was sie deckt, nicht ihre Farben.</translation>
+    </message>
+    <message>
+        <source>Looks like</source>
+        <translation>Sieht aus wie</translation>
+    </message>
+    <message>
+        <source>What stands for the ink where nobody knows its name.</source>
+        <translation>Was für die Farbe steht, wo niemand ihren Namen kennt.</translation>
+    </message>
+    <message>
+        <source>Outside the colours</source>
+        <translation>Außen auf den Farben</translation>
+    </message>
+    <message>
+        <source>Printed before the four inks, so that it ends up outside them, as a varnish does; else after them, towards the part.</source>
+        <translation>Vor den vier Farben gedruckt, sodass sie am Ende außen liegt, wie ein Lack; sonst nach ihnen, zum Teil hin.</translation>
     </message>
 </context>
 <context>
@@ -5373,10 +5453,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Das Feld der Dichte %1 wird dünner als jede Tinte; prüfen Sie, ob Dichten und Dehnungen in den richtigen Zeilen stehen</translation>
     </message>
     <message>
-        <source>The tones must stand by ink, cyan, magenta, yellow</source>
-        <translation>Die Töne müssen nach Tinte stehen: Cyan, Magenta, Gelb</translation>
-    </message>
-    <message>
         <source>The tones of an ink must stand from light to dense</source>
         <translation>Die Töne einer Tinte müssen von hell nach dicht stehen</translation>
     </message>
@@ -5387,6 +5463,10 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>A wedge has from 1 to %1 patches that were read on stretched film</source>
         <translation>Ein Keil hat 1 bis %1 Felder, die auf gedehntem Film gemessen wurden</translation>
+    </message>
+    <message>
+        <source>The tones must stand by ink: cyan, magenta, yellow, black, white</source>
+        <translation>Die Töne müssen nach Tinten stehen: Cyan, Magenta, Gelb, Schwarz, Weiß</translation>
     </message>
 </context>
 <context>
@@ -7158,6 +7238,14 @@ Dehnung</translation>
         <source>The cut line is left out: it needs a PDF and a printer profile with an ICC profile in CMYK</source>
         <translation>Die Schnittlinie fehlt: Sie braucht ein PDF und ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
     </message>
+    <message>
+        <source>The spot inks are left out: they need a printer profile with an ICC profile in CMYK</source>
+        <translation>Die Sonderfarben fehlen: Sie brauchen ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
+    </message>
+    <message>
+        <source>On %1 mm² of the part the inks fall visibly short: full ink, the ink limit or the total of ink does not make up for the stretch</source>
+        <translation>Auf %1 mm² des Teils reichen die Tinten sichtbar nicht: volle Tinte, Farbgrenze oder Gesamtfarbauftrag gleichen die Dehnung nicht aus</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ProfileController</name>
@@ -7353,6 +7441,14 @@ Dehnung</translation>
     <message>
         <source>Linked: typing one number sets the others as well</source>
         <translation>Verknüpft: eine eingegebene Zahl gilt auch für die anderen</translation>
+    </message>
+    <message>
+        <source>Choose %1</source>
+        <translation>%1 wählen</translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation>Die Farbe wählen</translation>
     </message>
 </context>
 <context>
@@ -8193,6 +8289,10 @@ mm je mm</translation>
         <source>Its white is printed otherwise than that of %1; give them one kind of white and one name for it</source>
         <translation>Sein Weiß wird anders gedruckt als das von %1; geben Sie beiden eine Art Weiß und einen Namen dafür</translation>
     </message>
+    <message>
+        <source>Its spot ink %1 is printed otherwise than that of another job; give them one colour and order</source>
+        <translation>Seine Sonderfarbe %1 wird anders gedruckt als die eines anderen Auftrags; geben Sie ihnen eine Farbe und Reihenfolge</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::SheetCorrection</name>
@@ -8796,12 +8896,12 @@ mm je mm</translation>
         <translation>Die Tabelle eines Keils beginnt mit der Zeile %1 und hat höchstens %2 Zeilen</translation>
     </message>
     <message>
-        <source>Line %1 of the wedge is not an ink (cyan, magenta, yellow or grey) and five numbers, joined by commas</source>
-        <translation>Zeile %1 des Keils ist nicht eine Tinte (cyan, magenta, yellow oder grey) und fünf Zahlen, durch Kommas getrennt</translation>
-    </message>
-    <message>
         <source>“%1” is no tone of an ink, which is its name, density, exponent, bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9</source>
         <translation>„%1“ ist kein Ton einer Tinte, also ihr Name, Dichte, Exponent, Krümmung und größte Dehnung, wie cyan 0.3 0.48 0.1 2.9</translation>
+    </message>
+    <message>
+        <source>Line %1 of the wedge is not an ink (cyan, magenta, yellow, black, white or grey) and five numbers, joined by commas</source>
+        <translation>Zeile %1 des Keils ist nicht eine Tinte (cyan, magenta, yellow, black, white oder grey) und fünf Zahlen, durch Kommas verbunden</translation>
     </message>
 </context>
 <context>

@@ -979,6 +979,14 @@
         <source>Dipping deeper</source>
         <translation>Mergulhando mais fundo</translation>
     </message>
+    <message>
+        <source>Two plates of the sheet are called %1; give each a name of its own</source>
+        <translation>Duas chapas da folha se chamam %1; dê a cada uma um nome próprio</translation>
+    </message>
+    <message>
+        <source>The artwork has %1 spot inks, and there is room for %2</source>
+        <translation>A arte tem %1 tintas especiais, e há lugar para %2</translation>
+    </message>
 </context>
 <context>
     <name>Png</name>
@@ -1565,6 +1573,24 @@
     <message>
         <source>As the ICC profile has it</source>
         <translation>Como no perfil ICC</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Preto e branco</translation>
+    </message>
+    <message>
+        <source>The same of black and white ink, which printers in CMYK have.</source>
+        <translation>O mesmo da tinta preta e da branca, que impressoras em CMYK têm.</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <comment>black</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>white</comment>
+        <translation>B</translation>
     </message>
 </context>
 <context>
@@ -2629,10 +2655,6 @@
         <translation>Cor da peça</translation>
     </message>
     <message>
-        <source>Of the bare part, as #1a2b3c: the proof shows the ink on it. Empty: light grey, and ink as it looks on white.</source>
-        <translation>Da peça sem pintura, como #1a2b3c: a prova mostra a tinta sobre ela. Vazio: cinza-claro, e a tinta como fica sobre branco.</translation>
-    </message>
-    <message>
         <source>White</source>
         <translation>Branco</translation>
     </message>
@@ -2671,6 +2693,36 @@
     <message>
         <source>The name by which the printer knows its white ink.</source>
         <translation>O nome pelo qual a impressora conhece sua tinta branca.</translation>
+    </message>
+    <message>
+        <source>Of the bare part, as #1a2b3c: proof and view show the ink on it. Empty: light grey, and ink as it looks on white.</source>
+        <translation>Da peça nua, como #1a2b3c: a prova e a vista mostram a tinta sobre ela. Vazio: cinza-claro, e a tinta como é vista sobre branco.</translation>
+    </message>
+    <message>
+        <source>Bleed past it</source>
+        <translation>Sangria além dela</translation>
+    </message>
+    <message>
+        <source>How far beyond the cut line the colours of the painted film&apos;s edge go on, so that a cut that slips shows no bare film.</source>
+        <translation>Até onde as cores da borda do filme pintado continuam para além da linha de corte, para que um corte desviado não mostre filme nu.</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Preto e branco</translation>
+    </message>
+    <message>
+        <source>The same of black and white ink, which printers in CMYK have: there each ink is made up for by itself, after separation.</source>
+        <translation>O mesmo da tinta preta e da branca, que impressoras em CMYK têm: ali cada tinta é compensada por si, depois da separação.</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <comment>black</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>white</comment>
+        <translation>B</translation>
     </message>
 </context>
 <context>
@@ -3597,6 +3649,34 @@
     <message>
         <source>the model&apos;s own</source>
         <translation>a do modelo</translation>
+    </message>
+    <message>
+        <source>Spot ink</source>
+        <translation>Tinta especial</translation>
+    </message>
+    <message>
+        <source>printed in its colours</source>
+        <translation>impressa em suas cores</translation>
+    </message>
+    <message>
+        <source>The name of a varnish or of an ink of its own, as the printer knows it. The layer is then a plate beside the four inks, in PDF and TIFF in CMYK; what it covers counts, and not its colours.</source>
+        <translation>O nome de um verniz ou de uma tinta própria, como a impressora a conhece. A camada é então uma chapa ao lado das quatro tintas, em PDF e TIFF em CMYK; conta o que ela cobre, não as suas cores.</translation>
+    </message>
+    <message>
+        <source>Looks like</source>
+        <translation>Parece com</translation>
+    </message>
+    <message>
+        <source>What stands for the ink where nobody knows its name.</source>
+        <translation>O que representa a tinta onde ninguém conhece o seu nome.</translation>
+    </message>
+    <message>
+        <source>Outside the colours</source>
+        <translation>Por fora das cores</translation>
+    </message>
+    <message>
+        <source>Printed before the four inks, so that it ends up outside them, as a varnish does; else after them, towards the part.</source>
+        <translation>Impressa antes das quatro tintas, de modo que fica por fora delas, como um verniz; senão depois delas, do lado da peça.</translation>
     </message>
 </context>
 <context>
@@ -5373,10 +5453,6 @@ impresso em cartão rígido e impermeável</translation>
         <translation>A amostra de densidade %1 afina como nenhuma tinta; veja se as densidades e os estiramentos estão nas linhas certas</translation>
     </message>
     <message>
-        <source>The tones must stand by ink, cyan, magenta, yellow</source>
-        <translation>Os tons devem estar por tinta: ciano, magenta, amarelo</translation>
-    </message>
-    <message>
         <source>The tones of an ink must stand from light to dense</source>
         <translation>Os tons de uma tinta devem ir do claro ao denso</translation>
     </message>
@@ -5387,6 +5463,10 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>A wedge has from 1 to %1 patches that were read on stretched film</source>
         <translation>Uma cunha tem de 1 a %1 amostras lidas em filme estirado</translation>
+    </message>
+    <message>
+        <source>The tones must stand by ink: cyan, magenta, yellow, black, white</source>
+        <translation>Os tons devem estar por tinta: ciano, magenta, amarelo, preto, branco</translation>
     </message>
 </context>
 <context>
@@ -7158,6 +7238,14 @@ estiramento</translation>
         <source>The cut line is left out: it needs a PDF and a printer profile with an ICC profile in CMYK</source>
         <translation>A linha de corte fica de fora: ela precisa de um PDF e de um perfil de impressora com um perfil ICC em CMYK</translation>
     </message>
+    <message>
+        <source>The spot inks are left out: they need a printer profile with an ICC profile in CMYK</source>
+        <translation>As tintas especiais ficam de fora: precisam de um perfil de impressora com perfil ICC em CMYK</translation>
+    </message>
+    <message>
+        <source>On %1 mm² of the part the inks fall visibly short: full ink, the ink limit or the total of ink does not make up for the stretch</source>
+        <translation>Em %1 mm² da peça as tintas ficam visivelmente aquém: a tinta cheia, o limite de tinta ou o total de tinta não compensa o estiramento</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ProfileController</name>
@@ -7353,6 +7441,14 @@ estiramento</translation>
     <message>
         <source>Linked: typing one number sets the others as well</source>
         <translation>Vinculado: digitar um número define também os outros</translation>
+    </message>
+    <message>
+        <source>Choose %1</source>
+        <translation>Escolher %1</translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation>Escolher a cor</translation>
     </message>
 </context>
 <context>
@@ -8193,6 +8289,10 @@ mm por mm</translation>
         <source>Its white is printed otherwise than that of %1; give them one kind of white and one name for it</source>
         <translation>Seu branco é impresso de outro modo que o de %1; dê a ambos um só tipo de branco e um só nome para ele</translation>
     </message>
+    <message>
+        <source>Its spot ink %1 is printed otherwise than that of another job; give them one colour and order</source>
+        <translation>A sua tinta especial %1 é impressa de outro modo que a de outro trabalho; dê-lhes uma só cor e ordem</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::SheetCorrection</name>
@@ -8796,12 +8896,12 @@ mm por mm</translation>
         <translation>A tabela de uma cunha começa com a linha %1 e tem no máximo %2 linhas</translation>
     </message>
     <message>
-        <source>Line %1 of the wedge is not an ink (cyan, magenta, yellow or grey) and five numbers, joined by commas</source>
-        <translation>A linha %1 da cunha não é uma tinta (cyan, magenta, yellow ou grey) e cinco números, separados por vírgulas</translation>
-    </message>
-    <message>
         <source>“%1” is no tone of an ink, which is its name, density, exponent, bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9</source>
         <translation>“%1” não é um tom de tinta, que é nome, densidade, expoente, curvatura e maior estiramento, como cyan 0.3 0.48 0.1 2.9</translation>
+    </message>
+    <message>
+        <source>Line %1 of the wedge is not an ink (cyan, magenta, yellow, black, white or grey) and five numbers, joined by commas</source>
+        <translation>A linha %1 da cunha não é uma tinta (cyan, magenta, yellow, black, white ou grey) e cinco números, ligados por vírgulas</translation>
     </message>
 </context>
 <context>

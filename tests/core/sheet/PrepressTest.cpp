@@ -447,7 +447,7 @@ void PrepressTest::spotsComeInTheirOrder() {
     for (const auto& [name, plate] : plates) {
         names << name;
     }
-    QCOMPARE(names, QStringList({"Black", "Cyan", "CutContour", "Gloss varnish", "Magenta",
+    QCOMPARE(names, QStringList({"Black", "CutContour", "Cyan", "Gloss varnish", "Magenta",
                                  "Pantone 485 C", "White", "Yellow"}));
     QCOMPARE(ink(plates, "Pantone 485 C", {200, 100}), 1.0);
     QVERIFY(std::abs(ink(plates, "Gloss varnish", {200, 100}) - 100 / 255.0) < 0.01);

@@ -1,0 +1,115 @@
+// A printer's own inks on stretched film, from the wedge to the sheet, on the command line.
+#include "CliProcess.h"
+#include "PaperMeasure.h"
+#include "TestProfiles.h"
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+bool wrote(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+}
+
+QByteArray read(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+// Rows of a plate that have ink between the wedge's names and the paper's right edge.
+QSet<int> inkedRows(const QImage& plate) {
+    QSet<int> rows;
+    for (int y = plate.height() / 8; y < plate.height() * 2 / 5; ++y) {
+        int inked = 0;
+        for (int x = plate.width() / 5; x < plate.width(); ++x) {
+            inked += qGray(plate.pixel(x, y)) < 128;
+        }
+        if (inked > plate.width() / 20) {
+            rows.insert(y);
+        }
+    }
+    return rows;
+}
+
+} // namespace
+
+class InkWedgeTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY(wrote(in("inks.icc"), simpleCmykProfile(0.002)));
+        QCOMPARE(cli({"profile", "set", "printer", "Press", "--icc", in("inks.icc"), "--set",
+                      "total_ink=2.4"})
+                     .exitCode,
+                 0);
+    }
+
+    void wedgeIsOfThePrintersOwnInks() {
+        QCOMPARE(
+            cli({"calibrate", "wedge", "--profile", "Press", "--to", in("wedge.pdf")}).exitCode, 0);
+        QVERIFY(read(in("wedge.csv")).contains("\nblack,0.3,,,,"));
+        output("gs", {"-q", "-dNOPAUSE", "-dBATCH", "-dSAFER", "-sDEVICE=tiffsep", "-r60", "-o",
+                      in("page.tif"), in("wedge.pdf")});
+        QSet<int> all;
+        for (const char* ink : {"Cyan", "Magenta", "Yellow"}) {
+            const QSet<int> own = inkedRows(QImage(in(QString("page(%1).tif").arg(ink))));
+            QVERIFY2(own.size() > 10, ink); // a row of patches …
+            QVERIFY2(!all.intersects(own), ink);
+            all.unite(own); // … where no other ink is
+        }
+        QVERIFY(
+            cli({"calibrate", "wedge", "--profile", "Press", "--to", in("wedge.png")}).exitCode !=
+            0);
+    }
+
+    void aSheetIsMadeUpForInkByInk() {
+        QByteArray readings = "ink,nominal,flat,across,down,shown\n";
+        for (const auto& [ink, exponent] :
+             {std::pair("cyan", 0.8), std::pair("magenta", 0.4), std::pair("black", 0.2)}) {
+            for (const double tone : {0.1, 0.3}) {
+                const double shown = tone * std::pow(1.5, -exponent);
+                readings += QByteArray(ink) + ',' + QByteArray::number(tone) + ',' +
+                            QByteArray::number(tone) + ",150,100," + QByteArray::number(shown) +
+                            '\n';
+            }
+        }
+        QVERIFY(wrote(in("readings.csv"), readings));
+        QCOMPARE(cli({"profile", "wedge", "Film", in("readings.csv")}).exitCode, 0);
+        const QString job = in("job.dipw");
+        QVERIFY(QFile::copy(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/sphere.dipw"), job));
+        QVERIFY(QFile::setPermissions(job, QFile::ReadOwner | QFile::WriteOwner));
+        QCOMPARE(cli({"profile", "use", "film", "Film", job}).exitCode, 0);
+        const QStringList coarse{"--set", "film.points=40x57", "--set", "sheet.dpi=60", "--quiet"};
+        const auto shortfall = [&](const QString& folder) {
+            return QJsonDocument::fromJson(
+                read(folder + "/report.json"))["immersions"][0]["ink"]["per_ink_shortfall_area"];
+        };
+        QCOMPARE(cli(QStringList{"run", job, "--out", in("without")} + coarse).exitCode, 0);
+        QVERIFY(shortfall(in("without")).isUndefined());
+        QCOMPARE(cli({"profile", "use", "printer", "Press", job}).exitCode, 0);
+        QCOMPARE(cli(QStringList{"run", job, "--out", in("with")} + coarse).exitCode, 0);
+        QVERIFY(shortfall(in("with")).isDouble());
+        QVERIFY(shortfall(in("with")).toDouble() >= 0);
+    }
+
+private:
+    QString in(const QString& name) const { return folder_.filePath(name); }
+
+    QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(InkWedgeTest)
+#include "InkWedgeTest.moc"
