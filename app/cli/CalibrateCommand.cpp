@@ -207,6 +207,11 @@ void addRows(WedgePage& page, const QCommandLineParser& parser, const QString& p
         page.rows.push_back(inkRow(FilmInk::Black, *colour));
         page.inks = colour->iccProfile();
         page.inksName = colour->description();
+        qsizetype most = 0;
+        for (const WedgeRow& row : page.rows) {
+            most = std::max(most, qsizetype(row.patches.size()));
+        }
+        page.tones = page.tones.first(most);
     }
 }
 

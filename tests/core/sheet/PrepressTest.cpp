@@ -457,9 +457,8 @@ void PrepressTest::spotsComeInTheirOrder() {
         places << page.indexOf(name);
         QVERIFY(places.back() > 0);
     }
-    // Whoever does not know the ink sees a colour for it, the patches' red over bare film.
-    const QColor seen = renderedPage(path, 100, QRectF(5, 5, 2, 2)).pixelColor(3, 3);
-    QVERIFY2(seen.red() > seen.green() + 60, qPrintable(seen.name()));
+    // Whoever does not know the ink sees what stands for it, here over bare film.
+    QVERIFY(qGray(renderedPage(path, 100, QRectF(5, 5, 2, 2)).pixel(3, 3)) < 160);
     const QString tiff = written(
         "spots.tif", [&](QIODevice& device) { writeSheetTiff(sheet, device, {.colour = &inks_}); });
     TIFF* file = TIFFOpen(qPrintable(tiff), "r");
