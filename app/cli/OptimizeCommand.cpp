@@ -63,7 +63,7 @@ void printRow(const QString& name, const RankedPoses& ranked, QTextStream& out) 
 
 void printRanking(const SearchResult& result, const SearchSettings& settings, QTextStream& out) {
     out << "   Rank  objective    quality    painted    stretch    certain   wrinkled       torn"
-           "        air       join  film used  turned about X, Y, Z\n";
+           "        air       join     narrow  film used  turned about X, Y, Z\n";
     const std::size_t shown = std::min(result.ranking.size(), shownPoses);
     for (std::size_t rank = 0; rank < shown; ++rank) {
         printRow(QString::number(rank + 1), result.ranking[rank], out);
@@ -88,27 +88,30 @@ void printRanking(const SearchResult& result, const SearchSettings& settings, QT
     }
 }
 
-// --weight and --limit: NAME=NUMBER each.
+// --weight and --limit: NAME=NUMBER each, and NAME=none for no limit.
 template <typename Set>
-void applyPairs(const QCommandLineParser& parser, const QString& option, SearchSettings& settings,
+void applyPairs(const QCommandLineParser& parser, const QString& option, PoseAims& aims,
                 const Set& set) {
     const QString where = QStringLiteral("--%1").arg(option);
     for (const QString& text : parser.values(option)) {
         const auto equals = text.indexOf(QLatin1Char('='));
+        const QString name = text.left(equals), value = text.mid(equals + 1);
         bool isNumber = false;
-        const double value = text.mid(equals + 1).toDouble(&isNumber);
-        if (equals < 1 || !isNumber) {
+        const double number = value.toDouble(&isNumber);
+        const bool isNone = option == limitOption && value == QLatin1String("none");
+        if (equals < 1 || !(isNumber || isNone)) {
             throw UsageError(QStringLiteral("Give it as NAME=NUMBER, as in coverage=0.9"), where);
         }
         try {
-            set(settings, text.left(equals), value);
+            set(aims, name, isNone ? std::nullopt : std::optional(number));
         } catch (const Error& error) {
             throw UsageError(error.sentence(), where);
         }
     }
 }
 
-SearchSettings settingsOf(const QCommandLineParser& parser) {
+// Weights and limits are the project's, but for what the options say.
+SearchSettings settingsOf(const QCommandLineParser& parser, const Project& project) {
     if (!parser.isSet(immersionsOption)) {
         throw UsageError(QStringLiteral("Say how many dips to plan with --immersions 1 or 2"),
                          QStringLiteral("--immersions"));
@@ -125,8 +128,12 @@ SearchSettings settingsOf(const QCommandLineParser& parser) {
     settings.confirmed =
         wholeNumberOption(parser, confirmedOption, confirmedRange.least, confirmedRange.most);
     settings.seed = wholeNumberOption(parser, seedOption, seedRange.least, seedRange.most);
-    applyPairs(parser, weightOption, settings, setWeight);
-    applyPairs(parser, limitOption, settings, setLimit);
+    settings.aims = project.poseAims;
+    applyPairs(parser, weightOption, settings.aims,
+               [](PoseAims& aims, const QString& name, std::optional<double> weight) {
+                   setWeight(aims, name, *weight);
+               });
+    applyPairs(parser, limitOption, settings.aims, setLimit);
     try {
         requireValid(settings);
     } catch (const Error& error) {
@@ -191,14 +198,16 @@ public:
               usual.confirmed);
         count(seedOption, QStringLiteral("Other directions with every number, 0 to 1000000."),
               usual.seed);
-        syntax.addOption({weightOption,
-                          QStringLiteral("How much a measure, or zone_a, zone_b, zone_c, counts; "
-                                         "repeatable."),
-                          QStringLiteral("NAME=WEIGHT")});
-        syntax.addOption({limitOption,
-                          QStringLiteral("The least or the most that is wanted of a measure; "
-                                         "repeatable."),
-                          QStringLiteral("NAME=VALUE")});
+        syntax.addOption(
+            {weightOption,
+             QStringLiteral("How much a measure, or zone_a, zone_b, zone_c, counts, in "
+                            "place of what the project says; repeatable."),
+             QStringLiteral("NAME=WEIGHT")});
+        syntax.addOption(
+            {limitOption,
+             QStringLiteral("The least or the most that is wanted of a measure, or none, "
+                            "in place of what the project says; repeatable."),
+             QStringLiteral("NAME=VALUE")});
         syntax.addOption({shardOption,
                           QStringLiteral("Dips only part K of N of the poses, into --out."),
                           QStringLiteral("K/N")});
@@ -216,11 +225,12 @@ public:
 
     void run(const QCommandLineParser& parser, Console& console) const override {
         const ThreadLimit threads = threadLimit(parser);
-        const SearchSettings settings = settingsOf(parser);
+        const Project project = projectArgument(parser);
+        const SearchSettings settings = settingsOf(parser, project);
         if (parser.isSet(shardOption)) {
-            makePart(parser, settings, console);
+            makePart(parser, project, settings, console);
         } else {
-            search(parser, settings, console);
+            search(parser, project, settings, console);
         }
     }
 
@@ -232,8 +242,8 @@ private:
                             registry);
     }
 
-    static void makePart(const QCommandLineParser& parser, const SearchSettings& settings,
-                         Console& console) {
+    static void makePart(const QCommandLineParser& parser, const Project& project,
+                         const SearchSettings& settings, Console& console) {
         const auto [number, count] = shardOf(parser);
         const QString out = parser.value(outOption);
         if (out.isEmpty() || parser.isSet(mergeOption)) {
@@ -241,7 +251,6 @@ private:
                                             "--merge"),
                              QStringLiteral("--shard"));
         }
-        const Project project = projectArgument(parser);
         checkWritable(out);
         const SolverRegistry registry;
         SolverChoice solver = solverOf(parser, project, registry);
@@ -254,14 +263,13 @@ private:
         writeWhole(out, [&](QIODevice& device) { device.write(partFile(part)); });
     }
 
-    static void search(const QCommandLineParser& parser, const SearchSettings& settings,
-                       Console& console) {
+    static void search(const QCommandLineParser& parser, const Project& project,
+                       const SearchSettings& settings, Console& console) {
         if (parser.isSet(outOption)) {
             throw UsageError(QStringLiteral("It goes with --shard only"), QStringLiteral("--out"));
         }
         const QString path = projectPath(parser);
         ProjectFile file(path);
-        const Project project = projectArgument(parser);
         checkWritable(path); // better now than after the work
         std::vector<SearchPart> parts;
         for (const QString& name : parser.values(mergeOption)) {

@@ -221,7 +221,7 @@ QStringList siblingPaths(const QString& path) {
     const QString hint = siblings.isEmpty()
                              ? Text::tr("the sections are artwork, film, process, body, "
                                         "immersions[0], sheet, ink, share, cradle, tolerance, "
-                                        "as_built and inspection")
+                                        "pose_search, as_built and inspection")
                              : Text::tr("there are %1").arg(siblings.join(QStringLiteral(", ")));
     throw Error(Text::tr("There is no such setting, %1").arg(hint), path);
 }

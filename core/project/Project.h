@@ -10,6 +10,7 @@
 #include "project/FilmOnWater.h"
 #include "project/InspectedPart.h"
 #include "project/Profiles.h"
+#include "search/SearchSettings.h"
 #include "share/ShareSettings.h"
 #include "sheet/Sheet.h"
 #include "texture/ReverseTexture.h"
@@ -50,6 +51,7 @@ struct Project {
     ShareSettings share; // of two immersions
     CradleSettings cradle;
     ToleranceSettings tolerance;
+    PoseAims poseAims; // of its pose searches; in the file only what is not usual
     AsBuilt asBuilt;
     InspectedPart inspection;
     FilmOnWater filmOnWater;

@@ -332,6 +332,36 @@ void addToleranceFields(std::vector<Field<Project>>& fields) {
         [](auto& p, int part) -> auto& { return p.tolerance.limits[part]; }));
 }
 
+// "pose_search.weights.quality", "pose_search.weights.zone_a", "pose_search.limits.coverage".
+void addPoseSearchFields(std::vector<Field<Project>>& fields) {
+    const auto add = [&](const QString& key, auto make) {
+        const QByteArray path = QByteArrayLiteral("pose_search.") + key.toLatin1();
+        fields.push_back(leftOutWhenUsual(make(path.constData())));
+    };
+    for (const Measure measure : allMeasures()) {
+        add(QStringLiteral("weights.") + measureKey(measure), [measure](const char* path) {
+            return number(
+                path, 0,
+                mostWeight, [measure](auto& p) -> auto& { return p.poseAims.weights[measure]; });
+        });
+    }
+    for (std::size_t zone = 0; zone < zoneCount; ++zone) {
+        add(QStringLiteral("weights.") + zoneKey(zone), [zone](const char* path) {
+            return number(
+                path, 0,
+                mostZoneWeight, [zone](auto& p) -> auto& { return p.poseAims.zoneWeights[zone]; });
+        });
+    }
+    for (const Measure measure : allMeasures()) {
+        add(QStringLiteral("limits.") + measureKey(measure), [measure](const char* path) {
+            return numberOrNone(
+                path, 0, mostLimit(measure), [measure](auto& p) -> auto& {
+                    return p.poseAims.limits[measure];
+                });
+        });
+    }
+}
+
 void addAsBuiltFields(std::vector<Field<Project>>& fields) {
     fields.push_back(flag(
         "as_built.correct", [](auto& p) -> auto& { return p.asBuilt.corrects; }));
@@ -392,6 +422,7 @@ const std::vector<Field<Project>>& projectFields() {
         addShareFields(all);
         addCradleFields(all);
         addToleranceFields(all);
+        addPoseSearchFields(all);
         addAsBuiltFields(all);
         addInspectionFields(all);
         addFilmOnWaterFields(all);

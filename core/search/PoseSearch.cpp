@@ -100,7 +100,7 @@ std::vector<float> zoneWeights(const SearchSubject& subject, const CoveragePrevi
         zoned.setMarks(subject.marks);
         for (std::size_t triangle = 0; triangle < weights.size(); ++triangle) {
             weights[triangle] =
-                float(settings.zoneWeights[std::size_t(zoned.at(preview.middle(triangle)))]);
+                float(settings.aims.zoneWeights[std::size_t(zoned.at(preview.middle(triangle)))]);
         }
     }
     return weights;
@@ -113,7 +113,7 @@ QByteArray searchKey(const SearchSubject& subject, const SearchSettings& setting
     out.setVersion(QDataStream::Qt_6_0);
     out << subject.identity << settings.immersions << settings.directions << settings.simulated
         << settings.seed;
-    for (const double weight : settings.zoneWeights) {
+    for (const double weight : settings.aims.zoneWeights) {
         out << weight;
     }
     return QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex();
@@ -124,7 +124,7 @@ public:
     Search(const SearchSubject& subject, const SearchSettings& settings,
            const solver::SolverModule& module, const Progress& progress)
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
-          body_(subject.model, subject.marks, settings.zoneWeights, subject.registrationError),
+          body_(subject.model, subject.marks, settings.aims.zoneWeights, subject.registrationError),
           coarse_(subject, body_, module, coarseDetail, progress.part(0, fieldShare)) {
         progress_(fieldShare, Text::tr("Judging directions by the body's shape"));
         const CoveragePreview preview(subject.model->mesh);

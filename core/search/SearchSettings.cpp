@@ -50,17 +50,6 @@ void require(double value, double least, double most, const QString& where) {
     }
 }
 
-double greatestLimit(Measure measure) {
-    switch (measure) {
-    case Measure::Stretch:
-        return 100;
-    case Measure::Join:
-        return 1e6;
-    default:
-        return 1;
-    }
-}
-
 Measure measureOf(const QString& key) {
     QStringList keys;
     for (const Measure measure : allMeasures()) {
@@ -138,6 +127,21 @@ bool isOfTwoDips(Measure measure) {
     return measure == Measure::Join || measure == Measure::Narrow;
 }
 
+double mostLimit(Measure measure) {
+    switch (measure) {
+    case Measure::Stretch:
+        return 100;
+    case Measure::Join:
+        return 1e6;
+    default:
+        return 1;
+    }
+}
+
+QString zoneKey(std::size_t zone) {
+    return QStringLiteral("zone_") + QChar(u'a' + char16_t(zone));
+}
+
 void requireValid(const SearchSettings& settings) {
     require(settings.immersions, 1, 2, QStringLiteral("immersions"));
     require(settings.directions, directionsRange.least, directionsRange.most,
@@ -151,15 +155,15 @@ void requireValid(const SearchSettings& settings) {
     require(settings.seed, seedRange.least, seedRange.most, QStringLiteral("seed"));
     double sum = 0;
     for (const Measure measure : allMeasures()) {
-        require(settings.weights[measure], 0, mostWeight, measureKey(measure));
+        require(settings.aims.weights[measure], 0, mostWeight, measureKey(measure));
         const bool counts = settings.immersions == 2 || !isOfTwoDips(measure);
-        sum += counts ? settings.weights[measure] : 0;
-        if (const std::optional<double>& limit = settings.limits[measure]) {
-            require(*limit, 0, greatestLimit(measure), measureKey(measure));
+        sum += counts ? settings.aims.weights[measure] : 0;
+        if (const std::optional<double>& limit = settings.aims.limits[measure]) {
+            require(*limit, 0, mostLimit(measure), measureKey(measure));
         }
     }
     double zones = 0;
-    for (const double weight : settings.zoneWeights) {
+    for (const double weight : settings.aims.zoneWeights) {
         require(weight, 0, mostZoneWeight, Text::tr("weight of a zone"));
         zones += weight;
     }
@@ -169,23 +173,25 @@ void requireValid(const SearchSettings& settings) {
     }
 }
 
-void setWeight(SearchSettings& settings, const QString& key, double value) {
-    static const QStringList zones{QStringLiteral("zone_a"), QStringLiteral("zone_b"),
-                                   QStringLiteral("zone_c")};
-    if (const auto zone = zones.indexOf(key); zone >= 0) {
-        require(value, 0, mostZoneWeight, key);
-        settings.zoneWeights[std::size_t(zone)] = value;
-        return;
+void setWeight(PoseAims& aims, const QString& key, double value) {
+    for (std::size_t zone = 0; zone < zoneCount; ++zone) {
+        if (key == zoneKey(zone)) {
+            require(value, 0, mostZoneWeight, key);
+            aims.zoneWeights[zone] = value;
+            return;
+        }
     }
     const Measure measure = measureOf(key);
     require(value, 0, mostWeight, key);
-    settings.weights[measure] = value;
+    aims.weights[measure] = value;
 }
 
-void setLimit(SearchSettings& settings, const QString& key, double value) {
+void setLimit(PoseAims& aims, const QString& key, std::optional<double> value) {
     const Measure measure = measureOf(key);
-    require(value, 0, greatestLimit(measure), key);
-    settings.limits[measure] = value;
+    if (value) {
+        require(*value, 0, mostLimit(measure), key);
+    }
+    aims.limits[measure] = value;
 }
 
 double printQuality(double larger, double smaller) {
@@ -196,7 +202,7 @@ double objective(const PoseMeasures& measures, const SearchSettings& settings, d
     double sum = 0, weights = 0;
     for (const Measure measure : allMeasures()) {
         if (!isOfTwoDips(measure) || settings.immersions == 2) {
-            const double weight = settings.weights[measure];
+            const double weight = settings.aims.weights[measure];
             sum += weight * goodness(measure, measures[measure], equator);
             weights += weight;
         }
@@ -207,7 +213,7 @@ double objective(const PoseMeasures& measures, const SearchSettings& settings, d
 double limitsMissed(const PoseMeasures& measures, const SearchSettings& settings) {
     double missed = 0;
     for (const Measure measure : allMeasures()) {
-        if (const std::optional<double>& limit = settings.limits[measure]) {
+        if (const std::optional<double>& limit = settings.aims.limits[measure]) {
             const double over =
                 isMoreBetter(measure) ? *limit - measures[measure] : measures[measure] - *limit;
             missed += std::max(over, 0.0) / std::max(*limit, leastLimitScale);

@@ -43,6 +43,8 @@ QString measureName(Measure measure); // for the user: "Quality", "Trapped air"
 QString measureText(Measure measure, double value);
 bool isMoreBetter(Measure measure);
 bool isOfTwoDips(Measure measure); // counts for pairs only
+double mostLimit(Measure measure); // that one may be given, from 0 on
+QString zoneKey(std::size_t zone); // "zone_a"
 
 // What the settings may be, ends included.
 struct SettingRange {
@@ -52,6 +54,18 @@ inline constexpr SettingRange directionsRange{6, 20'000}, simulatedRange{6, 2000
     refinedRange{0, 50}, finerRange{1, 100}, confirmedRange{0, 20}, seedRange{0, 1'000'000};
 inline constexpr double mostWeight = 100, mostZoneWeight = 1000; // from 0 on
 
+// What is wanted of a pose; a project keeps it (project/Project.h).
+struct PoseAims {
+    // Up to mostWeight each, not all of them 0 (docs/pose-search.md, "The objective").
+    PerMeasure<double> weights{{1, 0.5, 0.1, 0.5, 0.1, 0.5, 0.5, 0.1, 0.2, 0.05}};
+    std::array<double, zoneCount> zoneWeights{4, 2,
+                                              1}; // of a place's quality, up to mostZoneWeight
+    // The least that is wanted of a measure of which more is better, the most of any other. What
+    // does not keep them comes after all that does.
+    PerMeasure<std::optional<double>> limits;
+    bool operator==(const PoseAims&) const = default;
+};
+
 struct SearchSettings {
     int immersions = 1;    // 1 or 2
     int directions = 2000; // judged by their geometry
@@ -60,22 +74,16 @@ struct SearchSettings {
     int finer = 12;        // of the best, with finer film, which ranks them
     int confirmed = 3;     // of the best, with the film and the field of the job
     int seed = 1;          // of the directions
-    // Up to mostWeight each, not all of them 0 (docs/pose-search.md, "The objective").
-    PerMeasure<double> weights{{1, 0.5, 0.1, 0.5, 0.1, 0.5, 0.5, 0.1, 0.2, 0.05}};
-    std::array<double, zoneCount> zoneWeights{4, 2,
-                                              1}; // of a place's quality, up to mostZoneWeight
-    // The least that is wanted of a measure of which more is better, the most of any other. What
-    // does not keep them comes after all that does.
-    PerMeasure<std::optional<double>> limits;
+    PoseAims aims;
     bool operator==(const SearchSettings&) const = default;
 };
 
 // Throws Error that names the setting and its limits.
 void requireValid(const SearchSettings& settings);
-// Sets the weight or the limit of a measure, or the weight of zone A, B or C, by key. Throws Error
-// where there is none or the value is out of range.
-void setWeight(SearchSettings& settings, const QString& key, double value);
-void setLimit(SearchSettings& settings, const QString& key, double value);
+// Sets the weight or the limit of a measure, or the weight of zone A, B or C, by key; without a
+// value no limit. Throws Error where there is no such key or the value is out of range.
+void setWeight(PoseAims& aims, const QString& key, double value);
+void setLimit(PoseAims& aims, const QString& key, std::optional<double> value);
 
 // How well film that is stretched by λ1 ≥ λ2 shows its picture: 1 up to λ1 = 1.2 and down to
 // λ2 = 0.7, falling to 0 at 2.5 and at 0.2.

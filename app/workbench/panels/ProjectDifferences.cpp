@@ -2,6 +2,7 @@
 
 #include "document/ProjectValue.h"
 #include "panels/PropertySpecs.h"
+#include "search/SearchSettings.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -59,6 +60,22 @@ public:
             found_.push_back({setting, before, after});
         }
     }
+    void addAims(const PoseAims& before, const PoseAims& after) {
+        const auto number = [](double value) { return QLocale().toString(value, 'g', 6); };
+        const auto limit = [](Measure measure, const std::optional<double>& value) {
+            return value ? measureText(measure, *value) : QStringLiteral("–");
+        };
+        for (const Measure measure : allMeasures()) {
+            add(Text::tr("Pose search · weight of %1").arg(measureName(measure)),
+                number(before.weights[measure]), number(after.weights[measure]));
+            add(Text::tr("Pose search · limit of %1").arg(measureName(measure)),
+                limit(measure, before.limits[measure]), limit(measure, after.limits[measure]));
+        }
+        for (std::size_t zone = 0; zone < zoneCount; ++zone) {
+            add(Text::tr("Pose search · weight of zone %1").arg(QChar(u'A' + char16_t(zone))),
+                number(before.zoneWeights[zone]), number(after.zoneWeights[zone]));
+        }
+    }
     std::vector<ProjectDifference> found() && { return std::move(found_); }
 
 private:
@@ -91,6 +108,7 @@ std::vector<ProjectDifference> projectDifferences(const Project& first, const Pr
                     count(second.share.marks.size()));
     differences.add(Text::tr("Marks for zones"), count(first.tolerance.marks.size()),
                     count(second.tolerance.marks.size()));
+    differences.addAims(first.poseAims, second.poseAims);
     const auto nameOfAny = [](const auto& profile) {
         return profile ? profile->name : QStringLiteral("–");
     };

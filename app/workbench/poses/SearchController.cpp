@@ -114,6 +114,12 @@ SearchController::SearchController(const DipSession& session, JobRunner& jobs,
     });
     connect(page_, &SearchPage::applyAsked, this,
             [this](const RankedPoses& poses) { apply(poses.immersions); });
+    connect(page_, &SearchPage::aimsChanged, this, &SearchController::takeAims);
+    connect(page_, &SearchPage::aimsLeft, this, [this] {
+        if (session_.document()) {
+            session_.document()->endMerge();
+        }
+    });
     connect(page_, &SearchPage::sideAsked, this, &SearchController::applySide);
     connect(&jobs, &JobRunner::idle, this, &SearchController::end);
 }
@@ -129,7 +135,8 @@ void SearchController::showDocument() {
     searched_ = {};
     if (const Document* document = session_.document()) {
         page_->setImmersions(int(document->project().immersions.size()));
-        connect(document, &Document::projectChanged, this, &SearchController::showFreshness);
+        connect(document, &Document::projectChanged, this, &SearchController::showProject);
+        showProject();
     }
 }
 
@@ -202,14 +209,29 @@ void SearchController::applySide(const Eigen::Vector3d& down) {
     }
 }
 
+void SearchController::takeAims(const QString& what) {
+    if (Document* document = session_.document()) {
+        document->edit(tr("Change What Poses Are Searched For"),
+                       QStringLiteral("pose_search ") + what,
+                       [this](Project& project) { project.poseAims = page_->settings().aims; });
+    }
+}
+
+void SearchController::showProject() {
+    if (const Document* document = session_.document()) {
+        page_->setAims(document->project().poseAims);
+        showFreshness();
+    }
+}
+
 // The poses themselves are not what is searched for.
 void SearchController::showFreshness() {
     if (const Document* document = session_.document(); document && searched_.model) {
         const Project& now = document->project();
-        page_->setOutdated(now.model != searched_.model || now.film != searched_.film ||
-                           now.process != searched_.process ||
-                           now.fieldResolution != searched_.fieldResolution ||
-                           now.tolerance.marks != searched_.tolerance.marks);
+        page_->setOutdated(
+            now.model != searched_.model || now.film != searched_.film ||
+            now.process != searched_.process || now.fieldResolution != searched_.fieldResolution ||
+            now.poseAims != searched_.poseAims || now.tolerance.marks != searched_.tolerance.marks);
     }
 }
 

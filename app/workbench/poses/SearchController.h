@@ -30,6 +30,8 @@ private:
     void take(const Update& update);
     void apply(const std::vector<Immersion>& immersions);
     void applySide(const Eigen::Vector3d& down);
+    void takeAims(const QString& what);
+    void showProject();
     void showFreshness();
 
     const DipSession& session_;

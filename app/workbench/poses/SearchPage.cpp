@@ -53,6 +53,8 @@ SearchPage::SearchPage(QWidget* parent)
     });
     connect(plot_, &MeasurePlot::picked, table_, &PoseTable::choose);
     connect(map_, &OrientationMap::picked, this, &SearchPage::sideAsked);
+    connect(weights_, &WeightFields::changed, this, &SearchPage::aimsChanged);
+    connect(weights_, &WeightFields::left, this, &SearchPage::aimsLeft);
     setState(State::Idle);
     clear();
 }
@@ -153,12 +155,16 @@ SearchSettings SearchPage::settings() const {
     settings.immersions = immersions_->currentData().toInt();
     settings.simulated = simulated_->value();
     settings.seed = seed_->value();
-    weights_->fill(settings);
+    settings.aims = weights_->aims();
     return settings;
 }
 
 void SearchPage::setImmersions(int count) {
     immersions_->setCurrentIndex(count - 1);
+}
+
+void SearchPage::setAims(const PoseAims& aims) {
+    weights_->show(aims);
 }
 
 void SearchPage::setState(State state) {

@@ -27,6 +27,7 @@ public:
 
     SearchSettings settings() const;
     void setImmersions(int count); // what is proposed
+    void setAims(const PoseAims& aims);
     enum class State { Idle, Searching, Paused };
     void setState(State state);
     void setProgress(int done, int wanted, std::optional<double> secondsLeft);
@@ -37,6 +38,8 @@ public:
 
 signals:
     void startAsked();
+    void aimsChanged(const QString& what); // settings().aims, by the user
+    void aimsLeft();                       // and has turned to something else
     void pauseAsked(bool paused);
     void stopAsked();
     void applyAsked(const RankedPoses& poses);

@@ -63,7 +63,8 @@ WeightFields::WeightFields(QWidget* parent) : QWidget(parent) {
         weight->setAccessibleName(name);
         weight->setToolTip(tr("How much more the quality counts where the body is marked as this "
                               "zone, under Tolerances."));
-        connect(weight, &QDoubleSpinBox::valueChanged, this, &WeightFields::changed);
+        watch(weight, zoneKey(zone),
+              [this, zone](double value) { aims_.zoneWeights[zone] = value; });
         auto* label = new QLabel(name);
         label->setBuddy(weight);
         grid->addWidget(label, line, 0);
@@ -71,6 +72,7 @@ WeightFields::WeightFields(QWidget* parent) : QWidget(parent) {
         zones_[zone] = weight;
         ++line;
     }
+    aims_.weights = {}; // so that what is usual is shown
     show({});
 }
 
@@ -82,6 +84,8 @@ WeightFields::Row WeightFields::makeRow(Measure measure) {
     row.weight->setSingleStep(0.1);
     row.weight->setAccessibleName(tr("Weight of %1").arg(measureName(measure)));
     row.weight->setToolTip(tr("How much it counts against the others; 0: not at all."));
+    row.weight->setObjectName(QStringLiteral("weight_") + measureKey(measure));
+    row.isLimited->setObjectName(QStringLiteral("limited_") + measureKey(measure));
     row.isLimited->setText(isMoreBetter(measure) ? QStringLiteral("≥") : QStringLiteral("≤"));
     row.isLimited->setAccessibleName(tr("Limit of %1").arg(measureName(measure)));
     row.isLimited->setToolTip(tr("Poses that miss it come after all that keep it."));
@@ -91,39 +95,53 @@ WeightFields::Row WeightFields::makeRow(Measure measure) {
     row.limit->setValue(scale.proposed);
     row.limit->setEnabled(false);
     row.limit->setAccessibleName(row.isLimited->accessibleName());
-    connect(row.weight, &QDoubleSpinBox::valueChanged, this, &WeightFields::changed);
-    connect(row.limit, &QDoubleSpinBox::valueChanged, this, &WeightFields::changed);
+    const QString weightKey = QStringLiteral("weight of ") + measureKey(measure);
+    const QString limitKey = QStringLiteral("limit of ") + measureKey(measure);
+    watch(row.weight, weightKey, [this, measure](double value) { aims_.weights[measure] = value; });
+    watch(row.limit, limitKey, [this, measure](double) { takeLimit(measure); });
     connect(row.isLimited, &QCheckBox::toggled, row.limit, &QWidget::setEnabled);
-    connect(row.isLimited, &QCheckBox::toggled, this, &WeightFields::changed);
+    connect(row.isLimited, &QCheckBox::toggled, this, [this, measure, limitKey] {
+        takeLimit(measure);
+        emit changed(limitKey);
+        emit left();
+    });
     return row;
 }
 
-void WeightFields::fill(SearchSettings& settings) const {
-    for (const Measure measure : allMeasures()) {
-        const Row& row = rows_[measure];
-        settings.weights[measure] = row.weight->value();
-        settings.limits[measure] = row.isLimited->isChecked()
-                                       ? std::optional(row.limit->value() / scaleOf(measure).factor)
-                                       : std::nullopt;
-    }
-    for (std::size_t zone = 0; zone < zoneCount; ++zone) {
-        settings.zoneWeights[zone] = zones_[zone]->value();
-    }
+void WeightFields::watch(QDoubleSpinBox* box, const QString& what,
+                         const std::function<void(double)>& take) {
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this, what, take](double value) {
+        take(value);
+        emit changed(what);
+    });
+    connect(box, &QDoubleSpinBox::editingFinished, this, &WeightFields::left);
 }
 
-void WeightFields::show(const SearchSettings& settings) {
+void WeightFields::takeLimit(Measure measure) {
+    const Row& row = rows_[measure];
+    aims_.limits[measure] = row.isLimited->isChecked()
+                                ? std::optional(row.limit->value() / scaleOf(measure).factor)
+                                : std::nullopt;
+}
+
+// What is the same already stays as it is typed.
+void WeightFields::show(const PoseAims& aims) {
+    if (aims == aims_) {
+        return;
+    }
     const QSignalBlocker quiet(this);
     for (const Measure measure : allMeasures()) {
         const Row& row = rows_[measure];
-        row.weight->setValue(settings.weights[measure]);
-        row.isLimited->setChecked(settings.limits[measure].has_value());
-        if (const std::optional<double> limit = settings.limits[measure]) {
-            row.limit->setValue(*limit * scaleOf(measure).factor);
-        }
+        row.weight->setValue(aims.weights[measure]);
+        row.isLimited->setChecked(aims.limits[measure].has_value());
+        const Scale scale = scaleOf(measure);
+        const std::optional<double> limit = aims.limits[measure];
+        row.limit->setValue(limit ? *limit * scale.factor : scale.proposed);
     }
     for (std::size_t zone = 0; zone < zoneCount; ++zone) {
-        zones_[zone]->setValue(settings.zoneWeights[zone]);
+        zones_[zone]->setValue(aims.zoneWeights[zone]);
     }
+    aims_ = aims; // the fields show it rounded
 }
 
 } // namespace dipwright

@@ -1,9 +1,11 @@
-// What counts in a search, and what must be kept.
+// What counts in a search, and what must be kept: the aims of a project's searches.
 #pragma once
 
 #include "search/SearchSettings.h"
 
 #include <QWidget>
+
+#include <functional>
 
 class QCheckBox;
 class QDoubleSpinBox;
@@ -16,11 +18,12 @@ class WeightFields : public QWidget {
 public:
     explicit WeightFields(QWidget* parent = nullptr);
 
-    void fill(SearchSettings& settings) const; // weights, zones and limits
-    void show(const SearchSettings& settings);
+    const PoseAims& aims() const { return aims_; }
+    void show(const PoseAims& aims); // emits nothing
 
 signals:
-    void changed();
+    void changed(const QString& what); // by the user; what was, as a key
+    void left();                       // the user has turned to something else
 
 private:
     struct Row {
@@ -29,7 +32,10 @@ private:
         QDoubleSpinBox* limit;
     };
     Row makeRow(Measure measure);
+    void watch(QDoubleSpinBox* box, const QString& what, const std::function<void(double)>& take);
+    void takeLimit(Measure measure);
 
+    PoseAims aims_;
     PerMeasure<Row> rows_;
     std::array<QDoubleSpinBox*, zoneCount> zones_{};
 };

@@ -432,6 +432,26 @@ private slots:
         QCOMPARE(info["film"].toObject()["size_mm"].toArray(), (QJsonArray{210, 297}));
     }
 
+    void aSearchWantsWhatTheProjectSays() {
+        QVERIFY(QFile::copy(path("single.dipw"), path("wanting.dipw")));
+        const QByteArray misses = "misses a limit";
+        const QStringList quick{"optimize",     path("wanting.dipw"),
+                                "--immersions", "1",
+                                "--candidates", "6",
+                                "--directions", "6",
+                                "--refined",    "0",
+                                "--finer",      "1",
+                                "--confirmed",  "0"};
+        const Outcome set = cli(quick + QStringList{"--set", "pose_search.limits.coverage=1"});
+        QVERIFY2(set.exitCode == 0 && set.out.contains(misses), set.out + set.err);
+        const Outcome lifted = cli(quick + QStringList{"--set", "pose_search.limits.coverage=1",
+                                                       "--limit", "coverage=none"});
+        QVERIFY2(lifted.exitCode == 0 && !lifted.out.contains(misses), lifted.out + lifted.err);
+        const Outcome wrong = cli(quick + QStringList{"--set", "pose_search.limits.coverage=2"});
+        QCOMPARE(wrong.exitCode, 2);
+        QVERIFY2(wrong.err.contains("pose_search.limits.coverage"), wrong.err);
+    }
+
     void solversAreListed() {
         QVERIFY(cli({"solvers"}).out.contains("pbd-cpu"));
         const QJsonArray solvers = QJsonDocument::fromJson(cli({"solvers", "--json"}).out).array();

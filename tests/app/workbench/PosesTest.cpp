@@ -130,7 +130,7 @@ private slots:
         QCOMPARE(page_->settings(), SearchSettings());
         wanted->setChecked(true);
         limit->setValue(85);
-        QCOMPARE(page_->settings().limits[Measure::Coverage], std::optional(0.85));
+        QCOMPARE(page_->settings().aims.limits[Measure::Coverage], std::optional(0.85));
         wanted->setChecked(false);
         QCOMPARE(page_->settings(), SearchSettings());
     }

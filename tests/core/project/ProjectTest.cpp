@@ -143,6 +143,19 @@ private slots:
         QVERIFY(refusal(with(json, {"share", "marks"}, wrong)).contains("share.marks[1].kind"));
     }
 
+    void whatPosesAreSearchedForComesBack() {
+        Project project = sampleProject();
+        project.poseAims = {};
+        QVERIFY(!toJson(project).contains("pose_search")); // a file of before
+        project.poseAims.weights[Measure::TrappedAir] = 0;
+        project.poseAims.zoneWeights[0] = 7.5;
+        project.poseAims.limits[Measure::Coverage] = 0.9;
+        const QJsonObject kept = toJson(project)["pose_search"].toObject();
+        QCOMPARE(kept, (QJsonObject{{"weights", QJsonObject{{"trapped_air", 0}, {"zone_a", 7.5}}},
+                                    {"limits", QJsonObject{{"coverage", 0.9}}}}));
+        QVERIFY(fromJson(toJson(project), "x").poseAims == project.poseAims);
+    }
+
     void dipsOfTheFirstVersionShareNothing() {
         QJsonObject json = toJson(sampleProject());
         QVERIFY(fromJson(json, file).share.enabled);
@@ -312,6 +325,14 @@ private slots:
                                     << "yes";
         QTest::newRow("no such choice") << "film.support"
                                         << "oil";
+        QTest::newRow("no such measure") << "pose_search.weights.colour"
+                                         << "1";
+        QTest::newRow("a weight below none") << "pose_search.weights.quality"
+                                             << "-1";
+        QTest::newRow("an endless weight") << "pose_search.weights.zone_a"
+                                           << "inf";
+        QTest::newRow("more than all") << "pose_search.limits.coverage"
+                                       << "1.5";
     }
     void aWrongSettingIsRefusedByName() {
         QFETCH(QString, path);

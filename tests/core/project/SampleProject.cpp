@@ -96,6 +96,11 @@ Project sampleProject() {
                      false,
                      false};
     project.ink = {false, 1.5};
+    for (const Measure measure : allMeasures()) {
+        project.poseAims.weights[measure] = 0.75;
+        project.poseAims.limits[measure] = mostLimit(measure) / 2;
+    }
+    project.poseAims.zoneWeights = {9, 3, 0.5};
     project.asBuilt.corrects = true;
     project.asBuilt.strength = 0.8;
     project.asBuilt.parts = {

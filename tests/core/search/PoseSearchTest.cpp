@@ -227,8 +227,8 @@ private slots:
         settings.simulated = 16;
         settings.refined = 1;
         settings.confirmed = 0;
-        settings.weights = {{1, 0, 0, 0, 0, 0, 0, 0, 0}};
-        settings.zoneWeights = {1, 0, 0};
+        settings.aims.weights = {{1, 0, 0, 0, 0, 0, 0, 0, 0}};
+        settings.aims.zoneWeights = {1, 0, 0};
         const RankedPoses best = search(cube, settings).ranking.front();
         const Eigen::Vector3d down = downOf(best.immersions[0]);
         QVERIFY2(best.measures[Measure::Quality] > 0.8,
@@ -244,7 +244,7 @@ private slots:
         const SearchResult free = search(board_, settings);
         // More than the best one paints is kept by none: nearest to it comes first.
         const double painted = free.ranking.back().measures[Measure::Coverage];
-        setLimit(settings, QStringLiteral("stretch"),
+        setLimit(settings.aims, QStringLiteral("stretch"),
                  free.ranking.back().measures[Measure::Stretch] + 1e-6);
         const SearchResult limited = search(board_, settings);
         QVERIFY(limited.ranking.front().limitsMissed == 0);
@@ -300,14 +300,14 @@ private slots:
 
     void settingsOutOfRangeAreRefused() {
         SearchSettings settings;
-        QVERIFY_EXCEPTION_THROWN(setWeight(settings, "coverage", -1), Error);
-        QVERIFY_EXCEPTION_THROWN(setWeight(settings, "colour", 1), Error);
+        QVERIFY_EXCEPTION_THROWN(setWeight(settings.aims, "coverage", -1), Error);
+        QVERIFY_EXCEPTION_THROWN(setWeight(settings.aims, "colour", 1), Error);
         QVERIFY_EXCEPTION_THROWN(
-            setLimit(settings, "coverage", std::numeric_limits<double>::quiet_NaN()), Error);
-        settings.weights = {};
+            setLimit(settings.aims, "coverage", std::numeric_limits<double>::quiet_NaN()), Error);
+        settings.aims.weights = {};
         QVERIFY_EXCEPTION_THROWN(requireValid(settings), Error);
-        setWeight(settings, "zone_b", 7);
-        QCOMPARE(settings.zoneWeights[1], 7.0);
+        setWeight(settings.aims, "zone_b", 7);
+        QCOMPARE(settings.aims.zoneWeights[1], 7.0);
     }
 
     void stretchThatIsNotMeasuredIsNotTold() {
