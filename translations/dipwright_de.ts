@@ -1771,16 +1771,16 @@
         <translation>eine Farbe wie #1a2b3c</translation>
     </message>
     <message>
-        <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built and inspection</source>
-        <translation>die Abschnitte sind artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built und inspection</translation>
-    </message>
-    <message>
         <source>The artwork&apos;s layers are %1 in number, the lowest is artwork.layers[0]</source>
         <translation>Die Gestaltung hat Ebenen in der Zahl %1, die unterste ist artwork.layers[0]</translation>
     </message>
     <message>
         <source>The project&apos;s immersions are %1 in number, the first is immersions[0]</source>
         <translation>Die Zahl der Tauchvorgänge des Projekts ist %1, der erste ist immersions[0]</translation>
+    </message>
+    <message>
+        <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built and inspection</source>
+        <translation>die Abschnitte sind artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built und inspection</translation>
     </message>
 </context>
 <context>
@@ -1816,6 +1816,18 @@
     <message>
         <source>Tank&apos;s profile</source>
         <translation>Beckenprofil</translation>
+    </message>
+    <message>
+        <source>Pose search · weight of %1</source>
+        <translation>Lagensuche · Gewicht von %1</translation>
+    </message>
+    <message>
+        <source>Pose search · limit of %1</source>
+        <translation>Lagensuche · Grenze von %1</translation>
+    </message>
+    <message>
+        <source>Pose search · weight of zone %1</source>
+        <translation>Lagensuche · Gewicht der Zone %1</translation>
     </message>
 </context>
 <context>
@@ -3687,6 +3699,33 @@
     </message>
 </context>
 <context>
+    <name>dipwright::BodyHandles</name>
+    <message>
+        <source>Turn Body</source>
+        <translation>Körper drehen</translation>
+    </message>
+    <message>
+        <source>Turned by %1° about %2; with Shift by steps of %3°</source>
+        <translation>Um %1° um %2 gedreht; mit der Umschalttaste in Schritten von %3°</translation>
+    </message>
+    <message>
+        <source>Change Depth</source>
+        <translation>Tiefe ändern</translation>
+    </message>
+    <message>
+        <source>Dipped %1 deep; with Shift by steps of %2</source>
+        <translation>%1 tief getaucht; mit der Umschalttaste in Schritten von %2</translation>
+    </message>
+    <message>
+        <source>Move Body</source>
+        <translation>Körper verschieben</translation>
+    </message>
+    <message>
+        <source>Moved to %1 along %2; with Shift by steps of %3</source>
+        <translation>Auf %1 längs %2 verschoben; mit der Umschalttaste in Schritten von %3</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::BodyMenu</name>
     <message>
         <source>&amp;Lay This Face Down</source>
@@ -3729,13 +3768,6 @@
     <message>
         <source>Sharing out the body</source>
         <translation>Der Körper wird aufgeteilt</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::BodyTurn</name>
-    <message>
-        <source>Turn Body</source>
-        <translation>Körper drehen</translation>
     </message>
 </context>
 <context>
@@ -8107,6 +8139,10 @@ mm je mm</translation>
         <source>Pose Search</source>
         <translation>Lagensuche</translation>
     </message>
+    <message>
+        <source>Change What Poses Are Searched For</source>
+        <translation>Ändern, wonach Lagen gesucht werden</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::SearchPage</name>
@@ -9238,14 +9274,6 @@ mm je mm</translation>
         <translation>Gleiche Längen gleich lang zeigen, nah oder fern</translation>
     </message>
     <message>
-        <source>R&amp;otation Rings</source>
-        <translation>&amp;Drehringe</translation>
-    </message>
-    <message>
-        <source>Show the rings that turn the body</source>
-        <translation>Die Ringe zeigen, die den Körper drehen</translation>
-    </message>
-    <message>
         <source>&amp;Water and Tank</source>
         <translation>&amp;Wasser und Becken</translation>
     </message>
@@ -9508,6 +9536,14 @@ mm je mm</translation>
     <message>
         <source>Lay pictures, text and patterns on the body</source>
         <translation>Bilder, Text und Muster auf den Körper legen</translation>
+    </message>
+    <message>
+        <source>Rings and Arr&amp;ows</source>
+        <translation>Ringe un&amp;d Pfeile</translation>
+    </message>
+    <message>
+        <source>Show the rings that turn the body and the arrows that move it</source>
+        <translation>Die Ringe zeigen, die den Körper drehen, und die Pfeile, die ihn verschieben</translation>
     </message>
 </context>
 <context>

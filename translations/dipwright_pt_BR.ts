@@ -1771,16 +1771,16 @@
         <translation>uma cor como #1a2b3c</translation>
     </message>
     <message>
-        <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built and inspection</source>
-        <translation>as seções são artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, as_built e inspection</translation>
-    </message>
-    <message>
         <source>The artwork&apos;s layers are %1 in number, the lowest is artwork.layers[0]</source>
         <translation>As camadas da arte são %1, a mais baixa é artwork.layers[0]</translation>
     </message>
     <message>
         <source>The project&apos;s immersions are %1 in number, the first is immersions[0]</source>
         <translation>As imersões do projeto são %1, a primeira é immersions[0]</translation>
+    </message>
+    <message>
+        <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built and inspection</source>
+        <translation>as seções são artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built e inspection</translation>
     </message>
 </context>
 <context>
@@ -1816,6 +1816,18 @@
     <message>
         <source>Tank&apos;s profile</source>
         <translation>Perfil do tanque</translation>
+    </message>
+    <message>
+        <source>Pose search · weight of %1</source>
+        <translation>Busca de poses · peso de %1</translation>
+    </message>
+    <message>
+        <source>Pose search · limit of %1</source>
+        <translation>Busca de poses · limite de %1</translation>
+    </message>
+    <message>
+        <source>Pose search · weight of zone %1</source>
+        <translation>Busca de poses · peso da zona %1</translation>
     </message>
 </context>
 <context>
@@ -3687,6 +3699,33 @@
     </message>
 </context>
 <context>
+    <name>dipwright::BodyHandles</name>
+    <message>
+        <source>Turn Body</source>
+        <translation>Girar corpo</translation>
+    </message>
+    <message>
+        <source>Turned by %1° about %2; with Shift by steps of %3°</source>
+        <translation>Girado %1° em torno de %2; com Shift em passos de %3°</translation>
+    </message>
+    <message>
+        <source>Change Depth</source>
+        <translation>Alterar profundidade</translation>
+    </message>
+    <message>
+        <source>Dipped %1 deep; with Shift by steps of %2</source>
+        <translation>Mergulhado %1 de profundidade; com Shift em passos de %2</translation>
+    </message>
+    <message>
+        <source>Move Body</source>
+        <translation>Mover corpo</translation>
+    </message>
+    <message>
+        <source>Moved to %1 along %2; with Shift by steps of %3</source>
+        <translation>Movido para %1 ao longo de %2; com Shift em passos de %3</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::BodyMenu</name>
     <message>
         <source>&amp;Lay This Face Down</source>
@@ -3729,13 +3768,6 @@
     <message>
         <source>Sharing out the body</source>
         <translation>Repartindo o corpo</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::BodyTurn</name>
-    <message>
-        <source>Turn Body</source>
-        <translation>Girar corpo</translation>
     </message>
 </context>
 <context>
@@ -8107,6 +8139,10 @@ mm por mm</translation>
         <source>Pose Search</source>
         <translation>Busca de poses</translation>
     </message>
+    <message>
+        <source>Change What Poses Are Searched For</source>
+        <translation>Alterar o que se busca nas poses</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::SearchPage</name>
@@ -9238,14 +9274,6 @@ mm por mm</translation>
         <translation>Mostra comprimentos iguais com igual tamanho, perto ou longe</translation>
     </message>
     <message>
-        <source>R&amp;otation Rings</source>
-        <translation>Anéis de r&amp;otação</translation>
-    </message>
-    <message>
-        <source>Show the rings that turn the body</source>
-        <translation>Mostra os anéis que giram o corpo</translation>
-    </message>
-    <message>
         <source>&amp;Water and Tank</source>
         <translation>Á&amp;gua e tanque</translation>
     </message>
@@ -9508,6 +9536,14 @@ mm por mm</translation>
     <message>
         <source>Lay pictures, text and patterns on the body</source>
         <translation>Pôr imagens, texto e padrões sobre o corpo</translation>
+    </message>
+    <message>
+        <source>Rings and Arr&amp;ows</source>
+        <translation>Anéis e &amp;setas</translation>
+    </message>
+    <message>
+        <source>Show the rings that turn the body and the arrows that move it</source>
+        <translation>Mostrar os anéis que giram o corpo e as setas que o movem</translation>
     </message>
 </context>
 <context>

@@ -47,10 +47,17 @@ struct DipView::State {
     int litAxis = -1;
     double pressedAngle = 0;
     double draggedAngle = 0;
+    MoveArrows arrows;
+    int draggedArrow = -1;
+    int litArrow = -1;
+    Eigen::Vector3f heldArrow = Eigen::Vector3f::Zero(); // where it was pressed, on its axis
+    double draggedWay = 0;
     std::optional<SectionPlane> section;
     std::optional<Eigen::Vector3f> heldSection; // where its frame is held, while it is dragged
     bool litSection = false;
     int wheel = 0; // what was turned since the last notch
+
+    bool isOnHandle() const { return litAxis >= 0 || litArrow >= 0; }
 };
 
 DipView::DipView(QWidget* parent) : QWidget(parent), state_(std::make_unique<State>()) {
@@ -193,6 +200,12 @@ void DipView::setRotationRings(bool visible, const Eigen::Vector3f& centre, doub
     change([rings = state_->rings](ViewScene& scene) { scene.rings().set(rings); });
 }
 
+void DipView::setMoveArrows(const std::array<bool, 3>& visible, const Eigen::Vector3f& centre,
+                            double begin, double end) {
+    state_->arrows = {centre, begin, end, visible};
+    change([arrows = state_->arrows](ViewScene& scene) { scene.arrows().set(arrows); });
+}
+
 void DipView::setMarker(const std::optional<Eigen::Vector3f>& position) {
     change([position](ViewScene& scene) { scene.markers().setMarker(position); });
 }
@@ -219,6 +232,10 @@ void DipView::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outwar
 
 void DipView::fit() {
     change([](ViewScene& scene) { scene.fit(); });
+}
+
+void DipView::setCamera(const ViewCamera& camera) {
+    change([camera](ViewScene& scene) { scene.setCamera(camera); });
 }
 
 void DipView::setColours(const ViewColours& colours) {
@@ -260,8 +277,12 @@ void DipView::draw() {
 }
 
 void DipView::take(const ViewPicture& picture) {
+    const bool isMoved = picture.isSteered && picture.camera != state_->shown.camera;
     state_->shown = picture;
     update();
+    if (isMoved) {
+        emit cameraMoved(picture.camera);
+    }
     if (std::exchange(state_->again, false)) {
         requestPicture();
     }
@@ -355,18 +376,8 @@ void DipView::mousePressEvent(QMouseEvent* event) {
     State& s = *state_;
     s.pressed = event->position();
     s.leftPressed = event->button() == Qt::LeftButton;
-    const auto axis = s.leftPressed ? s.rings.axisAt(s.pressed, s.shown.projection) : std::nullopt;
-    if (axis) {
-        s.draggedAxis = *axis;
-        s.draggedAngle = 0;
-        s.pressedAngle = s.rings.angleAt(*axis, s.pressed, s.shown.projection);
+    if (s.leftPressed && holdHandle()) {
         return;
-    }
-    if (s.leftPressed && s.section) {
-        s.heldSection = s.section->frameAt(s.pressed, s.shown.projection);
-        if (s.heldSection) {
-            return;
-        }
     }
     const ViewRay ray = rayAt(s.pressed);
     s.inStroke = s.leftPressed && std::any_of(s.strokes.begin(), s.strokes.end(),
@@ -378,10 +389,37 @@ void DipView::mousePressEvent(QMouseEvent* event) {
     sendMouse({MouseAction::Press, event->button(), event->position(), event->modifiers()});
 }
 
+// What is under the press and is dragged by itself: an arrow, a ring, the section's frame.
+bool DipView::holdHandle() {
+    State& s = *state_;
+    const ViewProjection& shown = s.shown.projection;
+    if (const auto arrow = s.arrows.axisAt(s.pressed, shown)) {
+        s.draggedArrow = *arrow;
+        s.draggedWay = 0;
+        s.heldArrow = s.arrows.centre;
+        s.heldArrow[*arrow] = float(placeAlong(*arrow, s.arrows.centre, shown.rayAt(s.pressed)));
+        return true;
+    }
+    if (const auto axis = s.rings.axisAt(s.pressed, shown)) {
+        s.draggedAxis = *axis;
+        s.draggedAngle = 0;
+        s.pressedAngle = s.rings.angleAt(*axis, s.pressed, shown);
+        return true;
+    }
+    if (s.section) {
+        s.heldSection = s.section->frameAt(s.pressed, shown);
+    }
+    return s.heldSection.has_value();
+}
+
 void DipView::mouseMoveEvent(QMouseEvent* event) {
     const State& s = *state_;
     if (s.draggedAxis >= 0) {
         dragRing(*event);
+        return;
+    }
+    if (s.draggedArrow >= 0) {
+        dragArrow(*event);
         return;
     }
     if (s.heldSection) {
@@ -393,7 +431,7 @@ void DipView::mouseMoveEvent(QMouseEvent* event) {
         return;
     }
     if (event->buttons() == Qt::NoButton) {
-        lightRing(s.rings.axisAt(event->position(), s.shown.projection).value_or(-1));
+        lightHandles(event->position());
         lightSection(event->position());
         emit hovered(rayAt(event->position()));
     }
@@ -405,7 +443,7 @@ void DipView::dragRing(const QMouseEvent& event) {
     const double angle = s.rings.angleAt(s.draggedAxis, event.position(), s.shown.projection);
     double turned = std::remainder(angle - s.pressedAngle, 360);
     if (event.modifiers() & Qt::ShiftModifier) {
-        turned = std::round(turned / 15) * 15;
+        turned = std::round(turned / ringStep) * ringStep;
     }
     if (turned != s.draggedAngle) {
         s.draggedAngle = turned;
@@ -413,33 +451,54 @@ void DipView::dragRing(const QMouseEvent& event) {
     }
 }
 
-void DipView::lightRing(int axis) {
-    if (axis != state_->litAxis) {
-        state_->litAxis = axis;
-        change([axis](ViewScene& scene) { scene.rings().highlight(axis); });
-        setCursor(axis >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
+void DipView::dragArrow(const QMouseEvent& event) {
+    State& s = *state_;
+    const int axis = s.draggedArrow;
+    const ViewRay ray = s.shown.projection.rayAt(event.position());
+    double way = placeAlong(axis, s.heldArrow, ray) - double(s.heldArrow[axis]);
+    if (event.modifiers() & Qt::ShiftModifier) {
+        way = std::round(way / arrowStep) * arrowStep;
+    }
+    if (way != s.draggedWay) {
+        s.draggedWay = way;
+        emit moveDragged(axis, way);
+    }
+}
+
+void DipView::lightHandles(const QPointF& position) {
+    State& s = *state_;
+    const int arrow = s.arrows.axisAt(position, s.shown.projection).value_or(-1);
+    const int ring = arrow >= 0 ? -1 : s.rings.axisAt(position, s.shown.projection).value_or(-1);
+    if (ring != s.litAxis || arrow != s.litArrow) {
+        s.litAxis = ring;
+        s.litArrow = arrow;
+        change([ring, arrow](ViewScene& scene) {
+            scene.rings().highlight(ring);
+            scene.arrows().highlight(arrow);
+        });
+        setCursor(s.isOnHandle() ? Qt::PointingHandCursor : Qt::ArrowCursor);
     }
 }
 
 // From the place that was held, so that it does not jump.
 void DipView::dragSection(const QPointF& position) {
     const SectionPlane& section = *state_->section;
-    const double place =
-        section.placeAlong(*state_->heldSection, state_->shown.projection.rayAt(position));
     const int axis = section.axis;
+    const double place =
+        placeAlong(axis, *state_->heldSection, state_->shown.projection.rayAt(position));
     emit sectionDragged(
         std::clamp(place, double(section.extent.min()[axis]), double(section.extent.max()[axis])));
 }
 
 void DipView::lightSection(const QPointF& position) {
     State& s = *state_;
-    const bool lit =
-        s.section && s.litAxis < 0 && s.section->frameAt(position, s.shown.projection).has_value();
+    const bool lit = s.section && !s.isOnHandle() &&
+                     s.section->frameAt(position, s.shown.projection).has_value();
     if (lit != s.litSection) {
         s.litSection = lit;
         change([lit](ViewScene& scene) { scene.sectionFrame().highlight(lit); });
         setCursor(lit              ? Qt::SizeAllCursor
-                  : s.litAxis >= 0 ? Qt::PointingHandCursor
+                  : s.isOnHandle() ? Qt::PointingHandCursor
                                    : Qt::ArrowCursor);
     }
 }
@@ -449,6 +508,10 @@ void DipView::mouseReleaseEvent(QMouseEvent* event) {
     if (s.draggedAxis >= 0) {
         s.draggedAxis = -1;
         emit rotationFinished();
+        return;
+    }
+    if (std::exchange(s.draggedArrow, -1) >= 0) {
+        emit moveFinished();
         return;
     }
     if (std::exchange(s.heldSection, std::nullopt)) {

@@ -15,6 +15,7 @@
 #include <QColor>
 #include <QImage>
 #include <QWidget>
+#include <array>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -28,6 +29,10 @@ namespace dipwright {
 class ViewScene;
 struct ViewMouse;
 struct ViewPicture;
+
+// While Shift is held, rings turn and arrows move the body by steps of this.
+inline constexpr double ringStep = 15; // degrees
+inline constexpr double arrowStep = 5; // mm
 
 // How dragging with the left button turns the camera.
 enum class Navigation {
@@ -103,6 +108,11 @@ public:
     // The three rings that turn the body, round `centre` (world).
     void setRotationRings(bool visible, const Eigen::Vector3f& centre, double radius);
 
+    // The arrows that move the body along X, Y and Z, from `begin` to `end` mm from `centre`
+    // (world).
+    void setMoveArrows(const std::array<bool, 3>& visible, const Eigen::Vector3f& centre,
+                       double begin, double end);
+
     // The linked cursor and the measured distance (world); nullopt hides them.
     void setMarker(const std::optional<Eigen::Vector3f>& position);
     void setMeasure(const std::vector<Eigen::Vector3f>& points, const QString& label);
@@ -120,6 +130,8 @@ public:
     // Whether fit() makes room for the film, too, or for the body alone. A camera that stands where
     // fit() has put it is fitted anew.
     void setFilmFitted(bool fitted);
+    // Where the camera of another view stands, see cameraMoved().
+    void setCamera(const ViewCamera& camera);
     void setColours(const ViewColours& colours);
     // In widget coordinates, as the picture that was drawn last shows the world.
     ViewRay rayAt(QPointF position) const;
@@ -144,6 +156,11 @@ signals:
     void strokeFinished();
     void rotationDragged(int axis, double degrees); // about the world's X, Y or Z since the press
     void rotationFinished();
+    void moveDragged(int axis, double millimetres); // along the world's X, Y or Z since the press
+    void moveFinished();
+    // A picture was drawn by a camera that was moved here, not by setCamera(): views that follow
+    // each other do not answer each other.
+    void cameraMoved(const dipwright::ViewCamera& camera);
     void sectionDragged(double place); // mm along its axis
 
 protected:
@@ -167,7 +184,9 @@ private:
     void draw();
     void take(const ViewPicture& picture);
     void dragRing(const QMouseEvent& event);
-    void lightRing(int axis);
+    void dragArrow(const QMouseEvent& event);
+    bool holdHandle();
+    void lightHandles(const QPointF& position);
     void dragSection(const QPointF& position);
     void lightSection(const QPointF& position);
     void paintLegend(QPainter& painter) const;

@@ -14,15 +14,18 @@ namespace {
 
 constexpr int segments = 180;
 constexpr double reachPixels = 9;
-// Red, green, blue for X, Y, Z as in every CAD program, told apart by lightness as well.
-const std::array<QColor, 3> axisColours{QColor(214, 69, 65), QColor(92, 176, 60),
-                                        QColor(66, 120, 224)};
 
 double lengthOf(QPointF vector) {
     return std::hypot(vector.x(), vector.y());
 }
 
 } // namespace
+
+QColor axisColour(int axis) {
+    static const std::array<QColor, 3> colours{QColor(214, 69, 65), QColor(92, 176, 60),
+                                               QColor(66, 120, 224)};
+    return colours[std::size_t(axis)];
+}
 
 RingActors::RingActors(vtkRenderer* renderer) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -62,7 +65,7 @@ void RingActors::highlight(int axis) {
         vtkProperty* look = rings_[std::size_t(ring)]->GetProperty();
         const bool lit = ring == axis;
         look->SetLineWidth(float((lit ? 4.5 : 2.5) * pixelRatio_));
-        const QColor colour = axisColours[std::size_t(ring)];
+        const QColor colour = axisColour(ring);
         look->SetColor(vtkColour(lit ? colour.lighter(130) : colour).data());
     }
 }

@@ -3,6 +3,7 @@
 
 #include "ViewProjection.h"
 
+#include <QColor>
 #include <array>
 #include <optional>
 #include <vtkActor.h>
@@ -10,6 +11,9 @@
 #include <vtkSmartPointer.h>
 
 namespace dipwright {
+
+// Of what turns and moves the body, as in every CAD program, told apart by lightness as well.
+QColor axisColour(int axis);
 
 // Where the rings are (world), and which of them is under the cursor.
 struct RotationRings {

@@ -59,14 +59,4 @@ std::optional<Eigen::Vector3f> SectionPlane::frameAt(QPointF position,
     return nearest;
 }
 
-double SectionPlane::placeAlong(const Eigen::Vector3f& held, const ViewRay& ray) const {
-    const Eigen::Vector3f away = ray.origin - held;
-    const float along = ray.direction[axis];
-    const float across = 1 - along * along;
-    if (across < 1e-4f) {
-        return double(held[axis]);
-    }
-    return double(held[axis] + (away[axis] - along * away.dot(ray.direction)) / across);
-}
-
 } // namespace dipwright

@@ -22,9 +22,6 @@ struct SectionPlane {
     ViewRay shownPart(ViewRay ray) const;
     // The frame's point that is shown within some pixels of `position`, or nothing.
     std::optional<Eigen::Vector3f> frameAt(QPointF position, const ViewProjection& shown) const;
-    // Where along the axis, through `held`, the ray passes nearest; `held` itself where the ray
-    // goes along the axis.
-    double placeAlong(const Eigen::Vector3f& held, const ViewRay& ray) const;
 };
 
 } // namespace dipwright

@@ -5,6 +5,16 @@
 
 namespace dipwright {
 
+double placeAlong(int axis, const Eigen::Vector3f& held, const ViewRay& ray) {
+    const Eigen::Vector3f away = ray.origin - held;
+    const float along = ray.direction[axis];
+    const float across = 1 - along * along;
+    if (across < 1e-4f) {
+        return double(held[axis]);
+    }
+    return double(held[axis] + (away[axis] - along * away.dot(ray.direction)) / across);
+}
+
 QPointF ViewProjection::positionOf(const Eigen::Vector3f& place) const {
     const Eigen::Vector4d shown = worldToClip * place.cast<double>().homogeneous();
     return {(shown.x() / shown.w() + 1) / 2 * size.width(),

@@ -197,6 +197,7 @@ void ViewScene::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outw
     setCameraAngles(camera(), {azimuth, std::clamp(elevation, -steepest, steepest)});
     renderer_->ResetCameraClippingRange();
     fitted_ = false;
+    steered_ = true;
 }
 
 void ViewScene::fit() {
@@ -216,6 +217,7 @@ void ViewScene::fit() {
     fitCamera(camera(), places, aspect);
     renderer_->ResetCameraClippingRange();
     fitted_ = true;
+    steered_ = true;
 }
 
 void ViewScene::setFilmFitted(bool fitted) {
@@ -227,11 +229,13 @@ void ViewScene::setFilmFitted(bool fitted) {
 
 void ViewScene::turn(double rightPixels, double upPixels) {
     fitted_ = false;
+    steered_ = true;
     style_->turn(rightPixels, upPixels);
 }
 
 void ViewScene::zoom(double factor) {
     fitted_ = false;
+    steered_ = true;
     if (camera().GetParallelProjection()) {
         camera().SetParallelScale(camera().GetParallelScale() / factor);
     } else {
@@ -267,7 +271,28 @@ void ViewScene::mouse(const ViewMouse& mouse) {
     interactor_->InvokeEvent(eventOf(mouse));
     if (camera().GetMTime() != before) {
         fitted_ = false;
+        steered_ = true;
     }
+}
+
+void ViewScene::setCamera(const ViewCamera& wanted) {
+    camera().SetPosition(wanted.place.data());
+    camera().SetFocalPoint(wanted.focus.data());
+    camera().SetViewUp(wanted.up.data());
+    camera().SetParallelScale(wanted.scale);
+    camera().SetParallelProjection(wanted.isParallel);
+    fitted_ = false;
+    steered_ = false;
+}
+
+ViewCamera ViewScene::cameraNow() {
+    ViewCamera now;
+    camera().GetPosition(now.place.data());
+    camera().GetFocalPoint(now.focus.data());
+    camera().GetViewUp(now.up.data());
+    now.scale = camera().GetParallelScale();
+    now.isParallel = camera().GetParallelProjection() != 0;
+    return now;
 }
 
 ViewPicture ViewScene::draw() {
@@ -280,7 +305,8 @@ ViewPicture ViewScene::draw() {
     }
     QElapsedTimer clock;
     clock.start();
-    ViewPicture picture{window_.draw(), projectionOf(*renderer_, size_.size), 0};
+    ViewPicture picture{window_.draw(), projectionOf(*renderer_, size_.size), 0, cameraNow(),
+                        steered_};
     picture.image.setDevicePixelRatio(size_.pixelRatio);
     picture.milliseconds = int(clock.elapsed());
     return picture;

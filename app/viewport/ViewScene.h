@@ -5,6 +5,7 @@
 #include "BodyActors.h"
 #include "FilmActor.h"
 #include "MarkerActors.h"
+#include "MoveArrows.h"
 #include "NavigationStyle.h"
 #include "PictureWindow.h"
 #include "RotationRings.h"
@@ -22,6 +23,8 @@ struct ViewPicture {
     QImage image;
     ViewProjection projection;
     int milliseconds = 0;
+    ViewCamera camera;
+    bool isSteered = false; // it was turned here last, not by setCamera()
 };
 
 // The widget that shows the pictures.
@@ -50,6 +53,7 @@ public:
     FilmActor& film() { return film_; }
     TankActors& tank() { return tank_; }
     RingActors& rings() { return rings_; }
+    ArrowActors& arrows() { return arrows_; }
     MarkerActors& markers() { return markers_; }
     SectionFrame& sectionFrame() { return frame_; }
     NavigationStyle& style() { return *style_; }
@@ -68,9 +72,12 @@ public:
     void zoom(double factor);                         // what is in the middle stays there
     void zoomAt(const QPointF& place, double factor); // what is seen there stays there
     void mouse(const ViewMouse& mouse);
+    void setCamera(const ViewCamera& camera);
     ViewPicture draw();
 
 private:
+    ViewCamera cameraNow();
+
     PictureWindow& window_;
     vtkNew<vtkOpenGLRenderer> renderer_;
     vtkNew<NavigationStyle> style_;
@@ -80,6 +87,7 @@ private:
     FilmActor film_{renderer_};
     TankActors tank_{renderer_};
     RingActors rings_{renderer_};
+    ArrowActors arrows_{renderer_};
     MarkerActors markers_{renderer_};
     SectionFrame frame_{renderer_};
     ViewSize size_;
@@ -88,6 +96,7 @@ private:
     bool fitsFilm_ = true;
     bool fitted_ = false;  // the camera stands where fit() has put it
     bool resized_ = false; // since the last picture
+    bool steered_ = true;
 };
 
 } // namespace dipwright

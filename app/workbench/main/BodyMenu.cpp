@@ -1,7 +1,7 @@
 #include "main/BodyMenu.h"
 
 #include "document/MarkEdits.h"
-#include "view/BodyTurn.h"
+#include "view/BodyHandles.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -50,7 +50,7 @@ void BodyMenu::edit(const QString& text, const std::function<void(Immersion&)>& 
 void BodyMenu::turn(const QAction& action) {
     const auto step = action.data().value<BodyStep>();
     edit(tr("Turn Body"), [&](Immersion& immersion) {
-        immersion = turned(immersion, step.axis, step.way * turnStep.value());
+        immersion = turned(immersion, step.axis, step.way * ringStep);
     });
 }
 
@@ -61,7 +61,7 @@ void BodyMenu::move(const QAction& action) {
         if (step.way == 0) {
             immersion.offset = {};
         } else {
-            offset = offset + Millimetres(step.way * moveStep.value());
+            offset = offset + Millimetres(step.way * arrowStep);
         }
     });
 }

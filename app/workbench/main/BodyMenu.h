@@ -10,11 +10,8 @@ class QActionGroup;
 
 namespace dipwright {
 
-// By how much an action turns or moves the body.
-inline constexpr Degrees turnStep{15};
-inline constexpr Millimetres moveStep{5};
-// In an action's data: an axis of the world, and which way, as +1 or −1; of moves 0 as way is to
-// the film's middle. X and Z are along the film.
+// In an action's data: an axis of the world, and which way, as +1 or −1 step of the view's handles;
+// of moves 0 as way is to the film's middle. X and Z are along the film.
 struct BodyStep {
     int axis = 0, way = 0;
 };

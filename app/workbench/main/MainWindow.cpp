@@ -46,7 +46,7 @@ MainWindow::MainWindow(Workbench& workbench)
       playback_(session_, *parts_.view, scene_, *parts_.timeline),
       reader_(session_, *parts_.view, scene_, *parts_.results),
       measure_(*parts_.view, scene_, messages_), marks_(*parts_.view, scene_, session_),
-      turn_(session_, *parts_.view),
+      handles_(session_, *parts_.view),
       dip_(actions_, session_, check_, jobs_, workbench.registry(), playback_, messages_,
            *parts_.results, *parts_.staleBanner),
       documentActions_(actions_, documents_, messages_, workbench, *this),
@@ -185,8 +185,9 @@ void MainWindow::connectSession() {
         reader_.leadTo(rest);
     });
     connect(&reader_, &FilmReader::read, status_, &StatusLine::setReading);
-    connect(&turn_, &BodyTurn::held, &dip_, &DipController::setHeld);
-    connect(&turn_, &BodyTurn::held, &scene_, &DipScene::setPreviewed);
+    connect(&handles_, &BodyHandles::held, &dip_, &DipController::setHeld);
+    connect(&handles_, &BodyHandles::held, &scene_, &DipScene::setPreviewed);
+    connect(&handles_, &BodyHandles::told, status_, &StatusLine::setReading);
     connect(&dip_, &DipController::cancelled, this,
             [this] { status_->setJob(tr("Cancelling …")); });
     connect(&check_, &CertaintyCheck::done, this, [this](const auto& certainty, bool outdated) {
@@ -226,6 +227,7 @@ void MainWindow::applyPreferences() {
     playback_.setLengthUnit(preferences.unit);
     reader_.setLengthUnit(preferences.unit);
     measure_.setLengthUnit(preferences.unit);
+    handles_.setLengthUnit(preferences.unit);
     tolerances_.setLengthUnit(preferences.unit);
     viewActions_.setPreferences(preferences);
     dip_.setPreferences(preferences);

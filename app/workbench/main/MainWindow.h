@@ -16,7 +16,7 @@
 #include "main/WindowLayout.h"
 #include "main/WindowMessages.h"
 #include "session/DeeperFilm.h"
-#include "view/BodyTurn.h"
+#include "view/BodyHandles.h"
 #include "view/DipPlayback.h"
 #include "view/FilmReader.h"
 #include "view/MarkTool.h"
@@ -84,7 +84,7 @@ private:
     FilmReader reader_;
     MeasureTool measure_;
     MarkTool marks_;
-    BodyTurn turn_;
+    BodyHandles handles_;
     DipController dip_;
     DocumentController documentActions_;
     EditController edits_;

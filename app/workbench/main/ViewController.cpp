@@ -48,7 +48,7 @@ void ViewController::connectDisplay(const WindowActions& actions) {
     connect(actions.measure, &QAction::toggled, endMeasure, &QShortcut::setEnabled);
     connect(endMeasure, &QShortcut::activated, actions.measure,
             [&actions] { actions.measure->setChecked(false); });
-    connect(actions.rings, &QAction::toggled, &scene_, &DipScene::setShowRings);
+    connect(actions.rings, &QAction::toggled, &scene_, &DipScene::setShowHandles);
     connect(actions.body, &QAction::toggled, &view_, &DipView::setBodyVisible);
     // Colours are to be judged, or told apart, without water over them.
     const auto wear = [this, &actions] {

@@ -1,7 +1,8 @@
-// The body turned by its rings: a drag is one step to undo.
+// The body turned by its rings and moved by its arrows: a drag is one step to undo.
 #pragma once
 
 #include "dip/Pose.h"
+#include "panels/Units.h"
 #include "session/DipSession.h"
 #include "viewport/DipView.h"
 
@@ -17,22 +18,31 @@ Immersion turned(const Immersion& immersion, int axis, double degrees);
 // must be, its angles rounded to tenths.
 Immersion laidDown(const Immersion& immersion, const Eigen::Vector3d& outward);
 
-class BodyTurn : public QObject {
+class BodyHandles : public QObject {
     Q_OBJECT
 
 public:
-    // Turns the body of the immersion that the session looks at.
-    BodyTurn(const DipSession& session, const DipView& view, QObject* parent = nullptr);
+    // For the immersion that the session looks at. Along X and Z its offset is moved, along Y the
+    // depth of the dips, where the project has one.
+    BodyHandles(const DipSession& session, const DipView& view, QObject* parent = nullptr);
+
+    void setLengthUnit(LengthUnit unit) { unit_ = unit; }
 
 signals:
-    void held(bool isHeld); // as long as a ring is dragged
+    void held(bool isHeld);         // as long as a ring or an arrow is dragged
+    void told(const QString& text); // how far it has been dragged
 
 private:
-    void drag(int axis, double degrees);
+    void turn(int axis, double degrees);
+    void move(int axis, double millimetres);
+    void hold();
     void finish();
 
     const DipSession& session_;
-    std::optional<Immersion> before_; // as it was when the drag began
+    LengthUnit unit_ = LengthUnit::Millimetre;
+    // As they were when the drag began.
+    std::optional<Immersion> before_;
+    std::optional<Millimetres> depthBefore_;
 };
 
 } // namespace dipwright

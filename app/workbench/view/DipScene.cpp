@@ -201,9 +201,12 @@ void DipScene::placeBody(const Immersion& immersion, double descent) {
     modelToWorld_ = Eigen::Translation3d(poseToWorld(immersion, descent)) * pose;
     view_.setBodyTransform(modelToWorld_);
     const BoundingBox box = boundingBox(project_.model->mesh);
-    view_.setRotationRings(rings_ && moment_ == Moment::Setup,
-                           (modelToWorld_ * box.center().cast<double>()).cast<float>(),
-                           0.58 * double(box.diagonal().norm()));
+    const Eigen::Vector3f centre = (modelToWorld_ * box.center().cast<double>()).cast<float>();
+    const double radius = 0.58 * double(box.diagonal().norm());
+    const bool isHeld = handles_ && moment_ == Moment::Setup; // as long as it can be placed
+    view_.setRotationRings(isHeld, centre, radius);
+    view_.setMoveArrows({isHeld, isHeld && project_.process.depth.has_value(), isHeld}, centre,
+                        1.08 * radius, 1.4 * radius);
     setBodyRoom(Eigen::Translation3d(poseToWorld(immersion, 0)) * pose);
 }
 
@@ -376,8 +379,8 @@ void DipScene::setTolerances(std::shared_ptr<const JobTolerances> tolerances) {
     }
 }
 
-void DipScene::setShowRings(bool show) {
-    rings_ = show;
+void DipScene::setShowHandles(bool show) {
+    handles_ = show;
     if (moment_ == Moment::Setup) {
         showSetup();
     }

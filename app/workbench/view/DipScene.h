@@ -54,7 +54,7 @@ public:
     void setMarking(bool marking);
     // What is told in BodyLook::Zones; null: nothing that is true of the project.
     void setTolerances(std::shared_ptr<const JobTolerances> tolerances);
-    void setShowRings(bool show);
+    void setShowHandles(bool show);
     // Round the layer of the artwork that is worked on, model coordinates; empty: none.
     void setFrame(std::vector<ViewLine> frame);
     // While the body is being turned it wears what its pose would paint, by its shape.
@@ -138,7 +138,7 @@ private:
     BodyLook bodyLook_ = BodyLook::Own;
     ShownPrint shownPrint_;
     bool marking_ = false;
-    bool rings_ = true;
+    bool handles_ = true;
     bool previewed_ = false;
 };
 

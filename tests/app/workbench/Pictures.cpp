@@ -370,6 +370,7 @@ void photographPlanning(WindowDriver& driver, MainWindow& window, Workbench& wor
     driver.find<QTabWidget>("results")->setCurrentIndex(5);
     camera.take(window, QStringLiteral("report"));
     window.findChild<Timeline*>()->setPosition(0);
+    camera.take(window, QStringLiteral("handles"));
     DipView& view = window.view();
     view.picture(); // of the body where it is asked for
     QTest::mouseClick(&view, Qt::RightButton, {}, view.positionOf({0, 10, 0}).toPoint());
@@ -521,7 +522,7 @@ int main(int argc, char* argv[]) {
         photographDialogs(window, workbench, camera);
         driver.action("live")->setChecked(false);
         window.document()->edit(
-            QCoreApplication::translate("dipwright::BodyTurn", "Turn Body"), {},
+            QCoreApplication::translate("dipwright::BodyHandles", "Turn Body"), {},
             [](Project& project) { project.immersions.front().rotation[1] = Degrees(20); });
         driver.find<QWidget>("logDock")->show();
         camera.take(window, QStringLiteral("stale"));

@@ -10,10 +10,12 @@
 #include "panels/ReportPanel.h"
 #include "panels/ResultsPanel.h"
 #include "panels/Timeline.h"
+#include "poses/SearchPage.h"
 #include "project/ProjectStore.h"
-#include "view/BodyTurn.h"
+#include "view/BodyHandles.h"
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -190,6 +192,78 @@ private slots:
         const QSize least = QueueDialog(workbench_->queue()).minimumSizeHint();
         QVERIFY2(least.width() <= 1024 && least.height() <= 660,
                  qPrintable(QStringLiteral("%1 × %2").arg(least.width()).arg(least.height())));
+    }
+
+    void theBodyIsMovedByAnArrow() {
+        WindowDriver driver(*window_);
+        QVERIFY(driver.create(model, texture, 90, [](Project& project) {
+            makeCoarse(project);
+            project.process.depth = Millimetres(20);
+        }));
+        Document& document = *window_->document();
+        const int steps = document.undoStack().count();
+        const TriangleMesh& mesh = document.project().model->mesh;
+        const double out = 1.24 * 0.58 * double(boundingBox(mesh).diagonal().norm());
+        const auto dragAlong = [&](int axis, double way) {
+            DipView& view = window_->view();
+            view.picture();
+            const Immersion& immersion = document.project().immersions[0];
+            Eigen::Vector3f place =
+                (Eigen::Translation3d(poseToWorld(immersion, 0)) * poseTransform(mesh, immersion) *
+                 boundingBox(mesh).center().cast<double>())
+                    .cast<float>();
+            place[axis] += float(out);
+            const QPointF from = view.positionOf(place);
+            place[axis] += float(way);
+            const QPointF to = view.positionOf(place);
+            const auto share = [&](const QPointF& at) {
+                return QPointF(at.x() / view.width(), at.y() / view.height());
+            };
+            WindowDriver::drag(view, share(from), share(to));
+        };
+        const auto near = [](double value, double wanted) { return std::abs(value - wanted) < 2; };
+        const auto& offset = document.project().immersions[0].offset;
+        dragAlong(0, 12);
+        QVERIFY2(near(offset[0].value(), 12), qPrintable(QString::number(offset[0].value())));
+        QVERIFY(driver.find<QLabel>("reading")->text().contains(QLatin1Char('X')));
+        dragAlong(2, -8);
+        QVERIFY2(near(offset[1].value(), -8), qPrintable(QString::number(offset[1].value())));
+        dragAlong(1, -6); // deeper
+        QVERIFY(near(document.project().process.depth->value(), 26));
+        QCOMPARE(document.undoStack().count(), steps + 3);
+        document.undoStack().setIndex(steps);
+        QCOMPARE(offset[0].value(), 0.0);
+        QCOMPARE(document.project().process.depth->value(), 20.0);
+    }
+
+    void whatPosesAreSearchedForIsKeptWithTheProject() {
+        const QString path = savedProject("aims");
+        auto* page = window_->findChild<SearchPage*>();
+        auto* weight = page->findChild<QDoubleSpinBox*>(QStringLiteral("weight_coverage"));
+        auto* isLimited = page->findChild<QCheckBox*>(QStringLiteral("limited_coverage"));
+        Document* document = window_->document();
+        QVERIFY(!document->isModified());
+        weight->setValue(2.5);
+        weight->setValue(2.75);
+        emit weight->editingFinished();
+        QCOMPARE(document->undoStack().count(), 1); // typed in one go
+        isLimited->setChecked(true);
+        const PoseAims wanted = document->project().poseAims;
+        QCOMPARE(wanted.weights[Measure::Coverage], 2.75);
+        QVERIFY(wanted.limits[Measure::Coverage].has_value());
+        document->undoStack().undo();
+        QVERIFY(!isLimited->isChecked());
+        document->undoStack().undo();
+        QCOMPARE(weight->value(), PoseAims().weights[Measure::Coverage]);
+        document->undoStack().redo();
+        document->undoStack().redo();
+        window_->documents().save();
+        openWindow();
+        QVERIFY(WindowDriver(*window_).open(path));
+        QVERIFY(window_->document()->project().poseAims == wanted);
+        page = window_->findChild<SearchPage*>();
+        QVERIFY(page->settings().aims == wanted);
+        QVERIFY(!window_->document()->isModified());
     }
 
     void theBodyIsTurnedAndMovedByKeys() {

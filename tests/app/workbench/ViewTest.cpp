@@ -1,7 +1,7 @@
 // The 3D view with a real OpenGL context: what is drawn, the camera, rays and rings.
 #include "WindowDriver.h"
 #include "geometry/Shapes.h"
-#include "view/BodyTurn.h"
+#include "view/BodyHandles.h"
 #include "view/DipScene.h"
 #include "view/ViewTheme.h"
 
@@ -247,7 +247,7 @@ private slots:
             result->immersions[0].coverage = std::make_shared<const Coverage>(*coverage);
             scene.setResult(std::make_shared<const JobResult>(*result), nullptr);
         };
-        scene.setShowRings(false); // one of them is red
+        scene.setShowHandles(false); // one of them is red
         show(0);
         scene.setBodyLook(BodyLook::Coverage);
         QCOMPARE(countReddish(view_->picture()), 0);
@@ -343,6 +343,26 @@ private slots:
         QVERIFY(std::abs(dragged.last()[1].toDouble() - 90) < 3);
     }
 
+    void anArrowMovesTheBody() {
+        view_->look(ViewDirection::Top);
+        view_->setMoveArrows({true, true, true}, {0, 30, 0}, 20, 40);
+        view_->picture();
+        QSignalSpy moved(view_.get(), &DipView::moveDragged);
+        QSignalSpy finished(view_.get(), &DipView::moveFinished);
+        const QPoint from = view_->positionOf({30, 30, 0}).toPoint();
+        const QPoint to = view_->positionOf({42, 30, 9}).toPoint();
+        drag(from, to);
+        QCOMPARE(finished.count(), 1);
+        QCOMPARE(moved.last()[0].toInt(), 0);
+        QVERIFY(std::abs(moved.last()[1].toDouble() - 12) < 1);
+        drag(from, to, Qt::ShiftModifier);
+        QCOMPARE(moved.last()[1].toDouble(), 2 * arrowStep);
+        // The one along Y points at the eye and is not taken hold of.
+        moved.clear();
+        drag(view_->positionOf({0, 65, 0}).toPoint(), to);
+        QVERIFY(moved.isEmpty());
+    }
+
     void theWheelZoomsToTheCursor() {
         view_->look(ViewDirection::Top);
         view_->setParallelProjection(true);
@@ -377,12 +397,12 @@ private slots:
     }
 
 private:
-    void drag(QPoint from, QPoint to) {
+    void drag(QPoint from, QPoint to, Qt::KeyboardModifiers keys = Qt::NoModifier) {
         QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
         for (int step = 1; step <= 4; ++step) {
             const QPoint place = from + (to - from) * step / 4;
             QMouseEvent move(QEvent::MouseMove, place, view_->mapToGlobal(place), Qt::NoButton,
-                             Qt::LeftButton, Qt::NoModifier);
+                             Qt::LeftButton, keys);
             QApplication::sendEvent(view_.get(), &move);
         }
         QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, to);
