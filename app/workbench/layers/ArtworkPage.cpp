@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QPainter>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRegularExpressionValidator>
@@ -29,7 +30,8 @@ constexpr int swatchSize = 16, listHeight = 110, textHeight = 52;
 
 QIcon swatch(const QColor& colour) {
     QPixmap pixmap(swatchSize, swatchSize);
-    pixmap.fill(colour);
+    pixmap.fill(Qt::gray); // round it, for white on white
+    QPainter(&pixmap).fillRect(pixmap.rect().adjusted(1, 1, -1, -1), colour);
     return pixmap;
 }
 
@@ -77,7 +79,8 @@ ArtworkPage::ArtworkPage(QWidget* parent) : QWidget(parent), list_(new QListWidg
     addPattern("addCamouflage", tr("Camouflage"), LayerKind::Camouflage);
     addPattern("addWood", tr("Wood"), LayerKind::Wood);
     pattern->setMenu(patterns);
-    column->addWidget(inARow({picture, text, pattern}));
+    column->addWidget(inARow({picture, text}));
+    column->addWidget(pattern);
     makeList();
     column->addWidget(list_);
     column->addWidget(inARow({up_, down_, remove_}));
