@@ -1,0 +1,147 @@
+// Several bodies dipped at once through one film: each is painted from its own place of it, and
+// neighbours draw the film between them away from each other.
+#include "dip/JigModel.h"
+#include "geometry/Shapes.h"
+#include "pipeline/Pipeline.h"
+
+#include <QStandardPaths>
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr float radius = 15;
+
+std::shared_ptr<const TexturedMesh> ball(const QColor& colour) {
+    auto model = std::make_shared<TexturedMesh>();
+    model->mesh = sphereMesh(radius, 30, 60);
+    for (const auto& corners : model->mesh.triangles) {
+        auto& coordinates = model->textureCoordinates.emplace_back();
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Eigen::Vector3f& place = model->mesh.positions[corners[corner]];
+            coordinates[corner] = {place.x() / 30 + 0.5f, place.z() / 30 + 0.5f};
+        }
+    }
+    model->material.resize(model->mesh.triangles.size(), 0);
+    QImage picture(8, 8, QImage::Format_RGBA8888);
+    picture.fill(colour);
+    model->textures = {picture};
+    model->materials = {{QStringLiteral("ball"), Qt::white, 0}};
+    model->chart = findCharts(*model);
+    return model;
+}
+
+JigPart part(const QString& name, const QColor& colour, double x) {
+    JigPart part;
+    part.model = ball(colour);
+    part.placed.name = name;
+    part.placed.offset[0] = Millimetres(x);
+    return part;
+}
+
+Project jobOf(const std::vector<JigPart>& parts) {
+    Project project;
+    project.model = std::make_shared<const TexturedMesh>(jigModel(parts));
+    project.film.width = Millimetres(240);
+    project.film.height = Millimetres(120);
+    project.film.columns = 97;
+    project.film.rows = 49;
+    project.fieldResolution = 128;
+    project.sheet.resolution = DotsPerInch(72);
+    project.immersions.resize(1);
+    return project;
+}
+
+// A red and a blue ball, their middles so many mm apart.
+Project twoBalls(double apart) {
+    return jobOf({part(QStringLiteral("Red"), QColor(220, 20, 20), -apart / 2),
+                  part(QStringLiteral("Blue"), QColor(20, 20, 220), apart / 2)});
+}
+
+// mm of film, measured from below a ball's middle at `x` along X, that have gone to the place of
+// its surface that is 30° below the equator; to the right of it or to the left.
+double filmTo(const ImmersionResult& dip, double x, bool right) {
+    const Eigen::Vector3f place(float(x) + (right ? 1 : -1) * radius * std::sqrt(0.75f), radius / 2,
+                                0);
+    const auto laid = dip.laid->place(dip.body->query.closest(place).point);
+    return laid ? std::abs(double(laid->rest.x()) - x) : std::nan("");
+}
+
+JobResult run(const Project& project, const SolverRegistry& registry) {
+    JobOptions options;
+    options.estimatesCertainty = false;
+    return runJob(project, registry, options, nullptr, {});
+}
+
+} // namespace
+
+class JigJobTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        registry_ = std::make_unique<SolverRegistry>(QStringList{DIPWRIGHT_PLUGINS});
+    }
+
+    void eachIsPaintedFromItsOwnPlace() {
+        const JobResult result = run(twoBalls(110), *registry_);
+        const QImage sheet = result.immersions.front().texture->image;
+        std::size_t red = 0, blue = 0, astray = 0;
+        for (int y = 0; y < sheet.height(); ++y) {
+            for (int x = 0; x < sheet.width(); ++x) {
+                const QRgb pixel = sheet.pixel(x, y);
+                const bool isRed = qAlpha(pixel) > 128 && qRed(pixel) > qBlue(pixel) + 60;
+                const bool isBlue = qAlpha(pixel) > 128 && qBlue(pixel) > qRed(pixel) + 60;
+                red += isRed;
+                blue += isBlue;
+                astray += x < sheet.width() / 2 ? isBlue : isRed;
+            }
+        }
+        QVERIFY(red > 3000 && blue > 3000);
+        QCOMPARE(astray, std::size_t(0));
+    }
+
+    // Far from each other they are painted as each by itself.
+    void farNeighboursDoNotMatter() {
+        const JobResult two = run(twoBalls(110), *registry_);
+        Project alone = jobOf({part(QStringLiteral("Red"), QColor(220, 20, 20), 0)});
+        alone.immersions[0].offset[0] = Millimetres(-55);
+        const JobResult one = run(alone, *registry_);
+        for (const bool right : {false, true}) {
+            const double together = filmTo(two.immersions.front(), -55, right);
+            // The film knows where the body is on the water, the body does not.
+            const auto laid = one.immersions.front().laid->place(
+                one.immersions.front()
+                    .body->query
+                    .closest(Eigen::Vector3f((right ? 1 : -1) * radius * std::sqrt(0.75f),
+                                             radius / 2, 0))
+                    .point);
+            QVERIFY(laid);
+            const double byItself = std::abs(double(laid->rest.x()) + 55);
+            qInfo("%.2f mm together, %.2f alone", together, byItself);
+            QVERIFY(std::abs(together - byItself) < 0.5);
+        }
+    }
+
+    // Near each other each draws on the film between them, and gets less of it than outside.
+    void neighboursShareTheFilmBetweenThem() {
+        const JobResult near = run(twoBalls(36), *registry_);
+        const ImmersionResult& dip = near.immersions.front();
+        const double outside = filmTo(dip, -18, false), between = filmTo(dip, -18, true);
+        const double otherOutside = filmTo(dip, 18, true), otherBetween = filmTo(dip, 18, false);
+        qInfo("outside %.2f and %.2f mm of film, between %.2f and %.2f", outside, otherOutside,
+              between, otherBetween);
+        QVERIFY(between < outside - 0.3 && otherBetween < otherOutside - 0.3);
+        QVERIFY(between + otherBetween < 36); // there is no more
+        QVERIFY(std::abs(outside - otherOutside) < 0.2);
+        QVERIFY(std::abs(between - otherBetween) < 0.2);
+    }
+
+private:
+    std::unique_ptr<SolverRegistry> registry_;
+};
+
+QTEST_MAIN(JigJobTest)
+#include "JigJobTest.moc"
