@@ -1,5 +1,6 @@
 // Artwork in the real window: from a model without a texture to a printed sheet, and a decal moved,
 // turned and sized in the view.
+#include "FileAnswer.h"
 #include "Patience.h"
 #include "WindowDriver.h"
 #include "base/WideColour.h"
@@ -10,12 +11,10 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
 #include <QPushButton>
-#include <QTimer>
 #include <QToolButton>
 
 using namespace dipwright;
@@ -37,18 +36,6 @@ void writeBall(const QString& path) {
         out << "endloop\nendfacet\n";
     }
     out << "endsolid ball\n";
-}
-
-void acceptFileDialog(const QString& path) {
-    auto* timer = new QTimer(qApp);
-    QObject::connect(timer, &QTimer::timeout, qApp, [timer, path] {
-        if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
-            timer->deleteLater();
-            dialog->findChild<QLineEdit*>()->setText(path);
-            dialog->findChild<QPushButton*>()->click();
-        }
-    });
-    timer->start(50);
 }
 
 void dropOn(QWidget& widget, const QString& path, const QPointF& position) {
@@ -122,7 +109,7 @@ private slots:
         QVERIFY(driver_->run());
         actions += 2; // the sheet as PDF: where to
         const QString pdf = folder_.filePath(QStringLiteral("sheet.pdf"));
-        acceptFileDialog(pdf);
+        answerWithFile(pdf);
         driver_->trigger("exportPdf");
         QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(pdf).size() > 1000, patience());
         QVERIFY2(actions <= 10, qPrintable(QString::number(actions)));

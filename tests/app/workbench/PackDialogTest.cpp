@@ -1,6 +1,9 @@
 // The dialog for several jobs on one film as a user works it.
 #include "dialogs/PackDialog.h"
+#include "FileAnswer.h"
+#include "PaperMeasure.h"
 #include "Patience.h"
+#include "PrivateCups.h"
 
 #include "panels/PicturePanel.h"
 #include "project/ProjectStore.h"
@@ -10,7 +13,6 @@
 #include <QDropEvent>
 #include <QLabel>
 #include <QMimeData>
-#include <QPushButton>
 #include <QSettings>
 #include <QSpinBox>
 #include <QStandardPaths>
@@ -86,6 +88,45 @@ private slots:
 
         qobject_cast<QSpinBox*>(table->cellWidget(0, 1))->setValue(20);
         QTRY_VERIFY_WITH_TIMEOUT(films->count() > 1, patience());
+    }
+
+    void filmsAreWrittenAndPrinted() {
+        PrivateCups cups;
+        QVERIFY2(cups.problem().isEmpty(), qPrintable(cups.problem()));
+        QVERIFY(cups.add({"pigment"}));
+        PackDialog dialog(registry_);
+        dialog.show();
+        dialog.add({ball(QStringLiteral("Printed"))});
+        auto* film = part<QComboBox>(dialog, "packFilm");
+        film->setCurrentText(QStringLiteral("A4"));
+        part<QPushButton>(dialog, "packLayOut")->click();
+        auto* write = part<QPushButton>(dialog, "packExport");
+        QTRY_VERIFY_WITH_TIMEOUT(write->isEnabled(), patience());
+
+        const QTemporaryDir films;
+        answerWithFile(films.path());
+        write->click();
+        auto* told = part<QLabel>(dialog, "packTold");
+        QTRY_VERIFY_WITH_TIMEOUT(told->text().contains(films.path()), patience());
+        const QStringList files = QDir(films.path()).entryList(QDir::Files);
+        QCOMPARE(files.filter(QStringLiteral(".pdf")).size(), 1);
+        const QString pdf = films.filePath(files.filter(QStringLiteral(".pdf")).front());
+        QVERIFY(std::abs(pdfPage(pdf).width() - 210) < 0.1);
+
+        part<QPushButton>(dialog, "packPrint")->click();
+        QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+        auto* question = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        QVERIFY(question != nullptr && question != &dialog);
+        QPushButton* print = nullptr;
+        for (auto* candidate : question->findChildren<QPushButton*>()) {
+            print = candidate->text().contains(QStringLiteral("Print")) ? candidate : print;
+        }
+        QVERIFY(print != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(print->isEnabled(), patience());
+        print->click();
+        QTRY_COMPARE_WITH_TIMEOUT(cups.received(QStringLiteral("pigment")).size(), 1, patience());
+        const QSizeF page = pdfPage(cups.received(QStringLiteral("pigment")).front());
+        QVERIFY(std::abs(page.width() - 210) < 0.1 && std::abs(page.height() - 297) < 0.1);
     }
 
     void whatDoesNotFitIsSaid() {

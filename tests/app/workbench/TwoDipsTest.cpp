@@ -1,5 +1,6 @@
 // The job of two dips through the real window: a second pose, run, the join moved and moved back,
 // the cradles written, and both sheets printed on a real CUPS.
+#include "FileAnswer.h"
 #include "PaperMeasure.h"
 #include "Patience.h"
 #include "PrivateCups.h"
@@ -12,11 +13,8 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
-#include <QTimer>
 
 using namespace dipwright;
 
@@ -29,19 +27,6 @@ const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.p
 void makeCoarseDip(Project& project) {
     makeCoarse(project);
     project.share.registrationError = Millimetres(0.1); // leaves the join some room
-}
-
-// Types a folder into the question for one, when it is asked.
-void answerWithFolder(const QString& folder) {
-    auto* timer = new QTimer(qApp);
-    QObject::connect(timer, &QTimer::timeout, qApp, [timer, folder] {
-        if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
-            timer->deleteLater();
-            dialog->findChild<QLineEdit*>()->setText(folder);
-            dialog->findChild<QPushButton*>()->click();
-        }
-    });
-    timer->start(50);
 }
 
 int count(const QImage& picture, const QColor& colour) {
@@ -134,7 +119,7 @@ private slots:
     }
 
     void cradlesAreWrittenWhereTheUserSays() {
-        answerWithFolder(folder_.path());
+        answerWithFile(folder_.path());
         driver().trigger("exportCradles");
         QTRY_VERIFY_WITH_TIMEOUT(
             QFileInfo::exists(folder_.filePath(QStringLiteral("cradle-1.stl"))), patience());
