@@ -39,6 +39,7 @@ QWidget* inARow(const QList<QWidget*>& widgets) {
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
     for (QWidget* widget : widgets) {
         layout->addWidget(widget);
     }
@@ -51,7 +52,7 @@ ArtworkPage::ArtworkPage(QWidget* parent) : QWidget(parent), list_(new QListWidg
     setObjectName(QStringLiteral("artworkPage"));
     auto* inside = new QWidget;
     auto* column = new QVBoxLayout(inside);
-    column->setContentsMargins(6, 6, 6, 6);
+    column->setContentsMargins(4, 6, 4, 6); // three buttons beside a scroll bar are wide in German
     auto* scroll = new QScrollArea;
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);

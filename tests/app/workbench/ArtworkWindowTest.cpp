@@ -8,6 +8,7 @@
 #include "layers/ArtworkPage.h"
 #include "layers/LayerFrame.h"
 
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -131,6 +132,31 @@ private slots:
         for (int k = 0; k < 3; ++k) {
             driver_->trigger("undo");
         }
+        QCOMPARE(artwork(), before);
+    }
+
+    void aLayerIsPrintedWithASpotInk() {
+        driver_->find<QListWidget>("artworkLayers")->setCurrentRow(0); // the logo
+        const Artwork before = artwork();
+        auto* name = driver_->find<QLineEdit>("layerSpot");
+        auto* isFirst = driver_->find<QCheckBox>("layerSpotFirst");
+        QVERIFY(!isFirst->isVisibleTo(isFirst->parentWidget()));
+        name->setText(QStringLiteral("Cyan")); // one of the four
+        QTest::keyClick(name, Qt::Key_Return);
+        QCOMPARE(artwork(), before);
+        name->setText(QStringLiteral("Gloss varnish"));
+        QTest::keyClick(name, Qt::Key_Return);
+        QCOMPARE(artwork().layers[1].spot, QStringLiteral("Gloss varnish"));
+        QVERIFY(isFirst->isVisibleTo(isFirst->parentWidget()));
+        isFirst->click();
+        QVERIFY(artwork().layers[1].spotFirst);
+        QVERIFY(driver_->run());
+        const Sheet& sheet = window_->session().outcome().result->immersions[0].sheet;
+        QCOMPARE(sheet.plates.size(), std::size_t(1));
+        QCOMPARE(sheet.plates[0].name, QStringLiteral("Gloss varnish"));
+        QVERIFY(shareOfRed(sheet.image) < 0.001);
+        driver_->trigger("undo");
+        driver_->trigger("undo");
         QCOMPARE(artwork(), before);
     }
 

@@ -363,6 +363,12 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != both, patience());
         driver.find<QDoubleSpinBox>("slipX")->setValue(0);
         QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() == both, patience());
+        window.document()->edit(QStringLiteral("Part's Colour"), {}, [](Project& project) {
+            project.baseColour = QStringLiteral("#2040a0");
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != both, patience());
+        driver.trigger("undo");
+        QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() == both, patience());
     }
 
     void thePrintIsShownWithTheSecondDipDeeper() {

@@ -14,6 +14,7 @@
 #include "project/Schema.h"
 
 #include <QApplication>
+#include <QColorDialog>
 #include <QDoubleSpinBox>
 #include <QJsonArray>
 #include <QScreen>
@@ -93,6 +94,28 @@ private slots:
         const QJsonArray told = edited[0][0].toJsonValue().toArray();
         QCOMPARE(told.at(0).toDouble(), 279.4);
         QCOMPARE(told.at(1).toDouble(), 297.0); // not rounded by being shown in inches
+    }
+
+    void aColourIsChosenOrTyped() {
+        const PropertySpec spec = specOf(QStringLiteral("body.base_colour"));
+        const std::unique_ptr<PropertyField> field(
+            PropertyField::make(spec, valueRule(spec.path), LengthUnit::Millimetre, nullptr));
+        QSignalSpy edited(field.get(), &PropertyField::edited);
+        field->show(QStringLiteral("#102030"));
+        auto* button = field->findChild<QToolButton*>();
+        QVERIFY(button && !button->icon().isNull() && !button->accessibleName().isEmpty());
+        button->click();
+        auto* dialog = field->findChild<QColorDialog*>();
+        QVERIFY(dialog);
+        QCOMPARE(dialog->currentColor(), QColor(0x10, 0x20, 0x30));
+        dialog->setCurrentColor(QColor(0xaa, 0xbb, 0xcc));
+        dialog->accept();
+        QCOMPARE(edited.count(), 1);
+        QCOMPARE(edited[0][0].toJsonValue(), QJsonValue(QStringLiteral("#aabbcc")));
+        QVERIFY(!PropertyField::make(specOf(QStringLiteral("sheet.white_name")),
+                                     valueRule(QStringLiteral("sheet.white_name")),
+                                     LengthUnit::Millimetre, field.get())
+                     ->findChild<QToolButton*>());
     }
 
     void widthAndHeightAreOneNumberUnlessUnlinked() {
