@@ -4,6 +4,7 @@
 #include "base/Error.h"
 #include "sheet/FilmPacking.h"
 #include "sheet/SheetFiles.h"
+#include "texture/StretchPlane.h"
 
 #include <QBuffer>
 #include <QTemporaryDir>
@@ -219,6 +220,32 @@ private slots:
         parts[0].sheet.plates = own.plates;
         parts[0].sheet.settings.white = WhiteLayer::First;
         QVERIFY_EXCEPTION_THROWN(planFilms(parts, {}), Error);
+    }
+
+    void whatIsMadeUpForInkByInkComesWithItsPicture() {
+        std::vector<PieceToPack> parts{part("One", {40, 50, 30, 40}),
+                                       part("Two", {60, 70, 30, 40})};
+        InkSettings ink;
+        ink.law.exponents[0] = 0.5;
+        for (PieceToPack& piece : parts) {
+            QImage stretch = unstretched(piece.sheet.image.size());
+            for (int y = 0; y < stretch.height(); ++y) {
+                std::fill_n(reinterpret_cast<std::uint16_t*>(stretch.scanLine(y)), stretch.width(),
+                            std::uint16_t(30'000 + y));
+            }
+            piece.sheet.wanted = WantedInk{piece.sheet.image, stretch, ink};
+        }
+        const Sheet sheet = filmSheet(parts, {}, planFilms(parts, {}), 0);
+        QVERIFY(sheet.wanted && sheet.wanted->settings == ink);
+        for (const SheetPiece& piece : sheet.pieces) {
+            const Sheet& own = parts[piece.job.project == "One" ? 0 : 1].sheet;
+            const QRect box = inkedBox(own.image);
+            QCOMPARE(sheet.wanted->image.copy(pictureBox(sheet, piece)), own.image.copy(box));
+            QCOMPARE(sheet.wanted->stretch.copy(pictureBox(sheet, piece)),
+                     own.wanted->stretch.copy(box));
+        }
+        parts[1].sheet.wanted->settings.law.exponents[0] = 0.6; // not of one mind
+        QVERIFY(!filmSheet(parts, {}, planFilms(parts, {}), 0).wanted);
     }
 
     void copiesStandInRows() {
