@@ -3076,6 +3076,41 @@
     </message>
 </context>
 <context>
+    <name>StateFigures</name>
+    <message>
+        <source>no result</source>
+        <translation>kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>%1, better</source>
+        <translation>%1, besser</translation>
+    </message>
+    <message>
+        <source>%1, worse</source>
+        <translation>%1, schlechter</translation>
+    </message>
+    <message>
+        <source>Body painted altogether</source>
+        <translation>Körper insgesamt bemalt</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Largest stretch of 95 % of the film on the body</source>
+        <translation>Größte Dehnung von 95 % des Films am Körper</translation>
+    </message>
+    <message>
+        <source>Area that is not certain</source>
+        <translation>Fläche, die nicht sicher ist</translation>
+    </message>
+</context>
+<context>
     <name>Tolerance</name>
     <message>
         <source>Body along X</source>
@@ -4259,6 +4294,77 @@
     <message>
         <source>Verdict</source>
         <translation>Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::CompareWindow</name>
+    <message>
+        <source>Side by Side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>What both bodies wear: the film&apos;s lines, how far it is drawn out, or what is painted</source>
+        <translation>Was beide Körper tragen: die Linien des Films, wie weit er gedehnt ist, oder was bemalt ist</translation>
+    </message>
+    <message>
+        <source>Film on the body</source>
+        <translation>Film am Körper</translation>
+    </message>
+    <message>
+        <source>Stretch of the film</source>
+        <translation>Dehnung des Films</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Bedeckung</translation>
+    </message>
+    <message>
+        <source>Immersion</source>
+        <translation>Tauchvorgang</translation>
+    </message>
+    <message>
+        <source>The immersion that is looked at</source>
+        <translation>Der Tauchvorgang, der betrachtet wird</translation>
+    </message>
+    <message>
+        <source>Immersion %1</source>
+        <translation>Tauchvorgang %1</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the bodies as large as can be</source>
+        <translation>Die Körper so groß wie möglich zeigen</translation>
+    </message>
+    <message>
+        <source>Figures of both</source>
+        <translation>Zahlen von beiden</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Back to the project; Escape does the same</source>
+        <translation>Zurück zum Projekt; Escape tut dasselbe</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
     </message>
 </context>
 <context>
@@ -8234,6 +8340,22 @@ mm je mm</translation>
         <source>Rank %1 against rank %2: %3</source>
         <translation>Rang %1 gegen Rang %2: %3</translation>
     </message>
+    <message>
+        <source>Side &amp;by Side …</source>
+        <translation>&amp;Nebeneinander …</translation>
+    </message>
+    <message>
+        <source>Two chosen poses, or one and the project&apos;s own, in the view, by cameras that turn together</source>
+        <translation>Zwei gewählte Lagen, oder eine und die des Projekts, in der Ansicht, mit Kameras, die sich gemeinsam drehen</translation>
+    </message>
+    <message>
+        <source>Rank %1</source>
+        <translation>Rang %1</translation>
+    </message>
+    <message>
+        <source>The project&apos;s own</source>
+        <translation>Die des Projekts</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::Sheet</name>
@@ -8400,26 +8522,6 @@ mm je mm</translation>
         <translation>Verglichen mit %1</translation>
     </message>
     <message>
-        <source>no result</source>
-        <translation>kein Ergebnis</translation>
-    </message>
-    <message>
-        <source>Body painted altogether</source>
-        <translation>Körper insgesamt bemalt</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Largest stretch of 95 % of the film on the body</source>
-        <translation>Größte Dehnung von 95 % des Films auf dem Körper</translation>
-    </message>
-    <message>
-        <source>Area that is not certain</source>
-        <translation>Fläche, die nicht verlässlich ist</translation>
-    </message>
-    <message>
         <source>A snapshot keeps the project&apos;s settings under a name, in its file.</source>
         <translation>Ein Schnappschuss behält die Einstellungen des Projekts unter einem Namen in seiner Datei.</translation>
     </message>
@@ -8438,6 +8540,14 @@ mm je mm</translation>
     <message>
         <source>Settings that differ: %1</source>
         <translation>Einstellungen, die sich unterscheiden: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Side by Side …</source>
+        <translation>&amp;Nebeneinander …</translation>
+    </message>
+    <message>
+        <source>Both in the view, by cameras that turn together; what is not dipped yet is dipped</source>
+        <translation>Beide in der Ansicht, mit Kameras, die sich gemeinsam drehen; was noch nicht getaucht ist, wird getaucht</translation>
     </message>
 </context>
 <context>

@@ -3076,6 +3076,41 @@
     </message>
 </context>
 <context>
+    <name>StateFigures</name>
+    <message>
+        <source>no result</source>
+        <translation>sem resultado</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>igual</translation>
+    </message>
+    <message>
+        <source>%1, better</source>
+        <translation>%1, melhor</translation>
+    </message>
+    <message>
+        <source>%1, worse</source>
+        <translation>%1, pior</translation>
+    </message>
+    <message>
+        <source>Body painted altogether</source>
+        <translation>Corpo pintado ao todo</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Largest stretch of 95 % of the film on the body</source>
+        <translation>Maior estiramento de 95 % do filme no corpo</translation>
+    </message>
+    <message>
+        <source>Area that is not certain</source>
+        <translation>Área que não é certa</translation>
+    </message>
+</context>
+<context>
     <name>Tolerance</name>
     <message>
         <source>Body along X</source>
@@ -4259,6 +4294,77 @@
     <message>
         <source>Verdict</source>
         <translation>Veredito</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::CompareWindow</name>
+    <message>
+        <source>Side by Side</source>
+        <translation>Lado a lado</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>O que se mostra</translation>
+    </message>
+    <message>
+        <source>What both bodies wear: the film&apos;s lines, how far it is drawn out, or what is painted</source>
+        <translation>O que os dois corpos vestem: as linhas do filme, quanto ele é esticado ou o que é pintado</translation>
+    </message>
+    <message>
+        <source>Film on the body</source>
+        <translation>Filme no corpo</translation>
+    </message>
+    <message>
+        <source>Stretch of the film</source>
+        <translation>Estiramento do filme</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Cobertura</translation>
+    </message>
+    <message>
+        <source>Immersion</source>
+        <translation>Imersão</translation>
+    </message>
+    <message>
+        <source>The immersion that is looked at</source>
+        <translation>A imersão que se observa</translation>
+    </message>
+    <message>
+        <source>Immersion %1</source>
+        <translation>Imersão %1</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Enquadrar</translation>
+    </message>
+    <message>
+        <source>Show the bodies as large as can be</source>
+        <translation>Mostrar os corpos tão grandes quanto possível</translation>
+    </message>
+    <message>
+        <source>Figures of both</source>
+        <translation>Números de ambos</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progresso</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fechar</translation>
+    </message>
+    <message>
+        <source>Back to the project; Escape does the same</source>
+        <translation>De volta ao projeto; Escape faz o mesmo</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Diferença</translation>
     </message>
 </context>
 <context>
@@ -8234,6 +8340,22 @@ mm por mm</translation>
         <source>Rank %1 against rank %2: %3</source>
         <translation>Posição %1 contra posição %2: %3</translation>
     </message>
+    <message>
+        <source>Side &amp;by Side …</source>
+        <translation>La&amp;do a lado …</translation>
+    </message>
+    <message>
+        <source>Two chosen poses, or one and the project&apos;s own, in the view, by cameras that turn together</source>
+        <translation>Duas poses escolhidas, ou uma e a do projeto, na vista, com câmeras que giram juntas</translation>
+    </message>
+    <message>
+        <source>Rank %1</source>
+        <translation>Posição %1</translation>
+    </message>
+    <message>
+        <source>The project&apos;s own</source>
+        <translation>A do projeto</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::Sheet</name>
@@ -8400,26 +8522,6 @@ mm por mm</translation>
         <translation>Comparado com %1</translation>
     </message>
     <message>
-        <source>no result</source>
-        <translation>sem resultado</translation>
-    </message>
-    <message>
-        <source>Body painted altogether</source>
-        <translation>Corpo pintado ao todo</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Largest stretch of 95 % of the film on the body</source>
-        <translation>Maior estiramento de 95 % do filme no corpo</translation>
-    </message>
-    <message>
-        <source>Area that is not certain</source>
-        <translation>Área que não é confiável</translation>
-    </message>
-    <message>
         <source>A snapshot keeps the project&apos;s settings under a name, in its file.</source>
         <translation>Um instantâneo guarda as definições do projeto sob um nome, em seu arquivo.</translation>
     </message>
@@ -8438,6 +8540,14 @@ mm por mm</translation>
     <message>
         <source>Settings that differ: %1</source>
         <translation>Definições que diferem: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Side by Side …</source>
+        <translation>&amp;Lado a lado …</translation>
+    </message>
+    <message>
+        <source>Both in the view, by cameras that turn together; what is not dipped yet is dipped</source>
+        <translation>Ambos na vista, com câmeras que giram juntas; o que ainda não foi mergulhado é mergulhado</translation>
     </message>
 </context>
 <context>

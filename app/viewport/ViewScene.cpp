@@ -267,9 +267,9 @@ void ViewScene::mouse(const ViewMouse& mouse) {
     interactor_->SetEventInformationFlipY(pixel.x(), pixel.y(),
                                           mouse.modifiers.testFlag(Qt::ControlModifier),
                                           mouse.modifiers.testFlag(Qt::ShiftModifier));
-    const vtkMTimeType before = camera().GetMTime();
+    const ViewCamera before = cameraNow();
     interactor_->InvokeEvent(eventOf(mouse));
-    if (camera().GetMTime() != before) {
+    if (cameraNow() != before) {
         fitted_ = false;
         steered_ = true;
     }

@@ -33,7 +33,8 @@ SnapshotsDialog::SnapshotsDialog(Document& document, LengthUnit unit, QWidget* p
     : QDialog(parent), document_(document), unit_(unit), name_(new QLineEdit),
       list_(new QListWidget), against_(new QComboBox), table_(new QTableWidget(0, 3)),
       verdict_(new QLabel), take_(new QPushButton(tr("&Take Snapshot"))),
-      goBack_(new QPushButton(tr("&Go Back to It"))), remove_(new QPushButton(tr("&Remove"))) {
+      goBack_(new QPushButton(tr("&Go Back to It"))),
+      sideBySide_(new QPushButton(tr("&Side by Side …"))), remove_(new QPushButton(tr("&Remove"))) {
     setObjectName(QStringLiteral("snapshots"));
     setWindowTitle(tr("Snapshots"));
     auto* columns = new QHBoxLayout;
@@ -97,7 +98,12 @@ QWidget* SnapshotsDialog::makeComparison() {
 
 QWidget* SnapshotsDialog::makeButtons() {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    buttons->addButton(sideBySide_, QDialogButtonBox::ActionRole);
     buttons->addButton(goBack_, QDialogButtonBox::ActionRole);
+    sideBySide_->setObjectName(QStringLiteral("sideBySide"));
+    sideBySide_->setToolTip(
+        tr("Both in the view, by cameras that turn together; what is not dipped yet is dipped"));
+    connect(sideBySide_, &QPushButton::clicked, this, &SnapshotsDialog::compareInView);
     buttons->addButton(remove_, QDialogButtonBox::ActionRole);
     goBack_->setObjectName(QStringLiteral("goBack"));
     goBack_->setToolTip(tr("The settings become those of the snapshot: a step that can be undone. "
@@ -145,24 +151,34 @@ void SnapshotsDialog::addRow(const QString& setting, const QString& first, const
 }
 
 void SnapshotsDialog::showMeasures(const QJsonObject& first, const QJsonObject& second) {
-    const auto row = [&](const QString& name, const char* key, const auto& text) {
-        const auto of = [&](const QJsonObject& measures) {
-            const QJsonValue value = measures.value(QLatin1String(key));
-            return value.isDouble() ? QString(text(value.toDouble())) : tr("no result");
-        };
-        addRow(name, of(first), of(second));
-    };
-    row(tr("Body painted altogether"), "painted",
-        [](double share) { return tr("%1 %").arg(QLocale().toString(100 * share, 'f', 1)); });
-    row(tr("Largest stretch of 95 % of the film on the body"), "stretch",
-        [](double stretch) { return QLocale().toString(stretch, 'f', 3); });
-    row(tr("Area that is not certain"), "uncertain_mm2",
-        [this](double area) { return shownArea(area, unit_); });
+    const std::vector<StateFigure> before = stateFigures(first, unit_);
+    const std::vector<StateFigure> after = stateFigures(second, unit_);
+    for (std::size_t row = 0; row < before.size(); ++row) {
+        addRow(before[row].name, before[row].text(), after[row].text());
+    }
+}
+
+// The one chosen, and what the box says.
+void SnapshotsDialog::compareInView() {
+    const Snapshot& chosen = snapshots_[std::size_t(list_->currentRow())];
+    const int other = against_->currentIndex();
+    const Project& now = document_.project();
+    try {
+        ComparedState second{tr("Now"), now, {}};
+        if (other > 0) {
+            const Snapshot& snapshot = snapshots_[std::size_t(other - 1)];
+            second = {snapshot.name, atSnapshot(now, snapshot), {}};
+        }
+        emit comparisonAsked({ComparedState{chosen.name, atSnapshot(now, chosen), {}}, second});
+    } catch (const Error& error) {
+        verdict_->setText(error.sentence());
+    }
 }
 
 void SnapshotsDialog::compare() {
     const bool any = list_->currentRow() >= 0;
     goBack_->setEnabled(any);
+    sideBySide_->setEnabled(any && document_.project().model);
     remove_->setEnabled(any);
     table_->setRowCount(0);
     verdict_->clear();
@@ -191,6 +207,7 @@ void SnapshotsDialog::compare() {
     } catch (const Error& error) {
         verdict_->setText(error.sentence());
         goBack_->setEnabled(false);
+        sideBySide_->setEnabled(false);
     }
 }
 

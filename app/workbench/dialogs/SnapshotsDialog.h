@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/SnapshotEdits.h"
-#include "panels/Units.h"
+#include "panels/StateFigures.h"
 
 #include <QDialog>
 
@@ -22,6 +22,9 @@ public:
     // Of a document that outlives it.
     SnapshotsDialog(Document& document, LengthUnit unit, QWidget* parent = nullptr);
 
+signals:
+    void comparisonAsked(const std::array<dipwright::ComparedState, 2>& states);
+
 private:
     QWidget* makeTaking();
     QWidget* makeComparison();
@@ -29,6 +32,7 @@ private:
     void showSnapshots(); // anew
     void compare();       // the one chosen with what the box says
     void addRow(const QString& setting, const QString& first, const QString& second);
+    void compareInView();
     void showMeasures(const QJsonObject& first, const QJsonObject& second);
 
     Document& document_;
@@ -39,7 +43,7 @@ private:
     QComboBox* against_; // as it is now, then the snapshots
     QTableWidget* table_;
     QLabel* verdict_;
-    QPushButton *take_, *goBack_, *remove_;
+    QPushButton *take_, *goBack_, *sideBySide_, *remove_;
 };
 
 } // namespace dipwright

@@ -1,6 +1,7 @@
 #include "main/DocumentController.h"
 
 #include "base/Error.h"
+#include "compare/CompareWindow.h"
 #include "dialogs/NewProjectDialog.h"
 #include "dialogs/PackDialog.h"
 #include "dialogs/PrintHistoryDialog.h"
@@ -174,6 +175,12 @@ void DocumentController::showSnapshots() {
     auto* dialog =
         new SnapshotsDialog(*session_.document(), workbench_.preferences().unit, &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &SnapshotsDialog::comparisonAsked, this,
+            [this](const std::array<ComparedState, 2>& states) {
+                (new CompareWindow(states, session_.document()->result(), workbench_.registry(),
+                                   workbench_.preferences(), &window_))
+                    ->open();
+            });
     dialog->open();
 }
 

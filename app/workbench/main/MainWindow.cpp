@@ -97,7 +97,7 @@ void MainWindow::addInspection() {}
 
 void MainWindow::addPages() {
     const PageMakings makings{*this, layout_, actions_, documents_, session_, jobs_, messages_};
-    addSearchPage(makings, workbench_.registry());
+    addSearchPage(makings, workbench_);
     addArtworkPage(makings, scene_, dip_, documentActions_);
 }
 

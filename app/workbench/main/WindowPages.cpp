@@ -1,10 +1,12 @@
 #include "main/WindowPages.h"
 
+#include "compare/CompareWindow.h"
 #include "layers/ArtworkController.h"
 #include "main/DipController.h"
 #include "main/DocumentController.h"
 #include "main/WindowActions.h"
 #include "main/WindowLayout.h"
+#include "main/Workbench.h"
 #include "poses/SearchController.h"
 #include "session/DocumentSession.h"
 
@@ -29,9 +31,16 @@ void openBy(const QAction& action, QDockWidget* dock) {
 
 } // namespace
 
-void addSearchPage(const PageMakings& makings, const SolverRegistry& registry) {
-    auto* search = new SearchController(makings.session, makings.jobs, registry, makings.messages,
-                                        &makings.window);
+void addSearchPage(const PageMakings& makings, const Workbench& workbench) {
+    auto* search = new SearchController(makings.session, makings.jobs, workbench.registry(),
+                                        makings.messages, &makings.window);
+    QObject::connect(search, &SearchController::comparisonAsked, &makings.window,
+                     [&workbench, &session = makings.session,
+                      &window = makings.window](const std::array<ComparedState, 2>& states) {
+                         (new CompareWindow(states, session.document()->result(),
+                                            workbench.registry(), workbench.preferences(), &window))
+                             ->open();
+                     });
     openBy(*makings.actions.findPoses,
            makings.layout.addPage("searchDock", Text::tr("Pose Search"), search->page()));
     QObject::connect(&makings.documents, &DocumentSession::documentChanged, search,

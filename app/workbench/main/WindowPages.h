@@ -12,9 +12,9 @@ class DocumentController;
 class DocumentSession;
 class JobRunner;
 class Messages;
-class SolverRegistry;
 class WindowActions;
 class WindowLayout;
+class Workbench;
 
 // What pages are made of; it is not kept.
 struct PageMakings {
@@ -28,7 +28,7 @@ struct PageMakings {
 };
 
 // Before WindowLayout::restore().
-void addSearchPage(const PageMakings& makings, const SolverRegistry& registry);
+void addSearchPage(const PageMakings& makings, const Workbench& workbench);
 void addArtworkPage(const PageMakings& makings, DipScene& scene, DipController& dip,
                     DocumentController& files);
 

@@ -120,6 +120,16 @@ SearchController::SearchController(const DipSession& session, JobRunner& jobs,
             session_.document()->endMerge();
         }
     });
+    connect(page_, &SearchPage::comparisonAsked, this,
+            [this](const std::array<ComparedState, 2>& states) {
+                std::array<ComparedState, 2> whole = states;
+                for (ComparedState& state : whole) { // as it was searched for
+                    const std::vector<Immersion> immersions = state.project.immersions;
+                    state.project = searched_;
+                    state.project.immersions = immersions;
+                }
+                emit comparisonAsked(whole);
+            });
     connect(page_, &SearchPage::sideAsked, this, &SearchController::applySide);
     connect(&jobs, &JobRunner::idle, this, &SearchController::end);
 }

@@ -22,6 +22,9 @@ public:
     // To be called when the session has another document.
     void showDocument();
 
+signals:
+    void comparisonAsked(const std::array<dipwright::ComparedState, 2>& states);
+
 private:
     struct Update;
     class Watcher;

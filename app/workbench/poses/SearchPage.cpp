@@ -29,7 +29,8 @@ SearchPage::SearchPage(QWidget* parent)
       pause_(new QPushButton(tr("Pause"))), stop_(new QPushButton(tr("Stop"))),
       progress_(new QProgressBar), left_(new QLabel), note_(new QLabel), table_(new PoseTable),
       map_(new OrientationMap), plot_(new MeasurePlot), comparison_(new QLabel),
-      apply_(new QPushButton(tr("&Take This Pose"))) {
+      apply_(new QPushButton(tr("&Take This Pose"))),
+      sideBySide_(new QPushButton(tr("Side &by Side …"))) {
     setObjectName(QStringLiteral("searchPage"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
@@ -137,6 +138,10 @@ QWidget* SearchPage::makeFound() {
     comparison_->setObjectName(QStringLiteral("poseComparison"));
     apply_->setObjectName(QStringLiteral("takePose"));
     apply_->setToolTip(tr("Dip the body as chosen in the table; one step to undo"));
+    sideBySide_->setObjectName(QStringLiteral("sideBySide"));
+    sideBySide_->setToolTip(tr("Two chosen poses, or one and the project's own, in the view, by "
+                               "cameras that turn together"));
+    connect(sideBySide_, &QPushButton::clicked, this, &SearchPage::compareChosen);
     auto* pictures = new QHBoxLayout;
     pictures->addWidget(map_, 1);
     pictures->addWidget(plot_, 1);
@@ -145,7 +150,10 @@ QWidget* SearchPage::makeFound() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(table_, 2);
     layout->addWidget(comparison_);
-    layout->addWidget(apply_);
+    auto* actions = new QHBoxLayout;
+    actions->addWidget(apply_, 1);
+    actions->addWidget(sideBySide_, 1);
+    layout->addLayout(actions);
     layout->addLayout(pictures, 1);
     return page;
 }
@@ -223,6 +231,7 @@ void SearchPage::showChosen() {
     map_->setChosen(std::move(downs));
     plot_->setChosen(ranks);
     apply_->setEnabled(ranks.size() == 1);
+    sideBySide_->setEnabled(ranks.size() == 2 || (ranks.size() == 1 && result_.current));
     comparison_->setVisible(ranks.size() == 2);
     if (ranks.size() == 2) {
         comparison_->setText(
@@ -231,6 +240,32 @@ void SearchPage::showChosen() {
                 .arg(ranks[1] + 1)
                 .arg(reasonText(differences(result_.ranking[ranks[0]], result_.ranking[ranks[1]],
                                             searched_, result_.equator))));
+    }
+}
+
+ComparedState SearchPage::stateOf(const QString& title, const RankedPoses& poses) const {
+    ComparedState state{title, {}, {}};
+    state.project.immersions = poses.immersions;
+    for (const Measure measure : allMeasures()) {
+        if (!isOfTwoDips(measure) || searched_.immersions == 2) {
+            state.figures.push_back(
+                {measureName(measure), poses.measures[measure],
+                 [measure](double value) { return measureText(measure, value); },
+                 isMoreBetter(measure)});
+        }
+    }
+    return state;
+}
+
+void SearchPage::compareChosen() {
+    const std::vector<std::size_t> ranks = table_->chosen();
+    const auto rank = [&](std::size_t number) {
+        return stateOf(tr("Rank %1").arg(ranks[number] + 1), result_.ranking[ranks[number]]);
+    };
+    if (ranks.size() == 2) {
+        emit comparisonAsked({rank(0), rank(1)});
+    } else if (ranks.size() == 1 && result_.current) {
+        emit comparisonAsked({stateOf(tr("The project's own"), *result_.current), rank(0)});
     }
 }
 

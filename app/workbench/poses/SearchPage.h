@@ -1,6 +1,7 @@
 // The page of the pose search: what counts, how far it is, what was found.
 #pragma once
 
+#include "panels/StateFigures.h"
 #include "search/PoseSearch.h"
 
 #include <QImage>
@@ -43,13 +44,16 @@ signals:
     void pauseAsked(bool paused);
     void stopAsked();
     void applyAsked(const RankedPoses& poses);
-    void sideAsked(const Eigen::Vector3d& down); // of the map
+    void comparisonAsked(const std::array<dipwright::ComparedState, 2>& states); // without projects
+    void sideAsked(const Eigen::Vector3d& down);                                 // of the map
 
 private:
     QWidget* makeSettings();
     QWidget* makeProgress();
     QWidget* makeFound();
     void showChosen();
+    ComparedState stateOf(const QString& title, const RankedPoses& poses) const;
+    void compareChosen();
 
     QComboBox* immersions_;
     QSpinBox* simulated_;
@@ -67,6 +71,7 @@ private:
     MeasurePlot* plot_;
     QLabel* comparison_;
     QPushButton* apply_;
+    QPushButton* sideBySide_;
     SearchResult result_;
     SearchSettings searched_; // that the result is of
     State state_ = State::Idle;

@@ -1,6 +1,7 @@
 // Makes pictures of the program's windows, for the guide, the README and for looking at the layout.
 #include "WindowDriver.h"
 #include "base/Error.h"
+#include "compare/CompareWindow.h"
 #include "dialogs/CalibrationDialog.h"
 #include "dialogs/GuidePictures.h"
 #include "dialogs/GuideWindow.h"
@@ -281,6 +282,24 @@ void photographHistory(MainWindow& window, Workbench& workbench, const Photograp
     camera.take(dialog, QStringLiteral("print-history"));
 }
 
+void photographComparison(const std::array<ComparedState, 2>& states, Workbench& workbench,
+                          const Photographer& camera) {
+    auto* compared =
+        new CompareWindow(states, nullptr, workbench.registry(), workbench.preferences());
+    compared->show();
+    camera.take(*compared, QStringLiteral("side-by-side-before"));
+    auto* figures = compared->findChild<QTableWidget*>(QStringLiteral("comparedFigures"));
+    const auto isDipped = [&] { return !figures->item(0, 3)->text().isEmpty(); };
+    auto* look = compared->findChild<QComboBox*>(QStringLiteral("comparedLook"));
+    for (int shown = 0; QTest::qWaitFor(isDipped, 900000) && shown < look->count(); ++shown) {
+        look->setCurrentIndex(shown);
+        compared->view(0).picture();
+        compared->view(1).picture();
+        camera.take(*compared, QStringLiteral("side-by-side-%1").arg(shown));
+    }
+    compared->close();
+}
+
 void photographSnapshots(MainWindow& window, Workbench& workbench, const Photographer& camera) {
     Document& document = *window.document();
     takeSnapshot(document, QStringLiteral("As drawn"));
@@ -293,6 +312,10 @@ void photographSnapshots(MainWindow& window, Workbench& workbench, const Photogr
     SnapshotsDialog dialog(document, workbench.preferences().unit);
     dialog.show();
     camera.take(dialog, QStringLiteral("snapshots"));
+    const std::vector<Snapshot> kept = snapshots(document.project());
+    photographComparison({ComparedState{kept[0].name, atSnapshot(document.project(), kept[0]), {}},
+                          ComparedState{kept[1].name, atSnapshot(document.project(), kept[1]), {}}},
+                         workbench, camera);
     for (int step = 0; step < 3; ++step) {
         document.undoStack().undo();
     }
@@ -367,6 +390,7 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
 // The report with a smaller film, the body's menu, the queue, and the guide at a place of it.
 void photographPlanning(WindowDriver& driver, MainWindow& window, Workbench& workbench,
                         const Photographer& camera) {
+    photographSnapshots(window, workbench, camera);
     driver.find<QTabWidget>("results")->setCurrentIndex(5);
     camera.take(window, QStringLiteral("report"));
     window.findChild<Timeline*>()->setPosition(0);

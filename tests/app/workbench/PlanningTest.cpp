@@ -2,9 +2,11 @@
 // a smaller film proposed, the body handled by menu and keys, help where one is.
 #include "Patience.h"
 #include "WindowDriver.h"
+#include "compare/CompareWindow.h"
 #include "dialogs/GuideWindow.h"
 #include "dialogs/PreferencesDialog.h"
 #include "dialogs/QueueDialog.h"
+#include "dialogs/SnapshotsDialog.h"
 #include "panels/NoticeBar.h"
 #include "panels/ProjectTree.h"
 #include "panels/ReportPanel.h"
@@ -15,11 +17,13 @@
 #include "view/BodyHandles.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTextBrowser>
@@ -264,6 +268,50 @@ private slots:
         page = window_->findChild<SearchPage*>();
         QVERIFY(page->settings().aims == wanted);
         QVERIFY(!window_->document()->isModified());
+    }
+
+    void twoStatesAreComparedSideBySide() {
+        WindowDriver driver(*window_);
+        QVERIFY(driver.create(model, texture, 90, makeCoarse));
+        const Document& document = *window_->document();
+        takeSnapshot(*window_->document(), QStringLiteral("As drawn"));
+        window_->document()->edit(QStringLiteral("turn"), {}, [](Project& project) {
+            project.immersions[0].rotation[2] = Degrees(90);
+        });
+        const Project before = document.project();
+        driver.trigger("snapshots");
+        auto* snapshots = window_->findChild<SnapshotsDialog*>();
+        snapshots->findChild<QPushButton*>(QStringLiteral("sideBySide"))->click();
+        const QPointer<CompareWindow> compared = window_->findChild<CompareWindow*>();
+        QVERIFY(compared && compared->isVisible());
+        auto* figures = compared->findChild<QTableWidget*>(QStringLiteral("comparedFigures"));
+        const auto text = [&](int column) { return figures->item(0, column)->text(); };
+        QTRY_VERIFY_WITH_TIMEOUT(text(1).endsWith(QLatin1Char('%')) &&
+                                     text(2).endsWith(QLatin1Char('%')),
+                                 patience()); // both have been dipped
+        QVERIFY2(text(3).contains(QLatin1String("better")) ||
+                     text(3).contains(QLatin1String("worse")),
+                 qPrintable(text(3)));
+        // One camera is turned, and the other goes along.
+        const auto places = [&](std::size_t side) {
+            compared->view(side).picture();
+            return compared->view(side).positionOf({40, 0, 20});
+        };
+        const auto together = [&] { return QLineF(places(0), places(1)).length() < 1; };
+        QTRY_VERIFY(together());
+        for (const std::size_t side : {0U, 1U}) {
+            const QPointF was = places(side);
+            WindowDriver::drag(compared->view(side), {0.3, 0.3}, {0.5, 0.4});
+            QTRY_VERIFY(together() && QLineF(places(side), was).length() > 5);
+        }
+        auto* look = compared->findChild<QComboBox*>(QStringLiteral("comparedLook"));
+        const QImage film = compared->view(1).picture();
+        look->setCurrentIndex(1);
+        QVERIFY(compared->view(1).picture() != film);
+        QTest::keyClick(&compared->view(0), Qt::Key_Escape);
+        QTRY_VERIFY(!compared);
+        QVERIFY(document.project() == before);
+        snapshots->close();
     }
 
     void theBodyIsTurnedAndMovedByKeys() {

@@ -88,6 +88,28 @@ private slots:
                  qPrintable(words->text()));
     }
 
+    void twoPosesAreComparedSideBySide() {
+        QSignalSpy asked(page_.get(), &SearchPage::comparisonAsked);
+        auto* button = page_->findChild<QPushButton*>(QStringLiteral("sideBySide"));
+        QVERIFY(!button->isEnabled());
+        table_->selectRow(0);
+        table_->selectionModel()->select(table_->model()->index(2, 0),
+                                         QItemSelectionModel::Select | QItemSelectionModel::Rows);
+        button->click();
+        QCOMPARE(asked.count(), 1);
+        const auto states = asked[0][0].value<std::array<ComparedState, 2>>();
+        QCOMPARE(states[0].title, QStringLiteral("Rank 1"));
+        QCOMPARE(states[1].title, QStringLiteral("Rank 3"));
+        bool isTold = false; // the third paints less
+        for (std::size_t row = 0; row < states[0].figures.size(); ++row) {
+            if (states[0].figures[row].name == measureName(Measure::Coverage)) {
+                isTold = differenceText(states[0].figures[row], states[1].figures[row])
+                             .contains(QLatin1String("worse"));
+            }
+        }
+        QVERIFY(isTold);
+    }
+
     void theMapIsPickedWhereTheSideIs() {
         OrientationMap map;
         map.resize(200, 200);

@@ -1,0 +1,41 @@
+// One of two states that are compared: its document, its dips, and the view of them.
+#pragma once
+
+#include "look/HeatScale.h"
+#include "panels/StateFigures.h"
+#include "session/DipSession.h"
+#include "view/DipScene.h"
+#include "viewport/DipView.h"
+
+namespace dipwright {
+
+enum class ComparedLook { Film, Stretch, Coverage };
+
+class ComparedSide : public QObject {
+    Q_OBJECT
+
+public:
+    // `view` outlives it. Nothing is dipped before run().
+    ComparedSide(const ComparedState& state, std::shared_ptr<const JobResult> kept, JobRunner& jobs,
+                 const SolverRegistry& registry, DipView& view, QObject* parent);
+
+    void run();
+    void lookAt(std::size_t immersion);
+    // Before it is dipped the body wears what its pose would paint, by its shape.
+    void show(ComparedLook look, const HeatScale& scale);
+    std::shared_ptr<const FilmReading> reading() const { return session_.reading(); }
+    QString title() const { return title_; }
+    // What was known before, and what the dips have shown.
+    std::vector<StateFigure> figures(LengthUnit unit) const;
+    DipSession& session() { return session_; }
+
+private:
+    QString title_;
+    std::vector<StateFigure> figures_;
+    Document document_;
+    DipSession session_;
+    DipView& view_;
+    DipScene scene_;
+};
+
+} // namespace dipwright
