@@ -3,6 +3,7 @@
 #include "Patience.h"
 #include "WindowDriver.h"
 #include "base/Error.h"
+#include "dialogs/SnapshotsDialog.h"
 #include "disk/ArchiveWriter.h"
 #include "panels/PictureView.h"
 #include "panels/ProjectTree.h"
@@ -17,6 +18,7 @@
 #include <QJsonDocument>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QSlider>
 #include <QTabWidget>
@@ -127,6 +129,7 @@ private slots:
         readValue(*window, driver);
         changeAndUndo(*window, driver);
         switchImmersion(*window, driver);
+        plan(*window, driver);
 
         // Save, close, reopen: the same sheets, bit for bit.
         const QString path = folder_.filePath(QStringLiteral("turtle.dipw"));
@@ -412,6 +415,32 @@ private slots:
     }
 
 private:
+    // What poses are searched for is changed, the body moved by an arrow's signal, and a snapshot
+    // looked at beside the project; all of it is undone.
+    void plan(MainWindow& window, const WindowDriver& driver) {
+        Document& document = *window.document();
+        const Project before = document.project();
+        driver.find<QDoubleSpinBox>("weight_quality")->setValue(2);
+        QCOMPARE(document.project().poseAims.weights[Measure::Quality], 2.0);
+        emit window.view().moveDragged(0, 10);
+        emit window.view().moveFinished();
+        QCOMPARE(document.project().immersions[0].offset[0].value(), 10.0);
+        driver.trigger("undo");
+        driver.trigger("undo");
+        QVERIFY(document.project() == before);
+        takeSnapshot(document, QStringLiteral("Noon"));
+        driver.trigger("snapshots");
+        auto* snapshots = window.findChild<SnapshotsDialog*>();
+        snapshots->findChild<QPushButton*>(QStringLiteral("sideBySide"))->click();
+        const QPointer<QDialog> compared =
+            window.findChild<QDialog*>(QStringLiteral("compareWindow"));
+        QVERIFY(compared && compared->isVisible());
+        QTest::keyClick(compared.data(), Qt::Key_Escape);
+        QTRY_VERIFY(!compared);
+        snapshots->close();
+        driver.trigger("undo");
+        QVERIFY(document.project() == before);
+    }
     void scrub(MainWindow& window) {
         auto* timeline = window.findChild<Timeline*>();
         QVERIFY(timeline->frames() > 2);
