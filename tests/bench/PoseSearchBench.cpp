@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
         if (name == QLatin1String("solver")) {
             solver = value;
         } else if (name.startsWith(QLatin1String("weight."))) {
-            setWeight(settings, name.mid(7), value.toDouble());
+            setWeight(settings.aims, name.mid(7), value.toDouble());
         } else if (number != numbers.end()) {
             *number->second = value.toInt();
         } else {
