@@ -92,6 +92,16 @@ void answerWhenAsked(const char* name, QMessageBox::StandardButton answer) {
     timer->start(20);
 }
 
+// The view with the body as it comes out of both dips, which the window is told to show.
+QImage printOnTheBody(MainWindow& window, const WindowDriver& driver) {
+    driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
+    const QImage own = window.view().picture();
+    driver.trigger("bodyPrint");
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != own, patience()); }();
+    QTest::qWait(patience() / 240); // the last of the prints
+    return window.view().picture();
+}
+
 } // namespace
 
 class DayTest : public QObject {
@@ -351,12 +361,7 @@ private slots:
         WindowDriver driver(window);
         QVERIFY(driver.create(model, texture, 90, makeTwoCoarseDips));
         QVERIFY(driver.run());
-        driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
-        const QImage own = window.view().picture();
-        driver.trigger("bodyPrint");
-        QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != own, patience());
-        QTest::qWait(patience() / 240); // the last of the prints
-        const QImage both = window.view().picture();
+        const QImage both = printOnTheBody(window, driver);
         auto* dips = driver.find<QComboBox>("printDips");
         dips->setCurrentIndex(1);
         QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != both, patience());
@@ -383,12 +388,7 @@ private slots:
             project.process.depth = Millimetres(20);
         }));
         QVERIFY(driver.run());
-        driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
-        const QImage own = window.view().picture();
-        driver.trigger("bodyPrint");
-        QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != own, patience());
-        QTest::qWait(patience() / 240); // the last of the prints
-        const QImage both = window.view().picture();
+        const QImage both = printOnTheBody(window, driver);
         auto* deeper = driver.find<QDoubleSpinBox>("slipDepth");
         deeper->setValue(8);
         QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != both, patience());

@@ -1,7 +1,7 @@
 // Several bodies dipped at once through one film: each is painted from its own place of it, and
 // neighbours draw the film between them away from each other.
+#include "TexturedBall.h"
 #include "dip/JigModel.h"
-#include "geometry/Shapes.h"
 #include "pipeline/Pipeline.h"
 
 #include <QStandardPaths>
@@ -13,28 +13,9 @@ namespace {
 
 constexpr float radius = 15;
 
-std::shared_ptr<const TexturedMesh> ball(const QColor& colour) {
-    auto model = std::make_shared<TexturedMesh>();
-    model->mesh = sphereMesh(radius, 30, 60);
-    for (const auto& corners : model->mesh.triangles) {
-        auto& coordinates = model->textureCoordinates.emplace_back();
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const Eigen::Vector3f& place = model->mesh.positions[corners[corner]];
-            coordinates[corner] = {place.x() / 30 + 0.5f, place.z() / 30 + 0.5f};
-        }
-    }
-    model->material.resize(model->mesh.triangles.size(), 0);
-    QImage picture(8, 8, QImage::Format_RGBA8888);
-    picture.fill(colour);
-    model->textures = {picture};
-    model->materials = {{QStringLiteral("ball"), Qt::white, 0}};
-    model->chart = findCharts(*model);
-    return model;
-}
-
 JigPart part(const QString& name, const QColor& colour, double x) {
     JigPart part;
-    part.model = ball(colour);
+    part.model = test::texturedBall(colour);
     part.placed.name = name;
     part.placed.offset[0] = Millimetres(x);
     return part;

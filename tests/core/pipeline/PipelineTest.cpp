@@ -2,6 +2,7 @@
 #include "pipeline/Pipeline.h"
 #include "PluginFolder.h"
 #include "TestFiles.h"
+#include "TexturedBall.h"
 #include "base/Error.h"
 #include "disk/ResultFolder.h"
 #include "geometry/Shapes.h"
@@ -24,29 +25,10 @@ using namespace dipwright::test;
 
 namespace {
 
-std::shared_ptr<const TexturedMesh> ball() {
-    auto model = std::make_shared<TexturedMesh>();
-    model->mesh = sphereMesh(15, 30, 60);
-    for (const auto& corners : model->mesh.triangles) {
-        auto& coordinates = model->textureCoordinates.emplace_back();
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const Eigen::Vector3f& place = model->mesh.positions[corners[corner]];
-            coordinates[corner] = {place.x() / 30 + 0.5f, place.z() / 30 + 0.5f};
-        }
-    }
-    model->material.resize(model->mesh.triangles.size(), 0);
-    QImage picture(64, 64, QImage::Format_RGBA8888);
-    picture.fill(QColor(200, 80, 20));
-    model->textures = {picture};
-    model->materials = {{QStringLiteral("ball"), Qt::white, 0}};
-    model->chart = findCharts(*model);
-    return model;
-}
-
 Project ballJob() {
     Project project;
     project.name = QStringLiteral("ball");
-    project.model = ball();
+    project.model = texturedBall(QColor(200, 80, 20));
     project.film.width = project.film.height = Millimetres(90);
     project.film.columns = project.film.rows = 31;
     project.fieldResolution = 64;
