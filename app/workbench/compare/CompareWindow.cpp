@@ -12,6 +12,7 @@
 #include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -61,7 +62,7 @@ CompareWindow::CompareWindow(const std::array<ComparedState, 2>& states,
         connect(views_[side], &DipView::cameraMoved, views_[1 - side], &DipView::setCamera);
     }
     colourViews();
-    resize(1100, 720);
+    resize(QSize(1100, 720).boundedTo(screen()->availableSize()));
     showSides();
     views_[1]->setCamera(waiting); // after a new body has fitted it
     views_[0]->fit();

@@ -35,10 +35,10 @@ void ComparedSide::show(ComparedLook look, const HeatScale& scale) {
     scene_.setProject(document_.project(), session_.immersion());
     scene_.setPreviewed(!isDipped);
     scene_.setBodyLook(look == ComparedLook::Coverage ? BodyLook::Coverage : BodyLook::Own);
-    // The film that lies on the body by itself, where its stretch is asked for.
-    const bool isStretch = look == ComparedLook::Stretch && isDipped;
-    scene_.setFilmExtent(isStretch ? FilmExtent::OnBody : FilmExtent::Whole);
-    view_.setBodyVisible(!isStretch);
+    // The film that lies on the body, by itself: the two would fight for what is in front.
+    const bool isFilmAlone = look != ComparedLook::Coverage && isDipped;
+    scene_.setFilmExtent(isFilmAlone ? FilmExtent::OnBody : FilmExtent::Whole);
+    view_.setBodyVisible(!isFilmAlone);
     scene_.setHeat(FilmQuantity::Length, scale);
     scene_.setFilmLook(look == ComparedLook::Stretch ? FilmLook::Stretch : FilmLook::Lines);
     scene_.setResult(isDipped ? session_.outcome().result : nullptr, reading());
