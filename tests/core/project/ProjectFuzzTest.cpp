@@ -9,6 +9,7 @@
 #include <QJsonObject>
 #include <QtTest>
 #include <random>
+#include <set>
 
 using namespace dipwright;
 using namespace dipwright::test;
@@ -69,18 +70,31 @@ QJsonValue surprise(Random& random) {
     return values.at(below(random, values.size()));
 }
 
-// Replaces, removes or adds values anywhere: a few of a project's hundred or so, so that it is
-// neither always nor never refused.
-QJsonValue damagedJson(const QJsonValue& value, Random& random) {
-    if (below(random, 40) == 0) {
-        return surprise(random);
+int valuesIn(const QJsonValue& value) {
+    int count = 1;
+    for (const QJsonValue& element : value.toArray()) {
+        count += valuesIn(element);
+    }
+    for (const QJsonValue& element : value.toObject()) {
+        count += valuesIn(element);
+    }
+    return count;
+}
+
+// `value` with the values whose turn, counted from `next`, is in `places` removed or replaced.
+QJsonValue damagedAt(const QJsonValue& value, const std::set<int>& places, int& next,
+                     Random& random) {
+    if (places.contains(next++)) {
+        next += valuesIn(value) - 1;
+        return below(random, 3) == 0 ? QJsonValue(QJsonValue::Undefined) : surprise(random);
     }
     if (value.isObject()) {
         QJsonObject object;
         const QJsonObject old = value.toObject();
         for (auto entry = old.begin(); entry != old.end(); ++entry) {
-            if (below(random, 60) != 0) {
-                object.insert(entry.key(), damagedJson(entry.value(), random));
+            const QJsonValue damaged = damagedAt(entry.value(), places, next, random);
+            if (!damaged.isUndefined()) {
+                object.insert(entry.key(), damaged);
             }
         }
         return object;
@@ -88,11 +102,26 @@ QJsonValue damagedJson(const QJsonValue& value, Random& random) {
     if (value.isArray()) {
         QJsonArray array;
         for (const QJsonValue& element : value.toArray()) {
-            array.append(damagedJson(element, random));
+            const QJsonValue damaged = damagedAt(element, places, next, random);
+            if (!damaged.isUndefined()) {
+                array.append(damaged);
+            }
         }
         return array;
     }
     return value;
+}
+
+// One to four of the document's values removed or replaced: by number, so that a document that has
+// grown is refused no more often.
+QJsonValue damagedJson(const QJsonObject& document, Random& random) {
+    const int values = valuesIn(document);
+    std::set<int> places;
+    for (int faults = 1 + below(random, 4); faults > 0; --faults) {
+        places.insert(below(random, values));
+    }
+    int next = 0;
+    return damagedAt(document, places, next, random);
 }
 
 } // namespace
