@@ -2,11 +2,11 @@
 
 #include "artwork/LayerPicture.h"
 #include "base/Error.h"
+#include "base/Sha256.h"
 #include "base/WideColour.h"
 #include "geometry/SurfaceQuery.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QFontDatabase>
 
 #include <algorithm>
@@ -29,12 +29,12 @@ bool isPattern(LayerKind kind) {
 ArtworkPicture artworkPicture(const QImage& image) {
     const bool wide = isWide(image);
     const QImage kept = wide ? inWide(image) : image.convertToFormat(QImage::Format_RGBA8888);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    hash.addData(QByteArray::number(kept.width()) + 'x' + QByteArray::number(kept.height()) +
-                 (wide ? "w" : "s"));
+    Sha256 hash;
+    hash.add(QByteArray::number(kept.width()) + 'x' + QByteArray::number(kept.height()) +
+             (wide ? "w" : "s"));
     const auto bytes = qsizetype(kept.width()) * kept.depth() / 8;
     for (int row = 0; row < kept.height(); ++row) {
-        hash.addData(QByteArrayView(kept.constScanLine(row), bytes));
+        hash.add(QByteArrayView(kept.constScanLine(row), bytes));
     }
     return {QString::fromLatin1(hash.result().toHex()), kept};
 }

@@ -1,23 +1,35 @@
 #include "disk/FileVersion.h"
 
-#include <QCryptographicHash>
+#include "base/Sha256.h"
+
 #include <QFile>
 
 namespace dipwright {
+namespace {
+
+constexpr qint64 pieceBytes = 1 << 20;
+
+} // namespace
 
 FileVersion FileVersion::of(const QString& path) {
     FileVersion version;
     QFile file(path);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    if (file.open(QIODevice::ReadOnly) && hash.addData(&file)) {
-        version.hash_ = hash.result();
+    if (file.open(QIODevice::ReadOnly)) {
+        Sha256 hash;
+        for (QByteArray bytes = file.read(pieceBytes); !bytes.isEmpty();
+             bytes = file.read(pieceBytes)) {
+            hash.add(bytes);
+        }
+        if (file.atEnd()) {
+            version.hash_ = hash.result();
+        }
     }
     return version;
 }
 
 FileVersion FileVersion::ofBytes(const QByteArray& bytes) {
     FileVersion version;
-    version.hash_ = QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
+    version.hash_ = sha256(bytes);
     return version;
 }
 

@@ -1,8 +1,8 @@
 #include "geometry/DistanceField.h"
 
+#include "base/Sha256.h"
 #include "disk/WholeFile.h"
 
-#include <QCryptographicHash>
 #include <QDataStream>
 #include <QDateTime>
 #include <QDir>
@@ -32,12 +32,12 @@ QByteArrayView bytesOf(const std::vector<Value>& values) {
 }
 
 QByteArray contentHash(const TriangleMesh& body, int resolution) {
-    QCryptographicHash hash(QCryptographicHash::Sha256);
+    Sha256 hash;
     const std::vector<quint64> sizes = {cacheVersion, quint64(resolution), body.positions.size(),
                                         body.triangles.size()};
-    hash.addData(bytesOf(sizes));
-    hash.addData(bytesOf(body.positions));
-    hash.addData(bytesOf(body.triangles));
+    hash.add(bytesOf(sizes));
+    hash.add(bytesOf(body.positions));
+    hash.add(bytesOf(body.triangles));
     return hash.result();
 }
 
@@ -51,9 +51,9 @@ QByteArray header(const DistanceField& field) {
         stream << qint32(field.size[axis]) << field.origin[axis];
     }
     stream << field.spacing;
-    QCryptographicHash hash(QCryptographicHash::Sha1);
-    hash.addData(bytes);
-    hash.addData(bytesOf(field.distance));
+    Sha256 hash;
+    hash.add(bytes);
+    hash.add(bytesOf(field.distance));
     stream << hash.result();
     return bytes;
 }

@@ -2,11 +2,11 @@
 
 #include "base/Budgets.h"
 #include "base/Error.h"
+#include "base/Sha256.h"
 #include "import/ModelFolder.h"
 #include "import/ReaderProcess.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QFileInfo>
 #include <QImageReader>
 #include <cmath>
@@ -65,8 +65,7 @@ Photo readPhotoFile(const QString& path, const Progress& progress) {
     OneFile file(path, *bytes);
     ReadPhoto read = readPhotoInProcess(path, file, progress);
     Photo photo{path, std::move(read.picture), {}, {}, {}};
-    photo.sha256 =
-        QString::fromLatin1(QCryptographicHash::hash(*bytes, QCryptographicHash::Sha256).toHex());
+    photo.sha256 = sha256Hex(*bytes);
     const QDateTime taken =
         QDateTime::fromString(read.facts.taken, QStringLiteral("yyyy:MM:dd HH:mm:ss"));
     if (taken.isValid()) {

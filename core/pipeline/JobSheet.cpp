@@ -1,11 +1,11 @@
 #include "pipeline/JobSheet.h"
 
 #include "base/Error.h"
+#include "base/Sha256.h"
 #include "pipeline/StepInputs.h"
 #include "sheet/Separation.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QJsonArray>
 #include <QJsonDocument>
 
@@ -91,11 +91,11 @@ QString jobHash(const Project& project, const Immersion& immersion, const QImage
                                immersion.rotation[2].value()});
     settings.insert(QStringLiteral("offset"),
                     QJsonArray{immersion.offset[0].value(), immersion.offset[1].value()});
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    hash.addData(QJsonDocument(settings).toJson(QJsonDocument::Compact));
+    Sha256 hash;
+    hash.add(QJsonDocument(settings).toJson(QJsonDocument::Compact));
     for (int row = 0; row < filmImage.height(); ++row) {
         const auto* line = reinterpret_cast<const char*>(filmImage.constScanLine(row));
-        hash.addData(QByteArrayView(line, qsizetype(filmImage.width()) * filmImage.depth() / 8));
+        hash.add(QByteArrayView(line, qsizetype(filmImage.width()) * filmImage.depth() / 8));
     }
     return QString::fromLatin1(hash.result().toHex().left(hashLetters));
 }

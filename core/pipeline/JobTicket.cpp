@@ -1,20 +1,15 @@
 #include "pipeline/JobTicket.h"
 
 #include "base/ProgramName.h"
+#include "base/Sha256.h"
 #include "pipeline/JobTraveller.h"
 
-#include <QCryptographicHash>
 #include <QJsonArray>
 
 #include <cmath>
 
 namespace dipwright {
 namespace {
-
-QString hexOf(const QByteArray& contents) {
-    return QString::fromLatin1(
-        QCryptographicHash::hash(contents, QCryptographicHash::Sha256).toHex());
-}
 
 QJsonArray pair(double first, double second) {
     return {first, second};
@@ -85,7 +80,7 @@ QJsonArray filesTicket(const QStringList& names, const ResultContents& contents)
         const QByteArray bytes = contents(name);
         if (!bytes.isEmpty()) {
             files.append(
-                QJsonObject{{"file", name}, {"bytes", bytes.size()}, {"sha256", hexOf(bytes)}});
+                QJsonObject{{"file", name}, {"bytes", bytes.size()}, {"sha256", sha256Hex(bytes)}});
         }
     }
     return files;
@@ -95,9 +90,9 @@ QJsonArray filesTicket(const QStringList& names, const ResultContents& contents)
 
 QString pictureHash(const QImage& filmImage) {
     const QImage picture = flattened(filmImage);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
+    Sha256 hash;
     for (int row = 0; row < picture.height(); ++row) {
-        hash.addData(QByteArrayView(picture.constScanLine(row), 3 * qsizetype(picture.width())));
+        hash.add(QByteArrayView(picture.constScanLine(row), 3 * qsizetype(picture.width())));
     }
     return QString::fromLatin1(hash.result().toHex());
 }

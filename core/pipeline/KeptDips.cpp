@@ -3,6 +3,7 @@
 #include "base/Bytes.h"
 #include "base/Error.h"
 #include "base/ProgramName.h"
+#include "base/Sha256.h"
 #include "dip/FilmUnderBody.h"
 #include "disk/ArchiveWriter.h"
 #include "disk/WholeFile.h"
@@ -11,7 +12,6 @@
 #include "project/Archive.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -40,9 +40,9 @@ QByteArrayView bytesOf(const std::vector<Value>& values) {
 class DipKeys {
 public:
     explicit DipKeys(const Project& project) {
-        QCryptographicHash hash(QCryptographicHash::Sha256);
-        hash.addData(bytesOf(project.model->mesh.positions));
-        hash.addData(bytesOf(project.model->mesh.triangles));
+        Sha256 hash;
+        hash.add(bytesOf(project.model->mesh.positions));
+        hash.add(bytesOf(project.model->mesh.triangles));
         const QJsonObject values = toJson(project);
         QJsonObject process = values[QLatin1String("process")].toObject();
         process.remove(QStringLiteral("solver")); // that may be "auto"
@@ -65,10 +65,7 @@ public:
         QJsonObject all = common_;
         all[QLatin1String("pose")] = pose;
         all[QLatin1String("solver")] = QJsonArray{solver.id, solver.version};
-        return QString::fromLatin1(
-            QCryptographicHash::hash(QJsonDocument(all).toJson(QJsonDocument::Compact),
-                                     QCryptographicHash::Sha256)
-                .toHex());
+        return sha256Hex(QJsonDocument(all).toJson(QJsonDocument::Compact));
     }
 
 private:

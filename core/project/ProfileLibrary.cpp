@@ -2,13 +2,13 @@
 
 #include "base/Error.h"
 #include "base/ProgramName.h"
+#include "base/Sha256.h"
 #include "disk/FileLock.h"
 #include "disk/SmallFile.h"
 #include "disk/WholeFile.h"
 #include "project/ProjectFile.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QDir>
 #include <QJsonDocument>
 #include <QStandardPaths>
@@ -40,9 +40,7 @@ QString fileName(const QString& name) {
         plain += letter.isLetterOrNumber() && letter.unicode() < 128 ? letter.toLower()
                                                                      : QLatin1Char('-');
     }
-    const QByteArray hash =
-        QCryptographicHash::hash(name.toUtf8(), QCryptographicHash::Sha256).toHex();
-    return QStringLiteral("%1-%2.json").arg(plain, QString::fromLatin1(hash.left(8)));
+    return QStringLiteral("%1-%2.json").arg(plain, sha256Hex(name.toUtf8()).left(8));
 }
 
 // Later folders do not stand in for earlier ones.

@@ -3,6 +3,7 @@
 #include "base/Budgets.h"
 #include "base/Error.h"
 #include "base/Png.h"
+#include "base/Sha256.h"
 #include "disk/ArchiveWriter.h"
 #include "disk/WholeFile.h"
 #include "import/ReadPictures.h"
@@ -10,7 +11,6 @@
 #include "project/Archive.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QJsonArray>
 #include <QJsonDocument>
 
@@ -34,10 +34,6 @@ QString layerEntry(const QString& pictureId) {
     return QStringLiteral("assets/artwork-%1.png").arg(pictureId);
 }
 
-QByteArray sha256(const QByteArray& bytes) {
-    return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex();
-}
-
 QJsonArray textureEntries(const TexturedMesh& model) {
     QJsonArray entries;
     for (std::size_t index = 0; index < model.textures.size(); ++index) {
@@ -54,7 +50,7 @@ QByteArray projectBytes(const Project& project) {
     model.insert(QStringLiteral("mesh"), meshEntry);
     model.insert(QStringLiteral("texture"), textures.isEmpty() ? QJsonValue() : textures.first());
     model.insert(QStringLiteral("textures"), textures);
-    model.insert(QStringLiteral("sha256"), QString::fromLatin1(sha256(mesh)));
+    model.insert(QStringLiteral("sha256"), sha256Hex(mesh));
     json.insert(QStringLiteral("model"), model);
 
     ArchiveWriter archive;
@@ -141,7 +137,7 @@ std::shared_ptr<const TexturedMesh> readAssets(ArchiveReader& archive, const QJs
         throw Error(Text::tr("The project names no model, model.mesh is missing"), path);
     }
     const QByteArray mesh = archive.read(meshName);
-    if (entries.value(QLatin1String("sha256")).toString().toLatin1() != sha256(mesh)) {
+    if (entries.value(QLatin1String("sha256")).toString() != sha256Hex(mesh)) {
         throw Error(Text::tr("The model in the project is not the one that was saved, its sha256 "
                              "differs"),
                     path);

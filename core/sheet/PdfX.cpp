@@ -1,8 +1,8 @@
 #include "sheet/PdfX.h"
 
 #include "base/ProgramName.h"
+#include "base/Sha256.h"
 
-#include <QCryptographicHash>
 #include <QDate>
 #include <QUuid>
 #include <QXmlStreamWriter>
@@ -26,11 +26,11 @@ constexpr Vocabulary standard{"pdfxid", "http://www.npes.org/pdfx/ns/id/"};
 
 // The same for the same pages: a name for what the streams hold.
 QString documentId(QPDF& pdf) {
-    QCryptographicHash hash(QCryptographicHash::Sha256);
+    Sha256 hash;
     for (QPDFObjectHandle& object : pdf.getAllObjects()) {
         if (object.isStream()) {
             const std::shared_ptr<Buffer> bytes = object.getRawStreamData();
-            hash.addData(QByteArrayView(bytes->getBuffer(), qsizetype(bytes->getSize())));
+            hash.add(QByteArrayView(bytes->getBuffer(), qsizetype(bytes->getSize())));
         }
     }
     const QUuid id = QUuid::createUuidV5(QUuid(), hash.result());

@@ -1,6 +1,7 @@
 #include "sheet/Sheet.h"
 
 #include "base/Error.h"
+#include "base/Sha256.h"
 #include "base/WideColour.h"
 #include "sheet/CutContour.h"
 #include "sheet/InkedPages.h"
@@ -8,7 +9,6 @@
 
 #include <QColorSpace>
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <cmath>
 
 namespace dipwright {
@@ -55,9 +55,7 @@ QImage flattened(const QImage& filmImage) {
 
 QString hashOfJobs(const QStringList& jobs) {
     constexpr int letters = 12;
-    const QByteArray hash =
-        QCryptographicHash::hash(jobs.join(u' ').toLatin1(), QCryptographicHash::Sha256);
-    return QString::fromLatin1(hash.toHex().left(letters));
+    return sha256Hex(jobs.join(u' ').toLatin1()).left(letters);
 }
 
 void paintSheet(QPainter& painter, const Sheet& sheet) {

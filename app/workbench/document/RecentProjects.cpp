@@ -1,8 +1,8 @@
 #include "document/RecentProjects.h"
 
+#include "base/Sha256.h"
 #include "project/Samples.h"
 
-#include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
@@ -17,10 +17,9 @@ constexpr QSize thumbnailSize(384, 240);
 const QString settingsKey = QStringLiteral("recentProjects");
 
 QString thumbnailPath(const QString& path) {
-    const QByteArray key =
-        QCryptographicHash::hash(path.toUtf8(), QCryptographicHash::Sha256).toHex().left(32);
+    const QString key = sha256Hex(path.toUtf8()).left(32);
     return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) +
-           QStringLiteral("/thumbnails/") + QString::fromLatin1(key) + QStringLiteral(".png");
+           QStringLiteral("/thumbnails/") + key + QStringLiteral(".png");
 }
 
 } // namespace
