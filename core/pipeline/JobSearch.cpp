@@ -1,9 +1,10 @@
 #include "pipeline/JobSearch.h"
 
+#include "artwork/PaintArtwork.h"
 #include "base/Error.h"
+#include "base/Sha256.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QJsonDocument>
 
 namespace dipwright {
@@ -13,17 +14,28 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(PoseSearch)
 };
 
+bool isWhitePrinted(const Project& project) {
+    return project.sheet.white != WhiteLayer::None;
+}
+
 // Of all that the dips of a search depend on; its poses are not among that.
 QByteArray identityOf(const Project& project, const QString& solver) {
     const QJsonObject whole = toJson(project);
     QJsonObject counting;
-    for (const char* key : {"model", "film", "process", "body", "tolerance"}) {
-        counting[QLatin1String(key)] = whole[QLatin1String(key)];
+    for (const QLatin1String key :
+         {QLatin1String("model"), QLatin1String("artwork"), QLatin1String("film"),
+          QLatin1String("process"), QLatin1String("body"), QLatin1String("tolerance")}) {
+        if (whole.contains(key)) {
+            counting[key] = whole[key];
+        }
     }
+    counting[QLatin1String("white")] = isWhitePrinted(project);
     counting[QLatin1String("solver")] = solver;
-    return QCryptographicHash::hash(QJsonDocument(counting).toJson(QJsonDocument::Compact),
-                                    QCryptographicHash::Sha256);
+    return sha256(QJsonDocument(counting).toJson(QJsonDocument::Compact));
 }
+
+// What the search asks of the artwork is what there is ink for; a few colours a place will do.
+constexpr double texel = 0.5; // mm
 
 } // namespace
 
@@ -34,7 +46,8 @@ SearchSubject searchSubject(const Project& project, const QString& solver) {
     SearchSubject subject;
     subject.name = project.name;
     subject.identity = identityOf(project, solver);
-    subject.model = project.model;
+    subject.model = painted(project.model, project.artwork, texel, {});
+    subject.isWhitePrinted = isWhitePrinted(project);
     subject.film = project.film;
     subject.process = project.process;
     subject.fieldResolution = project.fieldResolution;

@@ -2,9 +2,9 @@
 
 #include "dip/TrappedAir.h"
 #include "geometry/SurfaceSamples.h"
+#include "search/PlaceWeights.h"
 #include "share/FadeBand.h"
 #include "texture/SurfaceColours.h"
-#include "tolerance/Zones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,25 +54,16 @@ double percentile(std::vector<std::uint16_t>& values, double share) {
 
 } // namespace
 
-JudgedBody::JudgedBody(std::shared_ptr<const TexturedMesh> model,
-                       const std::vector<ZoneMark>& marks,
-                       const std::array<double, zoneCount>& zoneWeights, Millimetres error)
-    : model_(std::move(model)), area_(surfaceArea(model_->mesh)) {
+JudgedBody::JudgedBody(const SearchSubject& subject,
+                       const std::array<double, zoneCount>& zoneWeights)
+    : model_(subject.model), area_(surfaceArea(model_->mesh)) {
     samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
     equator_ = std::sqrt(pi * area_);
     joinReach_ = linkedSamples * std::sqrt(area_ / samplesOfBody);
-    if (marks.empty()) {
-        weights_.assign(samples_.size(), float(zoneWeights.back() > 0 ? zoneWeights.back() : 1));
-    } else {
-        ZonedBody zoned(model_);
-        zoned.setMarks(marks);
-        for (const SurfacePoint& sample : samples_) {
-            weights_.push_back(float(zoneWeights[std::size_t(zoned.at(sample))]));
-        }
-    }
+    weights_ = placeWeights(subject, zoneWeights, samples_);
     linkNeighbours();
     for (const LinearColour& colour : surfaceColours(*model_, samples_)) {
-        bands_.push_back(float(neededOverlap(colour, error.value(), 0)));
+        bands_.push_back(float(neededOverlap(colour, subject.registrationError.value(), 0)));
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "dip/LaidFilm.h"
 #include "search/SearchSettings.h"
+#include "search/SearchSubject.h"
 
 #include <memory>
 
@@ -26,10 +27,8 @@ struct JudgedPose {
 // The places that the dips of a body are judged at. Immutable; any thread may ask.
 class JudgedBody {
 public:
-    // The zones of `marks` are weighed by `zoneWeights`; one of two dips may lie `error` off the
-    // other.
-    JudgedBody(std::shared_ptr<const TexturedMesh> model, const std::vector<ZoneMark>& marks,
-               const std::array<double, zoneCount>& zoneWeights, Millimetres error);
+    // Its zones are weighed by `zoneWeights`.
+    JudgedBody(const SearchSubject& subject, const std::array<double, zoneCount>& zoneWeights);
 
     std::size_t places() const { return samples_.size(); }
     double equator() const { return equator_; } // mm: the girth of a ball with this surface

@@ -1,14 +1,14 @@
 #include "search/PoseSearch.h"
 
 #include "base/Error.h"
+#include "base/Sha256.h"
 #include "parallel/ParallelFor.h"
 #include "search/JudgedPose.h"
+#include "search/PlaceWeights.h"
 #include "search/PoseCandidates.h"
 #include "search/PoseDips.h"
-#include "tolerance/Zones.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QDataStream>
 #include <QIODevice>
 #include <QStringList>
@@ -92,18 +92,14 @@ std::vector<Immersion> neighbours(const Immersion& immersion, std::size_t round,
     return result;
 }
 
-std::vector<float> zoneWeights(const SearchSubject& subject, const CoveragePreview& preview,
-                               const SearchSettings& settings) {
-    std::vector<float> weights(preview.areas().size(), 1.f);
-    if (!subject.marks.empty()) {
-        ZonedBody zoned(subject.model);
-        zoned.setMarks(subject.marks);
-        for (std::size_t triangle = 0; triangle < weights.size(); ++triangle) {
-            weights[triangle] =
-                float(settings.aims.zoneWeights[std::size_t(zoned.at(preview.middle(triangle)))]);
-        }
+// A triangle of the preview each, by its middle.
+std::vector<float> triangleWeights(const SearchSubject& subject, const CoveragePreview& preview,
+                                   const SearchSettings& settings) {
+    std::vector<SurfacePoint> middles;
+    for (std::size_t triangle = 0; triangle < preview.areas().size(); ++triangle) {
+        middles.push_back(preview.middle(triangle));
     }
-    return weights;
+    return placeWeights(subject, settings.aims.zoneWeights, middles);
 }
 
 // What all parts of a search have in common.
@@ -116,7 +112,7 @@ QByteArray searchKey(const SearchSubject& subject, const SearchSettings& setting
     for (const double weight : settings.aims.zoneWeights) {
         out << weight;
     }
-    return QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex();
+    return sha256(text).toHex();
 }
 
 class Search {
@@ -124,12 +120,12 @@ public:
     Search(const SearchSubject& subject, const SearchSettings& settings,
            const solver::SolverModule& module, const Progress& progress)
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
-          body_(subject.model, subject.marks, settings.aims.zoneWeights, subject.registrationError),
+          body_(subject, settings.aims.zoneWeights),
           coarse_(subject, body_, module, coarseDetail, progress.part(0, fieldShare)) {
         progress_(fieldShare, Text::tr("Judging directions by the body's shape"));
         const CoveragePreview preview(subject.model->mesh);
-        candidates_ = poseCandidates(preview, zoneWeights(subject, preview, settings), subject.film,
-                                     subject.process, settings, progress);
+        candidates_ = poseCandidates(preview, triangleWeights(subject, preview, settings),
+                                     subject.film, subject.process, settings, progress);
         const int each = settings.immersions;
         const int rounds = int(tilts.size());
         const int tried = int(candidates_.chosen.size());

@@ -8,9 +8,10 @@ namespace dipwright {
 
 struct SearchSubject {
     QString name;
-    QByteArray identity; // the same for the same model, film, process, zones and solver; ties parts
-                         // together
-    std::shared_ptr<const TexturedMesh> model; // never null
+    QByteArray identity; // the same for the same model, artwork, film, process, zones and solver;
+                         // ties parts together
+    std::shared_ptr<const TexturedMesh> model; // never null; as it is to look
+    bool isWhitePrinted = false;               // what is to be white needs film as well
     FilmSettings film;
     ProcessSettings process;
     int fieldResolution = 128;

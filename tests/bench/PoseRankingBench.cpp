@@ -55,8 +55,7 @@ public:
     Ranking(const Project& project, const SolverRegistry& registry, const QString& solver,
             int poses)
         : subject_(searchSubject(project, solver)), module_(registry.module(solver)),
-          body_(subject_.model, subject_.marks, settings_.aims.zoneWeights,
-                subject_.registrationError) {
+          body_(subject_, settings_.aims.zoneWeights) {
         settings_.simulated = poses;
         const CoveragePreview preview(subject_.model->mesh);
         const PoseCandidates candidates =

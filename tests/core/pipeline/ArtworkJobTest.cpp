@@ -2,7 +2,9 @@
 #include "artwork/PaintArtwork.h"
 #include "base/Error.h"
 #include "base/WideColour.h"
+#include "dip/Pose.h"
 #include "geometry/Shapes.h"
+#include "pipeline/JobSearch.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
 #include "pipeline/ValidateJob.h"
@@ -184,6 +186,39 @@ private slots:
         project.artwork.layers[1].spot = QStringLiteral("white");
         QVERIFY_EXCEPTION_THROWN(run(project, &spotted_), Error);
         QVERIFY_EXCEPTION_THROWN(validateJob(project, *registry_), Error);
+    }
+
+    // On a ball all directions are alike but for its ink.
+    void aSearchBringsTheInkUnderTheBodyAndNotTheBlank() {
+        Project project = spottedJob();
+        project.artwork.layers[0].place = {Millimetres(15), Millimetres(0), Millimetres(0)};
+        SearchSettings settings;
+        settings.directions = 200;
+        settings.simulated = 12;
+        settings.refined = settings.confirmed = 0;
+        settings.aims.weights = {};
+        settings.aims.weights[Measure::Quality] = 1;
+        const auto best = [&] {
+            return searchPoses(searchSubject(project, QStringLiteral("auto")), settings,
+                               registry_->module("auto"), {}, {}, {})
+                .ranking.front();
+        };
+        const RankedPoses inked = best();
+        const Eigen::Vector3d spotNow =
+            rotationMatrix(inked.immersions[0].rotation) * Eigen::Vector3d::UnitX();
+        QVERIFY2(spotNow.y() < 0.2, qPrintable(QString::number(spotNow.y())));
+        const double quality = inked.measures[Measure::Quality];
+        QVERIFY2(quality > 0.95, qPrintable(QString::number(quality)));
+        project.sheet.white = WhiteLayer::Last; // then the white round it takes film as well
+        QVERIFY(best().measures[Measure::Quality] < quality - 0.1);
+    }
+
+    void partsOfASearchForOtherArtworkDoNotBelongToIt() {
+        Project project = spottedJob();
+        const QByteArray before = searchSubject(project, QStringLiteral("auto")).identity;
+        QCOMPARE(searchSubject(project, QStringLiteral("auto")).identity, before);
+        project.artwork.layers[0].place[0] = Millimetres(3);
+        QVERIFY(searchSubject(project, QStringLiteral("auto")).identity != before);
     }
 
     void theReportListsTheLayers() {

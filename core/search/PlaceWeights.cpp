@@ -1,0 +1,44 @@
+#include "search/PlaceWeights.h"
+
+#include "texture/SurfaceColours.h"
+#include "tolerance/Zones.h"
+
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+// Reflectance of every channel from which on a place takes no ink worth its film: a step of sRGB's
+// 255 below white is 0.991.
+constexpr float blankFrom = 0.98f;
+
+} // namespace
+
+std::vector<float> placeWeights(const SearchSubject& subject,
+                                const std::array<double, zoneCount>& zoneWeights,
+                                const std::vector<SurfacePoint>& places) {
+    std::vector<float> weights(places.size(), 1.f);
+    if (!subject.marks.empty()) {
+        ZonedBody zoned(subject.model);
+        zoned.setMarks(subject.marks);
+        std::transform(places.begin(), places.end(), weights.begin(),
+                       [&](const SurfacePoint& place) {
+                           return float(zoneWeights[std::size_t(zoned.at(place))]);
+                       });
+    }
+    if (subject.isWhitePrinted) {
+        return weights;
+    }
+    const std::vector<LinearColour> colours = surfaceColours(*subject.model, places);
+    std::vector<float> inked = weights;
+    for (std::size_t place = 0; place < places.size(); ++place) {
+        if (colours[place].minCoeff() >= blankFrom) {
+            inked[place] = 0;
+        }
+    }
+    const bool isAnyInked =
+        std::any_of(inked.begin(), inked.end(), [](float weight) { return weight > 0; });
+    return isAnyInked ? inked : weights;
+}
+
+} // namespace dipwright
