@@ -1829,6 +1829,22 @@
         <source>Pose search · weight of zone %1</source>
         <translation>Lagensuche · Gewicht der Zone %1</translation>
     </message>
+    <message>
+        <source>Artwork · base colour</source>
+        <translation>Gestaltung · Grundfarbe</translation>
+    </message>
+    <message>
+        <source>%1, otherwise</source>
+        <translation>%1, sonst anders</translation>
+    </message>
+    <message>
+        <source>Artwork · layer %1</source>
+        <translation>Gestaltung · Ebene %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3%7 at (%4; %5; %6)%7, turned by %8°</source>
+        <translation>%1, %2 × %3%7 bei (%4; %5; %6)%7, um %8° gedreht</translation>
+    </message>
 </context>
 <context>
     <name>ProjectFile</name>
@@ -2990,6 +3006,13 @@
     <message>
         <source>Go Back to “%1”</source>
         <translation>Zu „%1“ zurückgehen</translation>
+    </message>
+</context>
+<context>
+    <name>Snapshots</name>
+    <message>
+        <source>The picture of layer “%1” is no longer in the project&apos;s file</source>
+        <translation>Das Bild der Ebene „%1“ ist nicht mehr in der Projektdatei</translation>
     </message>
 </context>
 <context>

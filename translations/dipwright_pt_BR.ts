@@ -1829,6 +1829,22 @@
         <source>Pose search · weight of zone %1</source>
         <translation>Busca de poses · peso da zona %1</translation>
     </message>
+    <message>
+        <source>Artwork · base colour</source>
+        <translation>Arte · cor de base</translation>
+    </message>
+    <message>
+        <source>%1, otherwise</source>
+        <translation>%1, no mais diferente</translation>
+    </message>
+    <message>
+        <source>Artwork · layer %1</source>
+        <translation>Arte · camada %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3%7 at (%4; %5; %6)%7, turned by %8°</source>
+        <translation>%1, %2 × %3%7 em (%4; %5; %6)%7, girada em %8°</translation>
+    </message>
 </context>
 <context>
     <name>ProjectFile</name>
@@ -2990,6 +3006,13 @@
     <message>
         <source>Go Back to “%1”</source>
         <translation>Voltar a “%1”</translation>
+    </message>
+</context>
+<context>
+    <name>Snapshots</name>
+    <message>
+        <source>The picture of layer “%1” is no longer in the project&apos;s file</source>
+        <translation>A imagem da camada “%1” não está mais no arquivo do projeto</translation>
     </message>
 </context>
 <context>

@@ -1,11 +1,26 @@
 #include "project/Snapshots.h"
 
+#include "base/Error.h"
+#include "base/Png.h"
+#include "import/ReadPictures.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
 #include <QJsonDocument>
+
+#include <algorithm>
+#include <map>
+#include <set>
 
 namespace dipwright {
 namespace {
 
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Snapshots)
+};
+
 const QString folder = QStringLiteral("snapshots/");
+const QString artworkKey = QStringLiteral("artwork");
 constexpr int longestName = 200;
 constexpr qint64 mostBytes = 64 << 20; // of all, well below what a project may hold beside its own
 
@@ -20,6 +35,56 @@ QByteArray bytesOf(const Snapshot& snapshot) {
                                      {QStringLiteral("state"), snapshot.state},
                                      {QStringLiteral("measures"), snapshot.measures}})
         .toJson();
+}
+
+QString pictureEntry(const QString& id) {
+    return folder + QStringLiteral("artwork-%1.png").arg(id);
+}
+
+std::set<QString> picturesOf(const Snapshot& snapshot) {
+    std::set<QString> ids;
+    const QJsonObject artwork = snapshot.state.value(artworkKey).toObject();
+    for (const QJsonValue& layer : artwork.value(QLatin1String("layers")).toArray()) {
+        ids.insert(layer[QLatin1String("picture")].toString());
+    }
+    ids.erase(QString());
+    return ids;
+}
+
+// Of a snapshot's picture; none where neither the project's snapshots nor its artwork have it.
+QByteArray pictureBytes(const Project& project, const QString& id) {
+    const QString entry = pictureEntry(id);
+    if (const auto kept = project.unknownEntries.find(entry);
+        kept != project.unknownEntries.end()) {
+        return kept->second;
+    }
+    for (const ArtworkLayer& layer : project.artwork.layers) {
+        if (layer.picture.id == id && !layer.picture.image.isNull()) {
+            return pngBytes(layer.picture.image, entry);
+        }
+    }
+    return {};
+}
+
+// The pictures of layers that only have their ids.
+void findPictures(Artwork& artwork, const Project& project, const QString& snapshot) {
+    std::map<QString, ArtworkPicture> found{{QString(), {}}};
+    for (const ArtworkLayer& layer : project.artwork.layers) {
+        found.emplace(layer.picture.id, layer.picture);
+    }
+    for (ArtworkLayer& layer : artwork.layers) {
+        const QString id = layer.picture.id;
+        if (!found.contains(id)) {
+            const QByteArray bytes = pictureBytes(project, id);
+            if (bytes.isEmpty()) {
+                throw Error(Text::tr("The picture of layer “%1” is no longer in the project's file")
+                                .arg(layer.name),
+                            snapshot);
+            }
+            found.emplace(id, artworkPicture(readPictures({{bytes, pictureEntry(id)}}).front()));
+        }
+        layer.picture = found.at(id);
+    }
 }
 
 } // namespace
@@ -44,20 +109,33 @@ std::vector<Snapshot> snapshots(const Project& project) {
 }
 
 Project withSnapshots(Project project, const std::vector<Snapshot>& kept) {
-    std::erase_if(project.unknownEntries,
-                  [](const auto& entry) { return entry.first.startsWith(folder); });
     std::vector<QByteArray> entries; // the newest first
+    std::map<QString, QByteArray> pictures;
     qint64 total = 0;
     for (auto snapshot = kept.rbegin(); snapshot != kept.rend(); ++snapshot) {
-        entries.push_back(bytesOf(*snapshot));
-        total += entries.back().size();
-        if (entries.size() > mostSnapshots || total > mostBytes) {
-            entries.pop_back();
+        std::map<QString, QByteArray> more = pictures;
+        const QByteArray bytes = bytesOf(*snapshot);
+        total += bytes.size();
+        for (const QString& id : picturesOf(*snapshot)) {
+            if (!more.contains(id)) {
+                total += more.emplace(id, pictureBytes(project, id)).first->second.size();
+            }
+        }
+        if (entries.size() == mostSnapshots || total > mostBytes) {
             break;
         }
+        entries.push_back(bytes);
+        pictures = std::move(more);
     }
+    std::erase_if(project.unknownEntries,
+                  [](const auto& entry) { return entry.first.startsWith(folder); });
     for (std::size_t number = 0; number < entries.size(); ++number) {
         project.unknownEntries.emplace(entryName(number + 1), entries[entries.size() - 1 - number]);
+    }
+    for (const auto& [id, bytes] : pictures) {
+        if (!bytes.isEmpty()) {
+            project.unknownEntries.emplace(pictureEntry(id), bytes);
+        }
     }
     return project;
 }
@@ -65,19 +143,26 @@ Project withSnapshots(Project project, const std::vector<Snapshot>& kept) {
 Snapshot snapshotOf(const Project& project, const QString& name, const QString& taken,
                     const QJsonObject& measures) {
     Project settings = project;
-    settings.artwork = {};
     settings.asBuilt.parts.clear();
     settings.asBuilt.places.clear();
     settings.inspection = {};
     settings.filmOnWater = {};
-    return {name.left(longestName).simplified(), taken, toJson(settings), measures};
+    QJsonObject state = toJson(settings);
+    if (!state.contains(artworkKey)) {
+        state.insert(artworkKey, QJsonObject()); // there was none
+    }
+    return {name.left(longestName).simplified(), taken, state, measures};
 }
 
 Project atSnapshot(const Project& project, const Snapshot& snapshot) {
     Project then = fromJson(snapshot.state, snapshot.name);
     then.model = project.model;
     then.modelOrigin = project.modelOrigin;
-    then.artwork = project.artwork;
+    if (snapshot.state.contains(artworkKey)) {
+        findPictures(then.artwork, project, snapshot.name);
+    } else {
+        then.artwork = project.artwork;
+    }
     then.asBuilt.parts = project.asBuilt.parts;
     then.asBuilt.places = project.asBuilt.places;
     then.inspection = project.inspection;

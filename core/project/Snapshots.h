@@ -1,8 +1,8 @@
 // Named states of a project, kept in its file beside project.json: entries snapshots/N.json.
 //
-// A snapshot has the settings. What was found out since (parts as built, photos), the model with
-// its artwork and the snapshots themselves are the project's and stay as they are when it goes back
-// to one.
+// A snapshot has the settings and the artwork, whose pictures lie beside the snapshots as
+// snapshots/artwork-ID.png, each once. What was found out since (parts as built, photos), the model
+// and the snapshots themselves are the project's and stay as they are when it goes back to one.
 #pragma once
 
 #include "project/Project.h"
@@ -24,13 +24,14 @@ inline constexpr std::size_t mostSnapshots = 50;
 // The oldest first. Entries that are no snapshots are passed over.
 std::vector<Snapshot> snapshots(const Project& project);
 // The project with these, in place of those it has; where they are more than mostSnapshots, or
-// than 64 MiB, without the oldest.
+// than 64 MiB with their pictures, without the oldest. Pictures come from those snapshots and from
+// the project's artwork.
 Project withSnapshots(Project project, const std::vector<Snapshot>& kept);
 // Of the project as it is.
 Snapshot snapshotOf(const Project& project, const QString& name, const QString& taken,
                     const QJsonObject& measures);
-// The project as it was, as far as a snapshot has it. Throws Error where its values are out of
-// range.
+// The project as it was, as far as a snapshot has it; snapshots from before they had artwork leave
+// that as it is. Throws Error where its values are out of range or a picture is not there.
 Project atSnapshot(const Project& project, const Snapshot& snapshot);
 
 } // namespace dipwright

@@ -76,9 +76,42 @@ public:
                 number(before.zoneWeights[zone]), number(after.zoneWeights[zone]));
         }
     }
+    // A layer each, from below.
+    void addArtwork(const Artwork& before, const Artwork& after) {
+        const auto colour = [](const std::optional<QColor>& base) {
+            return base ? base->name() : QStringLiteral("–");
+        };
+        add(Text::tr("Artwork · base colour"), colour(before.base), colour(after.base));
+        for (std::size_t number = 0; number < std::max(before.layers.size(), after.layers.size());
+             ++number) {
+            const ArtworkLayer* first =
+                number < before.layers.size() ? &before.layers[number] : nullptr;
+            const ArtworkLayer* second =
+                number < after.layers.size() ? &after.layers[number] : nullptr;
+            QString shown = layerText(second);
+            if (first && second && *first != *second && layerText(first) == shown) {
+                shown = Text::tr("%1, otherwise").arg(shown);
+            }
+            add(Text::tr("Artwork · layer %1").arg(number + 1), layerText(first), shown);
+        }
+    }
     std::vector<ProjectDifference> found() && { return std::move(found_); }
 
 private:
+    // “Logo, 40 × 30 mm at (0; −35; 0) mm, turned by 12°”
+    QString layerText(const ArtworkLayer* layer) const {
+        if (!layer) {
+            return QStringLiteral("–");
+        }
+        const auto length = [this](Millimetres value) {
+            return QLocale().toString(value.value() * shownPerStored(Unit::Length, unit_), 'g', 4);
+        };
+        return Text::tr("%1, %2 × %3%7 at (%4; %5; %6)%7, turned by %8°")
+            .arg(layer->name, length(layer->size[0]), length(layer->size[1]),
+                 length(layer->place[0]), length(layer->place[1]), length(layer->place[2]),
+                 unitSuffix(Unit::Length, unit_), QLocale().toString(layer->turn.value(), 'g', 4));
+    }
+
     const Project &first_, &second_;
     LengthUnit unit_;
     std::vector<ProjectDifference> found_;
@@ -118,6 +151,7 @@ std::vector<ProjectDifference> projectDifferences(const Project& first, const Pr
                     nameOfAny(second.profiles.film));
     differences.add(Text::tr("Tank's profile"), nameOfAny(first.profiles.tank),
                     nameOfAny(second.profiles.tank));
+    differences.addArtwork(first.artwork, second.artwork);
     return std::move(differences).found();
 }
 

@@ -11,8 +11,8 @@ struct ProjectDifference {
     QString first, second; // what it is in either
 };
 
-// In the order of the project's parts; empty for equal settings. What is no setting (model, photos,
-// parts) is left out.
+// In the order of the project's parts; empty for equal settings. The artwork's layers stand
+// at the end, by where they lie in it. What is no setting (model, photos, parts) is left out.
 std::vector<ProjectDifference> projectDifferences(const Project& first, const Project& second,
                                                   LengthUnit unit);
 

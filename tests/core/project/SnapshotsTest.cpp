@@ -7,6 +7,10 @@
 
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <random>
 
 using namespace dipwright;
 
@@ -42,6 +46,66 @@ private slots:
         QVERIFY(back.immersions == before.immersions);
         QVERIFY(back.model == before.model);
         QVERIFY(snapshots(back) == std::vector{snapshot}); // they are the project's
+    }
+
+    void theArtworkComesBackWithItsPictures() {
+        const auto layer = [](const QColor& colour) {
+            QImage image(8, 6, QImage::Format_RGBA8888);
+            image.fill(colour);
+            ArtworkLayer made = newLayer(LayerKind::Picture, colour.name());
+            made.picture = artworkPicture(image);
+            return made;
+        };
+        Project before = test::sampleProject();
+        before.artwork.base = Qt::white;
+        before.artwork.layers = {layer(Qt::red), layer(Qt::blue)};
+        const Snapshot snapshot = named(before, "before");
+        Project project = withSnapshots(before, {snapshot});
+        project.artwork.layers = {layer(Qt::green)}; // the others are in no layer any more
+        project = withSnapshots(project, {snapshot, named(project, "after")});
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("job.dipw"));
+        saveProject(project, path);
+        const Project read = loadProject(path);
+        const Project back = atSnapshot(read, snapshots(read).front());
+        QVERIFY(back.artwork == before.artwork);
+        QCOMPARE(back.artwork.layers[1].picture.image, before.artwork.layers[1].picture.image);
+        QVERIFY(atSnapshot(back, snapshots(back).back()).artwork == project.artwork);
+
+        // Of a bare body, and from before snapshots had any.
+        before.artwork = {};
+        Snapshot bare = named(before, "bare");
+        QVERIFY(atSnapshot(project, bare).artwork.isEmpty());
+        bare.state.remove(QStringLiteral("artwork"));
+        QVERIFY(atSnapshot(project, bare).artwork == project.artwork);
+
+        // A file that lost one.
+        Project without = read;
+        std::erase_if(without.unknownEntries, [](const auto& entry) {
+            return entry.first.startsWith(QLatin1String("snapshots/artwork-"));
+        });
+        QVERIFY_EXCEPTION_THROWN(atSnapshot(without, snapshot), Error);
+    }
+
+    void picturesCountAsWhatSnapshotsMayTake() {
+        Project project = test::sampleProject();
+        std::vector<Snapshot> many;
+        std::mt19937 random(1);
+        for (int number = 0; number < 3; ++number) { // some 36 MB each, not to be packed
+            QImage image(3000, 3000, QImage::Format_RGBA8888);
+            for (int row = 0; row < image.height(); ++row) {
+                auto* words = reinterpret_cast<std::uint32_t*>(image.scanLine(row));
+                std::generate(words, words + image.width(), std::ref(random));
+            }
+            ArtworkLayer layer = newLayer(LayerKind::Picture, QString::number(number));
+            layer.picture = artworkPicture(image);
+            project.artwork.layers = {layer};
+            many.push_back(named(project, QString::number(number)));
+            project = withSnapshots(project, many);
+        }
+        QCOMPARE(snapshots(project).size(), 1U);
+        QCOMPARE(snapshots(project).front().name, QStringLiteral("2"));
+        QVERIFY(atSnapshot(project, snapshots(project).front()).artwork == project.artwork);
     }
 
     void theOldestGoWhereThereAreTooMany() {
