@@ -54,6 +54,24 @@ bool isWide(const TexturedMesh& model, const Artwork& artwork) {
            });
 }
 
+bool isShown(const ArtworkLayer& layer) {
+    const bool showsNothing = layer.kind == LayerKind::Picture && layer.picture.image.isNull();
+    return layer.visible && layer.opacity > 0 && !showsNothing;
+}
+
+// The triangles in which they lie, the uppermost first.
+std::vector<std::uint32_t> middlesOfDecals(const Artwork& artwork, const SurfaceQuery& query) {
+    std::vector<std::uint32_t> triangles;
+    for (auto layer = artwork.layers.rbegin(); layer != artwork.layers.rend(); ++layer) {
+        if (isShown(*layer) && layer->placement == LayerPlacement::Decal) {
+            const Eigen::Vector3d place(layer->place[0].value(), layer->place[1].value(),
+                                        layer->place[2].value());
+            triangles.push_back(query.closest(place.cast<float>()).point.triangle);
+        }
+    }
+    return triangles;
+}
+
 // What lies below the layers.
 class Ground {
 public:
@@ -171,15 +189,15 @@ TexturedMesh baked(const TexturedMesh& model, const Artwork& artwork, Painted pa
     const QString step = Text::tr("Painting the artwork");
     progress(0, step);
     const qint64 most = mostOf(Budget::Pixels);
+    const SurfaceQuery query(model.mesh);
     const Unwrapping charts =
-        unwrapped(model.mesh, texel, mostTexels > 0 ? std::min(mostTexels, most) : most, progress);
+        unwrapped(model.mesh, middlesOfDecals(artwork, query), texel,
+                  mostTexels > 0 ? std::min(mostTexels, most) : most, progress);
     progress(0.3, step);
     const bool wide = isWide(model, artwork);
-    const SurfaceQuery query(model.mesh);
     std::vector<std::unique_ptr<const Layer>> layers;
     for (const ArtworkLayer& layer : artwork.layers) {
-        const bool showsNothing = layer.kind == LayerKind::Picture && layer.picture.image.isNull();
-        if (layer.visible && layer.opacity > 0 && !showsNothing) {
+        if (isShown(layer)) {
             progress.cancelSwitch.throwIfCancelled();
             layers.push_back(
                 std::make_unique<const Layer>(layer, model.mesh, query, charts.texel, wide));

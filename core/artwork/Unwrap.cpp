@@ -82,14 +82,18 @@ public:
         }
     }
 
-    Unwrapping unwrap(double texel) {
+    Unwrapping unwrap(const std::vector<std::uint32_t>& begins, double texel) {
         texel_ = texel;
         std::vector<std::uint8_t> taken(mesh_.triangles.size());
-        for (std::uint32_t seed = 0; seed < taken.size(); ++seed) {
+        const auto begin = [&](std::uint32_t seed) {
             while (!taken[seed]) { // until the chart that it begins has it
                 progress_.cancelSwitch.throwIfCancelled();
                 charts_.push_back(grown(seed, taken));
             }
+        };
+        std::for_each(begins.begin(), begins.end(), begin);
+        for (std::uint32_t seed = 0; seed < taken.size(); ++seed) {
+            begin(seed);
         }
         pack();
         return painted();
@@ -314,14 +318,14 @@ private:
 
 } // namespace
 
-Unwrapping unwrapped(const TriangleMesh& mesh, double texel, qint64 mostTexels,
-                     const Progress& progress) {
+Unwrapping unwrapped(const TriangleMesh& mesh, const std::vector<std::uint32_t>& begins,
+                     double texel, qint64 mostTexels, const Progress& progress) {
     const double extent = double(longestEdgeOf(mesh));
     const double side = double(mostOf(Budget::PictureSide) / 4);
     texel = std::max({texel, std::sqrt(surfaceArea(mesh) / double(mostTexels)), 2 * extent / side,
                       1e-6 * extent});
     while (true) {
-        Unwrapping result = Unwrapper(mesh, progress).unwrap(texel);
+        Unwrapping result = Unwrapper(mesh, progress).unwrap(begins, texel);
         const qint64 texels = qint64(result.width) * result.height;
         const bool canShrink = texels > 64 * qint64(mesh.triangles.size());
         if (texels <= mostTexels || !canShrink) {

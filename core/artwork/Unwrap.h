@@ -26,9 +26,10 @@ struct Unwrapping {
 
 // Charts grow over triangles that look the same way, to 50°, and are laid flat along the mean of
 // how they look; what would lie over another part of the same chart begins one of its own. So no
-// texel's middle is in two triangles, but on their common edge. Texels of about `texel` mm, larger
-// where there would be more than `mostTexels`. Deterministic; throws Cancelled.
-Unwrapping unwrapped(const TriangleMesh& mesh, double texel, qint64 mostTexels,
-                     const Progress& progress);
+// texel's middle is in two triangles, but on their common edge. The first charts begin with these
+// triangles, so that what lies round them is cut as little as can be. Texels of about `texel` mm,
+// larger where there would be more than `mostTexels`. Deterministic; throws Cancelled.
+Unwrapping unwrapped(const TriangleMesh& mesh, const std::vector<std::uint32_t>& begins,
+                     double texel, qint64 mostTexels, const Progress& progress);
 
 } // namespace dipwright

@@ -1,5 +1,6 @@
 #include "inspection/PrintedCorners.h"
 
+#include "artwork/PaintArtwork.h"
 #include "base/WideColour.h"
 #include "inspection/CornerGrid.h"
 #include "inspection/RefineCorner.h"
@@ -255,7 +256,9 @@ std::vector<PrintedCorner> printedCorners(const Project& project,
                                           PartPrint print) {
     const QSizeF sheet(project.film.width.value(), project.film.height.value());
     if (print == PartPrint::Texture) {
-        return textureCorners(*project.model, dips, sheet);
+        const auto model = painted(project.model, project.artwork.inColours(),
+                                   texelFor(project.sheet.resolution), {});
+        return textureCorners(*model, dips, sheet);
     }
     std::vector<PrintedCorner> corners;
     for (std::size_t dip = 0; dip < dips.size(); ++dip) {

@@ -34,7 +34,8 @@ std::vector<PrintedCorner> textureCorners(const TexturedMesh& model,
                                           QSizeF sheet);
 
 enum class PartPrint { Chessboard, Texture };
-// Of all dips of a job, which had the job's chessboard or the model's texture on their sheets.
+// Of all dips of a job, which had the job's chessboard or the model's texture on their sheets, the
+// artwork on it. Pictures of text need a QGuiApplication.
 std::vector<PrintedCorner> printedCorners(const Project& project,
                                           const std::vector<std::shared_ptr<const LaidFilm>>& dips,
                                           PartPrint print);

@@ -103,6 +103,25 @@ FoundPrint foundOn(const QImage& photo, const std::vector<PlacePair>& pairs,
                      QStringLiteral("pairs.csv"));
 }
 
+Project ballJob() {
+    Project project;
+    auto model = std::make_shared<TexturedMesh>();
+    model->mesh = sphereMesh(radius, 90, 180);
+    model->textureCoordinates.resize(model->mesh.triangles.size());
+    for (auto& coordinates : model->textureCoordinates) {
+        coordinates.fill(Eigen::Vector2f::Constant(NAN));
+    }
+    model->material.resize(model->mesh.triangles.size(), 0);
+    model->materials.resize(1);
+    model->chart = findCharts(*model);
+    project.model = model;
+    project.film.width = project.film.height = Millimetres(180);
+    project.film.columns = project.film.rows = 91;
+    project.fieldResolution = 96;
+    project.sheet.resolution = DotsPerInch(72);
+    return project;
+}
+
 QString errorOf(const QImage& photo, const std::vector<PlacePair>& pairs) {
     try {
         foundOn(photo, pairs);
@@ -118,6 +137,8 @@ class FindPrintTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+
     void cornersAreFoundToAFewHundredthsOfAPixel_data() {
         QTest::addColumn<double>("blur");
         QTest::addColumn<double>("noise");
@@ -269,30 +290,53 @@ private slots:
     }
 
     void theJobsChessboardIsCarriedToTheBody();
+
+    // Laid as a decal on what goes in first.
+    void chessSquaresOfArtworkAreLookedFor() {
+        constexpr int across = 8, down = 6, pixels = 20;
+        constexpr double square = 5; // mm
+        QImage board(across * pixels, down * pixels, QImage::Format_RGBA8888);
+        for (int y = 0; y < board.height(); ++y) {
+            for (int x = 0; x < board.width(); ++x) {
+                board.setPixelColor(x, y,
+                                    (x / pixels + y / pixels) % 2 == 0 ? Qt::black : Qt::white);
+            }
+        }
+        Project project = ballJob();
+        ArtworkLayer layer = newLayer(LayerKind::Picture, QStringLiteral("Board"));
+        layer.picture = artworkPicture(board);
+        layer.place = {Millimetres(0), Millimetres(-radius), Millimetres(0)};
+        layer.size = {Millimetres(across * square), Millimetres(down * square)};
+        project.artwork.base = Qt::white;
+        project.artwork.layers = {layer};
+        const SolverRegistry registry(QStringList{DIPWRIGHT_PLUGINS});
+        JobOptions options;
+        options.estimatesCertainty = false;
+        const JobResult job = runJob(project, registry, options, nullptr, {});
+        const auto corners = printedCorners(project, {job.immersions[0].laid}, PartPrint::Texture);
+        QCOMPARE(int(corners.size()), (across - 1) * (down - 1));
+        for (const PrintedCorner& corner : corners) {
+            QVERIFY(std::abs(corner.model.norm() - radius) < 0.1);
+            double nearest = radius;
+            for (const PrintedCorner& other : corners) {
+                if (&other != &corner) {
+                    nearest = std::min(nearest, (other.model - corner.model).norm());
+                }
+            }
+            // The ball is bent, and the decal keeps lengths.
+            QVERIFY2(std::abs(nearest - square) < 0.05 * square,
+                     qPrintable(QString::number(nearest)));
+        }
+    }
 };
 
 // A ball dipped into the chessboard; in the tank the film had swollen by 1.5 % more than the job
 // has it, and the ball stood 0.8 mm aside.
 void FindPrintTest::theJobsChessboardIsCarriedToTheBody() {
-    Project project;
-    auto model = std::make_shared<TexturedMesh>();
-    model->mesh = sphereMesh(radius, 90, 180);
-    model->textureCoordinates.resize(model->mesh.triangles.size());
-    for (auto& coordinates : model->textureCoordinates) {
-        coordinates.fill(Eigen::Vector2f::Constant(NAN));
-    }
-    model->material.resize(model->mesh.triangles.size(), 0);
-    model->materials.resize(1);
-    model->chart = findCharts(*model);
-    project.model = model;
-    project.film.width = project.film.height = Millimetres(180);
-    project.film.columns = project.film.rows = 91;
-    project.fieldResolution = 96;
-    project.sheet.resolution = DotsPerInch(72);
+    const Project project = ballJob();
     Project inTank = project;
     inTank.film.swellX = inTank.film.swellY = 1.015;
     inTank.immersions[0].offset = {Millimetres(0.8), Millimetres(0)};
-    QStandardPaths::setTestModeEnabled(true);
     const SolverRegistry registry(QStringList{DIPWRIGHT_PLUGINS});
     JobOptions options;
     options.chessboard = true;
@@ -307,12 +351,12 @@ void FindPrintTest::theJobsChessboardIsCarriedToTheBody() {
     const Print print = chessboardPrint(*made.immersions[0].laid, sheet, chessSquare);
     PhotoCamera camera = cameraFrom({50, -190, 60}, {0, -5, 0}, {0, 0, 1});
     camera.k1 = -0.05;
-    const QImage photo = partPhoto(model->mesh, print, camera, {});
+    const QImage photo = partPhoto(project.model->mesh, print, camera, {});
     if (qEnvironmentVariableIsSet("DIPWRIGHT_PICTURES")) {
         photo.save(qEnvironmentVariable("DIPWRIGHT_PICTURES") + "/dipped-ball.png");
     }
     const FoundPrint found =
-        findPrint({photo}, model->mesh, corners, clicked(corners, camera, 0, 40, 0, 7),
+        findPrint({photo}, project.model->mesh, corners, clicked(corners, camera, 0, 40, 0, 7),
                   {.keepsCamera = true, .lens = {}}, {}, QStringLiteral("x"));
     double worst = 0, meanOff = 0, mean = 0;
     for (std::size_t i = 0; i < found.places.size(); ++i) {
