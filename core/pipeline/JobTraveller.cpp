@@ -1,5 +1,7 @@
 #include "pipeline/JobTraveller.h"
 
+#include "pipeline/PrintedBody.h"
+
 #include <QPainter>
 
 namespace dipwright {
@@ -44,6 +46,7 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
     traveller.profiles = project.profiles;
     traveller.pins =
         datumPins(result.immersions.front().sheet, project.film, project.cradle.pinSpan);
+    const std::vector<WornFilm> dipped = wornFilms(result.immersions, false);
     std::vector<WornFilm> films;
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
@@ -62,7 +65,7 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
         dip.sheet = flattened(immersion.sheet.image)
                         .scaledToWidth(sheetPixelsAcross, Qt::SmoothTransformation);
         dip.body = boundingBox(immersion.body->model.mesh);
-        films.push_back({immersion.laid, immersion.texture->image});
+        films.push_back(dipped[i]);
         dip.after = afterDip({*immersion.body, nullptr, films}, progress.silent());
         traveller.dips.push_back(std::move(dip));
     }

@@ -7,6 +7,10 @@ std::vector<WornFilm> wornFilms(const std::vector<ImmersionResult>& immersions, 
     for (const ImmersionResult& immersion : immersions) {
         films.push_back({immersion.laid, immersion.texture->image});
         films.back().white = white ? immersion.texture->white : QImage();
+        const std::vector<ArtworkLayer> spots = immersion.inputs.texture.paint.artwork.spots();
+        for (std::size_t spot = 0; spot < immersion.texture->spots.size(); ++spot) {
+            films.back().spots.push_back({immersion.texture->spots[spot], spots[spot].spotColour});
+        }
     }
     return films;
 }

@@ -68,7 +68,11 @@ public:
     PaintedFilm(const WornFilm& worn, const InkSettings& ink)
         : laid_(worn.laid), picture_(worn.image, worn.laid->film().grid), ink_(ink),
           isCompensated_(ink.compensate), white_(worn.white), slip_(worn.slip),
-          highest_(float(worn.depth + worn.slip.deeper.value())) {}
+          highest_(float(worn.depth + worn.slip.deeper.value())) {
+        for (const WornSpot& spot : worn.spots) {
+            spots_.push_back({spot.tints, linearColour(spot.colour)});
+        }
+    }
 
     // How much of a place its white hides, 0 … 1.
     float whiteAt(const SurfacePoint& point) const {
@@ -76,14 +80,7 @@ public:
         if (!place) {
             return 0;
         }
-        const solver::FilmGrid& grid = laid_->film().grid;
-        const Eigen::Vector2f at = printedAt(place->rest);
-        const auto pixel = [](float share, int count) {
-            return std::clamp(int(std::floor(share * float(count))), 0, count - 1);
-        };
-        const int column = pixel(at.x() / float(grid.width) + 0.5f, white_.width());
-        const int row = pixel(at.y() / float(grid.depth) + 0.5f, white_.height());
-        const float printed = float(white_.constScanLine(row)[column]) / 255;
+        const float printed = tintAt(white_, *place);
         return isCompensated_ ? ink_.shownWhite(printed, areaStretch(*place)) : printed;
     }
 
@@ -101,6 +98,9 @@ public:
             }
             paint.colour = picture_.inSrgb(paint.colour);
         }
+        for (const Spot& spot : spots_) {
+            throughSpot(paint, spot, *place);
+        }
         return paint;
     }
 
@@ -114,6 +114,34 @@ public:
     }
 
 private:
+    struct Spot {
+        QImage tints;
+        LinearColour light; // that full tint lets through
+    };
+
+    // Where nothing else is printed the film is clear.
+    void throughSpot(FilmPicture::Paint& paint, const Spot& spot, const FilmPlace& place) const {
+        float tint = tintAt(spot.tints, place);
+        if (tint > 0) {
+            tint = isCompensated_ ? std::min(1.0f, tint / areaStretch(place)) : tint;
+            paint.colour = paint.cover * paint.colour + (1 - paint.cover);
+            paint.colour *= 1 - tint * (1 - spot.light);
+            paint.cover = 1;
+        }
+    }
+
+    // As printed, 0 … 1.
+    float tintAt(const QImage& tints, const FilmPlace& place) const {
+        const solver::FilmGrid& grid = laid_->film().grid;
+        const Eigen::Vector2f at = printedAt(place.rest);
+        const auto pixel = [](float share, int count) {
+            return std::clamp(int(std::floor(share * float(count))), 0, count - 1);
+        };
+        const int column = pixel(at.x() / float(grid.width) + 0.5f, tints.width());
+        const int row = pixel(at.y() / float(grid.depth) + 0.5f, tints.height());
+        return float(tints.constScanLine(row)[column]) / 255;
+    }
+
     // Of the film that covers a place of the body, if the dip gets as deep.
     std::optional<FilmPlace> placeOf(const SurfacePoint& point) const {
         return position(laid_->body().model.mesh, point).y() > highest_ ? std::nullopt
@@ -138,6 +166,7 @@ private:
     InkCompensation ink_;
     bool isCompensated_;
     QImage white_;
+    std::vector<Spot> spots_;
     FilmSlip slip_;
     float highest_; // in the pose frame, that gets wet
 };

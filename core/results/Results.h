@@ -77,6 +77,12 @@ struct FilmSlip {
     bool operator==(const FilmSlip&) const = default;
 };
 
+// A plate of a film that is printed with an ink of its own.
+struct WornSpot {
+    QImage tints;  // of the flat film, Grayscale8
+    QColor colour; // of full tint on white
+};
+
 // One immersion's film, on the body in its own pose, wearing a picture.
 struct WornFilm {
     std::shared_ptr<const LaidFilm> laid;
@@ -85,7 +91,8 @@ struct WornFilm {
     // mm from the body's lowest point up to the water at the end of the dip that was reckoned with;
     // a slip that goes deeper needs a film that was dipped so deep.
     double depth = std::numeric_limits<double>::infinity();
-    QImage white = {}; // tints of its white layer, Grayscale8; null: none
+    QImage white = {};                // tints of its white layer, Grayscale8; null: none
+    std::vector<WornSpot> spots = {}; // light goes through them as through the other inks
 };
 
 // What the films' ink is seen on.

@@ -74,17 +74,29 @@ private:
         return lit(worn(body.point), triangleNormal(view_.body.model.mesh, body.point.triangle));
     }
 
+    static Eigen::Array3f channels(const QColor& colour) {
+        return {colour.redF(), colour.greenF(), colour.blueF()};
+    }
+    // `u`, `v`: 0 … 1, from the upper left.
+    static QColor pixelOf(const QImage& image, double u, double v) {
+        return image.pixelColor(std::clamp(int(u * image.width()), 0, image.width() - 1),
+                                std::clamp(int(v * image.height()), 0, image.height() - 1));
+    }
+
     Eigen::Array3f worn(const SurfacePoint& point) const {
         for (auto film = view_.films.rbegin(); film != view_.films.rend(); ++film) {
             if (const auto place = film->laid->place(point)) {
                 const solver::FilmGrid& grid = film->laid->film().grid;
                 const double u = double(place->rest.x()) / grid.width + 0.5;
                 const double v = double(place->rest.y()) / grid.depth + 0.5;
-                const QColor colour = film->image.pixelColor(
-                    std::clamp(int(u * film->image.width()), 0, film->image.width() - 1),
-                    std::clamp(int(v * film->image.height()), 0, film->image.height() - 1));
-                if (colour.alpha() > 127) {
-                    return {colour.redF(), colour.greenF(), colour.blueF()};
+                const QColor printed = pixelOf(film->image, u, v);
+                if (printed.alpha() > 127) {
+                    Eigen::Array3f light = channels(printed);
+                    for (const WornSpot& spot : film->spots) {
+                        const float tint = float(pixelOf(spot.tints, u, v).redF());
+                        light *= 1 - tint * (1 - channels(spot.colour));
+                    }
+                    return light;
                 }
             }
         }

@@ -72,6 +72,17 @@ double redArea(const ImmersionResult& result, const Project& project) {
            (double(image.width()) * image.height());
 }
 
+double redPixels(const QImage& image) {
+    double count = 0;
+    for (int row = 0; row < image.height(); ++row) {
+        for (int column = 0; column < image.width(); ++column) {
+            const QColor colour = image.pixelColor(column, row);
+            count += colour.red() > colour.green() + 60 ? 1 : 0;
+        }
+    }
+    return count;
+}
+
 } // namespace
 
 class ArtworkJobTest : public QObject {
@@ -183,6 +194,11 @@ private slots:
                                      .toArray();
         QCOMPARE(spots.size(), 3);
         QCOMPARE(spots[1].toObject()[QLatin1String("printed")].toString(), "first");
+        // The proof shows it in the colour that it has, if not quite that of the layer.
+        QVERIFY(redPixels(bare_.proof) == 0);
+        const double shown = redPixels(result.proof), inInks = redPixels(spotted_.proof);
+        QVERIFY2(shown > 0.9 * inInks && shown < 1.1 * inInks,
+                 qPrintable(QStringLiteral("%1 of %2").arg(shown).arg(inInks)));
         project.artwork.layers[1].spot = QStringLiteral("white");
         QVERIFY_EXCEPTION_THROWN(run(project, &spotted_), Error);
         QVERIFY_EXCEPTION_THROWN(validateJob(project, *registry_), Error);
