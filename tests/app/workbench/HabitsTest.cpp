@@ -416,6 +416,8 @@ private slots:
         document.edit(QStringLiteral("Change"), {}, [](Project& project) {
             project.ink.limit = 1.25;
             project.immersions[0].offset[0] = Millimetres(7);
+            addLayer(project.artwork, newLayer(LayerKind::Wood, QStringLiteral("Walnut")),
+                     *project.model);
         });
         const auto* table = dialog->findChild<QTableWidget*>();
         QStringList rows;
@@ -426,6 +428,7 @@ private slots:
         const QString all = rows.join(u'\n');
         QVERIFY2(all.contains(QStringLiteral("1.25")) && all.contains(QStringLiteral("7 mm")),
                  qPrintable(all));
+        QVERIFY2(all.contains(QStringLiteral("layer 1|–|Walnut, 50 × 50 mm")), qPrintable(all));
         // It is in the file, and what is opened has it.
         const QString path = folder_.filePath(QStringLiteral("snapshots.dipw"));
         saveProject(document.project(), path);
@@ -433,6 +436,7 @@ private slots:
         button("goBack")->click();
         QCOMPARE(document.project().ink.limit, before.ink.limit);
         QVERIFY(document.project().immersions == before.immersions);
+        QVERIFY(document.project().artwork.isEmpty());
         QCOMPARE(document.project().model, before.model);
         QCOMPARE(snapshots(document.project()).size(), std::size_t(1));
         document.undoStack().undo();

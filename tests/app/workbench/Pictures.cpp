@@ -307,6 +307,8 @@ void photographSnapshots(MainWindow& window, Workbench& workbench, const Photogr
         project.ink.limit = 1.25;
         project.film.swellX = 1.04;
         project.immersions.front().rotation[1] = Degrees(20);
+        addLayer(project.artwork, newLayer(LayerKind::Carbon, QStringLiteral("Carbon")),
+                 *project.model);
     });
     takeSnapshot(document, QStringLiteral("Turned, and with the swell of Tuesday's film"));
     SnapshotsDialog dialog(document, workbench.preferences().unit);
