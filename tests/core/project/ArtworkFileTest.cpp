@@ -3,7 +3,6 @@
 #include "SampleProject.h"
 #include "base/Error.h"
 #include "project/ProjectStore.h"
-#include "project/Snapshots.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -204,14 +203,6 @@ private slots:
             Error);
         setByPath(project, QStringLiteral("artwork.layers[0].spot"), QString());
         QVERIFY(project.artwork.layers[0].spot.isEmpty());
-    }
-
-    void goingBackToASnapshotKeepsTheArtwork() {
-        const Project project = decorated();
-        Project plain = project;
-        plain.artwork = {};
-        const Snapshot snapshot = snapshotOf(plain, QStringLiteral("before"), {}, {});
-        QCOMPARE(atSnapshot(project, snapshot).artwork, project.artwork);
     }
 };
 
