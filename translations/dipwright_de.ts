@@ -5575,8 +5575,8 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>die Datei kann nicht geöffnet werden</translation>
     </message>
     <message>
-        <source>%1 names a picture before any material</source>
-        <translation>%1 nennt ein Bild vor jedem Material</translation>
+        <source>%1 describes a material before it names any</source>
+        <translation>%1 beschreibt ein Material, bevor es eines nennt</translation>
     </message>
     <message>
         <source>%1 in it is encrypted</source>

@@ -5575,8 +5575,8 @@ impresso em cartão rígido e impermeável</translation>
         <translation>o arquivo não pode ser aberto</translation>
     </message>
     <message>
-        <source>%1 names a picture before any material</source>
-        <translation>%1 cita uma imagem antes de qualquer material</translation>
+        <source>%1 describes a material before it names any</source>
+        <translation>%1 descreve um material antes de nomear algum</translation>
     </message>
     <message>
         <source>%1 in it is encrypted</source>

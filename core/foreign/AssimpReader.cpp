@@ -56,7 +56,7 @@ public:
             remember(file);
             return nullptr;
         }
-        if (file.endsWith(QStringLiteral(".mtl"), Qt::CaseInsensitive)) {
+        if (modelName_.ends_with(".obj")) { // names its materials' files as it likes
             fault_ = faultOfMaterials(*bytes, file);
         }
         return fault_.isEmpty() ? new FileStream(*bytes) : nullptr;

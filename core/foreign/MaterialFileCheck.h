@@ -7,7 +7,8 @@
 namespace dipwright {
 
 // What is wrong with the file of this name, empty where nothing is: assimp 5.2.5 ends the program
-// at a picture that belongs to no material, because none was begun.
+// at a picture, or a value of physically based materials, that belongs to none, because none was
+// begun.
 QString faultOfMaterials(const QByteArray& bytes, const QString& name);
 
 } // namespace dipwright

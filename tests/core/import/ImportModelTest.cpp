@@ -1004,6 +1004,11 @@ void ImportModelTest::aPictureBeforeAnyMaterialIsRefused() {
     const QString sentence =
         refusal(write(QStringLiteral("early.obj"), cubeObj("mtllib early.mtl\nusemtl skin\n")));
     QVERIFY2(sentence.contains(QStringLiteral("early.mtl")), qPrintable(sentence));
+    // By whatever name, and not pictures alone.
+    write(QStringLiteral("early.m"), "# nothing\n aniso 0.5\n");
+    const QString other =
+        refusal(write(QStringLiteral("other.OBJ"), cubeObj("mtllib early.m\nusemtl skin\n")));
+    QVERIFY2(other.contains(QStringLiteral("early.m describes")), qPrintable(other));
 }
 
 void ImportModelTest::manyCornersAreRefused() {
