@@ -269,6 +269,9 @@ QFont sheetFont(double height) {
                       QStringLiteral("Arial"), QStringLiteral("Helvetica")});
     font.setStyleHint(QFont::SansSerif);
     font.setHintingPreference(QFont::PreferNoHinting);
+    // Spaced letters are not joined: the "ff" of a job number stays two letters that are found.
+    constexpr double leastSpacing = 0.05; // units
+    font.setLetterSpacing(QFont::AbsoluteSpacing, leastSpacing);
     font.setPixelSize(std::max(1, int(std::lround(height / typeUnit))));
     return font;
 }

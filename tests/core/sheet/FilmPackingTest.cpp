@@ -7,6 +7,7 @@
 #include "texture/StretchPlane.h"
 
 #include <QBuffer>
+#include <QCryptographicHash>
 #include <QTemporaryDir>
 #include <QTransform>
 #include <QtTest>
@@ -16,6 +17,13 @@
 using namespace dipwright;
 
 namespace {
+
+// Its first two letters are ones that fonts like to join.
+QString jobNumber(const QString& name) {
+    constexpr int letters = 12;
+    const QByteArray hash = QCryptographicHash::hash(name.toUtf8(), QCryptographicHash::Md5);
+    return (QStringLiteral("ff") + QString::fromLatin1(hash.toHex())).left(letters);
+}
 
 // A film of A4 with a picture of so many mm off its middle, each pixel of which is told from its
 // neighbours, and paint that thins out to nothing.
@@ -38,7 +46,7 @@ PieceToPack part(const QString& name, QRectF inked, int copies = 1) {
                  QStringLiteral("2026-03-01"),
                  QStringLiteral("A4 210 × 297 mm"),
                  QStringLiteral("1:1"),
-                 QStringLiteral("%1").arg(qHash(name, 7) & 0xffffff, 12, 16, QLatin1Char('0'))};
+                 jobNumber(name)};
     piece.copies = copies;
     return piece;
 }
