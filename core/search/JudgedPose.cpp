@@ -60,9 +60,10 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
     samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
     equator_ = std::sqrt(pi * area_);
     joinReach_ = linkedSamples * std::sqrt(area_ / samplesOfBody);
-    weights_ = placeWeights(subject, zoneWeights, samples_);
+    const std::vector<LinearColour> colours = surfaceColours(*model_, samples_);
+    weights_ = placeWeights(subject, zoneWeights, samples_, colours);
     linkNeighbours();
-    for (const LinearColour& colour : surfaceColours(*model_, samples_)) {
+    for (const LinearColour& colour : colours) {
         bands_.push_back(float(neededOverlap(colour, subject.registrationError.value(), 0)));
     }
 }

@@ -1,6 +1,5 @@
 #include "search/PlaceWeights.h"
 
-#include "texture/SurfaceColours.h"
 #include "tolerance/Zones.h"
 
 #include <algorithm>
@@ -16,7 +15,8 @@ constexpr float blankFrom = 0.98f;
 
 std::vector<float> placeWeights(const SearchSubject& subject,
                                 const std::array<double, zoneCount>& zoneWeights,
-                                const std::vector<SurfacePoint>& places) {
+                                const std::vector<SurfacePoint>& places,
+                                const std::vector<LinearColour>& colours) {
     std::vector<float> weights(places.size(), 1.f);
     if (!subject.marks.empty()) {
         ZonedBody zoned(subject.model);
@@ -29,7 +29,6 @@ std::vector<float> placeWeights(const SearchSubject& subject,
     if (subject.isWhitePrinted) {
         return weights;
     }
-    const std::vector<LinearColour> colours = surfaceColours(*subject.model, places);
     std::vector<float> inked = weights;
     for (std::size_t place = 0; place < places.size(); ++place) {
         if (colours[place].minCoeff() >= blankFrom) {

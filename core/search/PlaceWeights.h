@@ -3,13 +3,16 @@
 
 #include "search/SearchSettings.h"
 #include "search/SearchSubject.h"
+#include "texture/LinearLight.h"
 
 namespace dipwright {
 
 // Of each of these places of the subject's model: the weight of its zone, or 0 where the model is
-// to stay without ink, unless it is to stay so wherever a zone weighs anything. All cores.
+// to stay without ink, unless it is to stay so wherever a zone weighs anything. `colours`: what
+// each place is to show (texture/SurfaceColours.h).
 std::vector<float> placeWeights(const SearchSubject& subject,
                                 const std::array<double, zoneCount>& zoneWeights,
-                                const std::vector<SurfacePoint>& places);
+                                const std::vector<SurfacePoint>& places,
+                                const std::vector<LinearColour>& colours);
 
 } // namespace dipwright

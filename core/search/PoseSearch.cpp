@@ -7,6 +7,7 @@
 #include "search/PlaceWeights.h"
 #include "search/PoseCandidates.h"
 #include "search/PoseDips.h"
+#include "texture/SurfaceColours.h"
 
 #include <QCoreApplication>
 #include <QDataStream>
@@ -99,7 +100,8 @@ std::vector<float> triangleWeights(const SearchSubject& subject, const CoverageP
     for (std::size_t triangle = 0; triangle < preview.areas().size(); ++triangle) {
         middles.push_back(preview.middle(triangle));
     }
-    return placeWeights(subject, settings.aims.zoneWeights, middles);
+    return placeWeights(subject, settings.aims.zoneWeights, middles,
+                        surfaceColours(*subject.model, middles));
 }
 
 // What all parts of a search have in common.
