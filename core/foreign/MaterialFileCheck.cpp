@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace dipwright {
 
@@ -12,16 +13,20 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
 };
 
+bool startsWithAny(QByteArrayView line, std::initializer_list<const char*> words,
+                   Qt::CaseSensitivity sensitivity) {
+    return std::any_of(words.begin(), words.end(), [&](const char* word) {
+        const auto size = qsizetype(qstrlen(word));
+        return line.size() >= size && line.first(size).compare(word, sensitivity) == 0;
+    });
+}
+
 // Pictures, and what physically based materials have beside their colours: all else assimp passes
-// over where there is no material.
+// over where there is no material, a heading such as "Alias OBJ Material File" too.
 bool needsMaterial(QByteArrayView line) {
-    for (const char* word : {"map_", "bump", "disp", "decal", "refl", "norm", "a", "P"}) {
-        if (line.size() >= qsizetype(qstrlen(word)) &&
-            line.first(qsizetype(qstrlen(word))).compare(word, Qt::CaseInsensitive) == 0) {
-            return true;
-        }
-    }
-    return false;
+    return startsWithAny(line, {"map_", "bump", "disp", "decal", "refl", "norm"},
+                         Qt::CaseInsensitive) ||
+           startsWithAny(line, {"a", "Pr", "Pm", "Ps", "Pc"}, Qt::CaseSensitive);
 }
 
 } // namespace

@@ -1009,6 +1009,12 @@ void ImportModelTest::aPictureBeforeAnyMaterialIsRefused() {
     const QString other =
         refusal(write(QStringLiteral("other.OBJ"), cubeObj("mtllib early.m\nusemtl skin\n")));
     QVERIFY2(other.contains(QStringLiteral("early.m describes")), qPrintable(other));
+    // A heading is no value.
+    write(QStringLiteral("headed.mtl"), "Alias OBJ Material File\nPaint\nnewmtl skin\nKd 1 0 0\n");
+    const auto [headed, report] =
+        import(write(QStringLiteral("headed.obj"), cubeObj("mtllib headed.mtl\nusemtl skin\n")));
+    QVERIFY2(report.warnings.isEmpty(), qPrintable(report.warnings.join(u'|')));
+    QCOMPARE(headed.materials[0].colour, QColor(Qt::red));
 }
 
 void ImportModelTest::manyCornersAreRefused() {
