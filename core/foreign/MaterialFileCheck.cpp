@@ -35,7 +35,7 @@ QString faultOfMaterials(const QByteArray& bytes, const QString& name) {
     QByteArrayView rest(bytes);
     while (!rest.isEmpty()) {
         const auto end = std::find_if(rest.begin(), rest.end(), [](char byte) {
-            return byte == '\n' || byte == '\r' || byte == '\0';
+            return byte == '\n' || byte == '\r' || byte == '\f' || byte == '\0';
         });
         const QByteArrayView line = QByteArrayView(rest.begin(), end).trimmed();
         rest = rest.sliced(std::min(qsizetype(end - rest.begin()) + 1, rest.size()));
