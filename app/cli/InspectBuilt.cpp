@@ -110,11 +110,13 @@ void inspectBuilt(const QStringList& files, const QCommandLineParser& parser,
         throw UsageError(QStringLiteral("Say who accepts the part with --accepted-by NAME"),
                          QStringLiteral("--accepted-by"));
     }
-    dateOf({}); // refused before any work
-    Project project = loadProject(path);
+    dateOf({});                      // refused before any work
+    std::optional<ProjectFile> file; // before it is read: nobody else writes it meanwhile
     if (parser.isSet(updateOption)) {
         checkWritable(path); // better now than after the work
+        file.emplace(path);
     }
+    Project project = loadProject(path);
     const Progress progress = console.progress();
     addPart(project, files, parser, lens, dateOf, progress);
     setCorrection(project.asBuilt, parser);
@@ -130,8 +132,8 @@ void inspectBuilt(const QStringList& files, const QCommandLineParser& parser,
             console.out() << repeatingSentence(error, dip) << '\n';
         }
     }
-    if (parser.isSet(updateOption)) {
-        ProjectFile(path).save(project);
+    if (file) {
+        file->save(project);
         console.out() << QStringLiteral("%1 keeps the part; its sheets are %2\n")
                              .arg(path, project.asBuilt.corrects
                                             ? QStringLiteral("corrected from now on")

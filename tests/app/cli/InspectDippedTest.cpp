@@ -3,6 +3,7 @@
 #include "../../core/inspection/PhotographedPart.h"
 #include "CliProcess.h"
 #include "TestFiles.h"
+#include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 #include "solver/SolverRegistry.h"
 
@@ -73,6 +74,12 @@ private slots:
         QCOMPARE(depth.errorLines().size(), 1);
         QVERIFY(depth.err.contains("moves none of the places"));
         QCOMPARE(cli(words("built", {})).exitCode, 2); // nobody has accepted it
+        {
+            const ProjectFile other(path("job.dipw"));
+            const Outcome refused = cli(words("built", {"--accepted-by", "Ada", "--update"}));
+            QCOMPARE(refused.exitCode, 1);
+            QVERIFY2(refused.err.contains("open elsewhere"), refused.err.constData());
+        }
         QVERIFY(!QFileInfo::exists(path("out")));
     }
 
