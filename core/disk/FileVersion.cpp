@@ -27,6 +27,12 @@ FileVersion FileVersion::of(const QString& path) {
     return version;
 }
 
+FileVersion FileVersion::fromText(const QString& text) {
+    FileVersion version;
+    version.hash_ = QByteArray::fromHex(text.toLatin1());
+    return version;
+}
+
 FileVersion FileVersion::ofBytes(const QByteArray& bytes) {
     FileVersion version;
     version.hash_ = sha256(bytes);

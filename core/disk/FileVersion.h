@@ -16,6 +16,10 @@ public:
     static FileVersion ofBytes(const QByteArray& bytes);
     bool operator==(const FileVersion&) const = default;
 
+    // To be kept in a file, and from it.
+    QString text() const { return QString::fromLatin1(hash_.toHex()); }
+    static FileVersion fromText(const QString& text);
+
 private:
     QByteArray hash_;
 };

@@ -46,7 +46,8 @@ public:
 
     // The file. `path` is empty for a document that was never saved.
     const QString& path() const { return path_; }
-    QString title() const; // the file's name, or the project's
+    const FileVersion& version() const { return version_; } // of the file, as it was last known
+    QString title() const;                                  // the file's name, or the project's
     bool isModified() const {
         return (path_.isEmpty() && !keptElsewhere_) || recovered_ || !undoStack_.isClean();
     }

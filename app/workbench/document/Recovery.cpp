@@ -58,6 +58,9 @@ std::vector<RecoveredDocument> findRecoveredDocuments(const QString& folder) {
         found.push_back({copy.filePath(), json[QLatin1String("original")].toString(),
                          json[QLatin1String("name")].toString(copy.completeBaseName()),
                          copy.lastModified()});
+        if (json.contains(QLatin1String("version"))) {
+            found.back().version = FileVersion::fromText(json[QLatin1String("version")].toString());
+        }
     }
     return found;
 }
@@ -104,10 +107,11 @@ QString AutoSaver::file(const char* extension) const {
     return folder_ + QLatin1Char('/') + name_ + QLatin1String(extension);
 }
 
-void AutoSaver::keepNow() {
+bool AutoSaver::keepNow() {
     timer_.stop();
     write();
     writer_.waitForDone();
+    return isKept_;
 }
 
 void AutoSaver::write() {
@@ -119,18 +123,22 @@ void AutoSaver::write() {
     const QJsonObject description{
         {QStringLiteral("original"), document_.path()},
         {QStringLiteral("name"), document_.title()},
+        {QStringLiteral("version"), document_.version().text()},
     };
-    writer_.start(
-        [project = document_.project(), description, copy = file(".dipw"), about = file(".json")] {
-            try {
-                writeWhole(about, [&](QIODevice& device) {
-                    device.write(QJsonDocument(description).toJson());
-                });
-                saveProject(project, copy);
-            } catch (const Error& error) {
-                qWarning("No recovery copy: %s", qUtf8Printable(error.sentence()));
+    writer_.start([this, project = document_.project(), description, copy = file(".dipw"),
+                   about = file(".json")] {
+        try {
+            writeWhole(about, [&](QIODevice& device) {
+                device.write(QJsonDocument(description).toJson());
+            });
+            saveProject(project, copy);
+            isKept_ = true;
+        } catch (const Error& error) {
+            if (isKept_.exchange(false)) {
+                emit failed(error.sentence());
             }
-        });
+        }
+    });
 }
 
 void AutoSaver::discard() {

@@ -6,10 +6,14 @@
 #pragma once
 
 #include "disk/FileLock.h"
+#include "disk/FileVersion.h"
 #include "project/Project.h"
 
 #include <QThreadPool>
 #include <QTimer>
+
+#include <atomic>
+#include <optional>
 
 namespace dipwright {
 
@@ -20,6 +24,7 @@ struct RecoveredDocument {
     QString original; // the document's own file; empty: it had none
     QString name;     // of the project
     QDateTime saved;
+    std::optional<FileVersion> version = {}; // of the original, before it was edited; if known
 };
 
 // The copies in `folder` that a crash has left behind, the newest first.
@@ -38,10 +43,15 @@ public:
     ~AutoSaver() override; // waits for a copy being written; the copy stays if edits are not saved
 
     void setInterval(int seconds);
-    // Writes the copy now if there is anything to keep, and waits until it is on the disk.
-    void keepNow();
+    // Writes the copy now if there is anything to keep, and waits until it is on the disk. False
+    // where it cannot be written.
+    bool keepNow();
     // The user has saved, or let the changes go: removes the copy.
     void discard();
+
+signals:
+    // No copy can be written, `why` in a sentence; not again until one has been.
+    void failed(const QString& why);
 
 private:
     void scheduleCopy();
@@ -52,6 +62,7 @@ private:
     QString folder_, name_;
     std::unique_ptr<FileLock> lock_;
     QTimer timer_;
+    std::atomic<bool> isKept_ = true; // or nothing is due
     QThreadPool writer_;
 };
 

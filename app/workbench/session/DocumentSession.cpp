@@ -19,9 +19,11 @@ struct ReadProject {
     FileVersion version;
 };
 
-// Nothing is shown of one that was cancelled while it was read.
-ReadProject projectFrom(const QString& path, const QString& file, const Progress& progress) {
-    const FileVersion version = FileVersion::of(file); // before it is read
+// Of the version that the file had, which is taken now where it is not known. Nothing is shown of
+// one that was cancelled while it was read.
+ReadProject projectFrom(const QString& path, const QString& file,
+                        const std::optional<FileVersion>& known, const Progress& progress) {
+    const FileVersion version = known ? *known : FileVersion::of(file); // before it is read
     ReadProject read{loadProject(path), version};
     progress.cancelSwitch.throwIfCancelled();
     return read;
@@ -49,6 +51,10 @@ void DocumentSession::take(std::unique_ptr<Document> document) {
     document_ = std::move(document);
     autoSaver_ = std::make_unique<AutoSaver>(*document_, recovery_);
     autoSaver_->setInterval(autosaveSeconds_);
+    connect(autoSaver_.get(), &AutoSaver::failed, this, [this](const QString& why) {
+        messages_.notice(
+            tr("Unsaved changes are not kept in case of a crash; save them often. %1").arg(why));
+    });
     emit documentChanged();
 }
 
@@ -89,14 +95,14 @@ void DocumentSession::readProject(const QString& file, Messages& teller,
     };
     jobs_.start(std::make_unique<ValueJob<ReadProject>>(
         tr("Opening the project"),
-        [file](const Progress& progress) { return projectFrom(file, file, progress); }, take,
+        [file](const Progress& progress) { return projectFrom(file, file, {}, progress); }, take,
         tell));
 }
 
 void DocumentSession::openCopy(const QString& path) {
     startJob(
         jobs_, messages_, tr("Opening the project"), tr("Open Project"),
-        [path](const Progress& progress) { return projectFrom(path, {}, progress); },
+        [path](const Progress& progress) { return projectFrom(path, {}, {}, progress); },
         [this](const ReadProject& read) {
             auto document = std::make_unique<Document>(read.project);
             document->setKeptElsewhere();
@@ -133,7 +139,7 @@ void DocumentSession::restore(const RecoveredDocument& recovered) {
     startJob(
         jobs_, messages_, tr("Restoring the project"), tr("Restore Project"),
         [recovered](const Progress& progress) {
-            return projectFrom(recovered.copy, recovered.original, progress);
+            return projectFrom(recovered.copy, recovered.original, recovered.version, progress);
         },
         [this, recovered](const ReadProject& read) {
             auto document =
@@ -143,8 +149,9 @@ void DocumentSession::restore(const RecoveredDocument& recovered) {
             }
             document->setRecovered();
             take(std::move(document));
-            autoSaver_->keepNow();
-            discardRecovered(recovered);
+            if (autoSaver_->keepNow()) { // else the old copy is all there is
+                discardRecovered(recovered);
+            }
             messages_.log(tr("Restored unsaved changes of %1").arg(recovered.name));
         });
 }

@@ -217,6 +217,41 @@ private slots:
         QVERIFY(QDir(recovery()).entryList({QStringLiteral("*.dipw")}).isEmpty());
     }
 
+    void whatIsRestoredIsLetGoOnlyWhenItIsKeptAgain() {
+        QDir().mkpath(recovery());
+        const QString copy = recovery() + QStringLiteral("/left.dipw");
+        saveProject(boxProject(), copy);
+        SessionHost host(copy + QStringLiteral("/full")); // where nothing can be written
+        QSignalSpy noticed(&host.messages, &Messages::noticed);
+        host.session.restore(findRecoveredDocuments(recovery()).front());
+        QVERIFY(host.waitUntilIdle());
+        QVERIFY(host.session.document()->isModified());
+        QVERIFY(QFile::exists(copy));
+        QTRY_COMPARE(noticed.count(), 1);
+        QVERIFY(noticed[0][0].toString().contains(QStringLiteral("save them often")));
+        host.session.discardChanges();
+    }
+
+    void whatOthersWroteSinceACrashIsNotReplaced() {
+        {
+            Document document(loadProject(project_), project_, FileVersion::of(project_));
+            AutoSaver saver(document, recovery());
+            document.edit(QStringLiteral("Name"), {},
+                          [](Project& project) { project.name = QStringLiteral("Mine"); });
+            QVERIFY(saver.keepNow());
+        }
+        Project theirs = loadProject(project_);
+        theirs.name = QStringLiteral("Theirs");
+        saveProject(theirs, project_);
+        SessionHost host(recovery());
+        host.session.restore(findRecoveredDocuments(recovery()).front());
+        QVERIFY(host.waitUntilIdle());
+        QCOMPARE(host.session.document()->project().name, QStringLiteral("Mine"));
+        QVERIFY_EXCEPTION_THROWN(host.session.save(), ChangedFile);
+        QCOMPARE(loadProject(project_).name, QStringLiteral("Theirs"));
+        host.session.discardChanges();
+    }
+
     void savingTellsWhere() {
         SessionHost host(recovery());
         host.session.openCopy(project_);
