@@ -60,6 +60,30 @@ void addFolder(std::map<QString, ProfileEntry>& found, ProfileKind kind, const Q
     }
 }
 
+void take(FileLock& lock, const QString& path) {
+    const LockState state = lock.acquire(path);
+    if (!state.acquired) {
+        throw Error(Text::tr("The profile is being written elsewhere (%1), try again")
+                        .arg(holderText(state)),
+                    path);
+    }
+}
+
+// A later version's, or one with a slip of the user's pen, would be lost.
+void requireReadable(const QString& path) {
+    if (!QFileInfo::exists(path)) {
+        return;
+    }
+    try {
+        importProfile(path);
+    } catch (const Error& error) {
+        throw Error(Text::tr("The profile that is there cannot be read and is not replaced; mend "
+                             "its file or move it away: %1")
+                        .arg(error.sentence()),
+                    path);
+    }
+}
+
 } // namespace
 
 QString ProfileLibrary::standardFolder() {
@@ -116,12 +140,8 @@ std::optional<Profile> ProfileLibrary::found(ProfileKind kind, const QString& na
 void ProfileLibrary::save(const Profile& profile, const std::optional<Profile>& known) const {
     const QString path = pathFor(profile);
     FileLock lock;
-    const LockState state = lock.acquire(path);
-    if (!state.acquired) {
-        throw Error(Text::tr("The profile is being written elsewhere (%1), try again")
-                        .arg(holderText(state)),
-                    nameOf(profile));
-    }
+    take(lock, path);
+    requireReadable(path);
     if (found(kindOf(profile), nameOf(profile)) != known) {
         throw ChangedFile(Text::tr("Another program has changed the profile since it was read, "
                                    "nothing is saved; look at what it says now and do it again"),
@@ -131,7 +151,11 @@ void ProfileLibrary::save(const Profile& profile, const std::optional<Profile>& 
 }
 
 void ProfileLibrary::replace(const Profile& profile) const {
-    exportProfile(profile, pathFor(profile));
+    const QString path = pathFor(profile);
+    FileLock lock;
+    take(lock, path);
+    requireReadable(path);
+    exportProfile(profile, path);
 }
 
 // Makes its folder.
@@ -155,6 +179,8 @@ QString ProfileLibrary::pathFor(const Profile& profile) const {
 void ProfileLibrary::remove(ProfileKind kind, const QString& name) const {
     for (const ProfileEntry& entry : profiles(kind)) {
         if (entry.name == name && entry.isUsers()) {
+            FileLock lock;
+            take(lock, entry.path);
             if (!QFile::remove(entry.path)) {
                 throw Error(Text::tr("The profile cannot be removed"), entry.path);
             }
