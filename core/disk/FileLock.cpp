@@ -19,7 +19,7 @@ constexpr qint64 longestLock = 1024; // bytes
 // A file that is reached by several links has one lock.
 QString lockPath(const QString& path) {
     const QString canonical = QFileInfo(path).canonicalFilePath();
-    return hiddenBeside(canonical.isEmpty() ? path : canonical, QStringLiteral(".~lock."));
+    return hiddenBeside(canonical.isEmpty() ? path : canonical, Beside::Lock);
 }
 
 // Lines: process, program, machine.

@@ -22,6 +22,7 @@ namespace {
 struct Handle {
     int number = -1;
     LockedFile::Outcome outcome = LockedFile::Outcome::Failed;
+    bool isLocked = false;
 };
 
 #ifdef _WIN32
@@ -36,7 +37,7 @@ Handle lockedHandle(const QString& path) {
                                                               : LockedFile::Outcome::Failed};
     }
     return {_open_osfhandle(reinterpret_cast<intptr_t>(handle), _O_RDWR | _O_BINARY),
-            LockedFile::Outcome::Opened};
+            LockedFile::Outcome::Opened, true};
 }
 
 #else
@@ -51,7 +52,7 @@ bool isStillAt(const QByteArray& path, int handle) {
 
 bool isPlainFile(int handle) {
     struct stat opened {};
-    return fstat(handle, &opened) == 0 && S_ISREG(opened.st_mode);
+    return fstat(handle, &opened) == 0 && S_ISREG(opened.st_mode) && opened.st_nlink <= 1;
 }
 
 Handle lockedHandle(const QString& path) {
@@ -67,12 +68,13 @@ Handle lockedHandle(const QString& path) {
             errno = EEXIST;
             return {};
         }
-        if (flock(handle, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        const bool isLocked = flock(handle, LOCK_EX | LOCK_NB) == 0;
+        if (!isLocked && errno == EWOULDBLOCK) {
             close(handle);
             return {-1, LockedFile::Outcome::HeldByAnother};
         }
         if (isStillAt(name, handle)) {
-            return {handle, LockedFile::Outcome::Opened};
+            return {handle, LockedFile::Outcome::Opened, isLocked};
         }
         close(handle);
     }
@@ -94,6 +96,7 @@ QString systemsWords() {
 LockedFile::Outcome LockedFile::open(const QString& path) {
     path_ = path;
     const Handle handle = lockedHandle(path);
+    isLocked_ = handle.isLocked;
     if (handle.outcome != Outcome::Opened) {
         failure_ = systemsWords();
         return handle.outcome;

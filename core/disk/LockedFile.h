@@ -19,10 +19,13 @@ public:
 
     LockedFile() = default;
     ~LockedFile() = default; // closed, and let go of; the file stays
-    // Opens the file, which is made where it is missing. Refused where a link or anything but a
-    // plain file lies there: it is another's.
+    // Opens the file, which is made where it is missing. Refused where a link, anything but a plain
+    // file, or one that has a second name lies there: it is another's.
     Outcome open(const QString& path);
     bool isOpen() const { return file_.isOpen(); }
+    // Whether the system has locked it: false, too, where it has no locks. Only then is what a file
+    // stands for known to be nobody's.
+    bool isLocked() const { return isLocked_; }
     QFile& device() { return file_; }
     QString errorString() const;
 
@@ -36,6 +39,7 @@ private:
     QString path_;
     QString failure_;
     QFile file_;
+    bool isLocked_ = false;
 };
 
 // What was written to the file is on the disk itself when this returns true.

@@ -12,6 +12,8 @@
 #include <QJsonObject>
 #include <QSet>
 
+#include <optional>
+
 namespace dipwright {
 namespace {
 
@@ -50,11 +52,16 @@ QStringList textsOf(const QJsonValue& value) {
     return texts;
 }
 
-Journal journalOf(const QString& path) {
+// Empty where it cannot be read.
+std::optional<Journal> journalOf(const QString& path) {
     QFile file(path);
-    file.open(QIODevice::ReadOnly);
-    const QJsonObject json = QJsonDocument::fromJson(file.read(longestJournal)).object();
-    return {textsOf(json[QLatin1String("written")]), textsOf(json[QLatin1String("there")])};
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    const QJsonDocument json = QJsonDocument::fromJson(file.read(longestJournal));
+    return json.isObject() ? std::optional(Journal{textsOf(json[QLatin1String("written")]),
+                                                   textsOf(json[QLatin1String("there")])})
+                           : std::nullopt;
 }
 
 bool isBelow(const QString& name) {
@@ -143,33 +150,34 @@ public:
     // Somebody's who shares the folder: what it leads to is not ours to empty.
     bool isLink() const { return QFileInfo(work_.path()).isSymLink(); }
     bool isUnderWay() const { return has(journalName) || has(undoName); }
-    // Whatever a dead process has left.
-    bool putRight() {
-        bool done = true;
-        if (has(undoName)) {
-            const Journal journal = read(undoName);
-            done = backward(journal);
-            settle(journal);
-        } else if (has(journalName)) {
-            const Journal journal = read(journalName);
-            done = forward(journal);
-            settle(journal);
+    // Whatever a dead process has left, of files with these names; empty: with any. False, with
+    // nothing touched, where its journal cannot be read or names others.
+    bool putRight(const QStringList& names = {}) {
+        const bool isBack = has(undoName);
+        if (isBack || has(journalName)) {
+            const auto journal = journalOf(path(isBack ? undoName : journalName));
+            if (!journal || !isOurs(*journal, names)) {
+                return false;
+            }
+            const bool done = isBack ? backward(*journal) : forward(*journal);
+            settle(*journal);
+            if (!done) {
+                return false;
+            }
         }
-        if (done) {
-            remove();
-        }
-        return done;
+        remove();
+        return !isUnderWay();
     }
 
 private:
-    // Nothing where it names files outside of the target: it is not ours.
-    Journal read(const QString& name) const {
-        const Journal journal = journalOf(path(name));
+    // A folder from a stranger may hold a journal that names what is no result, to have it removed
+    // or replaced.
+    bool isOurs(const Journal& journal, const QStringList& names) const {
         const QStringList all = journal.written + journal.there;
-        const bool isOurs = std::all_of(all.begin(), all.end(), [&](const QString& file) {
-            return isBelow(file) && !isLinked(target_, file);
+        return std::all_of(all.begin(), all.end(), [&](const QString& file) {
+            return isBelow(file) && !isLinked(target_, file) &&
+                   (names.isEmpty() || names.contains(file));
         });
-        return isOurs ? journal : Journal{};
     }
 
     QDir target_, work_;
@@ -237,9 +245,10 @@ void ResultFolder::lockTarget() {
                     target_);
     }
     Work work(target_);
-    if (!work.putRight()) {
-        throw Error(Text::tr("Earlier results there were not completed and cannot be now; is a "
-                             "file there in use?"),
+    if (!work.putRight(names_)) {
+        throw Error(Text::tr("Earlier results there were not completed and cannot be now; close "
+                             "what has files there open, or move %1 out of it")
+                        .arg(workName()),
                     target_);
     }
     QFile trial(work.path(QStringLiteral("trial")));
@@ -266,13 +275,14 @@ ResultFolder::~ResultFolder() {
     }
 }
 
-void ResultFolder::putRight(const QString& target) {
+bool ResultFolder::putRight(const QString& target) {
     FileLock lock;
     const QFileInfo work(target + QLatin1Char('/') + workName());
-    if (work.isDir() && !work.isSymLink() && lock.acquire(lockedName(target)).acquired &&
-        lock.isHeld()) {
-        Work(target).putRight();
+    if (!work.isDir() || work.isSymLink()) {
+        return true;
     }
+    return lock.acquire(lockedName(target)).acquired && lock.isHeld() && Work(target).putRight() &&
+           !work.isDir();
 }
 
 void ResultFolder::write(const QString& name, const QByteArray& contents) const {

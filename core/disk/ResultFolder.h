@@ -20,8 +20,9 @@ namespace dipwright {
 class ResultFolder {
 public:
     // `names`: the files, relative to the target, that are replaced together. Makes the target, and
-    // brings to an end what a dead process has left there. Throws Error where the target cannot be
-    // written, another program is writing it, or something that is no result lies in the way.
+    // brings to an end what a dead process has left there of them. Throws Error where the target
+    // cannot be written, another program is writing it, something that is no result lies in the
+    // way, or a journal there cannot be read or names other files, of which none is touched.
     ResultFolder(const QString& target, const QStringList& names);
     ~ResultFolder();
     ResultFolder(const ResultFolder&) = delete;
@@ -38,8 +39,9 @@ public:
 
     // Brings to an end what a dead process has left in the folder `target`: all of its new files
     // are moved in place if they were complete, else they go. Nothing happens while somebody writes
-    // there.
-    static void putRight(const QString& target);
+    // there. False where something is left to do. Only of a folder that this user's own programs
+    // have noted as theirs: a journal there is believed, whatever results it names.
+    static bool putRight(const QString& target);
     // Of the hidden folder.
     static QString workName();
 

@@ -5,6 +5,8 @@
 #include "disk/WholeFile.h"
 
 #include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QStandardPaths>
 #include <QUuid>
 #include <algorithm>
@@ -12,24 +14,42 @@
 namespace dipwright {
 namespace {
 
+constexpr qint64 longestNote = 1 << 20; // bytes
+
 QDir noteFolder() {
     return {QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
             QStringLiteral("/unfinished")};
 }
 
-// Lines: the work, and the folders made for it.
-void putRight(const QStringList& lines) {
-    const QString work = lines.value(0);
-    if (QFileInfo(work).fileName() == ResultFolder::workName()) {
-        ResultFolder::putRight(QFileInfo(work).path());
-    } else if (!work.isEmpty()) {
-        removeAbandoned(work);
+// The work, and the folders made for it. Not as lines: a folder's name may have several.
+QByteArray bytesOf(const QStringList& paths) {
+    return QJsonDocument(QJsonArray::fromStringList(paths)).toJson(QJsonDocument::Compact);
+}
+
+QStringList pathsOf(const QByteArray& note) {
+    QStringList paths;
+    for (const QJsonValue& path : QJsonDocument::fromJson(note).array()) {
+        paths << path.toString();
     }
-    QStringList made = lines.mid(1);
+    return paths;
+}
+
+// False where something is left to do.
+bool putRight(const QStringList& paths) {
+    const QString work = paths.value(0);
+    bool done = true;
+    if (QFileInfo(work).fileName() == ResultFolder::workName()) {
+        done = ResultFolder::putRight(QFileInfo(work).path());
+    } else if (isHiddenBeside(work)) {
+        removeAbandoned(work);
+        done = !QFileInfo::exists(work);
+    }
+    QStringList made = paths.mid(1);
     std::reverse(made.begin(), made.end());
     for (const QString& folder : made) {
         QDir().rmdir(folder); // where nothing is in it
     }
+    return done;
 }
 
 } // namespace
@@ -39,7 +59,7 @@ UnfinishedNote::UnfinishedNote(const QString& work, const QStringList& made) {
     folder.mkpath(QStringLiteral("."));
     const QString name = QUuid::createUuid().toString(QUuid::WithoutBraces);
     if (note_.open(folder.filePath(name)) == LockedFile::Outcome::Opened) {
-        writeAll(note_.device(), (QStringList{work} + made).join(QLatin1Char('\n')).toUtf8());
+        writeAll(note_.device(), bytesOf(QStringList{work} + made));
     }
 }
 
@@ -55,8 +75,8 @@ void tidyUnfinished() {
     const QDir folder = noteFolder();
     for (const QString& name : folder.entryList(QDir::Files)) {
         LockedFile note;
-        if (note.open(folder.filePath(name)) == LockedFile::Outcome::Opened) {
-            putRight(QString::fromUtf8(note.device().readAll()).split(QLatin1Char('\n')));
+        if (note.open(folder.filePath(name)) == LockedFile::Outcome::Opened && note.isLocked() &&
+            putRight(pathsOf(note.device().read(longestNote)))) {
             note.remove();
         }
     }

@@ -15,6 +15,8 @@ struct Text {
 };
 
 constexpr int longestName = 255; // bytes, of a file's name on the usual systems
+const QString newPrefix = QStringLiteral(".~new.");
+const QString lockPrefix = QStringLiteral(".~lock.");
 
 // What a link points to, be it there or not.
 QString linkTarget(const QString& path) {
@@ -27,8 +29,9 @@ QString linkTarget(const QString& path) {
 
 } // namespace
 
-QString hiddenBeside(const QString& path, const QString& prefix) {
+QString hiddenBeside(const QString& path, Beside what) {
     const QFileInfo file(path);
+    const QString prefix = what == Beside::Lock ? lockPrefix : newPrefix;
     QString name = prefix + file.fileName();
     if (name.toUtf8().size() > longestName) {
         const QByteArray hash =
@@ -36,6 +39,11 @@ QString hiddenBeside(const QString& path, const QString& prefix) {
         name = prefix + QString::fromLatin1(hash.toHex());
     }
     return file.absolutePath() + QLatin1Char('/') + name;
+}
+
+bool isHiddenBeside(const QString& path) {
+    const QString name = QFileInfo(path).fileName();
+    return name.startsWith(newPrefix) || name.startsWith(lockPrefix);
 }
 
 void removeAbandoned(const QString& temporary) {
@@ -46,7 +54,7 @@ void removeAbandoned(const QString& temporary) {
 }
 
 WholeFile::WholeFile(const QString& path)
-    : target_(linkTarget(path)), beside_(hiddenBeside(target_, QStringLiteral(".~new."))) {}
+    : target_(linkTarget(path)), beside_(hiddenBeside(target_, Beside::NewContents)) {}
 
 WholeFile::~WholeFile() {
     if (!file_.remove()) {

@@ -39,9 +39,13 @@ void writeWhole(const QString& path, const std::function<void(QIODevice&)>& writ
 // Throws Error where the file could not be replaced now: worth asking before long work.
 void checkWritable(const QString& path);
 
-// A hidden name beside `path`, the same whenever it is asked for, that no file name is too long
-// for: `prefix` and the file's name, or a hash of that.
-QString hiddenBeside(const QString& path, const QString& prefix);
+// What lies hidden beside a file while somebody is at it.
+enum class Beside { NewContents, Lock };
+// Its name, the same whenever it is asked for, that no file name is too long for: a beginning of
+// its own and the file's name, or a hash of that.
+QString hiddenBeside(const QString& path, Beside what);
+// Whether a file's name begins so.
+bool isHiddenBeside(const QString& path);
 // Removes a temporary file, unless somebody is writing it.
 void removeAbandoned(const QString& temporary);
 

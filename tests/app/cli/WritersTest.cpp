@@ -3,6 +3,7 @@
 #include "CliProcess.h"
 #include "disk/FileLock.h"
 #include "disk/ResultFolder.h"
+#include "disk/Unfinished.h"
 #include "project/ProfileLibrary.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
@@ -47,6 +48,9 @@ private slots:
     void aFolderThatCannotTakeResultsIsRefusedBeforeTheWork();
     void linksInAFolderForResultsLeadNowhere();
     void whatADeadWriterSeemsToHaveLeftIsNotMovedThroughLinks();
+    void aJournalOfWhatIsNoResultTouchesNothing();
+    void theNextStartRemovesNothingByTheNameOfAFolder();
+    void onlyWhatCanBeReadIsReplacedAsAProfile();
 
 private:
     QString path(const QString& name) const { return folder_->filePath(name); }
@@ -194,8 +198,66 @@ void WritersTest::whatADeadWriterSeemsToHaveLeftIsNotMovedThroughLinks() {
     write(work + QStringLiteral("/new/a/keys/allowed"), "another's");
     write(work + QStringLiteral("/journal.json"), R"({"written":["a/keys/allowed"],"there":[]})");
     QVERIFY(QFile::link(path(QStringLiteral("home")), path(QStringLiteral("out/a"))));
-    const ResultFolder folder(path(QStringLiteral("out")), {QStringLiteral("proof.png")});
+    QVERIFY_EXCEPTION_THROWN(
+        ResultFolder(path(QStringLiteral("out")), {QStringLiteral("a/keys/allowed")}), Error);
     QCOMPARE(contentsOf(keys), QByteArray("mine"));
+}
+
+// An unpacked archive of somebody's could hold it.
+void WritersTest::aJournalOfWhatIsNoResultTouchesNothing() {
+    const QString out = path(QStringLiteral("out/")), work = out + ResultFolder::workName();
+    QVERIFY(QDir().mkpath(work + QStringLiteral("/new")));
+    QVERIFY(QDir().mkpath(work + QStringLiteral("/old")));
+    for (const QString& name : {QStringLiteral("thesis.odt"), QStringLiteral("proof.png")}) {
+        write(out + name, "mine");
+    }
+    write(work + QStringLiteral("/new/.bashrc"), "another's");
+    for (const QByteArray journal :
+         {R"({"written":[".bashrc"],"there":["thesis.odt","proof.png"]})", "[", ""}) {
+        for (const QString& name : {QStringLiteral("journal.json"), QStringLiteral("undo.json")}) {
+            write(work + QLatin1Char('/') + name, journal);
+            QVERIFY_EXCEPTION_THROWN(
+                ResultFolder(path(QStringLiteral("out")), {QStringLiteral("proof.png")}), Error);
+            QCOMPARE(contentsOf(out + QStringLiteral("thesis.odt")), QByteArray("mine"));
+            QCOMPARE(contentsOf(out + QStringLiteral("proof.png")), QByteArray("mine"));
+            QVERIFY(!QFileInfo::exists(out + QStringLiteral(".bashrc")));
+            QVERIFY(QFileInfo::exists(work + QStringLiteral("/new/.bashrc")));
+            QVERIFY(QFile::remove(work + QLatin1Char('/') + name));
+        }
+    }
+}
+
+// What it says was written by a program of ours, yet of a folder with whatever name.
+void WritersTest::theNextStartRemovesNothingByTheNameOfAFolder() {
+    const QString kept = path(QStringLiteral("keep")), odd = kept + QStringLiteral("\nx");
+    write(kept, "mine");
+    QVERIFY(QDir().mkpath(odd));
+    qputenv("XDG_DATA_HOME", path(QStringLiteral("data")).toUtf8());
+    {
+        UnfinishedNote note(odd + QStringLiteral("/.~new.a"), {odd});
+        note.leave(); // as the dying do
+    }
+    UnfinishedNote(kept).leave();
+    tidyUnfinished();
+    qunsetenv("XDG_DATA_HOME");
+    QCOMPARE(contentsOf(kept), QByteArray("mine"));
+    QVERIFY(!QFileInfo::exists(odd)); // empty, and made for what was left
+}
+
+void WritersTest::onlyWhatCanBeReadIsReplacedAsAProfile() {
+    const ProfileLibrary library(path(QStringLiteral("profiles")));
+    FilmProfile profile;
+    profile.name = QStringLiteral("Mine");
+    library.save(Profile(profile), std::nullopt);
+    const QString file = library.profiles(ProfileKind::Film).front().path;
+    write(file, contentsOf(file).replace('{', "{,"));
+    const QByteArray before = contentsOf(file);
+    const Outcome outcome =
+        cli({"profile", "set", "film", "Mine", "--set", "swell=1.1;1.1"}, environment());
+    QCOMPARE(outcome.exitCode, 1);
+    QVERIFY2(outcome.err.contains("cannot be read"), outcome.err.constData());
+    QVERIFY_EXCEPTION_THROWN(library.replace(Profile(profile)), Error);
+    QVERIFY(contentsOf(file) == before);
 }
 
 QTEST_GUILESS_MAIN(WritersTest)
