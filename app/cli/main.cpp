@@ -3,6 +3,7 @@
 #include "cli/Command.h"
 #include "disk/Unfinished.h"
 
+#include <QDir>
 #include <QGuiApplication>
 #include <QLocale>
 #include <QLoggingCategory>
@@ -101,6 +102,11 @@ void requireText(const QStringList& arguments) {
             throw UsageError(QStringLiteral("This is not text in UTF-8, rename the file"),
                              argument);
         }
+    }
+    if (QDir::currentPath().contains(QChar::ReplacementCharacter)) {
+        throw UsageError(QStringLiteral("The working folder's name is not text in UTF-8, rename "
+                                        "it or work in another"),
+                         QDir::currentPath());
     }
 }
 

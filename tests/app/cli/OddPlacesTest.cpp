@@ -108,6 +108,16 @@ void OddPlacesTest::namesThatAreNotTextAreRefused() {
     QCOMPARE(said.count('\n'), 1);
     QVERIFY2(said.contains("not text in UTF-8"), said.constData());
     QVERIFY(QDir(folder_->path()).isEmpty());
+    // Nor is what lies in a folder of such a name, reached by whatever names.
+    shell.start(QStringLiteral("sh"),
+                {"-c",
+                 "mkdir \"$(printf 'b\\377')\" && cd b* && \"$0\" new a.dipw --model \"$1\" "
+                 "--quiet",
+                 cliPath(), model});
+    QVERIFY(shell.waitForFinished(-1));
+    QCOMPARE(shell.exitCode(), 2);
+    QVERIFY(shell.readAllStandardError().contains("working folder"));
+    QCOMPARE(QDir(folder_->path()).entryList(QDir::NoDotAndDotDot | QDir::AllEntries).size(), 1);
 }
 
 void OddPlacesTest::noEscapeByteReachesTheTerminal_data() {
