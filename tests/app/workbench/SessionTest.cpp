@@ -4,6 +4,7 @@
 #include "Patience.h"
 #include "base/Error.h"
 #include "document/RecentProjects.h"
+#include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 #include "session/DipSession.h"
 #include "session/DocumentSession.h"
