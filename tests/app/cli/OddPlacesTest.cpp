@@ -112,12 +112,12 @@ void OddPlacesTest::namesThatAreNotTextAreRefused() {
     shell.start(QStringLiteral("sh"),
                 {"-c",
                  "mkdir \"$(printf 'b\\377')\" && cd b* && \"$0\" new a.dipw --model \"$1\" "
-                 "--quiet",
+                 "--quiet; told=$?; cd .. && rm -r b*; exit $told",
                  cliPath(), model});
     QVERIFY(shell.waitForFinished(-1));
     QCOMPARE(shell.exitCode(), 2);
     QVERIFY(shell.readAllStandardError().contains("working folder"));
-    QCOMPARE(QDir(folder_->path()).entryList(QDir::NoDotAndDotDot | QDir::AllEntries).size(), 1);
+    QVERIFY(QDir(folder_->path()).isEmpty());
 }
 
 void OddPlacesTest::noEscapeByteReachesTheTerminal_data() {

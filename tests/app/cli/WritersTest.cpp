@@ -249,7 +249,12 @@ void WritersTest::onlyWhatCanBeReadIsReplacedAsAProfile() {
     FilmProfile profile;
     profile.name = QStringLiteral("Mine");
     library.save(Profile(profile), std::nullopt);
-    const QString file = library.profiles(ProfileKind::Film).front().path;
+    const std::vector<ProfileEntry> all = library.profiles(ProfileKind::Film);
+    const auto mine = std::find_if(all.begin(), all.end(), [&](const ProfileEntry& entry) {
+        return entry.name == profile.name;
+    });
+    QVERIFY(mine != all.end());
+    const QString file = mine->path;
     write(file, contentsOf(file).replace('{', "{,"));
     const QByteArray before = contentsOf(file);
     const Outcome outcome =
