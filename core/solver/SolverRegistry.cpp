@@ -134,7 +134,11 @@ void loadShipped(Plugin& plugin) {
 }
 
 void loadContained(Plugin& plugin) {
-    refuseOthersFolder(plugin.info);
+    // Whoever could put another module into the program's own folders could put another program
+    // there; and an archive that root unpacks leaves them to whoever packed it.
+    if (!plugin.isShipped) {
+        refuseOthersFolder(plugin.info);
+    }
     plugin.inner = containedSolver(plugin.info.modulePath);
     plugin.module = checkedSolver(*plugin.inner);
     if (*plugin.module->device() != 0) {

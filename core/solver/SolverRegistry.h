@@ -38,7 +38,7 @@ public:
 
     // Modules in the folders `shipped` are loaded into this process and watched (WatchedSolver.h);
     // each of the others, and of these any that has crashed or hung before, runs in one of its own
-    // (ContainedSolver.h), and is refused where others than the user can write to it.
+    // (ContainedSolver.h). The others are refused where others than the user can write to them.
     explicit SolverRegistry(const QStringList& folders = standardFolders(),
                             const QStringList& shipped = shippedPluginFolders());
     ~SolverRegistry();

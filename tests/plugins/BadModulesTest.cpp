@@ -41,6 +41,11 @@ Listing listedByProgram(const PluginFolder& folder, const QStringList& more = {}
             QString::fromUtf8(program.readAllStandardOutput())};
 }
 
+void openToOthers(const PluginFolder& folder) {
+    QVERIFY(QFile::setPermissions(folder.path(), QFile::ReadOwner | QFile::WriteOwner |
+                                                     QFile::ExeOwner | QFile::WriteOther));
+}
+
 // A dip of a box with the module `name`; what went wrong, as the user reads it.
 QString failureOfDip(const QString& name, const Progress& progress = {}) {
     const PluginFolder folder;
@@ -83,6 +88,7 @@ private slots:
     void aModuleThatCrashesTwiceIsLeftOut();
     void aShippedModuleThatHungIsContained();
     void aShippedModuleThatCrashedTwiceIsLeftOut();
+    void aShippedModuleMayLieWhereOthersWrite();
     void aModuleThatOthersCanWriteIsNotLoaded();
     void beingKilledWhileLoadingIsNotTheModulesFault();
 };
@@ -330,6 +336,18 @@ void BadModulesTest::aShippedModuleThatCrashedTwiceIsLeftOut() {
     }
 }
 
+// As where root has unpacked an archive, which keeps the ids of whoever packed it: a module that
+// has crashed once is contained there, and not refused for its place.
+void BadModulesTest::aShippedModuleMayLieWhereOthersWrite() {
+    const PluginFolder folder;
+    const QStringList shipped{QStringLiteral("shipped")};
+    folder.add(QStringLiteral("crashing"), builtModule(QStringLiteral("abort")));
+    openToOthers(folder);
+    QVERIFY(listedByProgram(folder, shipped).crashed);
+    const Listing next = listedByProgram(folder, shipped);
+    QVERIFY2(next.output.contains(QLatin1String("crashing it crashed")), qPrintable(next.output));
+}
+
 void BadModulesTest::beingKilledWhileLoadingIsNotTheModulesFault() {
     const PluginFolder folder;
     const QStringList shipped{QStringLiteral("shipped")};
@@ -344,8 +362,7 @@ void BadModulesTest::aModuleThatOthersCanWriteIsNotLoaded() {
     const PluginFolder folder;
     folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
     QVERIFY(listedByProgram(folder).output.contains(QLatin1String("good available")));
-    QVERIFY(QFile::setPermissions(folder.path(), QFile::ReadOwner | QFile::WriteOwner |
-                                                     QFile::ExeOwner | QFile::WriteOther));
+    openToOthers(folder);
     const Listing listing = listedByProgram(folder);
     QVERIFY2(listing.output.contains(QLatin1String("Others can write to ") + folder.path()),
              qPrintable(listing.output));
