@@ -3,6 +3,7 @@
 #include "base/Progress.h"
 #include "base/SanitizerFindings.h"
 #include "base/ShippedFolders.h"
+#include "base/WaitedTime.h"
 #include "solver/CheckedSolver.h"
 #include "solver/CrashSignals.h"
 #include "solver/LoadMarker.h"
@@ -11,7 +12,6 @@
 #include "solver/WatchedSolver.h"
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
 #include <QProcess>
 #include <algorithm>
 
@@ -54,8 +54,7 @@ public:
         const auto length = std::uint64_t(request.bytes().size());
         process_.write(reinterpret_cast<const char*>(&length), sizeof length);
         process_.write(request.bytes());
-        QElapsedTimer sinceLife;
-        sinceLife.start();
+        WaitedTime sinceLife;
         while (true) {
             waitForFrame(isCancelled, sinceLife);
             MessageReader answer(takeFrame());
@@ -63,7 +62,7 @@ public:
             case SolverAnswer::Done:
                 return answer;
             case SolverAnswer::Working:
-                sinceLife.start();
+                sinceLife = WaitedTime();
                 break;
             case SolverAnswer::Refused: {
                 const auto fault = answer.take<LoadFault>();
@@ -80,13 +79,13 @@ public:
     }
 
 private:
-    void waitForFrame(const IsCancelled& isCancelled, const QElapsedTimer& sinceLife) {
+    void waitForFrame(const IsCancelled& isCancelled, WaitedTime& sinceLife) {
         while (!hasFrame()) {
             if (isCancelled && isCancelled()) {
                 end();
                 throw Cancelled();
             }
-            if (sinceLife.elapsed() > qint64(secondsOfACall()) * 1000) {
+            if (sinceLife.look() > std::chrono::seconds(secondsOfACall())) {
                 end();
                 rememberCrash(modulePath_);
                 fail(Text::tr("it was at one step for more than %1 s and was stopped")
