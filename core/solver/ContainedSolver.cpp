@@ -1,6 +1,5 @@
 #include "solver/ContainedSolver.h"
 
-#include "base/Progress.h"
 #include "base/SanitizerFindings.h"
 #include "base/ShippedFolders.h"
 #include "base/WaitedTime.h"
@@ -49,14 +48,16 @@ public:
     SolverProcess(const SolverProcess&) = delete;
     SolverProcess& operator=(const SolverProcess&) = delete;
 
-    // Throws Cancelled, or std::runtime_error with what the module says or what became of it.
-    MessageReader ask(const MessageWriter& request, const IsCancelled& isCancelled) {
+    // Throws Cancelled, or std::runtime_error with what the module says or what became of it, as
+    // where it takes longer than `seconds` without a sign of life.
+    MessageReader ask(const MessageWriter& request, const IsCancelled& isCancelled,
+                      int seconds = secondsOfACall()) {
         const auto length = std::uint64_t(request.bytes().size());
         process_.write(reinterpret_cast<const char*>(&length), sizeof length);
         process_.write(request.bytes());
         WaitedTime sinceLife;
         while (true) {
-            waitForFrame(isCancelled, sinceLife);
+            waitForFrame(isCancelled, sinceLife, seconds);
             MessageReader answer(takeFrame());
             switch (answer.take<SolverAnswer>()) {
             case SolverAnswer::Done:
@@ -79,17 +80,17 @@ public:
     }
 
 private:
-    void waitForFrame(const IsCancelled& isCancelled, WaitedTime& sinceLife) {
+    void waitForFrame(const IsCancelled& isCancelled, WaitedTime& sinceLife, int seconds) {
         while (!hasFrame()) {
             if (isCancelled && isCancelled()) {
                 end();
                 throw Cancelled();
             }
-            if (sinceLife.look() > std::chrono::seconds(secondsOfACall())) {
+            if (sinceLife.look() > std::chrono::seconds(seconds)) {
                 end();
                 rememberCrash(modulePath_);
-                fail(Text::tr("it was at one step for more than %1 s and was stopped")
-                         .arg(secondsOfACall()));
+                fail(
+                    Text::tr("it was at one step for more than %1 s and was stopped").arg(seconds));
             }
             process_.waitForReadyRead(pause);
             received_ += process_.readAllStandardOutput();
@@ -192,11 +193,18 @@ private:
 
 class ContainedModule : public solver::SolverModule {
 public:
-    explicit ContainedModule(const QString& modulePath) : modulePath_(modulePath) {
+    ContainedModule(const QString& modulePath, const CancelSwitch& cancelSwitch)
+        : modulePath_(modulePath) {
         try {
             SolverProcess process(modulePath_);
-            device_ = process.ask(message(SolverRequest::Describe), {}).takeText();
+            device_ = process
+                          .ask(
+                              message(SolverRequest::Describe),
+                              [&] { return cancelSwitch.isCancelled(); }, secondsOfADescription())
+                          .takeText();
         } catch (const Refusal&) {
+            throw;
+        } catch (const Cancelled&) {
             throw;
         } catch (const std::exception& failure) {
             throw Refusal(QString::fromUtf8(failure.what()));
@@ -248,8 +256,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<solver::SolverModule> containedSolver(const QString& modulePath) {
-    return std::make_unique<ContainedModule>(modulePath);
+std::unique_ptr<solver::SolverModule> containedSolver(const QString& modulePath,
+                                                      const CancelSwitch& cancelSwitch) {
+    return std::make_unique<ContainedModule>(modulePath, cancelSwitch);
 }
 
 } // namespace dipwright

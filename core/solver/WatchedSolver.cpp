@@ -133,11 +133,19 @@ private:
     QString modulePath_;
 };
 
+int chosenSeconds(int withoutChoice) {
+    const int chosen = qEnvironmentVariableIntValue("DIPWRIGHT_SOLVER_SECONDS");
+    return chosen > 0 ? std::min(chosen, 86'400) : withoutChoice;
+}
+
 } // namespace
 
 int secondsOfACall() {
-    const int chosen = qEnvironmentVariableIntValue("DIPWRIGHT_SOLVER_SECONDS");
-    return chosen > 0 ? std::min(chosen, 86'400) : longestCall;
+    return chosenSeconds(longestCall);
+}
+
+int secondsOfADescription() {
+    return chosenSeconds(longestDescription);
 }
 
 std::unique_ptr<solver::SolverModule> watchedSolver(const solver::SolverModule& module,

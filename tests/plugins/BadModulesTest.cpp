@@ -79,6 +79,8 @@ private slots:
     void aModuleOfAnotherInterfaceIsNotEvenLoaded_data();
     void aModuleOfAnotherInterfaceIsNotEvenLoaded();
     void automaticChoiceLeavesThemOut();
+    void automaticChoiceLoadsNoneBelowIt();
+    void aHangWhileLoadingCanBeLeft();
     void failuresInADipReachTheUser_data();
     void failuresInADipReachTheUser();
     void aHangCanBeLeft();
@@ -199,6 +201,39 @@ void BadModulesTest::automaticChoiceLeavesThemOut() {
     folder.describe(description);
     QCOMPARE(SolverRegistry({folder.path()}).info(QStringLiteral("auto")).id,
              QStringLiteral("good"));
+}
+
+// What hangs when it is loaded holds nobody up who has a better one.
+void BadModulesTest::automaticChoiceLoadsNoneBelowIt() {
+    qputenv("DIPWRIGHT_SOLVER_SECONDS", "600");
+    const PluginFolder folder;
+    folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
+    folder.add(QStringLiteral("hang"), builtModule(QStringLiteral("hang")));
+    QJsonObject description = PluginFolder::description(QStringLiteral("hang"));
+    description[QStringLiteral("priority")] = 0;
+    folder.describe(description);
+    QCOMPARE(SolverRegistry({folder.path()}).info(QStringLiteral("auto")).id,
+             QStringLiteral("good"));
+    qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
+}
+
+void BadModulesTest::aHangWhileLoadingCanBeLeft() {
+    qputenv("DIPWRIGHT_SOLVER_SECONDS", "600");
+    const PluginFolder folder;
+    folder.add(QStringLiteral("hang"), builtModule(QStringLiteral("hang")));
+    const SolverRegistry registry({folder.path()});
+    CancelSwitch cancelSwitch;
+    std::thread user([cancelSwitch]() mutable {
+        std::this_thread::sleep_for(std::chrono::milliseconds(500));
+        cancelSwitch.cancel();
+    });
+    QVERIFY_EXCEPTION_THROWN(registry.module(QStringLiteral("hang"), cancelSwitch), Cancelled);
+    user.join();
+    qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
+    // That was the user, and says nothing of the module.
+    const std::optional<SolverInfo> next = registry.found(QStringLiteral("hang"));
+    QVERIFY2(next->reason.contains(QLatin1String("at one step for more than 1 s")),
+             qPrintable(next->reason));
 }
 
 void BadModulesTest::failuresInADipReachTheUser_data() {
