@@ -49,14 +49,18 @@ QString requiredText(const QJsonObject& metadata, const char* key) {
 
 QJsonObject readJson(const QString& path) {
     QFile file(path);
+    if (!QFileInfo(path).isFile()) { // a link to a device or a pipe, which may never end
+        throw Refusal(Text::tr("Its description is not a plain file"));
+    }
     if (!file.open(QIODevice::ReadOnly)) {
         throw Refusal(Text::tr("Its description cannot be read: %1").arg(file.errorString()));
     }
-    if (file.size() > maximumMetadataBytes) {
+    const QByteArray bytes = file.read(maximumMetadataBytes + 1);
+    if (bytes.size() > maximumMetadataBytes) {
         throw Refusal(Text::tr("Its description is too large to be one"));
     }
     QJsonParseError error;
-    const QJsonDocument document = QJsonDocument::fromJson(file.readAll(), &error);
+    const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
     if (error.error != QJsonParseError::NoError) {
         throw Refusal(Text::tr("Its description is not valid JSON: %1").arg(error.errorString()));
     }

@@ -9,6 +9,10 @@
 #include <QStandardPaths>
 #include <QTest>
 
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#endif
+
 using namespace dipwright;
 using namespace dipwright::test;
 
@@ -30,6 +34,7 @@ private slots:
     void badDescriptionsAreListedWithTheirReason_data();
     void badDescriptionsAreListedWithTheirReason();
     void missingModuleIsNamed();
+    void descriptionsThatAreNoFilesAreNotRead();
     void fileThatIsNoModuleIsRefused();
     void firstFolderWins();
     void unknownSolverIsRefusedWithTheChoice();
@@ -94,6 +99,22 @@ void SolverRegistryTest::missingModuleIsNamed() {
     QCOMPARE(info.name, QStringLiteral("The solver good"));
     QVERIFY(!info.available);
     QVERIFY(info.reason.contains(PluginFolder::moduleName(QStringLiteral("good"))));
+}
+
+// The one never ends, the other never begins.
+void SolverRegistryTest::descriptionsThatAreNoFilesAreNotRead() {
+#ifdef Q_OS_UNIX
+    const PluginFolder place;
+    const QString pipe = place.filePath(QStringLiteral("pipe"));
+    QCOMPARE(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+    for (const QString& target : {QStringLiteral("/dev/zero"), pipe}) {
+        const PluginFolder folder;
+        QVERIFY(QFile::link(target, folder.filePath(QStringLiteral("good.json"))));
+        const SolverInfo info = onlySolver(folder);
+        QVERIFY(!info.available);
+        QVERIFY2(info.reason.contains(QLatin1String("not a plain file")), qPrintable(info.reason));
+    }
+#endif
 }
 
 void SolverRegistryTest::fileThatIsNoModuleIsRefused() {
