@@ -13,6 +13,7 @@
 #include <QCoreApplication>
 #include <QProcess>
 #include <algorithm>
+#include <optional>
 
 namespace dipwright {
 namespace {
@@ -25,6 +26,9 @@ struct UnknownException {}; // the module's; CheckedSolver.h has the sentence fo
 
 using IsCancelled = std::function<bool()>;
 constexpr int pause = 20; // ms between two looks at whether it is cancelled
+// The most that an answer may hold: its sentence or figures, and for each point three coordinates,
+// a state and a mark, rounded up for what is said once a film.
+constexpr std::uint64_t bytesOfAnAnswer = 1 << 20, bytesOfAPoint = 16;
 
 [[noreturn]] void fail(const QString& sentence) {
     throw std::runtime_error(sentence.toStdString());
@@ -47,6 +51,9 @@ public:
     }
     SolverProcess(const SolverProcess&) = delete;
     SolverProcess& operator=(const SolverProcess&) = delete;
+
+    // Answers are of so many points from now on.
+    void expect(std::size_t points) { mostBytes_ = bytesOfAnAnswer + points * bytesOfAPoint; }
 
     // Throws Cancelled, or std::runtime_error with what the module says or what became of it, as
     // where it takes longer than `seconds` without a sign of life.
@@ -94,22 +101,34 @@ private:
             }
             process_.waitForReadyRead(pause);
             received_ += process_.readAllStandardOutput();
+            refuseEndless();
             if (!hasFrame() && process_.state() == QProcess::NotRunning) {
                 tellEnd();
             }
         }
     }
-    bool hasFrame() const {
+    // Of the next frame, as the process says; nothing where it has not said it yet.
+    std::optional<std::uint64_t> frameLength() const {
         std::uint64_t length = 0;
         if (received_.size() < qsizetype(sizeof length)) {
-            return false;
+            return std::nullopt;
         }
         std::memcpy(&length, received_.constData(), sizeof length);
-        return std::uint64_t(received_.size()) - sizeof length >= length;
+        return length;
+    }
+    bool hasFrame() const {
+        const auto length = frameLength();
+        return length && std::uint64_t(received_.size()) - sizeof *length >= *length;
+    }
+    // Else what it sends would be kept until there is no memory left.
+    void refuseEndless() {
+        if (frameLength().value_or(0) > mostBytes_) {
+            end();
+            fail(Text::tr("it answered with more than there can be and was stopped"));
+        }
     }
     QByteArray takeFrame() {
-        std::uint64_t length = 0;
-        std::memcpy(&length, received_.constData(), sizeof length);
+        const std::uint64_t length = *frameLength();
         const QByteArray frame = received_.mid(sizeof length, qsizetype(length));
         received_.remove(0, qsizetype(sizeof length + length));
         return frame;
@@ -131,6 +150,7 @@ private:
     QString modulePath_;
     QProcess process_;
     QByteArray received_;
+    std::uint64_t mostBytes_ = bytesOfAnAnswer;
 };
 
 MessageWriter message(SolverRequest request) {
@@ -149,6 +169,7 @@ public:
     void begin(const solver::DipSetup& setup) override {
         MessageWriter request = message(SolverRequest::Begin);
         put(request, setup);
+        process_.expect(setup.film.pointCount());
         ask(request);
     }
     solver::DipState advance(int maximumSteps) override {
@@ -222,11 +243,14 @@ public:
                   void* context) const override {
         MessageWriter request = message(SolverRequest::RunBatch);
         request.put(std::uint64_t(items.size()));
+        std::size_t points = 0;
         for (const solver::BatchItem& item : items) {
             put(request, item.setup);
+            points += item.setup.film.pointCount();
         }
         try {
             SolverProcess process(modulePath_);
+            process.expect(points);
             MessageReader answer = process.ask(
                 request, [&] { return isCancelled != nullptr && isCancelled(context); });
             const bool isDone = answer.take<std::uint8_t>() != 0;

@@ -248,6 +248,7 @@ void BadModulesTest::failuresInADipReachTheUser_data() {
     QTest::newRow("advance-crash") << "it crashed";
     QTest::newRow("advance-exit") << "ended its process";
     QTest::newRow("advance-hang") << "at one step for more than 1 s";
+    QTest::newRow("advance-giant") << "more than there can be";
     QTest::newRow("advance-idle") << "does not come forward";
     QTest::newRow("advance-nonsense") << "that cannot be";
     QTest::newRow("read-crash") << "it crashed";
