@@ -3,14 +3,20 @@
 #include "solver/SolverRegistry.h"
 #include "PluginFolder.h"
 #include "base/Error.h"
+#include "solver/FolderRights.h"
 #include "solver/LoadMarker.h"
 
 #include <QDir>
 #include <QStandardPaths>
 #include <QTest>
+#include <algorithm>
+#include <vector>
 
 #ifdef Q_OS_UNIX
+#include <grp.h>
+#include <pwd.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #endif
 
 using namespace dipwright;
@@ -40,6 +46,7 @@ private slots:
     void unknownSolverIsRefusedWithTheChoice();
     void whatIsShippedComesFirst();
     void moduleBeingLoadedNowHasNotCrashed();
+    void aGroupsFolderIsOthersUnlessItIsTheUsersOwn();
 };
 
 void SolverRegistryTest::initTestCase() {
@@ -194,6 +201,34 @@ void SolverRegistryTest::moduleBeingLoadedNowHasNotCrashed() {
         QCOMPARE(crashesOf(module), 0);
     }
     QCOMPARE(crashesOf(module), 0);
+}
+
+// With every group that this user can give a folder to.
+void SolverRegistryTest::aGroupsFolderIsOthersUnlessItIsTheUsersOwn() {
+#ifdef Q_OS_UNIX
+    const PluginFolder folder;
+    const QByteArray path = QFile::encodeName(folder.path());
+    QCOMPARE(::chmod(path.constData(), 0700), 0);
+    QCOMPARE(writableByOthers(folder.path()), QString());
+    QCOMPARE(::chmod(path.constData(), 0770), 0);
+    const passwd* user = ::getpwuid(::geteuid());
+    const QByteArray name = user ? user->pw_name : "";
+    std::vector<gid_t> groups(65536);
+    groups.resize(std::size_t(std::max(::getgroups(int(groups.size()), groups.data()), 0)));
+    groups.insert(groups.end(), {::getegid(), 1, 12345}); // root may give it to any
+    for (const gid_t id : groups) {
+        if (::chown(path.constData(), ::uid_t(-1), id) != 0) {
+            continue;
+        }
+        const group* entry = ::getgrgid(id);
+        const QByteArray groupName = entry ? entry->gr_name : "";
+        if (groupName != name && groupName != "root") {
+            QCOMPARE(writableByOthers(folder.path()), QFileInfo(folder.path()).canonicalFilePath());
+        } else if (entry->gr_mem[0] == nullptr && id == user->pw_gid) {
+            QCOMPARE(writableByOthers(folder.path()), QString());
+        }
+    }
+#endif
 }
 
 QTEST_GUILESS_MAIN(SolverRegistryTest)
