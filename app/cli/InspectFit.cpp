@@ -83,7 +83,7 @@ FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
     }
     photos.clear();
     const SolverRegistry registry;
-    SolverChoice solver = chooseSolver(project.process.solver, registry);
+    SolverChoice solver = chooseSolver(project.process.solver, registry, progress.cancelSwitch);
     const auto field =
         cachedDistanceField(project.model->mesh, project.fieldResolution, progress.part(0.3, 0.35));
     part.fit = withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {

@@ -236,10 +236,10 @@ public:
 
 private:
     static SolverChoice solverOf(const QCommandLineParser& parser, const Project& project,
-                                 const SolverRegistry& registry) {
+                                 const SolverRegistry& registry, Console& console) {
         return chooseSolver(parser.isSet(solverOption) ? parser.value(solverOption)
                                                        : project.process.solver,
-                            registry);
+                            registry, console.progress().cancelSwitch);
     }
 
     static void makePart(const QCommandLineParser& parser, const Project& project,
@@ -253,7 +253,7 @@ private:
         }
         checkWritable(out);
         const SolverRegistry registry;
-        SolverChoice solver = solverOf(parser, project, registry);
+        SolverChoice solver = solverOf(parser, project, registry, console);
         const SearchPart part =
             withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {
                 return searchPart(searchSubject(project, solver.solver.id), settings, module,
@@ -276,7 +276,7 @@ private:
             parts.push_back(partFromFile(readSmallFile(name, mostPartBytes), name));
         }
         const SolverRegistry registry;
-        SolverChoice solver = solverOf(parser, project, registry);
+        SolverChoice solver = solverOf(parser, project, registry, console);
         const SearchResult result =
             withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {
                 return searchPoses(searchSubject(project, solver.solver.id), settings, module,

@@ -5,6 +5,7 @@
 #include "pipeline/Pipeline.h"
 #include "pipeline/SmallerFilm.h"
 #include "pipeline/WriteResults.h"
+#include "project/ProjectStore.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -260,9 +261,8 @@ public:
         const ThreadLimit threads = threadLimit(parser);
         const SolverRegistry registry;
         Tasks waking; // a GPU takes longer to wake than a project to read
-        waking.run([&] {
-            registry.module(parser.isSet(solverOption) ? parser.value(solverOption)
-                                                       : QStringLiteral("auto"));
+        waking.run([&, cancelSwitch = console.progress().cancelSwitch] {
+            registry.module(solverToWake(parser, projects.front()), cancelSwitch);
         });
         const JobOptions options = jobOptions(parser);
         if (projects.size() == 1) {
@@ -274,6 +274,21 @@ public:
     }
 
 private:
+    // The one that the first project is run with, as far as that can be told before it is read.
+    static QString solverToWake(const QCommandLineParser& parser, const QString& project) {
+        if (parser.isSet(solverOption)) {
+            return parser.value(solverOption);
+        }
+        const QString setting = QStringLiteral("process.solver=");
+        QString id = solverOfProject(project);
+        for (const QString& text : parser.values(QStringLiteral("set"))) {
+            if (text.startsWith(setting)) {
+                id = text.mid(setting.size());
+            }
+        }
+        return id;
+    }
+
     static JobOptions jobOptions(const QCommandLineParser& parser) {
         JobOptions options;
         options.solver = parser.value(solverOption);

@@ -45,8 +45,8 @@ void validateThePhysics(const QCommandLineParser& parser, Console& console) {
     options.resolutions = resolutions(parser);
     const QString solver =
         parser.isSet(solverOption) ? parser.value(solverOption) : QStringLiteral("auto");
-    const std::vector<PhysicsResult> results =
-        validatePhysics(registry.module(solver), options, console.progress());
+    const std::vector<PhysicsResult> results = validatePhysics(
+        registry.module(solver, console.progress().cancelSwitch), options, console.progress());
     if (parser.isSet(jsonOption)) {
         QJsonObject json = physicsJson(results);
         json["solver"] = registry.info(solver).id;

@@ -30,12 +30,16 @@ namespace dipwright {
 namespace {
 
 #if defined(Q_OS_UNIX)
-void limit(int resource, rlim_t most) {
+// It can be raised again up to `ever`, never beyond.
+void limit(int resource, rlim_t most, rlim_t ever) {
     rlimit now{};
     getrlimit(resource, &now);
+    now.rlim_max = std::min(ever, now.rlim_max);
     now.rlim_cur = std::min(most, now.rlim_max);
     setrlimit(resource, &now);
 }
+
+constexpr qint64 anyFile = qint64(1) << 50; // bytes: the largest budget of all
 #endif
 
 #if defined(Q_OS_LINUX) && (defined(__x86_64__) || defined(__aarch64__))
@@ -151,14 +155,16 @@ Filter filterOfCalls() {
     return filter;
 }
 
-void filterCalls() {
+bool filterCalls() {
     Filter filter = filterOfCalls();
     const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
-    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-    prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program);
+    return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+           prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 #else
-void filterCalls() {}
+bool filterCalls() {
+    return true;
+}
 #endif
 
 } // namespace
@@ -175,26 +181,29 @@ void leaveSurroundings() {
 #endif
 }
 
-void confine() {
+bool confine() {
     // Ends at once: nothing can be told while it is not known what is being written.
     std::signal(SIGXCPU, [](int) { _exit(readerOutOfTime); });
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, 0);
+    limit(RLIMIT_CORE, 0, 0);
+    limit(RLIMIT_FSIZE, 0, 0);
     allowFor(0);
-    filterCalls();
+    return filterCalls();
 }
 
 void allowFor(qint64 fileBytes) {
     constexpr qint64 second = 1000;
     const qint64 time = mostOf(Budget::Milliseconds, fileBytes);
-    limit(RLIMIT_CPU, rlim_t((time + second - 1) / second));
+    // Past the last second the system kills; a second before it still says why.
+    limit(RLIMIT_CPU, rlim_t((time + second - 1) / second),
+          rlim_t(mostOf(Budget::Milliseconds, anyFile) / second + 2));
 #if !defined(DIPWRIGHT_SANITIZED) // a sanitizer reserves terabytes for itself
 #if defined(Q_OS_LINUX)
     const int memory = RLIMIT_DATA; // what is written to; reserved is more
 #else
     const int memory = RLIMIT_AS;
 #endif
-    limit(memory, rlim_t(mostOf(Budget::Memory, fileBytes)));
+    limit(memory, rlim_t(mostOf(Budget::Memory, fileBytes)),
+          rlim_t(mostOf(Budget::Memory, anyFile)));
 #endif
 }
 
@@ -207,15 +216,16 @@ void leaveSurroundings() {
 }
 
 // One process with the memory of the largest file: a job's limits are for good.
-void confine() {
+bool confine() {
     JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
     limits.BasicLimitInformation.LimitFlags =
         JOB_OBJECT_LIMIT_ACTIVE_PROCESS | JOB_OBJECT_LIMIT_PROCESS_MEMORY;
     limits.BasicLimitInformation.ActiveProcessLimit = 1;
     limits.ProcessMemoryLimit = SIZE_T(mostOf(Budget::Memory, mostOf(Budget::FileBytes)));
     const HANDLE job = CreateJobObjectW(nullptr, nullptr);
-    SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limits, sizeof limits);
-    AssignProcessToJobObject(job, GetCurrentProcess());
+    return SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limits,
+                                   sizeof limits) != 0 &&
+           AssignProcessToJobObject(job, GetCurrentProcess()) != 0;
 }
 
 void allowFor(qint64 /*fileBytes*/) {}

@@ -12,7 +12,8 @@ void leaveSurroundings();
 
 // From now on: no file, network, process or memory that is run as a program can be had, nor what
 // mostOf() allows for a file of no bytes be passed. Once; all libraries must be loaded by then.
-void confine();
+// False where the system has a means of keeping the process from that and refuses it.
+[[nodiscard]] bool confine();
 
 // As much memory and time to compute as files of these many bytes together may take.
 void allowFor(qint64 fileBytes);

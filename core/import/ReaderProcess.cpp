@@ -4,12 +4,12 @@
 #include "base/Error.h"
 #include "base/SanitizerFindings.h"
 #include "base/ShippedFolders.h"
+#include "base/WaitedTime.h"
 #include "model/ModelFormats.h"
 #include "model/StoredModel.h"
 
 #include <QCoreApplication>
 #include <QDataStream>
-#include <QElapsedTimer>
 #include <QFileInfo>
 #include <QProcess>
 #include <QtEndian>
@@ -31,8 +31,9 @@ constexpr int busyMachine = 10;         // times the time to compute until it co
 QProcessEnvironment bareEnvironment() {
     const QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
     QProcessEnvironment bare;
-    for (const char* name : {"LD_LIBRARY_PATH", "PATH", "SystemRoot", "QT_PLUGIN_PATH",
-                             "ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS"}) {
+    for (const char* name :
+         {"LD_LIBRARY_PATH", "PATH", "SystemRoot", "QT_PLUGIN_PATH", "DIPWRIGHT_READ_UNCONFINED",
+          "ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS"}) {
         const QString key = QString::fromLatin1(name);
         if (all.contains(key)) {
             bare.insert(key, all.value(key));
@@ -74,7 +75,7 @@ public:
                             .arg(process_.errorString()),
                         program);
         }
-        clock_.start();
+        waited_ = WaitedTime();
         const QByteArray bytes = jobBytes(job);
         write(headerBytes(ReaderMessage::Job, bytes.size()) + bytes);
     }
@@ -83,6 +84,7 @@ public:
     std::pair<ReaderMessage, qint64> nextResult() {
         while (true) {
             const auto [kind, length] = readHeader(read(readerHeaderBytes));
+            requireInTime(); // what talks without end is no better than what says nothing
             switch (kind) {
             case ReaderMessage::Ask:
                 answer(QString::fromUtf8(readShort(length)));
@@ -149,7 +151,8 @@ private:
             if (got > 0) {
                 bytes += got;
                 length -= got;
-            } else if (!process_.waitForReadyRead(pollInterval)) {
+            } else {
+                process_.waitForReadyRead(pollInterval);
                 checkAlive();
             }
         }
@@ -158,6 +161,7 @@ private:
     void write(const QByteArray& bytes) {
         process_.write(bytes);
         while (process_.bytesToWrite() > 0) {
+            requireInTime();
             if (!process_.waitForBytesWritten(pollInterval)) {
                 checkAlive();
             }
@@ -198,19 +202,29 @@ private:
         throw Error(plain(message), plain(where));
     }
 
-    // While nothing comes: whether there is still something to wait for.
+    void requireInTime() {
+        const std::chrono::milliseconds patience(busyMachine *
+                                                 mostOf(Budget::Milliseconds, files_.bytesRead()));
+        if (waited_.look() > patience) {
+            throwOutOfTime();
+        }
+    }
+
+    [[noreturn]] void throwOutOfTime() const {
+        throw Error(sentenceOf(Budget::Milliseconds, files_.bytesRead()), where_);
+    }
+
+    // While not all has come: whether there is still something to wait for.
     void checkAlive() {
         progress_.cancelSwitch.throwIfCancelled();
+        requireInTime();
         if (process_.bytesAvailable() > 0) {
             return;
         }
         const bool isOver = process_.state() == QProcess::NotRunning;
-        const qint64 patience = busyMachine * mostOf(Budget::Milliseconds, files_.bytesRead());
-        const bool isLate = clock_.elapsed() > patience ||
-                            (isOver && process_.exitStatus() == QProcess::NormalExit &&
-                             process_.exitCode() == readerOutOfTime);
-        if (isLate) {
-            throw Error(sentenceOf(Budget::Milliseconds, files_.bytesRead()), where_);
+        if (isOver && process_.exitStatus() == QProcess::NormalExit &&
+            process_.exitCode() == readerOutOfTime) {
+            throwOutOfTime();
         }
         if (isOver) {
             throw Error(Text::tr("The file makes its reader crash and is not read; save it anew, a "
@@ -224,7 +238,7 @@ private:
     ForeignFiles& files_;
     const Progress& progress_;
     QProcess process_;
-    QElapsedTimer clock_;
+    WaitedTime waited_;
     qint64 pixels_ = 0;
 };
 

@@ -24,7 +24,7 @@ std::shared_ptr<const LaidFilm> dippedDeeper(const JobResult& result, std::size_
                                              const Progress& progress) {
     const Project& project = result.project;
     const ImmersionResult& dip = result.immersions[immersion];
-    SolverChoice solver = chooseSolver(result.chosenSolver, registry);
+    SolverChoice solver = chooseSolver(result.chosenSolver, registry, progress.cancelSwitch);
     const auto field = result.field ? result.field
                                     : cachedDistanceField(result.fieldInputs.model->mesh,
                                                           result.fieldInputs.resolution,

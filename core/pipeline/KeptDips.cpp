@@ -204,7 +204,8 @@ std::shared_ptr<const JobResult> keptDips(const Project& project, const SolverRe
     auto result = std::make_shared<JobResult>();
     result->project = project;
     result->wantedSolver = project.process.solver;
-    const SolverInfo solver = chooseSolver(result->wantedSolver, registry).solver;
+    const SolverInfo solver =
+        chooseSolver(result->wantedSolver, registry, progress.cancelSwitch).solver;
     result->chosenSolver = solver.id;
     const std::vector<QByteArray> kept = readWanted(file, DipKeys(project), project, solver);
     for (std::size_t number = 0; number < kept.size(); ++number) {

@@ -520,7 +520,7 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     JobResult result;
     result.project = project;
     result.wantedSolver = options.solver.isEmpty() ? project.process.solver : options.solver;
-    SolverChoice solver = chooseSolver(result.wantedSolver, registry);
+    SolverChoice solver = chooseSolver(result.wantedSolver, registry, progress.cancelSwitch);
     result.chosenSolver = solver.solver.id;
     result.notes = std::exchange(solver.notes, {});
 

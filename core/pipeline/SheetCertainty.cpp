@@ -118,7 +118,7 @@ sheetCertainty(const Project& project, const SolverRegistry& registry, const Pro
         throw Error(Text::tr("The project has no model, import one first"), project.name);
     }
     withHalfSpacing(project); // refuses before any work
-    SolverChoice solver = chooseSolver(project.process.solver, registry);
+    SolverChoice solver = chooseSolver(project.process.solver, registry, progress.cancelSwitch);
     const auto field = cachedDistanceField(project.model->mesh, project.fieldResolution,
                                            progress.part(0, fieldDone));
     std::vector<ImmersionCertainty> result;

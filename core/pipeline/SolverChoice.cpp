@@ -11,12 +11,13 @@ struct Text {
 
 // The CPU solver of the highest priority that can run here, in the place of `solver`, if that needs
 // a GPU.
-std::optional<SolverInfo> cpuInPlaceOf(const SolverInfo& solver, const SolverRegistry& registry) {
+std::optional<SolverInfo> cpuInPlaceOf(const SolverInfo& solver, const SolverRegistry& registry,
+                                       const CancelSwitch& cancelSwitch) {
     std::optional<SolverInfo> best;
     if (solver.deviceKind != QLatin1String("gpu")) {
         return best;
     }
-    for (const SolverInfo& candidate : registry.solvers()) {
+    for (const SolverInfo& candidate : registry.solvers(cancelSwitch)) {
         if (candidate.available && candidate.deviceKind == QLatin1String("cpu") &&
             (!best || candidate.priority > best->priority)) {
             best = candidate;
@@ -27,23 +28,25 @@ std::optional<SolverInfo> cpuInPlaceOf(const SolverInfo& solver, const SolverReg
 
 } // namespace
 
-SolverChoice chooseSolver(const QString& wanted, const SolverRegistry& registry) {
+SolverChoice chooseSolver(const QString& wanted, const SolverRegistry& registry,
+                          const CancelSwitch& cancelSwitch) {
     try {
-        registry.module(wanted); // loads it, or throws the reason why it cannot run
-        return {registry.info(wanted), {}};
+        return {registry.info(wanted, cancelSwitch), {}, cancelSwitch};
     } catch (const Error& error) {
-        const std::optional<SolverInfo> missing = registry.found(wanted);
-        const auto other = missing ? cpuInPlaceOf(*missing, registry) : std::nullopt;
+        const std::optional<SolverInfo> missing = registry.found(wanted, cancelSwitch);
+        const auto other = missing ? cpuInPlaceOf(*missing, registry, cancelSwitch) : std::nullopt;
         if (!other) {
             throw;
         }
         return {*other,
-                {Text::tr("The CPU takes over from %1: %2").arg(missing->name, error.sentence())}};
+                {Text::tr("The CPU takes over from %1: %2").arg(missing->name, error.sentence())},
+                cancelSwitch};
     }
 }
 
 bool takeOver(SolverChoice& choice, const SolverRegistry& registry, const Error& error) {
-    const std::optional<SolverInfo> other = cpuInPlaceOf(choice.solver, registry);
+    const std::optional<SolverInfo> other =
+        cpuInPlaceOf(choice.solver, registry, choice.cancelSwitch);
     if (!other) {
         return false;
     }

@@ -213,6 +213,12 @@ Project loadProject(const QString& path) {
     return project;
 }
 
+QString solverOfProject(const QString& path) {
+    ArchiveReader archive(path);
+    const QJsonValue process = readDocument(archive, path).value(QLatin1String("process"));
+    return process[QLatin1String("solver")].toString(ProcessSettings().solver);
+}
+
 FileVersion saveProject(const Project& project, const QString& path) {
     const QByteArray bytes = projectBytes(project);
     const QString failure = replaceFile(path, bytes);

@@ -11,6 +11,10 @@ namespace dipwright {
 // encrypted, not a zip, larger than sane when unpacked, entries with unsafe paths, a newer version.
 Project loadProject(const QString& path);
 
+// The solver that the file's project asks for, as it stands there and without anything else of it:
+// for who gets it ready while the project is read. Throws Error.
+QString solverOfProject(const QString& path);
+
 // Writes the whole file or leaves the old one whole (disk/WholeFile.h), whatever it holds now: who
 // read it before and wants to know uses ProjectFile. Returns what the file now holds. Throws Error
 // (not writable, disk full).

@@ -1,8 +1,8 @@
 #include "solver/ContainedSolver.h"
 
-#include "base/Progress.h"
 #include "base/SanitizerFindings.h"
 #include "base/ShippedFolders.h"
+#include "base/WaitedTime.h"
 #include "solver/CheckedSolver.h"
 #include "solver/CrashSignals.h"
 #include "solver/LoadMarker.h"
@@ -11,9 +11,9 @@
 #include "solver/WatchedSolver.h"
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
 #include <QProcess>
 #include <algorithm>
+#include <optional>
 
 namespace dipwright {
 namespace {
@@ -26,6 +26,9 @@ struct UnknownException {}; // the module's; CheckedSolver.h has the sentence fo
 
 using IsCancelled = std::function<bool()>;
 constexpr int pause = 20; // ms between two looks at whether it is cancelled
+// The most that an answer may hold: its sentence or figures, and for each point three coordinates,
+// a state and a mark, rounded up for what is said once a film.
+constexpr std::uint64_t bytesOfAnAnswer = 1 << 20, bytesOfAPoint = 16;
 
 [[noreturn]] void fail(const QString& sentence) {
     throw std::runtime_error(sentence.toStdString());
@@ -49,21 +52,25 @@ public:
     SolverProcess(const SolverProcess&) = delete;
     SolverProcess& operator=(const SolverProcess&) = delete;
 
-    // Throws Cancelled, or std::runtime_error with what the module says or what became of it.
-    MessageReader ask(const MessageWriter& request, const IsCancelled& isCancelled) {
+    // Answers are of so many points from now on.
+    void expect(std::size_t points) { mostBytes_ = bytesOfAnAnswer + points * bytesOfAPoint; }
+
+    // Throws Cancelled, or std::runtime_error with what the module says or what became of it, as
+    // where it takes longer than `seconds` without a sign of life.
+    MessageReader ask(const MessageWriter& request, const IsCancelled& isCancelled,
+                      int seconds = secondsOfACall()) {
         const auto length = std::uint64_t(request.bytes().size());
         process_.write(reinterpret_cast<const char*>(&length), sizeof length);
         process_.write(request.bytes());
-        QElapsedTimer sinceLife;
-        sinceLife.start();
+        WaitedTime sinceLife;
         while (true) {
-            waitForFrame(isCancelled, sinceLife);
+            waitForFrame(isCancelled, sinceLife, seconds);
             MessageReader answer(takeFrame());
             switch (answer.take<SolverAnswer>()) {
             case SolverAnswer::Done:
                 return answer;
             case SolverAnswer::Working:
-                sinceLife.start();
+                sinceLife = WaitedTime();
                 break;
             case SolverAnswer::Refused: {
                 const auto fault = answer.take<LoadFault>();
@@ -80,36 +87,48 @@ public:
     }
 
 private:
-    void waitForFrame(const IsCancelled& isCancelled, const QElapsedTimer& sinceLife) {
+    void waitForFrame(const IsCancelled& isCancelled, WaitedTime& sinceLife, int seconds) {
         while (!hasFrame()) {
             if (isCancelled && isCancelled()) {
                 end();
                 throw Cancelled();
             }
-            if (sinceLife.elapsed() > qint64(secondsOfACall()) * 1000) {
+            if (sinceLife.look() > std::chrono::seconds(seconds)) {
                 end();
                 rememberCrash(modulePath_);
-                fail(Text::tr("it was at one step for more than %1 s and was stopped")
-                         .arg(secondsOfACall()));
+                fail(
+                    Text::tr("it was at one step for more than %1 s and was stopped").arg(seconds));
             }
             process_.waitForReadyRead(pause);
             received_ += process_.readAllStandardOutput();
+            refuseEndless();
             if (!hasFrame() && process_.state() == QProcess::NotRunning) {
                 tellEnd();
             }
         }
     }
-    bool hasFrame() const {
+    // Of the next frame, as the process says; nothing where it has not said it yet.
+    std::optional<std::uint64_t> frameLength() const {
         std::uint64_t length = 0;
         if (received_.size() < qsizetype(sizeof length)) {
-            return false;
+            return std::nullopt;
         }
         std::memcpy(&length, received_.constData(), sizeof length);
-        return std::uint64_t(received_.size()) - sizeof length >= length;
+        return length;
+    }
+    bool hasFrame() const {
+        const auto length = frameLength();
+        return length && std::uint64_t(received_.size()) - sizeof *length >= *length;
+    }
+    // Else what it sends would be kept until there is no memory left.
+    void refuseEndless() {
+        if (frameLength().value_or(0) > mostBytes_) {
+            end();
+            fail(Text::tr("it answered with more than there can be and was stopped"));
+        }
     }
     QByteArray takeFrame() {
-        std::uint64_t length = 0;
-        std::memcpy(&length, received_.constData(), sizeof length);
+        const std::uint64_t length = *frameLength();
         const QByteArray frame = received_.mid(sizeof length, qsizetype(length));
         received_.remove(0, qsizetype(sizeof length + length));
         return frame;
@@ -131,6 +150,7 @@ private:
     QString modulePath_;
     QProcess process_;
     QByteArray received_;
+    std::uint64_t mostBytes_ = bytesOfAnAnswer;
 };
 
 MessageWriter message(SolverRequest request) {
@@ -149,6 +169,7 @@ public:
     void begin(const solver::DipSetup& setup) override {
         MessageWriter request = message(SolverRequest::Begin);
         put(request, setup);
+        process_.expect(setup.film.pointCount());
         ask(request);
     }
     solver::DipState advance(int maximumSteps) override {
@@ -193,11 +214,18 @@ private:
 
 class ContainedModule : public solver::SolverModule {
 public:
-    explicit ContainedModule(const QString& modulePath) : modulePath_(modulePath) {
+    ContainedModule(const QString& modulePath, const CancelSwitch& cancelSwitch)
+        : modulePath_(modulePath) {
         try {
             SolverProcess process(modulePath_);
-            device_ = process.ask(message(SolverRequest::Describe), {}).takeText();
+            device_ = process
+                          .ask(
+                              message(SolverRequest::Describe),
+                              [&] { return cancelSwitch.isCancelled(); }, secondsOfADescription())
+                          .takeText();
         } catch (const Refusal&) {
+            throw;
+        } catch (const Cancelled&) {
             throw;
         } catch (const std::exception& failure) {
             throw Refusal(QString::fromUtf8(failure.what()));
@@ -215,11 +243,14 @@ public:
                   void* context) const override {
         MessageWriter request = message(SolverRequest::RunBatch);
         request.put(std::uint64_t(items.size()));
+        std::size_t points = 0;
         for (const solver::BatchItem& item : items) {
             put(request, item.setup);
+            points += item.setup.film.pointCount();
         }
         try {
             SolverProcess process(modulePath_);
+            process.expect(points);
             MessageReader answer = process.ask(
                 request, [&] { return isCancelled != nullptr && isCancelled(context); });
             const bool isDone = answer.take<std::uint8_t>() != 0;
@@ -249,8 +280,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<solver::SolverModule> containedSolver(const QString& modulePath) {
-    return std::make_unique<ContainedModule>(modulePath);
+std::unique_ptr<solver::SolverModule> containedSolver(const QString& modulePath,
+                                                      const CancelSwitch& cancelSwitch) {
+    return std::make_unique<ContainedModule>(modulePath, cancelSwitch);
 }
 
 } // namespace dipwright

@@ -49,14 +49,18 @@ QString requiredText(const QJsonObject& metadata, const char* key) {
 
 QJsonObject readJson(const QString& path) {
     QFile file(path);
+    if (!QFileInfo(path).isFile()) { // a link to a device or a pipe, which may never end
+        throw Refusal(Text::tr("Its description is not a plain file"));
+    }
     if (!file.open(QIODevice::ReadOnly)) {
         throw Refusal(Text::tr("Its description cannot be read: %1").arg(file.errorString()));
     }
-    if (file.size() > maximumMetadataBytes) {
+    const QByteArray bytes = file.read(maximumMetadataBytes + 1);
+    if (bytes.size() > maximumMetadataBytes) {
         throw Refusal(Text::tr("Its description is too large to be one"));
     }
     QJsonParseError error;
-    const QJsonDocument document = QJsonDocument::fromJson(file.readAll(), &error);
+    const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
     if (error.error != QJsonParseError::NoError) {
         throw Refusal(Text::tr("Its description is not valid JSON: %1").arg(error.errorString()));
     }
@@ -133,28 +137,32 @@ void loadShipped(Plugin& plugin) {
     }
 }
 
-void loadContained(Plugin& plugin) {
-    refuseOthersFolder(plugin.info);
-    plugin.inner = containedSolver(plugin.info.modulePath);
+void loadContained(Plugin& plugin, const CancelSwitch& cancelSwitch) {
+    // Whoever could put another module into the program's own folders could put another program
+    // there; and an archive that root unpacks leaves them to whoever packed it.
+    if (!plugin.isShipped) {
+        refuseOthersFolder(plugin.info);
+    }
+    plugin.inner = containedSolver(plugin.info.modulePath, cancelSwitch);
     plugin.module = checkedSolver(*plugin.inner);
     if (*plugin.module->device() != 0) {
         plugin.info.device = QString::fromUtf8(plugin.module->device());
     }
 }
 
-void load(Plugin& plugin) {
+void load(Plugin& plugin, const CancelSwitch& cancelSwitch) {
     if (plugin.isLoaded) {
         return;
     }
-    plugin.isLoaded = true;
     try {
         refuseCrashed(plugin.info.modulePath);
         const bool isTrusted = plugin.isShipped && crashesOf(plugin.info.modulePath) == 0;
-        isTrusted ? loadShipped(plugin) : loadContained(plugin);
+        isTrusted ? loadShipped(plugin) : loadContained(plugin, cancelSwitch);
         plugin.info.available = true;
     } catch (const Refusal& refusal) {
         plugin.info.reason = refusal.reason();
     }
+    plugin.isLoaded = true;
 }
 
 Plugin foundPlugin(const QFileInfo& metadataFile) {
@@ -216,37 +224,44 @@ struct SolverRegistry::Data {
     std::mutex mutex; // modules are loaded when first asked for, by whichever thread asks
     std::vector<Plugin> plugins;
 
-    Plugin& plugin(const QString& id);
-    Plugin& best();
-    Plugin& named(const QString& id);
+    Plugin& plugin(const QString& id, const CancelSwitch& cancelSwitch);
+    Plugin& best(const CancelSwitch& cancelSwitch);
+    Plugin& named(const QString& id, const CancelSwitch& cancelSwitch);
+    std::vector<Plugin*> byPriority();
 };
 
 // The loaded plugin of `id`; throws Error when it cannot be used.
-Plugin& SolverRegistry::Data::plugin(const QString& id) {
-    return id == QLatin1String("auto") ? best() : named(id);
+Plugin& SolverRegistry::Data::plugin(const QString& id, const CancelSwitch& cancelSwitch) {
+    return id == QLatin1String("auto") ? best(cancelSwitch) : named(id, cancelSwitch);
 }
 
-Plugin& SolverRegistry::Data::best() {
-    Plugin* best = nullptr;
-    QStringList reasons;
+// The highest first; of the same priority as they stand.
+std::vector<Plugin*> SolverRegistry::Data::byPriority() {
+    std::vector<Plugin*> sorted;
     for (Plugin& plugin : plugins) {
-        load(plugin);
-        if (!plugin.module) {
-            reasons << QStringLiteral("%1: %2").arg(plugin.info.id, plugin.info.reason);
-        } else if (!best || plugin.info.priority > best->info.priority) {
-            best = &plugin;
-        }
+        sorted.push_back(&plugin);
     }
-    if (!best) {
-        const QString all =
-            reasons.isEmpty() ? Text::tr("no plugin was found") : reasons.join(u"; ");
-        throw Error(Text::tr("No solver can run here; install one or set DIPWRIGHT_PLUGIN_PATH"),
-                    all);
-    }
-    return *best;
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Plugin* a, const Plugin* b) {
+        return a->info.priority > b->info.priority;
+    });
+    return sorted;
 }
 
-Plugin& SolverRegistry::Data::named(const QString& id) {
+// Stops at the first that can run: each of the others could take long to be loaded, or hang.
+Plugin& SolverRegistry::Data::best(const CancelSwitch& cancelSwitch) {
+    QStringList reasons;
+    for (Plugin* plugin : byPriority()) {
+        load(*plugin, cancelSwitch);
+        if (plugin->module) {
+            return *plugin;
+        }
+        reasons << QStringLiteral("%1: %2").arg(plugin->info.id, plugin->info.reason);
+    }
+    throw Error(Text::tr("No solver can run here; install one or set DIPWRIGHT_PLUGIN_PATH"),
+                reasons.isEmpty() ? Text::tr("no plugin was found") : reasons.join(u"; "));
+}
+
+Plugin& SolverRegistry::Data::named(const QString& id, const CancelSwitch& cancelSwitch) {
     const auto found = std::find_if(plugins.begin(), plugins.end(),
                                     [&](const Plugin& plugin) { return plugin.info.id == id; });
     if (found == plugins.end()) {
@@ -256,7 +271,7 @@ Plugin& SolverRegistry::Data::named(const QString& id) {
         }
         throw Error(Text::tr("There is no such solver; choose one of %1").arg(ids.join(u", ")), id);
     }
-    load(*found);
+    load(*found, cancelSwitch);
     if (!found->module) {
         throw Error(Text::tr("This solver cannot be used: %1").arg(found->info.reason), id);
     }
@@ -279,33 +294,37 @@ SolverRegistry::SolverRegistry(const QStringList& folders, const QStringList& sh
 
 SolverRegistry::~SolverRegistry() = default;
 
-std::vector<SolverInfo> SolverRegistry::solvers() const {
+std::vector<SolverInfo> SolverRegistry::solvers(const CancelSwitch& cancelSwitch) const {
     const std::lock_guard lock(data_->mutex);
     std::vector<SolverInfo> infos;
     for (Plugin& plugin : data_->plugins) {
-        load(plugin);
+        load(plugin, cancelSwitch);
         infos.push_back(plugin.info);
     }
     return infos;
 }
 
-const solver::SolverModule& SolverRegistry::module(const QString& id) const {
+const solver::SolverModule& SolverRegistry::module(const QString& id,
+                                                   const CancelSwitch& cancelSwitch) const {
     const std::lock_guard lock(data_->mutex);
-    return *data_->plugin(id).module;
+    return *data_->plugin(id, cancelSwitch).module;
 }
 
-std::optional<SolverInfo> SolverRegistry::found(const QString& id) const {
-    for (const SolverInfo& solver : solvers()) {
-        if (solver.id == id) {
-            return solver;
+std::optional<SolverInfo> SolverRegistry::found(const QString& id,
+                                                const CancelSwitch& cancelSwitch) const {
+    const std::lock_guard lock(data_->mutex);
+    for (Plugin& plugin : data_->plugins) {
+        if (plugin.info.id == id) {
+            load(plugin, cancelSwitch);
+            return plugin.info;
         }
     }
     return std::nullopt;
 }
 
-SolverInfo SolverRegistry::info(const QString& id) const {
+SolverInfo SolverRegistry::info(const QString& id, const CancelSwitch& cancelSwitch) const {
     const std::lock_guard lock(data_->mutex);
-    return data_->plugin(id).info;
+    return data_->plugin(id, cancelSwitch).info;
 }
 
 } // namespace dipwright

@@ -7,6 +7,7 @@
 // for.
 #pragma once
 
+#include "base/Progress.h"
 #include "base/ShippedFolders.h"
 
 #include <dipwright/FilmSolver.h>
@@ -38,21 +39,27 @@ public:
 
     // Modules in the folders `shipped` are loaded into this process and watched (WatchedSolver.h);
     // each of the others, and of these any that has crashed or hung before, runs in one of its own
-    // (ContainedSolver.h), and is refused where others than the user can write to it.
+    // (ContainedSolver.h). The others are refused where others than the user can write to them.
     explicit SolverRegistry(const QStringList& folders = standardFolders(),
                             const QStringList& shipped = shippedPluginFolders());
     ~SolverRegistry();
     SolverRegistry(const SolverRegistry&) = delete;
     SolverRegistry& operator=(const SolverRegistry&) = delete;
 
+    // A module that takes long to be loaded in a process of its own can be left by the switch: then
+    // Cancelled is thrown, and it is loaded anew when it is next asked for.
+
     // All plugins found, sorted by id, each loaded far enough to know whether it can run here.
-    std::vector<SolverInfo> solvers() const;
-    // The module of `id`, or of the best available one for "auto", checked (CheckedSolver.h).
-    // Throws Error with the reason. Lives as long as the registry.
-    const solver::SolverModule& module(const QString& id) const;
-    SolverInfo info(const QString& id) const; // of the same solver as module(id)
+    std::vector<SolverInfo> solvers(const CancelSwitch& cancelSwitch = {}) const;
+    // The module of `id`, or of the best available one for "auto", checked (CheckedSolver.h); those
+    // that would not be taken either way are not loaded for it. Throws Error with the reason. Lives
+    // as long as the registry.
+    const solver::SolverModule& module(const QString& id,
+                                       const CancelSwitch& cancelSwitch = {}) const;
+    // Of the same solver as module(id).
+    SolverInfo info(const QString& id, const CancelSwitch& cancelSwitch = {}) const;
     // The plugin `id` whether or not it can run here; nothing where none is found.
-    std::optional<SolverInfo> found(const QString& id) const;
+    std::optional<SolverInfo> found(const QString& id, const CancelSwitch& cancelSwitch = {}) const;
 
 private:
     struct Data;

@@ -1,5 +1,6 @@
 #include "solver/WatchedSolver.h"
 
+#include "base/WaitedTime.h"
 #include "solver/LoadMarker.h"
 
 #include <QtGlobal>
@@ -12,8 +13,6 @@
 
 namespace dipwright {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // The calls of one film, or one batch.
 class CallWatch {
@@ -36,22 +35,22 @@ public:
         const Span span(*this);
         return call();
     }
-    void signOfLife() { set(Clock::now()); }
+    void signOfLife() { set(WaitedTime()); }
 
 private:
     struct Span {
-        explicit Span(CallWatch& of) : watch(of) { watch.set(Clock::now()); }
+        explicit Span(CallWatch& of) : watch(of) { watch.set(WaitedTime()); }
         ~Span() { watch.set(std::nullopt); }
         CallWatch& watch;
     };
-    void set(std::optional<Clock::time_point> since) {
+    void set(std::optional<WaitedTime> call) {
         const std::lock_guard lock(mutex_);
-        since_ = since;
+        call_ = call;
     }
     void watch() {
         std::unique_lock lock(mutex_);
         while (!isOver_) {
-            if (since_ && Clock::now() - *since_ > limit_) {
+            if (call_ && call_->look() > limit_) {
                 rememberCrash(modulePath_);
                 return; // once a film
             }
@@ -63,7 +62,7 @@ private:
     std::chrono::seconds limit_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::optional<Clock::time_point> since_; // the module is at a call
+    std::optional<WaitedTime> call_; // that the module is at
     bool isOver_ = false;
     std::thread watcher_; // the last: it uses all others
 };
@@ -134,11 +133,19 @@ private:
     QString modulePath_;
 };
 
+int chosenSeconds(int withoutChoice) {
+    const int chosen = qEnvironmentVariableIntValue("DIPWRIGHT_SOLVER_SECONDS");
+    return chosen > 0 ? std::min(chosen, 86'400) : withoutChoice;
+}
+
 } // namespace
 
 int secondsOfACall() {
-    const int chosen = qEnvironmentVariableIntValue("DIPWRIGHT_SOLVER_SECONDS");
-    return chosen > 0 ? std::min(chosen, 86'400) : longestCall;
+    return chosenSeconds(longestCall);
+}
+
+int secondsOfADescription() {
+    return chosenSeconds(longestDescription);
 }
 
 std::unique_ptr<solver::SolverModule> watchedSolver(const solver::SolverModule& module,

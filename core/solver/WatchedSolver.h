@@ -13,6 +13,11 @@ namespace dipwright {
 // sets another than `longestCall`, 1 … 86,400.
 inline constexpr int longestCall = 120;
 int secondsOfACall();
+// How long one in a process of its own may take to be loaded and to say whether it can run here: no
+// film is waited for then, but a GPU's driver that starts may take several seconds. The variable
+// sets this, too.
+inline constexpr int longestDescription = 20;
+int secondsOfADescription();
 
 // The same module. A call in this process cannot be ended from outside, only the process can. But
 // one that takes longer than secondsOfACall() is remembered as a crash is (LoadMarker.h), at once

@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 #include <thread>
+#include <unistd.h>
 
 namespace {
 
@@ -18,6 +19,19 @@ using namespace dipwright;
     std::signal(SIGSEGV, SIG_DFL);
     std::raise(SIGSEGV);
 }
+
+#if defined(DIPWRIGHT_BAD_ADVANCE_GIANT)
+// Says, wherever its process answers, that an answer of an exabyte comes, and begins to send it.
+void announceGiant() {
+    constexpr int firstOfItsOwn = 3, last = 15; // the streams come before
+    const std::vector<std::uint64_t> words(8192, std::uint64_t(1) << 60);
+    for (int stream = firstOfItsOwn; stream <= last; ++stream) {
+        [[maybe_unused]] const auto written =
+            ::write(stream, words.data(), words.size() * sizeof words.front());
+    }
+    std::this_thread::sleep_for(std::chrono::hours(1));
+}
+#endif
 
 // A film that fails where it is told to.
 class Film : public solver::FilmSolver {
@@ -38,6 +52,8 @@ public:
         std::_Exit(0);
 #elif defined(DIPWRIGHT_BAD_ADVANCE_HANG)
         std::this_thread::sleep_for(std::chrono::hours(1));
+#elif defined(DIPWRIGHT_BAD_ADVANCE_GIANT)
+        announceGiant();
 #elif defined(DIPWRIGHT_BAD_ADVANCE_IDLE)
         return {};
 #elif defined(DIPWRIGHT_BAD_ADVANCE_NONSENSE)

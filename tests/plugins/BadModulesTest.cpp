@@ -41,6 +41,11 @@ Listing listedByProgram(const PluginFolder& folder, const QStringList& more = {}
             QString::fromUtf8(program.readAllStandardOutput())};
 }
 
+void openToOthers(const PluginFolder& folder) {
+    QVERIFY(QFile::setPermissions(folder.path(), QFile::ReadOwner | QFile::WriteOwner |
+                                                     QFile::ExeOwner | QFile::WriteOther));
+}
+
 // A dip of a box with the module `name`; what went wrong, as the user reads it.
 QString failureOfDip(const QString& name, const Progress& progress = {}) {
     const PluginFolder folder;
@@ -74,6 +79,8 @@ private slots:
     void aModuleOfAnotherInterfaceIsNotEvenLoaded_data();
     void aModuleOfAnotherInterfaceIsNotEvenLoaded();
     void automaticChoiceLeavesThemOut();
+    void automaticChoiceLoadsNoneBelowIt();
+    void aHangWhileLoadingCanBeLeft();
     void failuresInADipReachTheUser_data();
     void failuresInADipReachTheUser();
     void aHangCanBeLeft();
@@ -83,6 +90,7 @@ private slots:
     void aModuleThatCrashesTwiceIsLeftOut();
     void aShippedModuleThatHungIsContained();
     void aShippedModuleThatCrashedTwiceIsLeftOut();
+    void aShippedModuleMayLieWhereOthersWrite();
     void aModuleThatOthersCanWriteIsNotLoaded();
     void beingKilledWhileLoadingIsNotTheModulesFault();
 };
@@ -195,6 +203,39 @@ void BadModulesTest::automaticChoiceLeavesThemOut() {
              QStringLiteral("good"));
 }
 
+// What hangs when it is loaded holds nobody up who has a better one.
+void BadModulesTest::automaticChoiceLoadsNoneBelowIt() {
+    qputenv("DIPWRIGHT_SOLVER_SECONDS", "600");
+    const PluginFolder folder;
+    folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
+    folder.add(QStringLiteral("hang"), builtModule(QStringLiteral("hang")));
+    QJsonObject description = PluginFolder::description(QStringLiteral("hang"));
+    description[QStringLiteral("priority")] = 0;
+    folder.describe(description);
+    QCOMPARE(SolverRegistry({folder.path()}).info(QStringLiteral("auto")).id,
+             QStringLiteral("good"));
+    qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
+}
+
+void BadModulesTest::aHangWhileLoadingCanBeLeft() {
+    qputenv("DIPWRIGHT_SOLVER_SECONDS", "600");
+    const PluginFolder folder;
+    folder.add(QStringLiteral("hang"), builtModule(QStringLiteral("hang")));
+    const SolverRegistry registry({folder.path()});
+    CancelSwitch cancelSwitch;
+    std::thread user([cancelSwitch]() mutable {
+        std::this_thread::sleep_for(std::chrono::milliseconds(500));
+        cancelSwitch.cancel();
+    });
+    QVERIFY_EXCEPTION_THROWN(registry.module(QStringLiteral("hang"), cancelSwitch), Cancelled);
+    user.join();
+    qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
+    // That was the user, and says nothing of the module.
+    const std::optional<SolverInfo> next = registry.found(QStringLiteral("hang"));
+    QVERIFY2(next->reason.contains(QLatin1String("at one step for more than 1 s")),
+             qPrintable(next->reason));
+}
+
 void BadModulesTest::failuresInADipReachTheUser_data() {
     QTest::addColumn<QString>("reasonPart");
     QTest::newRow("create") << "out of memory";
@@ -207,6 +248,7 @@ void BadModulesTest::failuresInADipReachTheUser_data() {
     QTest::newRow("advance-crash") << "it crashed";
     QTest::newRow("advance-exit") << "ended its process";
     QTest::newRow("advance-hang") << "at one step for more than 1 s";
+    QTest::newRow("advance-giant") << "more than there can be";
     QTest::newRow("advance-idle") << "does not come forward";
     QTest::newRow("advance-nonsense") << "that cannot be";
     QTest::newRow("read-crash") << "it crashed";
@@ -330,6 +372,18 @@ void BadModulesTest::aShippedModuleThatCrashedTwiceIsLeftOut() {
     }
 }
 
+// As where root has unpacked an archive, which keeps the ids of whoever packed it: a module that
+// has crashed once is contained there, and not refused for its place.
+void BadModulesTest::aShippedModuleMayLieWhereOthersWrite() {
+    const PluginFolder folder;
+    const QStringList shipped{QStringLiteral("shipped")};
+    folder.add(QStringLiteral("crashing"), builtModule(QStringLiteral("abort")));
+    openToOthers(folder);
+    QVERIFY(listedByProgram(folder, shipped).crashed);
+    const Listing next = listedByProgram(folder, shipped);
+    QVERIFY2(next.output.contains(QLatin1String("crashing it crashed")), qPrintable(next.output));
+}
+
 void BadModulesTest::beingKilledWhileLoadingIsNotTheModulesFault() {
     const PluginFolder folder;
     const QStringList shipped{QStringLiteral("shipped")};
@@ -344,8 +398,7 @@ void BadModulesTest::aModuleThatOthersCanWriteIsNotLoaded() {
     const PluginFolder folder;
     folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
     QVERIFY(listedByProgram(folder).output.contains(QLatin1String("good available")));
-    QVERIFY(QFile::setPermissions(folder.path(), QFile::ReadOwner | QFile::WriteOwner |
-                                                     QFile::ExeOwner | QFile::WriteOther));
+    openToOthers(folder);
     const Listing listing = listedByProgram(folder);
     QVERIFY2(listing.output.contains(QLatin1String("Others can write to ") + folder.path()),
              qPrintable(listing.output));

@@ -140,8 +140,8 @@ public:
         requireNoPositionalArgument(parser);
         const QString plot = pictureOption(parser, plotOption, {".png", ".svg"});
         const SolverRegistry registry;
-        const QString id = registry.info(parser.value(solverOption)).id;
         const Progress progress = console.progress();
+        const QString id = registry.info(parser.value(solverOption), progress.cancelSwitch).id;
         // First, as it wakes the device, too.
         const std::optional<solver::Ceiling> ceiling = registry.module(id).measuredCeiling();
         BenchReport report =

@@ -26,7 +26,7 @@ FittedPart fitted(const MeasuredPart& measured, const SolverRegistry& registry,
     for (const PartPhoto& photo : measured.photos) {
         part.photos.push_back({photo.where, photo.sha256});
     }
-    SolverChoice solver = chooseSolver(project.process.solver, registry);
+    SolverChoice solver = chooseSolver(project.process.solver, registry, progress.cancelSwitch);
     const auto field =
         cachedDistanceField(project.model->mesh, project.fieldResolution, progress.part(0, 0.1));
     part.fit = withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {

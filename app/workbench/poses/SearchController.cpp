@@ -164,7 +164,8 @@ void SearchController::start() {
         tr("Searching poses"),
         [project = searched_, settings, watcher = watcher_,
          &registry = registry_](const Progress& progress) {
-            SolverChoice solver = chooseSolver(project.process.solver, registry);
+            SolverChoice solver =
+                chooseSolver(project.process.solver, registry, progress.cancelSwitch);
             const SearchWatch watch = [&](const SearchState& state) {
                 watcher->watch(watcher, state, progress.cancelSwitch);
             };

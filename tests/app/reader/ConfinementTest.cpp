@@ -4,6 +4,8 @@
 #include "base/Budgets.h"
 
 #include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include <functional>
@@ -12,9 +14,15 @@
 #ifdef Q_OS_LINUX
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <fcntl.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #endif
@@ -95,14 +103,83 @@ private slots:
                  outOfTime);
     }
 
+    void limitsCannotBeLifted() {
+        const auto lift = [] {
+            rlimit none{};
+            none.rlim_cur = none.rlim_max = RLIM_INFINITY;
+            return ::setrlimit(RLIMIT_CPU, &none) == 0 || ::setrlimit(RLIMIT_FSIZE, &none) == 0 ||
+                   ::setrlimit(RLIMIT_CORE, &none) == 0;
+        };
+        const auto becomeNobody = [] { // root may lift any
+            if (::geteuid() == 0 && ::setuid(65534) != 0) {
+                ::_exit(yes);
+            }
+        };
+        QCOMPARE(outcome(lift, becomeNobody), no);
+    }
+
+    void aSystemWithoutFiltersIsTold() {
+        QCOMPARE(outcome([] { return true; }, refuseFilters), unconfined);
+    }
+
+    // But where the user wants it so.
+    void nothingIsReadUnconfined() {
+        const QTemporaryDir folder;
+        const QString model = folder.filePath(QStringLiteral("body.obj"));
+        QFile file(model);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+        file.close();
+        const auto read = [&](const QString& name, const QString& unconfinedToo) {
+            QProcess program;
+            program.setChildProcessModifier(refuseFilters);
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.remove(QStringLiteral("DIPWRIGHT_READ_UNCONFINED"));
+            if (!unconfinedToo.isEmpty()) {
+                environment.insert(QStringLiteral("DIPWRIGHT_READ_UNCONFINED"), unconfinedToo);
+            }
+            program.setProcessEnvironment(environment);
+            program.start(QStringLiteral(DIPWRIGHT_BINARY_FOLDER "/dipwright-cli"),
+                          {QStringLiteral("new"), folder.filePath(name), QStringLiteral("--model"),
+                           model, QStringLiteral("--size-mm"), QStringLiteral("40")});
+            program.waitForFinished(-1);
+            return program.readAllStandardError();
+        };
+        const QByteArray refused = read(QStringLiteral("refused.dipw"), {});
+        QVERIFY2(refused.contains("DIPWRIGHT_READ_UNCONFINED=1"), refused);
+        QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("refused.dipw"))));
+        const QByteArray trusted = read(QStringLiteral("trusted.dipw"), QStringLiteral("1"));
+        QVERIFY2(QFile::exists(folder.filePath(QStringLiteral("trusted.dipw"))), trusted);
+    }
+
 private:
-    static constexpr int outOfTime = 3, yes = 10, no = 11;
+    static constexpr int outOfTime = 3, yes = 10, no = 11, unconfined = 12;
+
+    // From now on this process and those that it starts are refused filters of their own, as by a
+    // system that has none.
+    static void refuseFilters() {
+        static sock_filter filter[] = {
+            BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+            BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_prctl, 0, 3),
+            BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args)), // its lower half
+            BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, PR_SET_SECCOMP, 0, 1),
+            BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EINVAL),
+            BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+        };
+        const sock_fprog program{std::size(filter), filter};
+        ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+        ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program);
+    }
 
     // How a process ends that asks `question` when it is confined.
-    static int outcome(const std::function<bool()>& question) {
+    static int outcome(
+        const std::function<bool()>& question, const std::function<void()>& before = [] {}) {
         const pid_t child = ::fork();
         if (child == 0) {
-            confine();
+            before();
+            if (!confine()) {
+                ::_exit(unconfined);
+            }
             ::_exit(question() ? yes : no);
         }
         int status = 0;

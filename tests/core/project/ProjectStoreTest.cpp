@@ -70,6 +70,16 @@ private slots:
         QCOMPARE(project.model->textures.front(), expected.model->textures.front());
     }
 
+    void theSolverIsKnownWithoutTheRest() {
+        Project project = sampleProject();
+        project.process.solver = QStringLiteral("pbd-cpu");
+        saveProject(project, path("solver.dipw"));
+        QCOMPARE(solverOfProject(path("solver.dipw")), QStringLiteral("pbd-cpu"));
+        writeFile(path("none.dipw"), zip(withDocument("{}")));
+        QCOMPARE(solverOfProject(path("none.dipw")), QStringLiteral("auto"));
+        QVERIFY_EXCEPTION_THROWN(solverOfProject(path("missing.dipw")), Error);
+    }
+
     void theMimeTypeStandsFirstAndReadable() {
         QCOMPARE(good_.mid(30, 8), QByteArray("mimetype"));
         QCOMPARE(good_.mid(38, 33), QByteArray("application/vnd.dipwright.project"));

@@ -3,11 +3,21 @@
 #include "solver/SolverRegistry.h"
 #include "PluginFolder.h"
 #include "base/Error.h"
+#include "solver/FolderRights.h"
 #include "solver/LoadMarker.h"
 
 #include <QDir>
 #include <QStandardPaths>
 #include <QTest>
+#include <algorithm>
+#include <vector>
+
+#ifdef Q_OS_UNIX
+#include <grp.h>
+#include <pwd.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
 
 using namespace dipwright;
 using namespace dipwright::test;
@@ -30,11 +40,13 @@ private slots:
     void badDescriptionsAreListedWithTheirReason_data();
     void badDescriptionsAreListedWithTheirReason();
     void missingModuleIsNamed();
+    void descriptionsThatAreNoFilesAreNotRead();
     void fileThatIsNoModuleIsRefused();
     void firstFolderWins();
     void unknownSolverIsRefusedWithTheChoice();
     void whatIsShippedComesFirst();
     void moduleBeingLoadedNowHasNotCrashed();
+    void aGroupsFolderIsOthersUnlessItIsTheUsersOwn();
 };
 
 void SolverRegistryTest::initTestCase() {
@@ -94,6 +106,22 @@ void SolverRegistryTest::missingModuleIsNamed() {
     QCOMPARE(info.name, QStringLiteral("The solver good"));
     QVERIFY(!info.available);
     QVERIFY(info.reason.contains(PluginFolder::moduleName(QStringLiteral("good"))));
+}
+
+// The one never ends, the other never begins.
+void SolverRegistryTest::descriptionsThatAreNoFilesAreNotRead() {
+#ifdef Q_OS_UNIX
+    const PluginFolder place;
+    const QString pipe = place.filePath(QStringLiteral("pipe"));
+    QCOMPARE(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+    for (const QString& target : {QStringLiteral("/dev/zero"), pipe}) {
+        const PluginFolder folder;
+        QVERIFY(QFile::link(target, folder.filePath(QStringLiteral("good.json"))));
+        const SolverInfo info = onlySolver(folder);
+        QVERIFY(!info.available);
+        QVERIFY2(info.reason.contains(QLatin1String("not a plain file")), qPrintable(info.reason));
+    }
+#endif
 }
 
 void SolverRegistryTest::fileThatIsNoModuleIsRefused() {
@@ -173,6 +201,34 @@ void SolverRegistryTest::moduleBeingLoadedNowHasNotCrashed() {
         QCOMPARE(crashesOf(module), 0);
     }
     QCOMPARE(crashesOf(module), 0);
+}
+
+// With every group that this user can give a folder to.
+void SolverRegistryTest::aGroupsFolderIsOthersUnlessItIsTheUsersOwn() {
+#ifdef Q_OS_UNIX
+    const PluginFolder folder;
+    const QByteArray path = QFile::encodeName(folder.path());
+    QCOMPARE(::chmod(path.constData(), 0700), 0);
+    QCOMPARE(writableByOthers(folder.path()), QString());
+    QCOMPARE(::chmod(path.constData(), 0770), 0);
+    const passwd* user = ::getpwuid(::geteuid());
+    const QByteArray name = user ? user->pw_name : "";
+    std::vector<gid_t> groups(65536);
+    groups.resize(std::size_t(std::max(::getgroups(int(groups.size()), groups.data()), 0)));
+    groups.insert(groups.end(), {::getegid(), 1, 12345}); // root may give it to any
+    for (const gid_t id : groups) {
+        if (::chown(path.constData(), ::uid_t(-1), id) != 0) {
+            continue;
+        }
+        const group* entry = ::getgrgid(id);
+        const QByteArray groupName = entry ? entry->gr_name : "";
+        if (groupName != name && groupName != "root") {
+            QCOMPARE(writableByOthers(folder.path()), QFileInfo(folder.path()).canonicalFilePath());
+        } else if (entry->gr_mem[0] == nullptr && id == user->pw_gid) {
+            QCOMPARE(writableByOthers(folder.path()), QString());
+        }
+    }
+#endif
 }
 
 QTEST_GUILESS_MAIN(SolverRegistryTest)
