@@ -47,21 +47,26 @@ public:
     bool Exists(const char* name) const override { return modelName_ == name || find(name); }
     char getOsSeparator() const override { return '/'; }
     Assimp::IOStream* Open(const char* name, const char* /*mode*/) override {
-        if (modelName_ == name) {
-            return new FileStream(source_.bytes);
+        const bool isModel = modelName_ == name;
+        if (isModel && !model_) {
+            return model_ = new FileStream(source_.bytes);
         }
-        const auto bytes = find(name);
+        const auto bytes = isModel ? std::optional(source_.bytes) : find(name);
         const QString file = QFileInfo(QString::fromUtf8(name)).fileName();
         if (!bytes) {
             remember(file);
             return nullptr;
         }
-        if (modelName_.ends_with(".obj")) { // names its materials' files as it likes
+        if (fault_.isEmpty() &&
+            modelName_.ends_with(".obj")) { // names its materials' files as it likes
             fault_ = faultOfMaterials(*bytes, file);
         }
         return fault_.isEmpty() ? new FileStream(*bytes) : nullptr;
     }
-    void Close(Assimp::IOStream* stream) override { delete stream; }
+    void Close(Assimp::IOStream* stream) override {
+        model_ = stream == model_ ? nullptr : model_;
+        delete stream;
+    }
 
     const QStringList& missing() const { return missing_; }
     const QString& fault() const { return fault_; } // empty: none
@@ -91,6 +96,7 @@ private:
     mutable std::map<std::string, std::optional<QByteArray>> found_;
     QStringList missing_;
     QString fault_;
+    Assimp::IOStream* model_ = nullptr; // while it is open: it may name itself as another file
 };
 
 class ReadingProgress : public Assimp::ProgressHandler {

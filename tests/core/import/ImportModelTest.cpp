@@ -1009,6 +1009,10 @@ void ImportModelTest::aPictureBeforeAnyMaterialIsRefused() {
     const QString other =
         refusal(write(QStringLiteral("other.OBJ"), cubeObj("mtllib early.m\nusemtl skin\n")));
     QVERIFY2(other.contains(QStringLiteral("early.m describes")), qPrintable(other));
+    // The model itself among them.
+    const QString itself = refusal(
+        write(QStringLiteral("itself.obj"), "mtllib itself.obj\nmap_Kd t.png\n" + cubeObj()));
+    QVERIFY2(itself.contains(QStringLiteral("itself.obj describes")), qPrintable(itself));
     // A heading is no value.
     write(QStringLiteral("headed.mtl"), "Alias OBJ Material File\nPaint\nnewmtl skin\nKd 1 0 0\n");
     const auto [headed, report] =
