@@ -223,6 +223,7 @@ std::vector<Plugin> foundPlugins(const QStringList& folders, const QStringList& 
 struct SolverRegistry::Data {
     std::mutex mutex; // modules are loaded when first asked for, by whichever thread asks
     std::vector<Plugin> plugins;
+    std::vector<SolverInfo> described; // does not change
 
     Plugin& plugin(const QString& id, const CancelSwitch& cancelSwitch);
     Plugin& best(const CancelSwitch& cancelSwitch);
@@ -290,9 +291,16 @@ QStringList SolverRegistry::standardFolders() {
 SolverRegistry::SolverRegistry(const QStringList& folders, const QStringList& shipped)
     : data_(std::make_unique<Data>()) {
     data_->plugins = foundPlugins(folders, shipped);
+    for (const Plugin& plugin : data_->plugins) {
+        data_->described.push_back(plugin.info);
+    }
 }
 
 SolverRegistry::~SolverRegistry() = default;
+
+const std::vector<SolverInfo>& SolverRegistry::described() const {
+    return data_->described;
+}
 
 std::vector<SolverInfo> SolverRegistry::solvers(const CancelSwitch& cancelSwitch) const {
     const std::lock_guard lock(data_->mutex);

@@ -49,7 +49,10 @@ public:
     // A module that takes long to be loaded in a process of its own can be left by the switch: then
     // Cancelled is thrown, and it is loaded anew when it is next asked for.
 
-    // All plugins found, sorted by id, each loaded far enough to know whether it can run here.
+    // All plugins found, sorted by id, as their descriptions have them: none is loaded for it, so
+    // that those that may run are not told as available yet.
+    const std::vector<SolverInfo>& described() const;
+    // The same, each loaded far enough to know whether it can run here.
     std::vector<SolverInfo> solvers(const CancelSwitch& cancelSwitch = {}) const;
     // The module of `id`, or of the best available one for "auto", checked (CheckedSolver.h); those
     // that would not be taken either way are not loaded for it. Throws Error with the reason. Lives

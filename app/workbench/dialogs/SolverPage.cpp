@@ -1,5 +1,6 @@
 #include "dialogs/SolverPage.h"
 
+#include "jobs/SolverListing.h"
 #include "look/Icons.h"
 #include "panels/ShippedNames.h"
 
@@ -26,30 +27,14 @@ void fitRows(QTreeWidget& list) {
 
 } // namespace
 
-SolverPage::SolverPage(const SolverRegistry& registry, QWidget* parent) : QWidget(parent) {
-    auto* list = new QTreeWidget;
+SolverPage::SolverPage(const SolverRegistry& registry, QWidget* parent)
+    : QWidget(parent), list_(new QTreeWidget) {
+    QTreeWidget* const list = list_;
     list->setAccessibleName(tr("Solvers"));
     list->setHeaderLabels({tr("Solver"), tr("Version"), tr("Device")});
     list->setRootIsDecorated(false);
     list->setAlternatingRowColors(true);
     list->setWordWrap(true);
-    for (const SolverInfo& solver : registry.solvers()) {
-        auto* item = new QTreeWidgetItem(list, {shownName(solver.name), solver.version});
-        item->setIcon(0,
-                      icon(solver.available ? QStringLiteral("done") : QStringLiteral("warning")));
-        item->setText(2, solver.available ? solver.device : shownName(solver.reason));
-        for (int column = 0; column < list->columnCount(); ++column) {
-            item->setToolTip(column, tr("%1 by %2\n%3")
-                                         .arg(solver.id, solver.vendor,
-                                              QDir::toNativeSeparators(solver.modulePath)));
-        }
-    }
-    if (list->topLevelItemCount() == 0) {
-        auto* item = new QTreeWidgetItem(list);
-        item->setText(0, tr("None found"));
-        item->setText(2, tr("Put solver plugins into %1")
-                             .arg(SolverRegistry::standardFolders().join(QStringLiteral(", "))));
-    }
     list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     connect(list->header(), &QHeaderView::sectionResized, list, [list] { fitRows(*list); });
@@ -60,6 +45,35 @@ SolverPage::SolverPage(const SolverRegistry& registry, QWidget* parent) : QWidge
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(list);
     layout->addWidget(hint);
+    new SolverListing(
+        registry, [this](const std::vector<SolverInfo>& solvers) { show(solvers); }, this);
+}
+
+void SolverPage::show(const std::vector<SolverInfo>& solvers) {
+    list_->clear();
+    for (const SolverInfo& solver : solvers) {
+        auto* item = new QTreeWidgetItem(list_, {shownName(solver.name), solver.version});
+        const bool isKnown = solver.available || !solver.reason.isEmpty();
+        if (isKnown) {
+            item->setIcon(
+                0, icon(solver.available ? QStringLiteral("done") : QStringLiteral("warning")));
+        }
+        item->setText(2, !isKnown           ? tr("Looking whether it can run here …")
+                         : solver.available ? solver.device
+                                            : shownName(solver.reason));
+        for (int column = 0; column < list_->columnCount(); ++column) {
+            item->setToolTip(column, tr("%1 by %2\n%3")
+                                         .arg(solver.id, solver.vendor,
+                                              QDir::toNativeSeparators(solver.modulePath)));
+        }
+    }
+    if (solvers.empty()) {
+        auto* item = new QTreeWidgetItem(list_);
+        item->setText(0, tr("None found"));
+        item->setText(2, tr("Put solver plugins into %1")
+                             .arg(SolverRegistry::standardFolders().join(QStringLiteral(", "))));
+    }
+    fitRows(*list_);
 }
 
 } // namespace dipwright

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+class QTreeWidget;
+
 namespace dipwright {
 
 class SolverPage : public QWidget {
@@ -12,6 +14,11 @@ class SolverPage : public QWidget {
 
 public:
     explicit SolverPage(const SolverRegistry& registry, QWidget* parent = nullptr);
+
+private:
+    void show(const std::vector<SolverInfo>& solvers);
+
+    QTreeWidget* list_;
 };
 
 } // namespace dipwright

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "document/ModelEdits.h"
 #include "document/ProjectValue.h"
+#include "jobs/SolverListing.h"
 #include "look/Icons.h"
 #include "panels/JoinFields.h"
 #include "panels/NumberBox.h"
@@ -406,19 +407,23 @@ void PropertyPanel::addProfile(QFormLayout& form, ProfileKind kind, const QStrin
     });
 }
 
+void PropertyPanel::listSolvers(QComboBox& box, const std::vector<SolverInfo>& solvers) {
+    box.clear();
+    box.addItem(tr("Best available"), QStringLiteral("auto"));
+    for (const SolverInfo& solver : solvers) {
+        const bool mayRun = solver.available || solver.reason.isEmpty(); // or is not known yet
+        const QString name = shownName(solver.name);
+        box.addItem(mayRun ? name : tr("%1 (not available)").arg(name), solver.id);
+        box.setItemData(box.count() - 1, mayRun ? solver.device : shownName(solver.reason),
+                        Qt::ToolTipRole);
+    }
+}
+
 void PropertyPanel::addSolver(QFormLayout& form) {
     auto* box = new QComboBox;
     box->setObjectName(QStringLiteral("process.solver"));
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(8);
-    box->addItem(tr("Best available"), QStringLiteral("auto"));
-    for (const SolverInfo& solver : registry_.solvers()) {
-        const QString name = shownName(solver.name);
-        box->addItem(solver.available ? name : tr("%1 (not available)").arg(name), solver.id);
-        box->setItemData(box->count() - 1,
-                         solver.available ? solver.device : shownName(solver.reason),
-                         Qt::ToolTipRole);
-    }
     const QString help = tr("What computes the dip. “Best available” takes a GPU where there is "
                             "one.");
     box->setToolTip(help);
@@ -432,13 +437,22 @@ void PropertyPanel::addSolver(QFormLayout& form) {
             setValueAt(project, QStringLiteral("process.solver"), box->itemData(index).toString());
         });
     });
-    refreshers_.push_back([this, box] {
+    const auto refresh = [this, box] {
+        if (!document_) {
+            return; // this page is about to go
+        }
         const QString id = document_->project().process.solver;
         if (box->findData(id) < 0) {
             box->addItem(tr("%1 (not installed)").arg(id), id);
         }
         box->setCurrentIndex(box->findData(id));
-    });
+    };
+    refreshers_.push_back(refresh);
+    const auto show = [box, refresh](const std::vector<SolverInfo>& solvers) {
+        listSolvers(*box, solvers);
+        refresh();
+    };
+    new SolverListing(registry_, show, box);
 }
 
 } // namespace dipwright

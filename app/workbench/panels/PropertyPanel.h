@@ -7,9 +7,11 @@
 #include "panels/ProjectTree.h"
 #include "panels/PropertyField.h"
 #include "project/ProfileLibrary.h"
+#include "solver/SolverRegistry.h"
 
 #include <QScrollArea>
 
+class QComboBox;
 class QFormLayout;
 
 namespace dipwright {
@@ -56,6 +58,7 @@ private:
     void addTellTolerances(QFormLayout& form);
     void addPreset(QFormLayout& form);
     void addSolver(QFormLayout& form);
+    static void listSolvers(QComboBox& box, const std::vector<SolverInfo>& solvers);
     void addProfile(QFormLayout& form, ProfileKind kind, const QString& name, const QString& help);
     void edit(const QString& text, const QString& mergeKey,
               const std::function<void(Project&)>& change);

@@ -1,0 +1,25 @@
+#include "jobs/SolverListing.h"
+
+namespace dipwright {
+
+SolverListing::SolverListing(const SolverRegistry& registry, Show show, QObject* parent)
+    : QObject(parent), show_(std::move(show)) {
+    show_(registry.described());
+    loader_.setMaxThreadCount(1);
+    loader_.start([this, &registry, cancelSwitch = cancelSwitch_] {
+        try {
+            const std::vector<SolverInfo> solvers = registry.solvers(cancelSwitch);
+            QMetaObject::invokeMethod(
+                this, [this, solvers] { show_(solvers); }, Qt::QueuedConnection);
+        } catch (const Cancelled&) {
+            return; // nobody looks any more
+        }
+    });
+}
+
+SolverListing::~SolverListing() {
+    cancelSwitch_.cancel();
+    loader_.waitForDone();
+}
+
+} // namespace dipwright
