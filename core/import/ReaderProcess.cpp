@@ -25,7 +25,6 @@ struct Text {
 constexpr qint64 chunk = 1 << 20;       // of a file on its way
 constexpr qint64 longestText = 1 << 16; // of names and sentences
 constexpr int pollInterval = 50;        // ms until it is asked whether all is cancelled
-constexpr int busyMachine = 10;         // times the time to compute until it counts as hanging
 
 // Nothing of the user's surroundings goes along but what programs are found and tested by.
 QProcessEnvironment bareEnvironment() {
@@ -205,8 +204,7 @@ private:
             return;
         }
         const bool isOver = process_.state() == QProcess::NotRunning;
-        const qint64 patience = busyMachine * mostOf(Budget::Milliseconds, files_.bytesRead());
-        const bool isLate = clock_.elapsed() > patience ||
+        const bool isLate = clock_.elapsed() > patienceWith(files_.bytesRead()) ||
                             (isOver && process_.exitStatus() == QProcess::NormalExit &&
                              process_.exitCode() == readerOutOfTime);
         if (isLate) {
@@ -234,6 +232,11 @@ QString language() {
 }
 
 } // namespace
+
+qint64 patienceWith(qint64 fileBytes) {
+    constexpr int busyMachine = 10; // times the time to compute
+    return busyMachine * mostOf(Budget::Milliseconds, fileBytes);
+}
 
 ForeignModel readModelInProcess(const QString& path, bool withTextures, ForeignFiles& files,
                                 const Progress& progress) {
