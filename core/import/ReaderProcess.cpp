@@ -124,7 +124,8 @@ public:
             const auto side = [&](int place) {
                 return qint64(qFromLittleEndian<qint32>(header.constData() + 4 * place));
             };
-            pixels_ += std::max(side(0), qint64(0)) * std::max(side(1), qint64(0));
+            const bool wide = side(4) != 0;
+            pixels_ += (wide ? 2 : 1) * std::max(side(0), qint64(0)) * std::max(side(1), qint64(0));
             requireWithin(Budget::Pixels, pixels_, where_, files_.bytesRead());
             picture = emptyPicture(header);
         }
