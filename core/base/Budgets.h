@@ -19,7 +19,7 @@ enum class Budget {
     DocumentBytes, // of project.json
     OtherBytes,    // of all entries of a project that are not its own, unpacked
     PictureSide,   // pixels
-    Pixels,        // of all pictures of a model or project, each as often as it is named
+    Pixels,        // of all pictures of a model or project, as often as named, wide ones twice
     Memory,        // bytes, of the process that reads
     Milliseconds   // of computing, until it has read
 };

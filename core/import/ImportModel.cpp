@@ -1,5 +1,6 @@
 #include "import/ImportModel.h"
 
+#include "base/Budgets.h"
 #include "import/ModelFolder.h"
 #include "import/ReadPictures.h"
 #include "import/ReaderProcess.h"
@@ -7,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFileInfo>
 
 #include <cmath>
@@ -73,8 +75,23 @@ void checkPositions(const TriangleMesh& mesh, const QString& path) {
     }
 }
 
-void repair(TexturedMesh& model, QStringList& repairs, const QString& path) {
+// What is called while a model is repaired: throws where that is cancelled, or takes longer than
+// files of these many bytes are waited for.
+std::function<void()> goOnWith(const QString& path, qint64 fileBytes, const Progress& progress) {
+    QElapsedTimer clock;
+    clock.start();
+    return [=, cancelSwitch = progress.cancelSwitch] {
+        cancelSwitch.throwIfCancelled();
+        if (clock.elapsed() > patienceWith(fileBytes)) {
+            throw Error(sentenceOf(Budget::Milliseconds, fileBytes), path);
+        }
+    };
+}
+
+void repair(TexturedMesh& model, QStringList& repairs, const QString& path,
+            const std::function<void()>& goOn) {
     weldPositions(model.mesh);
+    goOn();
     if (const std::size_t count = removeDegenerateTriangles(model); count > 0) {
         repairs.push_back(Text::tr("Triangles without area that were removed: %1").arg(count));
     }
@@ -82,12 +99,13 @@ void repair(TexturedMesh& model, QStringList& repairs, const QString& path) {
         throw Error(Text::tr("None of the model's triangles has an area; choose another model"),
                     path);
     }
+    goOn();
     if (const std::size_t count = orientTriangles(model); count > 0) {
         repairs.push_back(Text::tr("Triangles turned that faced the other way than their "
                                    "neighbours: %1")
                               .arg(count));
     }
-    if (const std::size_t count = turnInsideOutParts(model); count > 0) {
+    if (const std::size_t count = turnInsideOutParts(model, goOn); count > 0) {
         repairs.push_back(
             Text::tr("Parts of the surface turned that were inside out: %1").arg(count));
     }
@@ -180,9 +198,8 @@ void replaceTextures(TexturedMesh& model, const QImage& texture) {
 }
 
 // Where files outside the folder were named, that is said, whatever else came of their lack.
-ForeignModel readModelFile(const QString& path, const ImportOptions& options, bool withTextures,
+ForeignModel readModelFile(const QString& path, ModelFolder& folder, bool withTextures,
                            const Progress& progress) {
-    ModelFolder folder(path, options.allowOutside, options.outsideFiles);
     const auto checkOutside = [&] {
         if (!folder.outside().isEmpty()) {
             throw OutsideFiles(folder.outside(), path);
@@ -206,7 +223,8 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
     TexturedMesh& model = result.model;
     ImportReport& report = result.report;
 
-    ForeignModel foreign = readModelFile(path, options, texture.isNull(), progress.part(0, 0.7));
+    ModelFolder folder(path, options.allowOutside, options.outsideFiles);
+    ForeignModel foreign = readModelFile(path, folder, texture.isNull(), progress.part(0, 0.7));
     model = std::move(foreign.mesh);
     report.warnings = foreign.warnings;
     if (model.mesh.triangles.empty()) {
@@ -218,7 +236,7 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
     progress(0.7, Text::tr("Checking the model"));
     checkPositions(model.mesh, path);
     dropUnusableCoordinates(model, report.warnings);
-    repair(model, report.repairs, path);
+    repair(model, report.repairs, path, goOnWith(path, folder.bytesRead(), progress));
     scaleAsAsked(model.mesh, options, path);
     dropUselessTextures(model, report.warnings);
     progress(0.9, Text::tr("Finding the texture's charts"));

@@ -2,6 +2,7 @@
 
 #include "base/Budgets.h"
 #include "base/Error.h"
+#include "base/WideColour.h"
 #include "import/ModelFolder.h"
 #include "import/ReaderProcess.h"
 
@@ -36,6 +37,12 @@ private:
 
 } // namespace
 
+void PictureCount::add(const QImage& picture, qint64 packedBytes, const QString& where) {
+    pixels_ += (isWide(picture) ? 2 : 1) * qint64(picture.width()) * picture.height();
+    packedBytes_ += packedBytes;
+    requireWithin(Budget::Pixels, pixels_, where, packedBytes_);
+}
+
 std::vector<QImage> readPictures(const std::vector<PackedPicture>& pictures) {
     QStringList names; // each once
     for (const PackedPicture& picture : pictures) {
@@ -46,13 +53,10 @@ std::vector<QImage> readPictures(const std::vector<PackedPicture>& pictures) {
     PicturesInMemory files(pictures);
     const std::vector<QImage> unpacked = readPicturesInProcess(names, files);
     std::vector<QImage> images;
-    qint64 pixels = 0, packed = 0;
+    PictureCount count;
     for (const PackedPicture& picture : pictures) {
-        const QImage& image = unpacked[std::size_t(names.indexOf(picture.where))];
-        pixels += qint64(image.width()) * image.height();
-        packed += picture.bytes.size();
-        requireWithin(Budget::Pixels, pixels, picture.where, packed);
-        images.push_back(image);
+        images.push_back(unpacked[std::size_t(names.indexOf(picture.where))]);
+        count.add(images.back(), picture.bytes.size(), picture.where);
     }
     return images;
 }

@@ -25,7 +25,6 @@ struct Text {
 constexpr qint64 chunk = 1 << 20;       // of a file on its way
 constexpr qint64 longestText = 1 << 16; // of names and sentences
 constexpr int pollInterval = 50;        // ms until it is asked whether all is cancelled
-constexpr int busyMachine = 10;         // times the time to compute until it counts as hanging
 
 // Nothing of the user's surroundings goes along but what programs are found and tested by.
 QProcessEnvironment bareEnvironment() {
@@ -127,7 +126,8 @@ public:
             const auto side = [&](int place) {
                 return qint64(qFromLittleEndian<qint32>(header.constData() + 4 * place));
             };
-            pixels_ += std::max(side(0), qint64(0)) * std::max(side(1), qint64(0));
+            const bool wide = side(4) != 0;
+            pixels_ += (wide ? 2 : 1) * std::max(side(0), qint64(0)) * std::max(side(1), qint64(0));
             requireWithin(Budget::Pixels, pixels_, where_, files_.bytesRead());
             picture = emptyPicture(header);
         }
@@ -203,8 +203,7 @@ private:
     }
 
     void requireInTime() {
-        const std::chrono::milliseconds patience(busyMachine *
-                                                 mostOf(Budget::Milliseconds, files_.bytesRead()));
+        const std::chrono::milliseconds patience(patienceWith(files_.bytesRead()));
         if (waited_.look() > patience) {
             throwOutOfTime();
         }
@@ -248,6 +247,11 @@ QString language() {
 }
 
 } // namespace
+
+qint64 patienceWith(qint64 fileBytes) {
+    constexpr int busyMachine = 10; // times the time to compute
+    return busyMachine * mostOf(Budget::Milliseconds, fileBytes);
+}
 
 ForeignModel readModelInProcess(const QString& path, bool withTextures, ForeignFiles& files,
                                 const Progress& progress) {

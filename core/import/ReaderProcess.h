@@ -9,6 +9,10 @@
 
 namespace dipwright {
 
+// ms until what is computed for files of these many bytes counts as hanging, by the clock: their
+// budget of time, and more, as others may have the processor.
+qint64 patienceWith(qint64 fileBytes);
+
 // The model file and what it names come to the process through `files` alone. `path` names the
 // model for `files` and in messages. Throws Error for what the process refuses, and where it
 // breaks, runs out of memory or time, or hands back what cannot be; Cancelled, at once. Any thread,

@@ -2,6 +2,8 @@
 
 #include "geometry/SurfaceQuery.h"
 
+#include <QHashFunctions>
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -12,7 +14,9 @@ namespace {
 
 constexpr std::uint32_t unused = 0xffffffffu;
 
-// Finds positions by their exact value: a hash table with open addressing, at most half full.
+// Finds positions by their exact value: a hash table with open addressing, at most half full. Where
+// in it they lie differs from run to run, so that no file can be made whose positions all meet in
+// one place; what is found does not.
 class PositionIndex {
 public:
     explicit PositionIndex(const std::vector<Eigen::Vector3f>& positions)
@@ -32,8 +36,8 @@ public:
     }
 
 private:
-    static std::size_t hash(const Eigen::Vector3f& position) {
-        std::uint64_t value = 0;
+    std::size_t hash(const Eigen::Vector3f& position) const {
+        std::uint64_t value = seed_;
         for (const float coordinate : position) {
             // Adding zero makes −0 and 0, which are equal, the same bits.
             value = (value ^ std::bit_cast<std::uint32_t>(coordinate + 0.0F)) * 0x9e3779b97f4a7c15u;
@@ -44,6 +48,7 @@ private:
 
     const std::vector<Eigen::Vector3f>& positions_;
     std::vector<std::uint32_t> slots_;
+    std::uint64_t seed_ = std::size_t(QHashSeed::globalSeed());
 };
 
 bool hasRepeatedCorner(const std::array<std::uint32_t, 3>& triangle) {
@@ -131,9 +136,11 @@ double enclosedVolume(const TriangleMesh& mesh, const std::vector<std::uint32_t>
 }
 
 // Whether some fifty places spread over the piece lie inside the body of `query`.
-bool isInside(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& piece) {
+bool isInside(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& piece,
+              const std::function<void()>& goOn) {
     const std::size_t step = 1 + piece.triangles.size() / 50;
     for (std::size_t i = 0; i < piece.triangles.size(); i += step) {
+        goOn();
         if (!query.isInside(mesh.positions[mesh.triangles[piece.triangles[i]][0]])) {
             return false;
         }
@@ -208,7 +215,7 @@ std::size_t orientTriangles(TexturedMesh& mesh) {
     return toTurn.size();
 }
 
-std::size_t turnInsideOutParts(TexturedMesh& mesh) {
+std::size_t turnInsideOutParts(TexturedMesh& mesh, const std::function<void()>& goOn) {
     const auto opposite = oppositeEdges(mesh.mesh);
     std::vector<std::int8_t> sense(mesh.mesh.triangles.size(), 0);
     std::vector<Piece> insideOut;
@@ -231,17 +238,14 @@ std::size_t turnInsideOutParts(TexturedMesh& mesh) {
     }
     solid.positions = mesh.mesh.positions;
     const SurfaceQuery query(solid);
-    std::size_t turned = 0;
+    std::erase_if(insideOut,
+                  [&](const Piece& piece) { return isInside(query, mesh.mesh, piece, goOn); });
     for (const Piece& piece : insideOut) {
-        if (isInside(query, mesh.mesh, piece)) {
-            continue;
-        }
-        ++turned;
         for (const std::uint32_t triangle : piece.triangles) {
             turn(mesh, triangle);
         }
     }
-    return turned;
+    return insideOut.size();
 }
 
 } // namespace dipwright

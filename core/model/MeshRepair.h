@@ -3,6 +3,8 @@
 
 #include "model/TexturedMesh.h"
 
+#include <functional>
+
 namespace dipwright {
 
 // Makes corners at exactly the same place share one position, and drops positions that no triangle
@@ -19,7 +21,10 @@ std::size_t removeDegenerateTriangles(TexturedMesh& mesh);
 std::size_t orientTriangles(TexturedMesh& mesh);
 
 // Turns closed parts that are inside out, so that they enclose a positive volume; returns how many.
-// A part that lies inside others is a cavity of theirs and stays.
-std::size_t turnInsideOutParts(TexturedMesh& mesh);
+// A part that lies inside others is a cavity of theirs and stays. To know, rays from some fifty
+// places of each such part are followed through all others: seconds for any body, and no end where
+// parts were nested by the ten thousands to that end. So `goOn` is called before each place, and
+// ends it all by throwing; the mesh is as it was then.
+std::size_t turnInsideOutParts(TexturedMesh& mesh, const std::function<void()>& goOn);
 
 } // namespace dipwright

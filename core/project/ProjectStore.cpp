@@ -14,6 +14,8 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include <map>
+
 namespace dipwright {
 namespace {
 
@@ -42,6 +44,29 @@ QJsonArray textureEntries(const TexturedMesh& model) {
     return entries;
 }
 
+// The pictures of a project on their way into its file, each once. Throws Error for more than would
+// be read again.
+class SavedPictures {
+public:
+    explicit SavedPictures(ArchiveWriter& archive) : archive_(archive) {}
+
+    void add(const QString& entry, const QImage& picture) {
+        const auto [size, isNew] = sizes_.try_emplace(entry, 0);
+        if (isNew) {
+            const QByteArray bytes = pngBytes(picture, entry);
+            archive_.add(entry, bytes, ArchiveWriter::Packing::Stored);
+            size->second = bytes.size();
+        }
+        count_.add(picture, size->second, entry);
+    }
+    bool contains(const QString& entry) const { return sizes_.contains(entry); }
+
+private:
+    ArchiveWriter& archive_;
+    std::map<QString, qint64> sizes_; // of those that are in it
+    PictureCount count_;
+};
+
 QByteArray projectBytes(const Project& project) {
     const QByteArray mesh = writeModel(withoutPictures(*project.model));
     QJsonObject json = toJson(project);
@@ -57,23 +82,18 @@ QByteArray projectBytes(const Project& project) {
     archive.add(mimeEntry, mimeType, ArchiveWriter::Packing::Stored);
     archive.add(documentEntry, QJsonDocument(json).toJson(), ArchiveWriter::Packing::Deflated);
     archive.add(meshEntry, mesh, ArchiveWriter::Packing::Deflated);
-    QSet<QString> own{mimeEntry, documentEntry, meshEntry};
+    SavedPictures pictures(archive);
     for (std::size_t index = 0; index < project.model->textures.size(); ++index) {
-        const QString entry = textureEntry(index);
-        archive.add(entry, pngBytes(project.model->textures[index], entry),
-                    ArchiveWriter::Packing::Stored);
-        own.insert(entry);
+        pictures.add(textureEntry(index), project.model->textures[index]);
     }
     for (const ArtworkLayer& layer : project.artwork.layers) {
-        const QString entry = layerEntry(layer.picture.id);
-        if (!layer.picture.image.isNull() && !own.contains(entry)) {
-            archive.add(entry, pngBytes(layer.picture.image, entry),
-                        ArchiveWriter::Packing::Stored);
-            own.insert(entry);
+        if (!layer.picture.image.isNull()) {
+            pictures.add(layerEntry(layer.picture.id), layer.picture.image);
         }
     }
+    const QSet<QString> own{mimeEntry, documentEntry, meshEntry};
     for (const auto& [name, contents] : project.unknownEntries) {
-        if (!own.contains(name)) {
+        if (!own.contains(name) && !pictures.contains(name)) {
             archive.add(name, contents, ArchiveWriter::Packing::Deflated);
         }
     }
@@ -129,9 +149,8 @@ std::vector<PackedPicture> packedPictures(ArchiveReader& archive, const QJsonArr
     return pictures;
 }
 
-std::shared_ptr<const TexturedMesh> readAssets(ArchiveReader& archive, const QJsonObject& json,
-                                               const QString& path) {
-    const QJsonObject entries = json.value(QLatin1String("model")).toObject();
+// With pictures that only hold their places, as many as `entries` names.
+TexturedMesh readMesh(ArchiveReader& archive, const QJsonObject& entries, const QString& path) {
     const QString meshName = entries.value(QLatin1String("mesh")).toString();
     if (meshName.isEmpty()) {
         throw Error(Text::tr("The project names no model, model.mesh is missing"), path);
@@ -142,7 +161,7 @@ std::shared_ptr<const TexturedMesh> readAssets(ArchiveReader& archive, const QJs
                              "differs"),
                     path);
     }
-    StoredModel stored = readModel(mesh, path); // its own pictures only hold their places
+    StoredModel stored = readModel(mesh, path);
     const QJsonArray textures = textureNames(entries);
     if (std::size_t(textures.size()) != stored.pictures.size()) {
         throw Error(Text::tr("The project lists %1 textures and its model needs %2")
@@ -150,28 +169,33 @@ std::shared_ptr<const TexturedMesh> readAssets(ArchiveReader& archive, const QJs
                         .arg(stored.pictures.size()),
                     path);
     }
-    stored.model.textures = readPictures(packedPictures(archive, textures, path));
-    return std::make_shared<TexturedMesh>(std::move(stored.model));
+    stored.model.textures.resize(stored.pictures.size());
+    return std::move(stored.model);
 }
 
-// Those that the artwork's layers name, by content.
-void readLayers(ArchiveReader& archive, Artwork& artwork, const QString& path) {
-    QJsonArray names;
-    for (const ArtworkLayer& layer : artwork.layers) {
+// The model, its pictures, and those that the artwork's layers name by content. All pictures are
+// read together, as they count together.
+void readAssets(ArchiveReader& archive, const QJsonObject& json, Project& project,
+                const QString& path) {
+    const QJsonObject entries = json.value(QLatin1String("model")).toObject();
+    TexturedMesh model = readMesh(archive, entries, path);
+    QJsonArray names = textureNames(entries);
+    for (const ArtworkLayer& layer : project.artwork.layers) {
         if (!layer.picture.id.isEmpty()) {
             names.append(layerEntry(layer.picture.id));
         }
     }
-    if (names.isEmpty()) {
-        return;
-    }
     const std::vector<QImage> pictures = readPictures(packedPictures(archive, names, path));
     auto picture = pictures.begin();
-    for (ArtworkLayer& layer : artwork.layers) {
+    for (QImage& texture : model.textures) {
+        texture = *picture++;
+    }
+    for (ArtworkLayer& layer : project.artwork.layers) {
         if (!layer.picture.id.isEmpty()) {
             layer.picture = artworkPicture(*picture++);
         }
     }
+    project.model = std::make_shared<TexturedMesh>(std::move(model));
 }
 
 // All that is neither the document nor an asset that it names.
@@ -203,12 +227,11 @@ Project loadProject(const QString& path) {
     ArchiveReader archive(path);
     const QJsonObject json = readDocument(archive, path);
     Project project = fromJson(json, path);
-    project.model = readAssets(archive, json, path);
     QStringList layers; // by the ids that the file has
     for (const ArtworkLayer& layer : project.artwork.layers) {
         layers.append(layerEntry(layer.picture.id));
     }
-    readLayers(archive, project.artwork, path);
+    readAssets(archive, json, project, path);
     project.unknownEntries = readOthers(archive, json, layers, path);
     return project;
 }

@@ -66,24 +66,37 @@ QByteArray pictureBytes(const Project& project, const QString& id) {
     return {};
 }
 
-// The pictures of layers that only have their ids.
+// The pictures of layers that only have their ids. Those that are to be read are read together, as
+// they count together.
 void findPictures(Artwork& artwork, const Project& project, const QString& snapshot) {
     std::map<QString, ArtworkPicture> found{{QString(), {}}};
     for (const ArtworkLayer& layer : project.artwork.layers) {
         found.emplace(layer.picture.id, layer.picture);
     }
+    std::vector<PackedPicture> packed;
+    std::vector<ArtworkLayer*> toRead;
     for (ArtworkLayer& layer : artwork.layers) {
         const QString id = layer.picture.id;
-        if (!found.contains(id)) {
-            const QByteArray bytes = pictureBytes(project, id);
-            if (bytes.isEmpty()) {
-                throw Error(Text::tr("The picture of layer “%1” is no longer in the project's file")
-                                .arg(layer.name),
-                            snapshot);
-            }
-            found.emplace(id, artworkPicture(readPictures({{bytes, pictureEntry(id)}}).front()));
+        if (const auto known = found.find(id); known != found.end()) {
+            layer.picture = known->second;
+            continue;
         }
-        layer.picture = found.at(id);
+        const QByteArray bytes = pictureBytes(project, id);
+        if (bytes.isEmpty()) {
+            throw Error(Text::tr("The picture of layer “%1” is no longer in the project's file")
+                            .arg(layer.name),
+                        snapshot);
+        }
+        packed.push_back({bytes, pictureEntry(id)});
+        toRead.push_back(&layer);
+    }
+    const std::vector<QImage> pictures = readPictures(packed);
+    for (std::size_t i = 0; i < toRead.size(); ++i) {
+        const auto [read, isNew] = found.try_emplace(toRead[i]->picture.id);
+        if (isNew) {
+            read->second = artworkPicture(pictures[i]);
+        }
+        toRead[i]->picture = read->second;
     }
 }
 

@@ -107,6 +107,7 @@ QWidget* CompareWindow::makeChoices(std::size_t immersions) {
     row->addWidget(immersion_);
     row->addWidget(fit);
     row->addStretch(1);
+    scale_->setTextFormat(Qt::RichText); // nothing but numbers and colours
     row->addWidget(scale_);
     return box;
 }
@@ -117,7 +118,6 @@ QWidget* CompareWindow::makeSides(const std::array<ComparedState, 2>& states) {
     row->setContentsMargins(0, 0, 0, 0);
     for (std::size_t side = 0; side < 2; ++side) {
         auto* title = new QLabel(states[side].title);
-        title->setTextFormat(Qt::PlainText);
         title->setAlignment(Qt::AlignCenter);
         QFont font = title->font();
         font.setBold(true);

@@ -17,6 +17,7 @@
 #include <QClipboard>
 #include <QDockWidget>
 #include <QGuiApplication>
+#include <QIcon>
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QSysInfo>
@@ -70,11 +71,15 @@ void HelpController::showGuide() {
 }
 
 void HelpController::showAbout() {
-    QMessageBox::about(&window_, tr("About Dipwright"),
-                       QStringLiteral("<h3>Dipwright %1</h3><p>%2</p><p>Qt %3 · %4</p>")
-                           .arg(programVersion(), tr("Computational hydrographic printing."),
-                                QLatin1String(qVersion()),
-                                parts_.view->graphicsDevice().toHtmlEscaped()));
+    QMessageBox box(QMessageBox::NoIcon, tr("About Dipwright"),
+                    QStringLiteral("<h3>Dipwright %1</h3><p>%2</p><p>Qt %3 · %4</p>")
+                        .arg(programVersion(), tr("Computational hydrographic printing."),
+                             QLatin1String(qVersion()),
+                             parts_.view->graphicsDevice().toHtmlEscaped()),
+                    QMessageBox::Ok, &window_);
+    box.setTextFormat(Qt::RichText);
+    box.setIconPixmap(QApplication::windowIcon().pixmap(64, 64));
+    box.exec();
 }
 
 void HelpController::copyReport() {

@@ -43,7 +43,6 @@ void WindowMessages::askToRead(const QString& title, const QString& who, const Q
     auto* box = new QMessageBox(QMessageBox::Warning, title,
                                 who + QStringLiteral("\n\n") + shown.join(u'\n'),
                                 QMessageBox::Cancel, &window_);
-    box->setTextFormat(Qt::PlainText); // names of files are not ours
     box->setInformativeText(
         tr("Read them only if they belong to the model. A stranger's model or project may name "
            "private files, so that they travel on inside the project."));

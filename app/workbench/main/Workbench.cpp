@@ -33,7 +33,8 @@ Theme themeOf(ThemeChoice choice) {
 } // namespace
 
 Workbench::Workbench(const QString& recovery, QObject* parent)
-    : QObject(parent), recovery_(recovery), preferences_(loadPreferences()), queue_(registry_) {
+    : QObject(parent), plainTexts_(*qApp), recovery_(recovery), preferences_(loadPreferences()),
+      queue_(registry_) {
     qApp->installEventFilter(this);
     queue_.setKeepsDips(preferences_.keepsResults);
     applyTheme(*qApp, themeOf(preferences_.theme));

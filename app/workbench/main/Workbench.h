@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/Preferences.h"
+#include "look/PlainTexts.h"
 #include "session/JobQueue.h"
 #include "solver/SolverRegistry.h"
 
@@ -47,6 +48,7 @@ protected:
 private:
     MainWindow* emptyWindow(); // one that shows the start page, or a new one
 
+    PlainTexts plainTexts_; // before there is any label
     SolverRegistry registry_;
     QString recovery_;
     Preferences preferences_;

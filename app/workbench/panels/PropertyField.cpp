@@ -1,6 +1,7 @@
 #include "panels/PropertyField.h"
 
 #include "look/Icons.h"
+#include "look/PlainTexts.h"
 #include "panels/NumberBox.h"
 
 #include <QCheckBox>
@@ -292,9 +293,8 @@ void PropertyField::adopt(QWidget* editor, const QString& name, const QString& r
     editor->setAccessibleDescription(spec_.help);
     editor->setObjectName(spec_.path);
     editor->setWhatsThis(spec_.help);
-    const QString shownRange =
-        range.isEmpty() ? QString() : QStringLiteral("<br><i>%1</i>").arg(range.toHtmlEscaped());
-    editor->setToolTip(QStringLiteral("<p>%1%2</p>").arg(spec_.help.toHtmlEscaped(), shownRange));
+    const QString shownRange = range.isEmpty() ? QString() : QLatin1Char('\n') + range;
+    editor->setToolTip(inLines(spec_.help) + shownRange);
     editor->installEventFilter(this);
     if (!focusProxy()) {
         setFocusProxy(editor);

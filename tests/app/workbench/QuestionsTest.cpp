@@ -1,19 +1,26 @@
 // What the window asks before it loses somebody's work or reads what a stranger's model names,
-// answered by clicks. DIPWRIGHT_PICTURES=FOLDER keeps the screen at each question.
+// answered by clicks, and that it shows such names as they are. DIPWRIGHT_PICTURES=FOLDER keeps the
+// screen at each question.
 #include "Patience.h"
 #include "WindowDriver.h"
 #include "disk/FileLock.h"
+#include "panels/NoticeBar.h"
 #include "project/ProjectStore.h"
 
 #include <QAbstractButton>
+#include <QAccessible>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
+#include <QHelpEvent>
+#include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
 #include <QTimer>
+#include <QToolTip>
 
 using namespace dipwright;
 
@@ -41,6 +48,32 @@ bool write(const QString& path, const QByteArray& text) {
     return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
 }
 
+// A name that a label which guesses would take for a picture on the disk.
+const QString misleading = QStringLiteral("<img src='private.png'>");
+
+QList<const QLabel*> labelsWith(const QString& text, const QWidgetList& widgets) {
+    QList<const QLabel*> found;
+    for (const QWidget* widget : widgets) {
+        const auto* label = qobject_cast<const QLabel*>(widget);
+        if (label && label->isVisible() && label->text().contains(text)) {
+            found.append(label);
+        }
+    }
+    return found;
+}
+
+// Whether it is shown by exactly one label, which takes it for what it is.
+bool isShownAsText(const QString& text) {
+    const auto labels = labelsWith(text, QApplication::allWidgets());
+    return labels.size() == 1 && labels.first()->textFormat() == Qt::PlainText;
+}
+
+// The cursor stays there.
+void restOn(QWidget& widget, const QPoint& place) {
+    QHelpEvent rest(QEvent::ToolTip, place, widget.mapToGlobal(place));
+    QApplication::sendEvent(&widget, &rest);
+}
+
 double swellOf(const QString& project) {
     return loadProject(project).film.swellX;
 }
@@ -57,6 +90,9 @@ private slots:
     void whatAnotherHasWrittenIsNotOverwrittenUnasked();
     void bothAreKeptUnderAnotherName();
     void whatAModelNamesElsewhereIsReadOnlyWhenAsked();
+    void namesAreShownAsTheyAre();
+    void namesInToolTipsAreShownAsTheyAre();
+    void namesAreToldToScreenReadersAsTheyAre();
 
 private:
     QString path(const QString& name) const { return folder_->filePath(name); }
@@ -77,6 +113,7 @@ private:
     QString job_;
     bool asking_ = false;
     QString said_;
+    Qt::TextFormat format_ = Qt::AutoText; // in which it was said
 };
 
 void QuestionsTest::init() {
@@ -114,6 +151,7 @@ void QuestionsTest::answer(const QString& name, const QString& button) {
 
 void QuestionsTest::clickOn(const QMessageBox& question, const QString& button) {
     said_ = question.text() + QLatin1Char('\n') + question.informativeText();
+    format_ = question.textFormat();
     keepScreen(question.objectName());
     for (QAbstractButton* offered : question.buttons()) {
         if (shownText(*offered) == button) {
@@ -226,6 +264,38 @@ void QuestionsTest::whatAModelNamesElsewhereIsReadOnlyWhenAsked() {
     };
     QVERIFY(QTest::qWaitFor(hasPicture, patience()));
     QCOMPARE(window_->document()->project().model->textures.at(0).size(), QSize(8, 8));
+}
+
+void QuestionsTest::namesAreShownAsTheyAre() {
+    answer(QStringLiteral("failure"), QStringLiteral("OK"));
+    window_->documents().importModel(path(misleading + QStringLiteral(".obj")), {}, {});
+    QVERIFY(isAnswered());
+    QVERIFY2(said_.contains(misleading), qPrintable(said_));
+    QCOMPARE(format_, Qt::PlainText);
+
+    QVERIFY(WindowDriver(*window_).open(job_));
+    auto* notice = WindowDriver(*window_).find<NoticeBar>("notice");
+    notice->say(misleading);
+    QVERIFY(QTest::qWaitFor([] { return isShownAsText(misleading); }, patience()));
+}
+
+void QuestionsTest::namesInToolTipsAreShownAsTheyAre() {
+    QListWidget list;
+    list.setToolTip(misleading);
+    auto* item = new QListWidgetItem(QStringLiteral("project"), &list);
+    item->setToolTip(misleading + QStringLiteral(" of the item"));
+    list.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&list));
+    restOn(*list.viewport(), list.viewport()->rect().bottomRight() - QPoint(5, 5));
+    QVERIFY(QTest::qWaitFor([] { return isShownAsText(misleading); }, patience()));
+    restOn(*list.viewport(), list.visualItemRect(item).center());
+    QVERIFY(QTest::qWaitFor([item] { return isShownAsText(item->toolTip()); }, patience()));
+    QToolTip::hideText();
+}
+
+void QuestionsTest::namesAreToldToScreenReadersAsTheyAre() {
+    QLabel label(misleading); // which is not shown yet
+    QCOMPARE(QAccessible::queryAccessibleInterface(&label)->text(QAccessible::Name), misleading);
 }
 
 int main(int argc, char** argv) {

@@ -91,6 +91,32 @@ QByteArray stl(const TriangleMesh& mesh) {
     return text + "endsolid body\n";
 }
 
+// One solid of several bodies; the first `turned` of them are inside out.
+QByteArray stl(std::vector<TriangleMesh> bodies, std::size_t turned) {
+    QByteArray text;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        for (auto& triangle : bodies[i].triangles) {
+            if (i < turned) {
+                std::swap(triangle[0], triangle[1]);
+            }
+        }
+        text += stl(bodies[i]);
+    }
+    return text.replace("endsolid body\nsolid body\n", "");
+}
+
+// Boxes that grow from 20 and 10 mm, each in the next; the smaller half is first.
+std::vector<TriangleMesh> nestedBoxes(int half) {
+    std::vector<TriangleMesh> boxes;
+    for (const double least : {10.0, 20.0}) {
+        for (int i = 0; i < half; ++i) {
+            const double edge = least + 5.0 * i / half;
+            boxes.push_back(boxMesh({edge, edge, edge}));
+        }
+    }
+    return boxes;
+}
+
 // A sphere as OBJ whose texture is cut along one meridian: one chart, two coordinates on the seam.
 QByteArray sphereWithSeamObj(int rings, int segments) {
     QByteArray text;
@@ -176,6 +202,8 @@ private Q_SLOTS:
     void degenerateTrianglesAreRemoved();
     void insideOutIsTurned();
     void insideOutPartIsTurnedButACavityIsNot();
+    void manyPartsInOneAnotherAreToldApart();
+    void repairingEndsWhenItIsCancelled();
     void turnedNeighboursAreTurnedBack();
     void openMeshIsAWarning();
     void mirroredNodeKeepsItsOutside();
@@ -541,13 +569,8 @@ void ImportModelTest::insideOutIsTurned() {
 }
 
 void ImportModelTest::insideOutPartIsTurnedButACavityIsNot() {
-    const auto importBoth = [&](const TriangleMesh& outer, TriangleMesh inner) {
-        for (auto& triangle : inner.triangles) {
-            std::swap(triangle[0], triangle[1]);
-        }
-        QByteArray text = stl(outer) + stl(inner);
-        text.replace("endsolid body\nsolid body\n", "");
-        return import(write(QStringLiteral("parts.stl"), text)).report;
+    const auto importBoth = [&](const TriangleMesh& outer, const TriangleMesh& inner) {
+        return import(write(QStringLiteral("parts.stl"), stl({inner, outer}, 1))).report;
     };
     const auto cavity = importBoth(boxMesh({20, 20, 20}), boxMesh({10, 10, 10}));
     QVERIFY(std::abs(cavity.volume - 7000) < 0.1);
@@ -555,6 +578,29 @@ void ImportModelTest::insideOutPartIsTurnedButACavityIsNot() {
     const auto crossing = importBoth(boxMesh({20, 20, 20}), boxMesh({10, 10, 40}));
     QVERIFY(std::abs(crossing.volume - 12000) < 0.1);
     QCOMPARE(crossing.repairs.size(), 1);
+}
+
+void ImportModelTest::manyPartsInOneAnotherAreToldApart() {
+    constexpr int half = 200;
+    auto boxes = nestedBoxes(half);
+    const auto cavities = import(write(QStringLiteral("nested.stl"), stl(boxes, half))).report;
+    QVERIFY2(cavities.repairs.isEmpty(), qPrintable(cavities.repairs.join(u'|')));
+    QVERIFY(cavities.closed);
+    const auto allTurned = import(write(QStringLiteral("all.stl"), stl(boxes, 2 * half))).report;
+    QCOMPARE(allTurned.repairs.size(), 1);
+    QVERIFY2(allTurned.repairs[0].contains(QString::number(2 * half)),
+             qPrintable(allTurned.repairs[0]));
+}
+
+void ImportModelTest::repairingEndsWhenItIsCancelled() {
+    const QString path = write(QStringLiteral("nested.stl"), stl(nestedBoxes(200), 200));
+    Progress progress;
+    progress.report = [&](double share, const QString& /*text*/) {
+        if (share >= 0.7) { // the reader is done
+            progress.cancelSwitch.cancel();
+        }
+    };
+    QVERIFY_EXCEPTION_THROWN(importModel(path, {}, progress), Cancelled);
 }
 
 void ImportModelTest::turnedNeighboursAreTurnedBack() {

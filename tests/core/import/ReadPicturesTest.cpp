@@ -1,6 +1,8 @@
 // Pictures of every format, through the process that may do nothing but compute.
 #include "import/ReadPictures.h"
 #include "base/Error.h"
+#include "base/Png.h"
+#include "base/WideColour.h"
 
 #include <QImageWriter>
 #include <QTemporaryDir>
@@ -47,6 +49,8 @@ private Q_SLOTS:
     void readsWhatWasWritten();
     void refusesWhatIsCutOff_data() { formats(); }
     void refusesWhatIsCutOff();
+    void picturesOfOneCallCountTogether();
+    void widePicturesCountTwice();
 
 private:
     static void formats();
@@ -106,6 +110,30 @@ void ReadPicturesTest::refusesWhatIsCutOff() {
         }
     }
     QVERIFY(refused >= 3);
+}
+
+void ReadPicturesTest::picturesOfOneCallCountTogether() {
+    QImage plain(5000, 5000, QImage::Format_Mono);
+    plain.fill(1);
+    const PackedPicture packed{pngBytes(plain.convertToFormat(QImage::Format_RGBA8888), {}),
+                               QStringLiteral("plain.png")};
+    QCOMPARE(readPictures({packed, packed}).size(), std::size_t(2));
+    QVERIFY_EXCEPTION_THROWN(readPictures({packed, packed, packed}), Error);
+}
+
+void ReadPicturesTest::widePicturesCountTwice() {
+    const auto countFour = [](const QImage& picture) {
+        PictureCount count;
+        for (int i = 0; i < 4; ++i) { // of the pixels that any file may have
+            count.add(picture, 0, {});
+        }
+    };
+    QImage picture(4096, 4096, QImage::Format_RGBA8888);
+    countFour(picture);
+    picture = QImage(4096, 4096, QImage::Format_RGBA64);
+    picture.setColorSpace(wideSpace());
+    QVERIFY(isWide(picture));
+    QVERIFY_EXCEPTION_THROWN(countFour(picture), Error);
 }
 
 QTEST_GUILESS_MAIN(ReadPicturesTest)

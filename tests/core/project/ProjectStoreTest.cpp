@@ -141,6 +141,41 @@ private slots:
         QCOMPARE(QDir(folder.path()).entryList(all), QStringList{"job.dipw"});
     }
 
+    // Six thousand pixels a side of one colour, in a few kilobytes: a file may have one of them.
+    void texturesAndLayersCountTogether() {
+        Project project = sampleProject();
+        ArtworkLayer layer = newLayer(LayerKind::Picture, QStringLiteral("logo"));
+        layer.picture = artworkPicture(project.model->textures.front());
+        project.artwork.layers = {layer};
+        saveProject(project, path("layer.dipw"));
+        QCOMPARE(loadProject(path("layer.dipw")).artwork.layers.size(), std::size_t(1));
+        QByteArray large;
+        QBuffer buffer(&large);
+        QImage picture(6000, 6000, QImage::Format_Mono);
+        picture.fill(1);
+        QVERIFY(picture.save(&buffer, "PNG"));
+        const auto withLarge = [&](const QString& beginning) {
+            auto entries = entriesOf(path("layer.dipw"));
+            for (ZipEntry& entry : entries) {
+                if (entry.name.startsWith(beginning) && entry.name.endsWith(".png")) {
+                    entry.contents = large;
+                }
+            }
+            return zip(entries);
+        };
+        writeFile(path("one.dipw"), withLarge("assets/texture"));
+        QCOMPARE(loadProject(path("one.dipw")).model->textures.front().width(), 6000);
+        writeFile(path("two.dipw"), withLarge("assets/"));
+        const QString sentence = refusal(path("two.dipw"));
+        QVERIFY2(sentence.contains("million pixels"), qPrintable(sentence));
+
+        // What would not be opened again is not saved.
+        project = loadProject(path("one.dipw"));
+        project.artwork.layers.front().picture = artworkPicture(project.model->textures.front());
+        QVERIFY_EXCEPTION_THROWN(saveProject(project, path("one.dipw")), Error);
+        QCOMPARE(loadProject(path("one.dipw")).artwork.layers.front().picture.image.width(), 16);
+    }
+
     void aPlaceThatCannotBeWrittenIsSaid() {
         QVERIFY_EXCEPTION_THROWN(saveProject(sampleProject(), path("nowhere/job.dipw")), Error);
         QVERIFY_EXCEPTION_THROWN(saveProject(sampleProject(), folder_.path()), Error);

@@ -5,6 +5,7 @@
 #include "base/Error.h"
 #include "project/ProjectStore.h"
 
+#include <QBuffer>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
@@ -18,6 +19,14 @@ namespace {
 
 Snapshot named(const Project& project, const QString& name) {
     return snapshotOf(project, name, QStringLiteral("2026-01-02T03:04:05"), {{"painted", 0.5}});
+}
+
+ArtworkLayer layer(const QColor& colour) {
+    QImage image(8, 6, QImage::Format_RGBA8888);
+    image.fill(colour);
+    ArtworkLayer made = newLayer(LayerKind::Picture, colour.name());
+    made.picture = artworkPicture(image);
+    return made;
 }
 
 } // namespace
@@ -49,13 +58,6 @@ private slots:
     }
 
     void theArtworkComesBackWithItsPictures() {
-        const auto layer = [](const QColor& colour) {
-            QImage image(8, 6, QImage::Format_RGBA8888);
-            image.fill(colour);
-            ArtworkLayer made = newLayer(LayerKind::Picture, colour.name());
-            made.picture = artworkPicture(image);
-            return made;
-        };
         Project before = test::sampleProject();
         before.artwork.base = Qt::white;
         before.artwork.layers = {layer(Qt::red), layer(Qt::blue)};
@@ -106,6 +108,29 @@ private slots:
         QCOMPARE(snapshots(project).size(), 1U);
         QCOMPARE(snapshots(project).front().name, QStringLiteral("2"));
         QVERIFY(atSnapshot(project, snapshots(project).front()).artwork == project.artwork);
+    }
+
+    void picturesOfOneSnapshotCountTogether() {
+        Project project = test::sampleProject();
+        project.artwork.layers = {layer(Qt::red), layer(Qt::blue)};
+        const Snapshot snapshot = named(project, "before");
+        project = withSnapshots(project, {snapshot});
+        project.artwork.layers.clear();
+        QByteArray large; // of which a file may have one, as it is all of one colour
+        QBuffer buffer(&large);
+        QImage picture(6000, 6000, QImage::Format_Mono);
+        picture.fill(1);
+        QVERIFY(picture.save(&buffer, "PNG"));
+        int replaced = 0;
+        for (auto& [name, bytes] : project.unknownEntries) {
+            if (name.endsWith(QLatin1String(".png"))) {
+                QCOMPARE(atSnapshot(project, snapshot).artwork.layers.size(), std::size_t(2));
+                bytes = large;
+                ++replaced;
+            }
+        }
+        QCOMPARE(replaced, 2);
+        QVERIFY_EXCEPTION_THROWN(atSnapshot(project, snapshot), Error);
     }
 
     void theOldestGoWhereThereAreTooMany() {
