@@ -101,8 +101,7 @@ public:
         }
         return std::all_of(journal.written.begin(), journal.written.end(),
                            [&](const QString& name) {
-                               return !has(newFiles + name) ||
-                                      moveOver(path(newFiles + name), target_.filePath(name));
+                               return !has(newFiles + name) || bring(path(newFiles + name), name);
                            });
     }
     // Puts back what was set aside, and removes what has come in place beside it.
@@ -114,7 +113,7 @@ public:
             }
         }
         return std::all_of(journal.there.begin(), journal.there.end(), [&](const QString& name) {
-            return !has(oldFiles + name) || moveOver(path(oldFiles + name), target_.filePath(name));
+            return !has(oldFiles + name) || bring(path(oldFiles + name), name);
         });
     }
     // Back to the old files from wherever forward() failed. False: the journal stays, for the next
@@ -170,6 +169,10 @@ public:
     }
 
 private:
+    // To its place, whose folder may have been emptied by an earlier try, and gone.
+    bool bring(const QString& from, const QString& name) const {
+        return target_.mkpath(folderOf(name)) && moveOver(from, target_.filePath(name));
+    }
     // A folder from a stranger may hold a journal that names what is no result, to have it removed
     // or replaced.
     bool isOurs(const Journal& journal, const QStringList& names) const {
@@ -279,10 +282,10 @@ bool ResultFolder::putRight(const QString& target) {
     FileLock lock;
     const QFileInfo work(target + QLatin1Char('/') + workName());
     if (!work.isDir() || work.isSymLink()) {
-        return true;
+        return true; // nothing of ours
     }
     return lock.acquire(lockedName(target)).acquired && lock.isHeld() && Work(target).putRight() &&
-           !work.isDir();
+           !Work(target).isThere();
 }
 
 void ResultFolder::write(const QString& name, const QByteArray& contents) const {

@@ -76,7 +76,8 @@ private slots:
         QCOMPARE(cli(words("built", {})).exitCode, 2); // nobody has accepted it
         {
             const ProjectFile other(path("job.dipw"));
-            const Outcome refused = cli(words("built", {"--accepted-by", "Ada", "--update"}));
+            const Outcome refused = cli(
+                words("built", {"--accepted-by", "Ada", "--date", "2026-11-22", "--update-job"}));
             QCOMPARE(refused.exitCode, 1);
             QVERIFY2(refused.err.contains("open elsewhere"), refused.err.constData());
         }
