@@ -230,6 +230,10 @@
         <source>it ended its process (%1)</source>
         <translation>er hat seinen Prozess beendet (%1)</translation>
     </message>
+    <message>
+        <source>it answered with more than there can be and was stopped</source>
+        <translation>er hat mit mehr geantwortet, als es geben kann, und wurde beendet</translation>
+    </message>
 </context>
 <context>
     <name>Cradle</name>
@@ -1663,6 +1667,10 @@
         <source>Another program has changed the profile since it was read, nothing is saved; look at what it says now and do it again</source>
         <translation>Ein anderes Programm hat das Profil geändert, seit es gelesen wurde; nichts ist gespeichert. Sehen Sie nach, was es nun sagt, und ändern Sie es noch einmal</translation>
     </message>
+    <message>
+        <source>The profile that is there cannot be read and is not replaced; mend its file or move it away: %1</source>
+        <translation>Das Profil, das dort ist, lässt sich nicht lesen und wird nicht ersetzt; bringen Sie seine Datei in Ordnung oder legen Sie sie woanders hin: %1</translation>
+    </message>
 </context>
 <context>
     <name>Project</name>
@@ -2887,10 +2895,6 @@
         <translation>Ein anderes Programm schreibt dort Ergebnisse (%1); warten Sie darauf, oder wählen Sie einen anderen Ordner</translation>
     </message>
     <message>
-        <source>Earlier results there were not completed and cannot be now; is a file there in use?</source>
-        <translation>Frühere Ergebnisse dort wurden nicht vollendet und können es jetzt nicht werden; wird dort eine Datei benutzt?</translation>
-    </message>
-    <message>
         <source>The folder cannot be written, choose another</source>
         <translation>In den Ordner kann nicht geschrieben werden; wählen Sie einen anderen</translation>
     </message>
@@ -2901,6 +2905,10 @@
     <message>
         <source>The results cannot be read again: %1</source>
         <translation>Die Ergebnisse lassen sich nicht noch einmal lesen: %1</translation>
+    </message>
+    <message>
+        <source>Earlier results there were not completed and cannot be now; close what has files there open, or move %1 out of it</source>
+        <translation>Frühere Ergebnisse dort wurden nicht vollendet und können es jetzt nicht werden; schließen Sie, was dort Dateien offen hat, oder legen Sie %1 woanders hin</translation>
     </message>
 </context>
 <context>
@@ -3096,6 +3104,10 @@
     <message>
         <source>Others can write to %1; take that right from them, or move the plugin</source>
         <translation>Andere können %1 schreiben; nehmen Sie ihnen das Recht, oder verschieben Sie das Plugin</translation>
+    </message>
+    <message>
+        <source>Its description is not a plain file</source>
+        <translation>Seine Beschreibung ist keine gewöhnliche Datei</translation>
     </message>
 </context>
 <context>
@@ -4576,6 +4588,10 @@
     <message>
         <source>Saved %1</source>
         <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Unsaved changes are not kept in case of a crash; save them often. %1</source>
+        <translation>Ungespeicherte Änderungen werden für den Fall eines Absturzes nicht aufgehoben; speichern Sie oft. %1</translation>
     </message>
 </context>
 <context>
@@ -7940,6 +7956,13 @@ Ergebnisse: %2</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::Reader</name>
+    <message>
+        <source>The program that reads models and pictures cannot be kept from doing anything else on this system, and does not read; use another system, or set DIPWRIGHT_READ_UNCONFINED=1 for files that you trust</source>
+        <translation>Das Programm, das Modelle und Bilder liest, lässt sich auf diesem System nicht davon abhalten, anderes zu tun, und liest nicht; nehmen Sie ein anderes System, oder setzen Sie DIPWRIGHT_READ_UNCONFINED=1 für Dateien, denen Sie trauen</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::ReaderProcess</name>
     <message>
         <source>The program that reads models and pictures is missing; install Dipwright anew</source>
@@ -8608,6 +8631,10 @@ mm je mm</translation>
     <message>
         <source>Each project chooses its solver under Dipping. “Best available” takes the best that can run here.</source>
         <translation>Jedes Projekt wählt seinen Löser unter Tauchen. „Bester verfügbarer“ nimmt den besten, der hier laufen kann.</translation>
+    </message>
+    <message>
+        <source>Looking whether it can run here …</source>
+        <translation>Es wird nachgesehen, ob er hier laufen kann …</translation>
     </message>
 </context>
 <context>

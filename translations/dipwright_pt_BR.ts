@@ -230,6 +230,10 @@
         <source>it ended its process (%1)</source>
         <translation>ele encerrou o próprio processo (%1)</translation>
     </message>
+    <message>
+        <source>it answered with more than there can be and was stopped</source>
+        <translation>respondeu com mais do que pode haver e foi parado</translation>
+    </message>
 </context>
 <context>
     <name>Cradle</name>
@@ -1663,6 +1667,10 @@
         <source>Another program has changed the profile since it was read, nothing is saved; look at what it says now and do it again</source>
         <translation>Outro programa mudou o perfil desde que foi lido; nada foi salvo. Veja o que ele diz agora e faça de novo</translation>
     </message>
+    <message>
+        <source>The profile that is there cannot be read and is not replaced; mend its file or move it away: %1</source>
+        <translation>O perfil que está lá não pode ser lido e não é substituído; corrija o arquivo dele ou mova-o para outro lugar: %1</translation>
+    </message>
 </context>
 <context>
     <name>Project</name>
@@ -2887,10 +2895,6 @@
         <translation>Outro programa está gravando resultados ali (%1); espere por ele ou escolha outra pasta</translation>
     </message>
     <message>
-        <source>Earlier results there were not completed and cannot be now; is a file there in use?</source>
-        <translation>Resultados anteriores ali não foram concluídos e não podem ser agora; algum arquivo ali está em uso?</translation>
-    </message>
-    <message>
         <source>The folder cannot be written, choose another</source>
         <translation>Não é possível gravar na pasta; escolha outra</translation>
     </message>
@@ -2901,6 +2905,10 @@
     <message>
         <source>The results cannot be read again: %1</source>
         <translation>Os resultados não podem ser lidos de novo: %1</translation>
+    </message>
+    <message>
+        <source>Earlier results there were not completed and cannot be now; close what has files there open, or move %1 out of it</source>
+        <translation>Resultados anteriores ali não foram concluídos e não podem ser agora; feche o que tem arquivos abertos ali, ou mova %1 para fora</translation>
     </message>
 </context>
 <context>
@@ -3096,6 +3104,10 @@
     <message>
         <source>Others can write to %1; take that right from them, or move the plugin</source>
         <translation>Outros podem gravar em %1; tire-lhes esse direito ou mova o plugin</translation>
+    </message>
+    <message>
+        <source>Its description is not a plain file</source>
+        <translation>A descrição dele não é um arquivo comum</translation>
     </message>
 </context>
 <context>
@@ -4576,6 +4588,10 @@
     <message>
         <source>Saved %1</source>
         <translation>%1 salvo</translation>
+    </message>
+    <message>
+        <source>Unsaved changes are not kept in case of a crash; save them often. %1</source>
+        <translation>As alterações não salvas não são guardadas para o caso de uma falha; salve com frequência. %1</translation>
     </message>
 </context>
 <context>
@@ -7940,6 +7956,13 @@ Resultados: %2</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::Reader</name>
+    <message>
+        <source>The program that reads models and pictures cannot be kept from doing anything else on this system, and does not read; use another system, or set DIPWRIGHT_READ_UNCONFINED=1 for files that you trust</source>
+        <translation>O programa que lê modelos e imagens não pode ser impedido de fazer outra coisa neste sistema, e não lê; use outro sistema, ou defina DIPWRIGHT_READ_UNCONFINED=1 para arquivos em que você confia</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::ReaderProcess</name>
     <message>
         <source>The program that reads models and pictures is missing; install Dipwright anew</source>
@@ -8608,6 +8631,10 @@ mm por mm</translation>
     <message>
         <source>Each project chooses its solver under Dipping. “Best available” takes the best that can run here.</source>
         <translation>Cada projeto escolhe seu solucionador em Imersão. “Melhor disponível” usa o melhor que possa rodar aqui.</translation>
+    </message>
+    <message>
+        <source>Looking whether it can run here …</source>
+        <translation>Verificando se pode rodar aqui …</translation>
     </message>
 </context>
 <context>
