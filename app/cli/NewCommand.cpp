@@ -68,6 +68,15 @@ void applyPresetOption(Project& project, const QString& preset) {
     }
 }
 
+void print(const ImportReport& report, const QString& whose, Console& console) {
+    for (const QString& repair : report.repairs) {
+        console.out() << whose << repair << '\n';
+    }
+    for (const QString& warning : report.warnings) {
+        console.out() << "warning: " << whose << warning << '\n';
+    }
+}
+
 void importInto(Project& project, const QCommandLineParser& parser, Console& console) {
     const QString path = parser.value(modelOption);
     ImportOptions options;
@@ -77,9 +86,7 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
         options.longestEdge = Millimetres(numberOption(parser, sizeOption, 0.1, 10'000));
     }
     const ImportedModel imported = importModel(path, options, console.progress());
-    for (const QString& line : imported.report.repairs + imported.report.warnings) {
-        console.out() << line << '\n';
-    }
+    print(imported.report, {}, console);
     project.model = std::make_shared<const TexturedMesh>(imported.model);
     project.modelOrigin.source = path;
     project.modelOrigin.texture = options.texture;
@@ -141,9 +148,7 @@ void importJig(Project& project, const std::vector<JigSpec>& specs,
         ImportOptions options = spec.options;
         options.allowOutside = parser.isSet(outsideOption);
         const ImportedModel imported = importModel(spec.path, options, console.progress());
-        for (const QString& line : imported.report.repairs + imported.report.warnings) {
-            console.out() << QStringLiteral("%1: %2\n").arg(spec.part.placed.name, line);
-        }
+        print(imported.report, spec.part.placed.name + QStringLiteral(": "), console);
         parts.push_back(spec.part);
         parts.back().model = std::make_shared<const TexturedMesh>(imported.model);
     }

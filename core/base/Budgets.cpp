@@ -63,6 +63,14 @@ constexpr Row table[] = {
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "project.json is larger than %1 MB and is not read; ask "
                        "whoever made the project for another")},
+    {Budget::DocumentDepth, 32, notFromTheFile, 32, 1,
+     QT_TRANSLATE_NOOP("dipwright::Budgets",
+                       "The file's values hold one another more than %1 deep and it is not read; "
+                       "ask whoever made it for another")},
+    {Budget::DocumentValues, 1e6, notFromTheFile, 1e6, 1e6,
+     QT_TRANSLATE_NOOP("dipwright::Budgets",
+                       "The file holds more than %1 million values and is not read; ask whoever "
+                       "made it for another")},
     {Budget::OtherBytes, 256 * mebi, notFromTheFile, 256 * mebi, mebi,
      QT_TRANSLATE_NOOP(
          "dipwright::Budgets",

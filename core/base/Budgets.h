@@ -14,14 +14,16 @@ enum class Budget {
     PolygonCorners,
     Nesting, // parts in parts
     Materials,
-    UnpackedBytes, // of an archive
-    Entries,       // of an archive
-    DocumentBytes, // of project.json
-    OtherBytes,    // of all entries of a project that are not its own, unpacked
-    PictureSide,   // pixels
-    Pixels,        // of all pictures of a model or project, as often as named, wide ones twice
-    Memory,        // bytes, of the process that reads
-    Milliseconds   // of computing, until it has read
+    UnpackedBytes,  // of an archive
+    Entries,        // of an archive
+    DocumentBytes,  // of project.json
+    DocumentDepth,  // values in values, of any JSON
+    DocumentValues, // of any JSON
+    OtherBytes,     // of all entries of a project that are not its own, unpacked
+    PictureSide,    // pixels
+    Pixels,         // of all pictures of a model or project, as often as named, wide ones twice
+    Memory,         // bytes, of the process that reads
+    Milliseconds    // of computing, until it has read
 };
 
 // The most of it for files of these many bytes together.

@@ -39,6 +39,7 @@ void ArchiveWriter::add(const QString& name, const QByteArray& contents, Packing
         throw Error(Text::tr("The file cannot be packed"), name);
     }
     ++entries_;
+    unpackedBytes_ += contents.size();
 }
 
 QByteArray ArchiveWriter::finish() {

@@ -18,6 +18,8 @@ public:
     ArchiveWriter();
     ~ArchiveWriter();
     void add(const QString& name, const QByteArray& contents, Packing packing);
+    // Of all contents, before they were packed.
+    qint64 unpackedBytes() const { return unpackedBytes_; }
     // Throws Error unless all of it is in the bytes.
     QByteArray finish();
 
@@ -25,6 +27,7 @@ private:
     QBuffer buffer_;
     std::unique_ptr<QuaZip> zip_;
     int entries_ = 0;
+    qint64 unpackedBytes_ = 0;
 };
 
 } // namespace dipwright

@@ -67,6 +67,12 @@ QString WholeFile::open() {
     if (target.isDir()) {
         return Text::tr("it is a folder");
     }
+    if (target.isSymLink()) {
+        return Text::tr("its links lead to one another");
+    }
+    if (target.exists() && !target.isFile()) { // a pipe or a device, which others have open
+        return Text::tr("it is no plain file");
+    }
     if (target.exists() && !target.isWritable()) {
         return Text::tr("it may not be written");
     }
@@ -104,12 +110,19 @@ QString WholeFile::commit() {
     return {};
 }
 
-QString replaceFile(const QString& path, const QByteArray& bytes) {
+QString replaceFile(const QString& path, const QByteArray& bytes,
+                    const std::function<void()>& lastLook) {
     WholeFile file(path);
     if (QString failure = file.open(); !failure.isEmpty()) {
         return failure;
     }
-    return writeAll(file.device(), bytes) ? file.commit() : file.device().errorString();
+    if (!writeAll(file.device(), bytes)) {
+        return file.device().errorString();
+    }
+    if (lastLook) {
+        lastLook();
+    }
+    return file.commit();
 }
 
 namespace {

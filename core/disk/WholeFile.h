@@ -32,8 +32,10 @@ private:
     LockedFile file_;
 };
 
-// Replaces a file. Empty when done, else why not in the system's words.
-QString replaceFile(const QString& path, const QByteArray& bytes);
+// Replaces a file. Empty when done, else why not in the system's words. `lastLook` is called when
+// all is written and nobody else can replace the file any more, and may end it by throwing.
+QString replaceFile(const QString& path, const QByteArray& bytes,
+                    const std::function<void()>& lastLook = {});
 // The same with what `write` puts into the device it is given. Throws Error.
 void writeWhole(const QString& path, const std::function<void(QIODevice&)>& write);
 // Throws Error where the file could not be replaced now: worth asking before long work.

@@ -6,6 +6,9 @@ namespace dipwright {
 
 std::vector<SurfacePoint> evenSamples(const TriangleMesh& mesh, double area) {
     std::vector<SurfacePoint> samples;
+    if (!(area > 0)) { // of a body without any, on which there is nothing to measure
+        return samples;
+    }
     double left = area / 2;
     // Within a triangle they are spread by a low-discrepancy sequence, the additive recurrence of
     // the plastic number.

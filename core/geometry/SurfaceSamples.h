@@ -5,8 +5,8 @@
 
 namespace dipwright {
 
-// One point for every `area` (> 0) mm² of the surface, each standing for as much. Always the same
-// for the same mesh.
+// One point for every `area` mm² of the surface, each standing for as much; none where that is no
+// area. Always the same for the same mesh.
 std::vector<SurfacePoint> evenSamples(const TriangleMesh& mesh, double area);
 
 } // namespace dipwright

@@ -75,14 +75,16 @@ void checkPositions(const TriangleMesh& mesh, const QString& path) {
     }
 }
 
-// What is called while a model is repaired: throws where that is cancelled, or takes longer than
-// files of these many bytes are waited for.
+// What is called while a model is repaired: throws where that is cancelled, or takes longer than a
+// busy machine needs for files of these many bytes.
 std::function<void()> goOnWith(const QString& path, qint64 fileBytes, const Progress& progress) {
+    constexpr int busyMachine = 2; // times the time to compute
+    const qint64 patience = busyMachine * mostOf(Budget::Milliseconds, fileBytes);
     QElapsedTimer clock;
     clock.start();
     return [=, cancelSwitch = progress.cancelSwitch] {
         cancelSwitch.throwIfCancelled();
-        if (clock.elapsed() > patienceWith(fileBytes)) {
+        if (clock.elapsed() > patience) {
             throw Error(sentenceOf(Budget::Milliseconds, fileBytes), path);
         }
     };
@@ -95,7 +97,8 @@ void repair(TexturedMesh& model, QStringList& repairs, const QString& path,
     if (const std::size_t count = removeDegenerateTriangles(model); count > 0) {
         repairs.push_back(Text::tr("Triangles without area that were removed: %1").arg(count));
     }
-    if (model.mesh.triangles.empty()) {
+    // What is closed keeps triangles that are squeezed to lines: all of them may be.
+    if (surfaceArea(model.mesh) == 0) {
         throw Error(Text::tr("None of the model's triangles has an area; choose another model"),
                     path);
     }
@@ -111,11 +114,27 @@ void repair(TexturedMesh& model, QStringList& repairs, const QString& path,
     }
 }
 
+[[noreturn]] void throwTooFar(const QString& path) {
+    throw Error(Text::tr("The model lies too far from its origin; move it there and save it anew"),
+                path);
+}
+
+// Coordinates have seven digits: so far away what is left of them for the body itself would crumple
+// it by a two-thousandth of its size.
+void requireNearOrigin(const TriangleMesh& mesh, double longestEdge, const QString& path) {
+    constexpr double farthest = 1e4; // longest edges
+    const Eigen::AlignedBox3f box = boundingBox(mesh);
+    if (box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() > farthest * longestEdge) {
+        throwTooFar(path);
+    }
+}
+
 void scaleAsAsked(TriangleMesh& mesh, const ImportOptions& options, const QString& path) {
     const double edge = longestEdgeOf(mesh);
     if (edge == 0) {
         throw Error(Text::tr("The model has no extent; choose another model"), path);
     }
+    requireNearOrigin(mesh, edge, path);
     const double factor =
         options.longestEdge ? options.longestEdge->value() / edge : options.unitMillimetres;
     if (edge * factor > maximumEdge) {
@@ -125,9 +144,7 @@ void scaleAsAsked(TriangleMesh& mesh, const ImportOptions& options, const QStrin
     }
     scale(mesh, factor);
     if (!boundingBox(mesh).sizes().allFinite()) {
-        throw Error(
-            Text::tr("The model lies too far from its origin; move it there and save it anew"),
-            path);
+        throwTooFar(path);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/Budgets.h"
 #include "base/Error.h"
+#include "base/OneLine.h"
 #include "base/SanitizerFindings.h"
 #include "base/ShippedFolders.h"
 #include "base/WaitedTime.h"
@@ -43,9 +44,7 @@ QProcessEnvironment bareEnvironment() {
 
 // The sentence of another program, for people to read: one line, no escape bytes, not endless.
 QString plain(const QByteArray& text) {
-    QString shown = QString::fromUtf8(text.left(longestText)).simplified();
-    shown.removeIf([](QChar letter) { return letter.category() == QChar::Other_Control; });
-    return shown.left(2000);
+    return oneLine(QString::fromUtf8(text.left(longestText))).simplified().left(2000);
 }
 
 class ReaderProcess {

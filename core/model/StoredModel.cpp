@@ -163,6 +163,7 @@ private:
         for (const Material& material : model.materials) {
             require(material.texture >= -1 && material.texture < qint64(stored.pictures.size()));
         }
+        require(numbers_ != Numbers::Checked || surfaceArea(model.mesh) > 0);
     }
 
     const QByteArray& bytes_;

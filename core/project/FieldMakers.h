@@ -2,6 +2,7 @@
 // Private to this folder.
 #pragma once
 
+#include "base/OneLine.h"
 #include "base/Units.h"
 #include "project/Field.h"
 #include "texture/WedgeTable.h"
@@ -107,12 +108,25 @@ Field<Owner> numbers(const char* path, int parts, double minimum, double maximum
             }};
 }
 
+// A text of one line: what would break or rewrite the line that it is shown in becomes a space.
 template <typename Owner = Project, typename Access>
 Field<Owner> text(const char* path, int maximumLength, Access access) {
     return {QString::fromLatin1(path),
             {FieldKind::Text, 1, false, 0, double(maximumLength)},
             [access](const Owner& owner) { return QJsonValue(access(owner)); },
-            [access](Owner& owner, const QJsonValue& value) { access(owner) = value.toString(); }};
+            [access](Owner& owner, const QJsonValue& value) {
+                access(owner) = oneLine(value.toString());
+            }};
+}
+
+// Where a file lies: its name may have any letter.
+template <typename Owner = Project, typename Access>
+Field<Owner> filePath(const char* path, int maximumLength, Access access) {
+    Field<Owner> field = text<Owner>(path, maximumLength, access);
+    field.set = [access](Owner& owner, const QJsonValue& value) {
+        access(owner) = value.toString();
+    };
+    return field;
 }
 
 // The tones of inks, which were measured (texture/WedgeTable.h).

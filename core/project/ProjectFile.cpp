@@ -12,10 +12,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(ProjectFile)
 };
 
-} // namespace
-
-void replaceProject(const Project& project, const QString& path, FileVersion& known) {
-    // One that is gone is written anew: nobody loses by that.
+// One that is gone is written anew: nobody loses by that.
+void requireUnchanged(const QString& path, const FileVersion& known) {
     const FileVersion now = FileVersion::of(path);
     if (now != known && QFileInfo::exists(path)) {
         if (now == FileVersion()) {
@@ -27,7 +25,13 @@ void replaceProject(const Project& project, const QString& path, FileVersion& kn
                                    "nothing is saved; look at what it holds now and do it again"),
                           path);
     }
-    known = saveProject(project, path);
+}
+
+} // namespace
+
+// Looked at when nobody else can replace it any more: packing takes long enough for others to.
+void replaceProject(const Project& project, const QString& path, FileVersion& known) {
+    known = saveProject(project, path, [&] { requireUnchanged(path, known); });
 }
 
 ProjectFile::ProjectFile(const QString& path) : path_(path) {

@@ -2,6 +2,7 @@
 
 #include "base/Budgets.h"
 #include "base/Error.h"
+#include "base/JsonText.h"
 #include "base/Png.h"
 #include "base/Sha256.h"
 #include "disk/ArchiveWriter.h"
@@ -67,7 +68,27 @@ private:
     PictureCount count_;
 };
 
-QByteArray projectBytes(const Project& project) {
+void requireModestModel(const TexturedMesh& model, const QString& path) {
+    requireWithin(Budget::NamedFiles, qint64(model.textures.size()), path);
+    requireWithin(Budget::Materials, qint64(model.materials.size()), path);
+}
+
+// What this program would not open again is not put in the place of what it does open.
+void requireOpenable(const TexturedMesh& model, const ArchiveWriter& archive,
+                     const QByteArray& document, const QByteArray& packed, const QString& path) {
+    try {
+        requireModestModel(model, path);
+        requireModestJson(document, path);
+        requireWithin(Budget::DocumentBytes, document.size(), path);
+        requireWithin(Budget::UnpackedBytes, archive.unpackedBytes(), path, packed.size());
+    } catch (const Error& error) {
+        throw Error(Text::tr("The project is not saved, as it could not be opened again: %1")
+                        .arg(error.message()),
+                    path);
+    }
+}
+
+QByteArray projectBytes(const Project& project, const QString& path) {
     const QByteArray mesh = writeModel(withoutPictures(*project.model));
     QJsonObject json = toJson(project);
     QJsonObject model = json.value(QLatin1String("model")).toObject();
@@ -80,7 +101,8 @@ QByteArray projectBytes(const Project& project) {
 
     ArchiveWriter archive;
     archive.add(mimeEntry, mimeType, ArchiveWriter::Packing::Stored);
-    archive.add(documentEntry, QJsonDocument(json).toJson(), ArchiveWriter::Packing::Deflated);
+    const QByteArray document = QJsonDocument(json).toJson();
+    archive.add(documentEntry, document, ArchiveWriter::Packing::Deflated);
     archive.add(meshEntry, mesh, ArchiveWriter::Packing::Deflated);
     SavedPictures pictures(archive);
     for (std::size_t index = 0; index < project.model->textures.size(); ++index) {
@@ -97,7 +119,9 @@ QByteArray projectBytes(const Project& project) {
             archive.add(name, contents, ArchiveWriter::Packing::Deflated);
         }
     }
-    return archive.finish();
+    QByteArray bytes = archive.finish();
+    requireOpenable(*project.model, archive, document, bytes, path);
+    return bytes;
 }
 
 QJsonObject readDocument(ArchiveReader& archive, const QString& path) {
@@ -106,6 +130,7 @@ QJsonObject readDocument(ArchiveReader& archive, const QString& path) {
     }
     const QByteArray bytes = archive.read(documentEntry);
     requireWithin(Budget::DocumentBytes, bytes.size(), path);
+    requireModestJson(bytes, path);
     QJsonParseError error;
     const auto document = QJsonDocument::fromJson(bytes, &error);
     if (document.isArray()) {
@@ -170,6 +195,7 @@ TexturedMesh readMesh(ArchiveReader& archive, const QJsonObject& entries, const 
                     path);
     }
     stored.model.textures.resize(stored.pictures.size());
+    requireModestModel(stored.model, path);
     return std::move(stored.model);
 }
 
@@ -242,9 +268,10 @@ QString solverOfProject(const QString& path) {
     return process[QLatin1String("solver")].toString(ProcessSettings().solver);
 }
 
-FileVersion saveProject(const Project& project, const QString& path) {
-    const QByteArray bytes = projectBytes(project);
-    const QString failure = replaceFile(path, bytes);
+FileVersion saveProject(const Project& project, const QString& path,
+                        const std::function<void()>& lastLook) {
+    const QByteArray bytes = projectBytes(project, path);
+    const QString failure = replaceFile(path, bytes, lastLook);
     if (!failure.isEmpty()) {
         throw Error(Text::tr("The project cannot be saved: %1").arg(failure), path);
     }

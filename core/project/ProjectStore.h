@@ -17,7 +17,9 @@ QString solverOfProject(const QString& path);
 
 // Writes the whole file or leaves the old one whole (disk/WholeFile.h), whatever it holds now: who
 // read it before and wants to know uses ProjectFile. Returns what the file now holds. Throws Error
-// (not writable, disk full).
-FileVersion saveProject(const Project& project, const QString& path);
+// (not writable, disk full, more in the project than would be read again). `lastLook`: as of
+// replaceFile().
+FileVersion saveProject(const Project& project, const QString& path,
+                        const std::function<void()>& lastLook = {});
 
 } // namespace dipwright

@@ -86,9 +86,9 @@ Field<Project> modelHash() {
 }
 
 void addModelFields(std::vector<Field<Project>>& fields) {
-    fields.push_back(text(
+    fields.push_back(filePath(
         "model.source", 4096, [](auto& p) -> auto& { return p.modelOrigin.source; }));
-    fields.push_back(text(
+    fields.push_back(filePath(
         "model.texture_source", 4096, [](auto& p) -> auto& { return p.modelOrigin.texture; }));
     fields.push_back(number(
         "model.unit_mm", 1e-9, 1e9,

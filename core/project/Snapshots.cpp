@@ -1,6 +1,7 @@
 #include "project/Snapshots.h"
 
 #include "base/Error.h"
+#include "base/JsonText.h"
 #include "base/Png.h"
 #include "import/ReadPictures.h"
 
@@ -35,6 +36,16 @@ QByteArray bytesOf(const Snapshot& snapshot) {
                                      {QStringLiteral("state"), snapshot.state},
                                      {QStringLiteral("measures"), snapshot.measures}})
         .toJson();
+}
+
+// Nothing where it is no snapshot of ours, which are far from any limit.
+QJsonObject jsonOf(const QByteArray& entry) {
+    try {
+        requireModestJson(entry, {});
+        return QJsonDocument::fromJson(entry).object();
+    } catch (const Error&) {
+        return {};
+    }
 }
 
 QString pictureEntry(const QString& id) {
@@ -108,7 +119,7 @@ std::vector<Snapshot> snapshots(const Project& project) {
          entry != project.unknownEntries.end() && entry->first.startsWith(folder) &&
          found.size() < mostSnapshots;
          ++entry) {
-        const QJsonObject json = QJsonDocument::fromJson(entry->second).object();
+        const QJsonObject json = jsonOf(entry->second);
         const QJsonObject state = json.value(QLatin1String("state")).toObject();
         if (!state.isEmpty()) {
             const auto line = [&json](const char* key) {

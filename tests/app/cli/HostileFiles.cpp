@@ -78,6 +78,10 @@ void writeObj(const QDir& folder) {
     writeFile(folder.filePath("slashes.obj"), triangle + "f " + repeated("1/", 1'000'000));
     writeFile(folder.filePath("early.mtl"), "map_Kd t.png\n");
     writeFile(folder.filePath("early.obj"), "mtllib early.mtl\n" + triangle + "f 1 2 3\n");
+    writeFile(folder.filePath("line.obj"), "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0.5 0 0\n"
+                                           "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    writeFile(folder.filePath("far.obj"), "v 500000 4200000 100\nv 500001 4200000 100\n"
+                                          "v 500000 4200001 100\nf 1 2 3\n");
     writeFile(folder.filePath("\x1b[31mred.obj"), "nothing");
 }
 
@@ -181,6 +185,12 @@ void writeOthers(const QDir& folder) {
     writeFile(folder.filePath("a.md5mesh"), "MD5Version 10\nnumJoints 1\njoints {\n}\n");
     writeFile(folder.filePath("deep.dipw"), QByteArray());
     writeZip(folder.filePath("deep.dipw"), {{"project.json", repeated("[", 1'000'000)}});
+    writeZip(
+        folder.filePath("levels.dipw"),
+        {{"project.json",
+          "{\"zz\":[" + repeated(repeated("[", 900) + repeated("]", 900) + ",", 300) + "0]}"}});
+    writeZip(folder.filePath("values.dipw"),
+             {{"project.json", "{\"zz\":[" + repeated("[0],", 4'000'000) + "0]}"}});
     std::vector<std::pair<QString, QByteArray>> entries{{"project.json", "{}"}};
     for (int i = 0; i < 500; ++i) {
         entries.emplace_back(QStringLiteral("x/%1").arg(i), QByteArray(1 << 20, '\0'));

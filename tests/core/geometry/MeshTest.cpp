@@ -38,6 +38,7 @@ private Q_SLOTS:
     void removingATriangleOpensAMesh();
     void turningATriangleOpensAMesh();
     void edgesKnowTheirOtherSide();
+    void aBodyWithoutAreaHasNoSamples();
     void vertexNormalsOfASphereAreRadial();
     void transformMovesPositions();
     void surfacePointInterpolates();
@@ -191,6 +192,14 @@ void MeshTest::samplesStandForTheWholeSurface() {
     const auto count = double(samples.size());
     QVERIFY((sum / count).norm() < 0.1);
     QVERIFY2(std::abs(double(above) / count - 0.25) < 0.01, "the cap's share, by Archimedes");
+}
+
+void MeshTest::aBodyWithoutAreaHasNoSamples() {
+    TriangleMesh line;
+    line.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    line.triangles = {{0, 1, 2}, {0, 2, 1}};
+    QVERIFY(evenSamples(line, surfaceArea(line) / 1000).empty());
+    QCOMPARE(evenSamples(sphereMesh(10, 20, 10), 1e9).size(), std::size_t(0));
 }
 
 QTEST_APPLESS_MAIN(MeshTest)

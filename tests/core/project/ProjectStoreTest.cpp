@@ -97,6 +97,36 @@ private slots:
         QVERIFY(model["texture"].toString().startsWith("assets/"));
     }
 
+    void whatWouldNotOpenAgainIsNotSaved() {
+        Project project = sampleProject();
+        saveProject(project, path("kept.dipw"));
+        const QByteArray before = bytesOf(path("kept.dipw"));
+        project.unknownEntries["zeros"] = QByteArray(64 << 20, '\0'); // packs to nearly nothing
+        QVERIFY_EXCEPTION_THROWN(saveProject(project, path("kept.dipw")), Error);
+        auto model = std::make_shared<TexturedMesh>(*sampleProject().model);
+        model->textures.resize(1001, model->textures.front());
+        project = sampleProject();
+        project.model = model;
+        QVERIFY_EXCEPTION_THROWN(saveProject(project, path("kept.dipw")), Error);
+        QCOMPARE(bytesOf(path("kept.dipw")), before);
+    }
+
+    void manyAndNestedValuesAreRefused() {
+        const auto with = [this](const QByteArray& value) {
+            writeFile(path("values.dipw"), zip(withDocument("{\"zz\":" + value + "}")));
+            return refusal(path("values.dipw"));
+        };
+        QVERIFY(with(QByteArray(40, '[') + QByteArray(40, ']')).contains("32 deep"));
+        QVERIFY(with("[" + QByteArray("[0],").repeated(600'000) + "0]").contains("1 million"));
+        QVERIFY(with("\"[[[[" + QByteArray("[\\\",").repeated(600'000) + "\"")
+                    .contains("not a Dipwright project"));
+    }
+
+    void namesStayInTheirLine() {
+        writeFile(path("name.dipw"), zip(withDocument(renamed("A\nFake: line\rX\x1b[31m"))));
+        QCOMPARE(loadProject(path("name.dipw")).name, QStringLiteral("A Fake: line X [31m"));
+    }
+
     // "textures" is there for models of several pictures; other programs write and change
     // "texture".
     void thePictureIsNamedByTexture() {
@@ -311,6 +341,11 @@ private:
         return entries;
     }
     // The document with another value in its "model".
+    QByteArray renamed(const QString& name) const {
+        QJsonObject json = documentOf(entries_);
+        json["name"] = name;
+        return QJsonDocument(json).toJson();
+    }
     QByteArray changed(const QString& key, const QJsonValue& value) const {
         QJsonObject json = documentOf(entries_);
         QJsonObject model = json["model"].toObject();
