@@ -69,13 +69,14 @@ FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
                          QStringLiteral("--project"));
     }
     const FitWish wish = wishOf(parser, lens);
-    const Project project = loadProject(path);
+    FittedPart part;
     if (parser.isSet(updateOption)) {
         checkWritable(path); // better now than after the work
+        part.job = std::make_unique<ProjectFile>(path);
     }
+    const Project project = loadProject(path);
     const Progress progress = console.progress();
     std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.1));
-    FittedPart part;
     part.pairs = pairsOf(photos, parser, lens, progress.part(0.1, 0.3));
     part.taken = photos.front().taken;
     for (const PartPhoto& photo : photos) {
@@ -93,12 +94,11 @@ FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
 }
 
 void updateJob(const FittedPart& part, const QCommandLineParser& parser, Console& console) {
-    if (!parser.isSet(updateOption)) {
+    if (!part.job) {
         return;
     }
     const QString path = parser.value(projectOption);
-    ProjectFile file(path);
-    file.save(withPlacement(loadProject(path), part.fit));
+    part.job->save(withPlacement(loadProject(path), part.fit));
     console.out() << QStringLiteral("%1 has placement and depth now\n").arg(path);
 }
 

@@ -3,8 +3,10 @@
 
 #include "cli/Command.h"
 #include "inspection/FilmFitFiles.h"
+#include "project/ProjectFile.h"
 
 #include <QDateTime>
+#include <memory>
 
 namespace dipwright::cli {
 
@@ -12,7 +14,8 @@ struct FittedPart {
     FitPairs pairs;
     FilmFit fit;
     std::vector<FittedPhoto> photos;
-    std::optional<QDateTime> taken; // the first of them
+    std::optional<QDateTime> taken;   // the first of them
+    std::unique_ptr<ProjectFile> job; // where it is to be updated: nobody else writes it meanwhile
 };
 
 void declareFit(CommandSyntax& syntax);

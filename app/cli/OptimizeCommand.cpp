@@ -225,13 +225,7 @@ public:
 
     void run(const QCommandLineParser& parser, Console& console) const override {
         const ThreadLimit threads = threadLimit(parser);
-        const Project project = projectArgument(parser);
-        const SearchSettings settings = settingsOf(parser, project);
-        if (parser.isSet(shardOption)) {
-            makePart(parser, project, settings, console);
-        } else {
-            search(parser, project, settings, console);
-        }
+        parser.isSet(shardOption) ? makePart(parser, console) : search(parser, console);
     }
 
 private:
@@ -242,8 +236,9 @@ private:
                             registry, console.progress().cancelSwitch);
     }
 
-    static void makePart(const QCommandLineParser& parser, const Project& project,
-                         const SearchSettings& settings, Console& console) {
+    static void makePart(const QCommandLineParser& parser, Console& console) {
+        const Project project = projectArgument(parser);
+        const SearchSettings settings = settingsOf(parser, project);
         const auto [number, count] = shardOf(parser);
         const QString out = parser.value(outOption);
         if (out.isEmpty() || parser.isSet(mergeOption)) {
@@ -263,14 +258,15 @@ private:
         writeWhole(out, [&](QIODevice& device) { device.write(partFile(part)); });
     }
 
-    static void search(const QCommandLineParser& parser, const Project& project,
-                       const SearchSettings& settings, Console& console) {
+    static void search(const QCommandLineParser& parser, Console& console) {
         if (parser.isSet(outOption)) {
             throw UsageError(QStringLiteral("It goes with --shard only"), QStringLiteral("--out"));
         }
         const QString path = projectPath(parser);
-        ProjectFile file(path);
-        checkWritable(path); // better now than after the work
+        ProjectFile file(path); // before it is read: nobody else writes it meanwhile
+        checkWritable(path);    // better now than after the work
+        const Project project = projectArgument(parser);
+        const SearchSettings settings = settingsOf(parser, project);
         std::vector<SearchPart> parts;
         for (const QString& name : parser.values(mergeOption)) {
             parts.push_back(partFromFile(readSmallFile(name, mostPartBytes), name));

@@ -55,11 +55,41 @@ bool isPlainFile(int handle) {
     return fstat(handle, &opened) == 0 && S_ISREG(opened.st_mode) && opened.st_nlink <= 1;
 }
 
+// Another user's file may only be open for reading, which is enough to see whether he holds it.
+// What he has left is removed where that may be done.
+enum class Left { Held, Removed, Stays };
+Left othersFile(const QByteArray& name) {
+    const int handle = open(name.constData(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (handle < 0) {
+        return Left::Stays;
+    }
+    Left left = Left::Stays;
+    if (isPlainFile(handle)) {
+        if (flock(handle, LOCK_EX | LOCK_NB) == 0) {
+            const bool isRemoved = isStillAt(name, handle) && unlink(name.constData()) == 0;
+            left = isRemoved ? Left::Removed : Left::Stays;
+        } else if (errno == EWOULDBLOCK) {
+            left = Left::Held;
+        }
+    }
+    close(handle);
+    return left;
+}
+
 Handle lockedHandle(const QString& path) {
     const QByteArray name = QFile::encodeName(path);
     while (true) {
         const int handle =
             open(name.constData(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+        if (handle < 0 && errno == EACCES) {
+            const Left left = othersFile(name);
+            if (left == Left::Removed) {
+                continue;
+            }
+            errno = EACCES;
+            return {-1, left == Left::Held ? LockedFile::Outcome::HeldByAnother
+                                           : LockedFile::Outcome::Failed};
+        }
         if (handle < 0) {
             return {};
         }

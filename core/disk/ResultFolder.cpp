@@ -142,6 +142,7 @@ public:
         QFile::remove(path(journalName));
         QFile::remove(path(undoName));
         if (!isUnderWay() && !isLink()) {
+            removeEmptyFolders();
             work_.removeRecursively();
         }
     }
@@ -169,6 +170,13 @@ public:
     }
 
 private:
+    // Those that were made in the target for what did not come into them.
+    void removeEmptyFolders() const {
+        for (const QString& folder :
+             QDir(path(newFiles)).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+            target_.rmdir(folder);
+        }
+    }
     // To its place, whose folder may have been emptied by an earlier try, and gone.
     bool bring(const QString& from, const QString& name) const {
         return target_.mkpath(folderOf(name)) && moveOver(from, target_.filePath(name));
@@ -178,8 +186,8 @@ private:
     bool isOurs(const Journal& journal, const QStringList& names) const {
         const QStringList all = journal.written + journal.there;
         return std::all_of(all.begin(), all.end(), [&](const QString& file) {
-            return isBelow(file) && !isLinked(target_, file) &&
-                   (names.isEmpty() || names.contains(file));
+            return isBelow(file) && !isLinked(target_, file) && !isLinked(work_, newFiles + file) &&
+                   !isLinked(work_, oldFiles + file) && (names.isEmpty() || names.contains(file));
         });
     }
 
@@ -289,11 +297,16 @@ bool ResultFolder::putRight(const QString& target) {
 }
 
 void ResultFolder::write(const QString& name, const QByteArray& contents) const {
-    QFile file(Work(target_).path(newFiles + name));
-    if (!QDir().mkpath(QFileInfo(file).path()) || !file.open(QIODevice::WriteOnly) ||
-        !writeAll(file, contents) || !syncToDisk(file)) {
+    const Work work(target_);
+    QFile file(work.path(newFiles + name));
+    // The folder for new files is made once: made again where somebody has moved it away it would
+    // lack what was written before.
+    if (!work.has(newFiles) || !QDir().mkpath(QFileInfo(file).path()) ||
+        !file.open(QIODevice::WriteOnly) || !writeAll(file, contents) || !syncToDisk(file)) {
         throw Error(Text::tr("The results cannot be written: %1").arg(file.errorString()), target_);
     }
+    const std::lock_guard lock(writing_);
+    written_.insert(name);
 }
 
 QByteArray ResultFolder::written(const QString& name) const {
@@ -336,6 +349,12 @@ void ResultFolder::commit() {
     QSet<QString> folders;
     for (const QString& name : names_) {
         const bool isWritten = work.has(newFiles + name);
+        if (isWritten != written_.contains(name)) {
+            throw Error(Text::tr("Somebody has moved or removed files of %1 while the results were "
+                                 "written, and they are not complete; leave it alone and try again")
+                            .arg(workName()),
+                        target_);
+        }
         const bool isThere = target.exists(name);
         if (isWritten) {
             journal.written << name;

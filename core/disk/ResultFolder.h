@@ -9,9 +9,11 @@
 #include "disk/FileLock.h"
 #include "disk/Unfinished.h"
 
+#include <QSet>
 #include <QString>
 #include <QStringList>
 #include <memory>
+#include <mutex>
 
 namespace dipwright {
 
@@ -54,6 +56,8 @@ private:
     std::unique_ptr<UnfinishedNote> note_;
     QStringList made_; // folders, the innermost last
     FileLock lock_;
+    mutable std::mutex writing_;
+    mutable QSet<QString> written_; // of names_
 };
 
 } // namespace dipwright

@@ -300,7 +300,10 @@ QStringList resultFolders(const QStringList& projects, const QString& folder) {
     QStringList folders;
     QSet<QString> taken; // as systems that tell no small letters from large ones see it
     for (const QString& project : projects) {
-        const QString name = QFileInfo(project).completeBaseName();
+        const QString base = QFileInfo(project).completeBaseName();
+        // "." and ".." are other folders than one in this.
+        const bool isNone = base.count(u'.') == base.size();
+        const QString name = isNone ? QStringLiteral("project") : base;
         QString own = name;
         for (int number = 2; taken.contains(own.toLower()); ++number) {
             own = QStringLiteral("%1-%2").arg(name).arg(number);

@@ -4,6 +4,7 @@
 #include "disk/FileLock.h"
 #include "disk/ResultFolder.h"
 #include "disk/Unfinished.h"
+#include "disk/WholeFile.h"
 #include "project/ProfileLibrary.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
@@ -13,6 +14,11 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
 
 using namespace dipwright;
 using namespace dipwright::test;
@@ -48,7 +54,12 @@ private slots:
     void aFolderThatCannotTakeResultsIsRefusedBeforeTheWork();
     void linksInAFolderForResultsLeadNowhere();
     void whatADeadWriterSeemsToHaveLeftIsNotMovedThroughLinks();
+    void whatADeadWriterSeemsToHaveLeftIsNoLink();
     void aJournalOfWhatIsNoResultTouchesNothing();
+    void resultsThatWentMissingMeanwhileReplaceNothing();
+    void foldersThatNothingCameIntoGo();
+    void pipesAndCirclesOfLinksAreNotReplaced();
+    void whatAnotherUserHasOpenIsNotWritten();
     void theNextStartRemovesNothingByTheNameOfAFolder();
     void onlyWhatCanBeReadIsReplacedAsAProfile();
 
@@ -203,6 +214,26 @@ void WritersTest::whatADeadWriterSeemsToHaveLeftIsNotMovedThroughLinks() {
     QCOMPARE(contentsOf(keys), QByteArray("mine"));
 }
 
+// Nor are files of other folders fetched by a link in the hidden one.
+void WritersTest::whatADeadWriterSeemsToHaveLeftIsNoLink() {
+    const QString victim = path(QStringLiteral("documents/proof.png"));
+    const QString work = path(QStringLiteral("out/")) + ResultFolder::workName();
+    QVERIFY(QDir().mkpath(path(QStringLiteral("documents"))));
+    QVERIFY(QDir().mkpath(work));
+    write(victim, "mine");
+    for (const char* folder : {"/new", "/old"}) {
+        const QString link = work + QLatin1String(folder);
+        QVERIFY(QFile::link(path(QStringLiteral("documents")), link));
+        write(work + QStringLiteral("/journal.json"),
+              R"({"written":["proof.png"],"there":["proof.png"]})");
+        QVERIFY_EXCEPTION_THROWN(
+            ResultFolder(path(QStringLiteral("out")), {QStringLiteral("proof.png")}), Error);
+        QCOMPARE(contentsOf(victim), QByteArray("mine"));
+        QVERIFY(!QFileInfo::exists(path(QStringLiteral("out/proof.png"))));
+        QVERIFY(QFile::remove(link));
+    }
+}
+
 // An unpacked archive of somebody's could hold it.
 void WritersTest::aJournalOfWhatIsNoResultTouchesNothing() {
     const QString out = path(QStringLiteral("out/")), work = out + ResultFolder::workName();
@@ -225,6 +256,86 @@ void WritersTest::aJournalOfWhatIsNoResultTouchesNothing() {
             QVERIFY(QFile::remove(work + QLatin1Char('/') + name));
         }
     }
+}
+
+void WritersTest::resultsThatWentMissingMeanwhileReplaceNothing() {
+    const QString out = path(QStringLiteral("out/"));
+    const QStringList names{QStringLiteral("a.txt"), QStringLiteral("b.txt")};
+    QVERIFY(QDir().mkpath(out));
+    write(out + names[0], "old");
+    {
+        ResultFolder results(out, names);
+        for (const QString& name : names) {
+            results.write(name, "new");
+        }
+        QVERIFY(QFile::remove(out + ResultFolder::workName() + QStringLiteral("/new/a.txt")));
+        QVERIFY_EXCEPTION_THROWN(results.commit(), Error);
+    }
+    {
+        ResultFolder results(out, names);
+        const QString work = out + ResultFolder::workName();
+        QVERIFY(QDir().rename(work + QStringLiteral("/new"), work + QStringLiteral("/away")));
+        QVERIFY_EXCEPTION_THROWN(results.write(names[1], "new"), Error);
+    }
+    QCOMPARE(contentsOf(out + names[0]), QByteArray("old"));
+    QCOMPARE(QDir(out).entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::Hidden),
+             QStringList(names[0]));
+}
+
+// Killed when they are made for what is to come, and before it counts.
+void WritersTest::foldersThatNothingCameIntoGo() {
+    const QString out = path(QStringLiteral("out/")), work = out + ResultFolder::workName();
+    QVERIFY(QDir().mkpath(work + QStringLiteral("/new/immersion-1")));
+    QVERIFY(QDir().mkpath(out + QStringLiteral("immersion-1")));
+    QVERIFY(QDir().mkpath(out + QStringLiteral("immersion-2"))); // somebody's
+    write(work + QStringLiteral("/new/immersion-1/sheet.png"), "new");
+    QVERIFY(ResultFolder::putRight(path(QStringLiteral("out"))));
+    QCOMPARE(QDir(out).entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::Hidden),
+             QStringList(QStringLiteral("immersion-2")));
+}
+
+void WritersTest::pipesAndCirclesOfLinksAreNotReplaced() {
+    const QString one = path(QStringLiteral("one")), other = path(QStringLiteral("other"));
+    QVERIFY(QFile::link(one, other) && QFile::link(other, one));
+    QVERIFY(!replaceFile(one, "new").isEmpty());
+    QVERIFY(QFileInfo(one).isSymLink() && QFileInfo(other).isSymLink());
+#ifdef Q_OS_UNIX
+    const QString pipe = path(QStringLiteral("pipe"));
+    QCOMPARE(mkfifo(QFile::encodeName(pipe).constData(), 0666), 0);
+    QVERIFY(!replaceFile(pipe, "new").isEmpty());
+    QVERIFY(QFileInfo::exists(pipe) && !QFileInfo(pipe).isFile());
+#endif
+}
+
+// In a folder that several share. What one of them holds, the others may only read.
+void WritersTest::whatAnotherUserHasOpenIsNotWritten() {
+#ifdef Q_OS_UNIX
+    constexpr int nobody = 65534;
+    const auto all = QFile::Permissions(0x7777), readable = QFile::Permissions(0x4444);
+    QVERIFY(QFile::setPermissions(folder_->path(), all));
+    QVERIFY(QFile::setPermissions(job_, all & ~QFile::Permissions(0x1111)));
+    QCOMPARE(cli({"profile", "set", "film", "Mine"}, environment()).exitCode, 0);
+    const QByteArray before = contentsOf(job_);
+    FileLock lock;
+    QVERIFY(lock.acquire(job_).acquired);
+    QVERIFY(QFile::setPermissions(path(QStringLiteral(".~lock.job.dipw")), readable));
+    QProcess process; // root may write what it may only read
+    process.setChildProcessModifier([] {
+        if (geteuid() == 0 && (setgid(nobody) != 0 || setuid(nobody) != 0)) {
+            _exit(1);
+        }
+    });
+    QProcessEnvironment variables = QProcessEnvironment::systemEnvironment();
+    variables.insert(QStringLiteral("DIPWRIGHT_PROFILE_PATH"), path(QStringLiteral("profiles")));
+    variables.insert(QStringLiteral("XDG_DATA_HOME"), path(QStringLiteral("data")));
+    process.setProcessEnvironment(variables);
+    process.start(cliPath(), {"profile", "use", "film", "Mine", job_});
+    QVERIFY(process.waitForFinished(-1));
+    QCOMPARE(process.exitCode(), 1);
+    const QByteArray told = process.readAllStandardError();
+    QVERIFY2(told.contains("open elsewhere"), told.constData());
+    QCOMPARE(contentsOf(job_), before);
+#endif
 }
 
 // What it says was written by a program of ours, yet of a folder with whatever name.

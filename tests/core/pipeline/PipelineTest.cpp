@@ -53,6 +53,13 @@ class PipelineTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // Whatever the projects' files are called.
+    void eachProjectHasAFolderOfItsOwnInTheOneNamed() {
+        QCOMPARE(
+            resultFolders({"a/job.dipw", "b/Job.dipw", "..dipw", "...dipw", ".dipw"}, "out"),
+            QStringList({"out/job", "out/Job-2", "out/project", "out/project-2", "out/project-3"}));
+    }
+
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
         registry_ = std::make_unique<SolverRegistry>(QStringList{DIPWRIGHT_PLUGINS});
