@@ -1,11 +1,14 @@
 #include "foreign/AssimpReader.h"
 
 #include "base/Budgets.h"
+#include "foreign/GltfCheck.h"
 #include "foreign/MaterialFileCheck.h"
 #include "foreign/SceneConversion.h"
+#include "foreign/StlBytes.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
@@ -37,31 +40,35 @@ private:
     QByteArray bytes_; // shares its data with the one given
 };
 
+// The names in one of an OBJ file's "mtllib a.mtl b.mtl". Those may hold spaces, too.
+QStringList materialFileNames(const QString& line) {
+    static const QRegularExpression between(QStringLiteral("(?<=\\.mtl)\\s+"),
+                                            QRegularExpression::CaseInsensitiveOption);
+    return line.split(between, Qt::SkipEmptyParts);
+}
+
 // All that assimp sees of the disk: the model file and those that it names, of which it remembers
 // the missing and what is wrong with them.
 class ModelFileSystem : public Assimp::IOSystem {
 public:
-    ModelFileSystem(const ModelSource& source, std::string modelName)
-        : source_(source), modelName_(std::move(modelName)) {}
+    ModelFileSystem(const ModelSource& source, std::string modelName, QByteArray modelBytes)
+        : source_(source), modelName_(std::move(modelName)), modelBytes_(std::move(modelBytes)) {}
 
     bool Exists(const char* name) const override { return modelName_ == name || find(name); }
     char getOsSeparator() const override { return '/'; }
     Assimp::IOStream* Open(const char* name, const char* /*mode*/) override {
         const bool isModel = modelName_ == name;
         if (isModel && !model_) {
-            return model_ = new FileStream(source_.bytes);
+            return model_ = new FileStream(modelBytes_);
         }
-        const auto bytes = isModel ? std::optional(source_.bytes) : find(name);
-        const QString file = QFileInfo(QString::fromUtf8(name)).fileName();
+        const auto bytes = isModel ? std::optional(modelBytes_) : find(name);
+        if (modelName_.ends_with(".obj")) { // names its materials' files as it likes
+            return openMaterials(QString::fromUtf8(name), bytes);
+        }
         if (!bytes) {
-            remember(file);
-            return nullptr;
+            remember(QString::fromUtf8(name));
         }
-        if (fault_.isEmpty() &&
-            modelName_.ends_with(".obj")) { // names its materials' files as it likes
-            fault_ = faultOfMaterials(*bytes, file);
-        }
-        return fault_.isEmpty() ? new FileStream(*bytes) : nullptr;
+        return bytes ? new FileStream(*bytes) : nullptr;
     }
     void Close(Assimp::IOStream* stream) override {
         model_ = stream == model_ ? nullptr : model_;
@@ -70,9 +77,31 @@ public:
 
     const QStringList& missing() const { return missing_; }
     const QString& fault() const { return fault_; } // empty: none
+    const QStringList& warnings() const { return warnings_; }
 
 private:
-    void remember(const QString& missing) {
+    // One file, or all those there that the name is made of.
+    Assimp::IOStream* openMaterials(const QString& name, const std::optional<QByteArray>& whole) {
+        QByteArray materials;
+        const QByteArray between(8, '\n'); // assimp refuses shorter files
+        bool isThere = false;
+        for (const QString& part : whole ? QStringList{name} : materialFileNames(name)) {
+            const auto bytes = whole ? whole : find(part.toUtf8().constData());
+            if (!bytes) {
+                remember(part);
+                continue;
+            }
+            isThere = true;
+            const MaterialFile file = materialFile(*bytes, QFileInfo(part).fileName());
+            materials += file.bytes + between;
+            fault_ = fault_.isEmpty() ? file.fault : fault_;
+            warnings_ += file.warnings;
+        }
+        return isThere && fault_.isEmpty() ? new FileStream(materials) : nullptr;
+    }
+
+    void remember(const QString& name) {
+        const QString missing = QFileInfo(name).fileName();
         // Having failed with the name in the model, readers also try the model's own name.
         const bool isSecondTry =
             !missing_.isEmpty() &&
@@ -93,11 +122,23 @@ private:
 
     const ModelSource& source_;
     std::string modelName_;
+    QByteArray modelBytes_;
     mutable std::map<std::string, std::optional<QByteArray>> found_;
-    QStringList missing_;
+    QStringList missing_, warnings_;
     QString fault_;
     Assimp::IOStream* model_ = nullptr; // while it is open: it may name itself as another file
 };
+
+QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStringList& warnings) {
+    if (format == QStringLiteral("stl")) {
+        return stlForAssimp(source);
+    }
+    if (format != QStringLiteral("gltf") && format != QStringLiteral("glb")) {
+        return source.bytes;
+    }
+    checkGltf(source, warnings);
+    return withoutByteOrderMark(source.bytes);
+}
 
 class ReadingProgress : public Assimp::ProgressHandler {
 public:
@@ -167,7 +208,7 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     // By a name without a place, with which assimp finds the loader and a material file beside it.
     const std::string name =
         (QFileInfo(source.path).completeBaseName() + u'.' + format).toStdString();
-    auto* files = new ModelFileSystem(source, name);
+    auto* files = new ModelFileSystem(source, name, bytesForAssimp(format, source, warnings));
     importer.SetIOHandler(files);                                  // takes this over
     importer.SetProgressHandler(new ReadingProgress(readingPart)); // and this
     const aiScene* scene = importer.ReadFile(name, 0);
@@ -187,6 +228,9 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     for (const QString& missing : files->missing()) {
         warnings.push_back(
             Text::tr("The file %1, which the model names, was not found").arg(missing));
+    }
+    if (source.withTextures) {
+        warnings += files->warnings();
     }
     return convertScene(*scene, source, format.startsWith(QStringLiteral("gl")), warnings,
                         progress.part(0.8, 1));

@@ -34,15 +34,18 @@ qsizetype wordCount(const QString& text) {
     return words;
 }
 
-bool isWholeNumbers(const QString& text) {
-    return std::all_of(text.begin(), text.end(), [](QChar letter) {
-        return letter.isSpace() || (letter >= u'0' && letter <= u'9') || letter == u'-';
+bool isWholeNumbers(const QString& text, bool areSigned) {
+    return std::all_of(text.begin(), text.end(), [&](QChar letter) {
+        return letter.isSpace() || (letter >= u'0' && letter <= u'9') ||
+               (areSigned && letter == u'-');
     });
 }
 
 // Elements that hold indices; at another word assimp reads on for ever.
 const QStringList indexLists{QStringLiteral("p"), QStringLiteral("h"), QStringLiteral("v"),
                              QStringLiteral("vcount")};
+// The one of them, of weights, where −1 means a value and not a mistake.
+const QString signedIndexList = QStringLiteral("v");
 
 } // namespace
 
@@ -70,7 +73,9 @@ void checkCollada(const ModelSource& source) {
             lengths.insert(attributes.value(QLatin1String("id")).toString(),
                            std::min(count, words));
         } else if (indexLists.contains(xml.name())) {
-            if (!isWholeNumbers(xml.readElementText(QXmlStreamReader::SkipChildElements))) {
+            const bool areSigned = xml.name() == signedIndexList;
+            if (!isWholeNumbers(xml.readElementText(QXmlStreamReader::SkipChildElements),
+                                areSigned)) {
                 source.throwDamaged(Text::tr("there is no number where one should be, in line %1")
                                         .arg(xml.lineNumber()));
             }

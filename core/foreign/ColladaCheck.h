@@ -8,7 +8,8 @@ namespace dipwright {
 // Whether a file that begins like this is Collada, which is XML.
 bool isCollada(const QByteArray& begin);
 // Throws Error where the file is not well-formed, counts more than it can hold, has indices that
-// are no numbers, or an accessor that reads past the end of its array.
+// are no numbers or, where no −1 is meant, below 0, or an accessor that reads past the end of its
+// array.
 void checkCollada(const ModelSource& source);
 
 } // namespace dipwright

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "base/WideColour.h"
+#include "foreign/PictureFile.h"
 
 #include <QCoreApplication>
 #include <QtEndian>
@@ -26,8 +27,19 @@ struct Text {
 
 constexpr qsizetype largestProfile = 16 << 20; // bytes
 
+[[noreturn]] void throwCutOff(const QString& where) {
+    throw Error(Text::tr("The picture is damaged: its ICC profile is cut off; save it anew"),
+                where);
+}
+
+[[noreturn]] void throwNotFit(const QString& where) {
+    throw Error(Text::tr("The picture's ICC profile is damaged or not for its pixels; save it "
+                         "anew, as sRGB"),
+                where);
+}
+
 // PNG (ISO/IEC 15948), chunk iCCP: name, 0, method 0, zlib stream.
-QByteArray profileOfPng(const QByteArray& file) {
+QByteArray profileOfPng(const QByteArray& file, const QString& where) {
     qsizetype at = 8;
     while (at + 12 <= file.size()) {
         const auto length = qsizetype(qFromBigEndian<quint32>(file.constData() + at));
@@ -41,7 +53,12 @@ QByteArray profileOfPng(const QByteArray& file) {
             // Qt wants the length beforehand, of which it takes more where that is not enough.
             QByteArray packed(4, '\0');
             qToBigEndian(quint32(4096), packed.data());
-            return stream < 2 ? QByteArray() : qUncompress(packed + chunk.mid(stream));
+            const QByteArray profile =
+                stream < 2 ? QByteArray() : qUncompress(packed + chunk.mid(stream));
+            if (profile.isEmpty()) {
+                throwNotFit(where);
+            }
+            return profile;
         }
         at += 12 + length;
     }
@@ -49,27 +66,49 @@ QByteArray profileOfPng(const QByteArray& file) {
 }
 
 // JPEG, segments APP2 (ICC.1, annex B.4): "ICC_PROFILE", 0, number from 1, count, part.
-QByteArray profileOfJpeg(const QByteArray& file) {
+QByteArray profileOfJpeg(const QByteArray& file, const QString& where) {
     std::map<int, QByteArray> parts;
-    const auto byte = [&](qsizetype at) { return int(uchar(file[at])); };
-    qsizetype at = 2;
-    while (at + 4 <= file.size() && byte(at) == 0xff && byte(at + 1) != 0xda) {
-        const qsizetype length = byte(at + 2) << 8 | byte(at + 3);
-        if (length < 2 || at + 2 + length > file.size()) {
-            break;
-        }
-        const QByteArray segment = file.mid(at + 4, length - 2);
-        if (byte(at + 1) == 0xe2 && segment.size() > 14 &&
+    int count = 0;
+    for (auto marker = nextJpegMarker(file, 0); marker && marker->kind != jpegScan;
+         marker = nextJpegMarker(file, marker->end)) {
+        const QByteArray& segment = marker->segment;
+        if (marker->kind == 0xe2 && segment.size() >= 14 &&
             segment.startsWith(QByteArrayView("ICC_PROFILE\0", 12))) {
             parts[uchar(segment[12])] = segment.mid(14);
+            count = std::max(count, int(uchar(segment[13])));
         }
-        at += 2 + length;
     }
     QByteArray profile;
-    for (const auto& [number, part] : parts) {
-        profile += part;
+    for (int number = 1; number <= count; ++number) {
+        if (!parts.contains(number)) {
+            throwCutOff(where);
+        }
+        profile += parts[number];
     }
     return profile;
+}
+
+// WebP (RFC 9649, section 2.7): behind the head of the file chunks of kind, length and content, of
+// an even length; the first, VP8X, says whether one is an ICCP.
+QByteArray profileOfWebp(const QByteArray& file, const QString& where) {
+    constexpr qsizetype head = 8, firstChunk = 12, flags = firstChunk + head;
+    constexpr int hasProfile = 0x20;
+    if (file.size() <= flags || file.mid(firstChunk, 4) != "VP8X" ||
+        (uchar(file[flags]) & hasProfile) == 0) {
+        return {};
+    }
+    qsizetype at = firstChunk;
+    while (at + head <= file.size()) {
+        const auto length = qsizetype(qFromLittleEndian<quint32>(file.constData() + at + 4));
+        if (length > file.size() - at - head) {
+            break;
+        }
+        if (QByteArrayView(file).sliced(at, 4) == "ICCP") {
+            return file.mid(at + head, length);
+        }
+        at += head + length + length % 2;
+    }
+    throwCutOff(where);
 }
 
 // A TIFF file in memory, open for libtiff.
@@ -278,9 +317,7 @@ Transform transformTo(Target target, const QByteArray& profile, cmsUInt32Number 
                                   INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_HIGHRESPRECALC)
              : nullptr);
     if (!transform) {
-        throw Error(Text::tr("The picture's ICC profile is damaged or not for its pixels; save it "
-                             "anew, as sRGB"),
-                    where);
+        throwNotFit(where);
     }
     return transform;
 }
@@ -333,6 +370,13 @@ void convertRow(cmsHTRANSFORM transform, const QImage& picture, int y, QImage& r
         } else {
             to[4 * x + 3] = uchar((alpha + 128) / 257);
         }
+    }
+}
+
+// Numbers of one colour alone would be taken for grey.
+void requireKind(const QImage& picture, const QByteArray& profile, const QString& where) {
+    if (spaceOf(profile) == "GRAY" && !picture.allGray()) {
+        throwNotFit(where);
     }
 }
 
@@ -393,15 +437,21 @@ QImage withResolutionOf(const QImage& picture, QImage texture) {
 } // namespace
 
 QByteArray embeddedProfile(const QByteArray& file, const QString& where) {
-    const QByteArray profile = file.startsWith("\x89PNG")        ? profileOfPng(file)
-                               : file.startsWith("\xff\xd8\xff") ? profileOfJpeg(file)
+    const QByteArray profile = file.startsWith("\x89PNG")        ? profileOfPng(file, where)
+                               : file.startsWith("\xff\xd8\xff") ? profileOfJpeg(file, where)
+                               : file.startsWith("RIFF")         ? profileOfWebp(file, where)
                                : isTiff(file)                    ? profileOfTiff(file)
                                                                  : QByteArray();
     if (profile.isEmpty() && isTiff(file) && claimsProfile(file)) {
-        throw Error(Text::tr("The picture is damaged: its ICC profile is cut off; save it anew"),
-                    where);
+        throwCutOff(where);
     }
-    return profile.size() <= largestProfile ? profile : QByteArray();
+    if (profile.size() > largestProfile) {
+        throw Error(
+            Text::tr("The picture's ICC profile is larger than %1 MB; save it anew, as sRGB")
+                .arg(largestProfile >> 20),
+            where);
+    }
+    return profile;
 }
 
 bool isOfInks(const QByteArray& profile) {
@@ -424,10 +474,12 @@ QImage textureOf(const QImage& picture, const QByteArray& profile, const QString
         texture.setColorSpace(wideSpace());
         return texture;
     }
+    requireKind(picture, profile, where);
     return withResolutionOf(picture, widerWhereNeeded(picture, profile, where));
 }
 
 QImage srgbOf(const QImage& picture, const QByteArray& profile, const QString& where) {
+    requireKind(picture, profile, where);
     return withResolutionOf(picture, converted(picture, profile, where, Target::Srgb));
 }
 

@@ -10,8 +10,9 @@
 
 namespace dipwright {
 
-// The ICC profile in a PNG, JPEG or TIFF file; empty where there is none. Throws Error, naming
-// `where`, for a TIFF file that says it has one and has been cut off before its end.
+// The ICC profile in a PNG, JPEG, TIFF or WebP file; empty where there is none. Throws Error,
+// naming `where`, for a file that says it has one which is damaged, not whole or beyond all
+// measure.
 QByteArray embeddedProfile(const QByteArray& file, const QString& where);
 
 // Pixels in four inks, row by row without gaps: cyan, magenta, yellow, black, 0 none … 65535 full.

@@ -3,6 +3,7 @@
 #include "base/Budgets.h"
 #include "base/Error.h"
 #include "foreign/PictureColour.h"
+#include "foreign/PictureFile.h"
 
 #include <QBuffer>
 #include <QColorSpace>
@@ -18,6 +19,9 @@ namespace {
 
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Texture)
+};
+struct PhotoText {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ReadPhotos)
 };
 
 // A picture that only states a gamma near 2.2 means sRGB, as every program shows it.
@@ -72,6 +76,18 @@ QByteArray formatOf(const QByteArray& bytes) {
                                                                                      : QByteArray();
 }
 
+void requireWhole(const QByteArray& bytes, const QString& where, PictureReader::Turned turned) {
+    if (!isCutOff(bytes)) {
+        return;
+    }
+    throw Error(turned == PictureReader::Turned::Upright
+                    ? PhotoText::tr("The photo is cut off in the middle; copy it from the camera "
+                                    "again")
+                    : Text::tr("The picture is cut off before its end; save it anew, or copy it "
+                               "again from where it came"),
+                where);
+}
+
 } // namespace
 
 void PictureReader::prepare() {
@@ -117,6 +133,7 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
     if (announced.isValid()) {
         count(announced, bytes.size(), where);
     }
+    requireWhole(bytes, where, turned);
     const QByteArray profile = embeddedProfile(bytes, where);
     if (!profile.isEmpty() && turned == Turned::AsStored) { // photos are looked at, not printed
         if (const auto inks = readInks(bytes)) {
@@ -125,7 +142,7 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
             }
             return textureOf(*inks, profile, where);
         }
-        if (isOfInks(profile) && reader.format() != "png") {
+        if (isOfInks(profile) && (format == "jpeg" || format == "tiff")) {
             throw Error(Text::tr("The picture in CMYK is damaged, or kept in a way that is not "
                                  "read; save it anew as JPEG, or as TIFF without tiles and planes"),
                         where);

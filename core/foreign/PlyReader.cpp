@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QtEndian>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -66,10 +67,20 @@ struct Header {
 // Takes a file apart into lines of the header and numbers of the body.
 class Scanner {
 public:
-    explicit Scanner(const ModelSource& source) : rest_(source.bytes), source_(source) {}
+    explicit Scanner(const ModelSource& source) : rest_(source.bytes), source_(source) {
+        const QByteArrayView byteOrderMark = "\xef\xbb\xbf"; // that editors put before texts
+        if (rest_.startsWith(byteOrderMark)) {
+            rest_ = rest_.sliced(byteOrderMark.size());
+        }
+        // Of the first line alone: after another a number's byte may look like half of an end.
+        const auto end = std::find_if(rest_.begin(), rest_.end(),
+                                      [](char byte) { return byte == '\r' || byte == '\n'; });
+        const QByteArrayView fromEnd(end, rest_.end());
+        lineEnd_ = fromEnd.startsWith('\r') && !fromEnd.startsWith("\r\n") ? '\r' : '\n';
+    }
 
     QByteArrayView line() {
-        const qsizetype end = rest_.indexOf('\n');
+        const qsizetype end = rest_.indexOf(lineEnd_);
         if (end < 0) {
             throwEnded();
         }
@@ -83,16 +94,16 @@ public:
     }
 
     qsizetype bytesLeft() const { return rest_.size(); }
+    bool hasWordsLeft() const { return std::any_of(rest_.begin(), rest_.end(), isNoSpace); }
 
 private:
+    static bool isNoSpace(char byte) { return byte != ' ' && (byte < '\t' || byte > '\r'); }
+
     [[noreturn]] void throwEnded() const { source_.throwDamaged(Text::tr("it ends too early")); }
 
     double word() {
-        const auto isSpace = [](char byte) {
-            return byte == ' ' || (byte >= '\t' && byte <= '\r');
-        };
-        const auto begin = std::find_if_not(rest_.begin(), rest_.end(), isSpace);
-        const auto end = std::find_if(begin, rest_.end(), isSpace);
+        const auto begin = std::find_if(rest_.begin(), rest_.end(), isNoSpace);
+        const auto end = std::find_if_not(begin, rest_.end(), isNoSpace);
         if (begin == end) {
             throwEnded();
         }
@@ -139,6 +150,7 @@ private:
     }
 
     QByteArrayView rest_;
+    char lineEnd_ = '\n';
     const ModelSource& source_;
 };
 
@@ -162,6 +174,7 @@ public:
                 skip(element);
             }
         }
+        checkNothingIsLeft();
         finish();
         return std::move(model_);
     }
@@ -178,14 +191,31 @@ private:
             const QList<QByteArray> words = text.split(' ');
             if (words[0] == "format" && words.size() > 1) {
                 readEncoding(words[1]);
-            } else if (words[0] == "element" && words.size() > 2) {
-                header_.elements.push_back({words[1], words[2].toULongLong(), {}});
+            } else if (words[0] == "element") {
+                readElement(words);
             } else if (words[0] == "property") {
                 readProperty(words);
             } else if (text.startsWith("comment TextureFile ")) {
                 header_.pictures.push_back(QString::fromUtf8(text.sliced(20)));
             }
         }
+    }
+
+    void readElement(const QList<QByteArray>& words) {
+        const QByteArray name = words.value(1);
+        bool isCounted = false;
+        const quint64 count = words.value(2).toULongLong(&isCounted);
+        const bool hasPoints =
+            std::any_of(header_.elements.begin(), header_.elements.end(),
+                        [](const Element& element) { return element.name == "vertex"; });
+        if (!isCounted || (hasPoints && name == "vertex")) {
+            throwHeaderNotUnderstood();
+        }
+        header_.elements.push_back({name, count, {}});
+    }
+
+    [[noreturn]] void throwHeaderNotUnderstood() const {
+        source_.throwDamaged(Text::tr("its header is not understood"));
     }
 
     void readEncoding(const QByteArray& name) {
@@ -204,7 +234,7 @@ private:
         const auto type = typeNamed(words.value(isList ? 3 : 1));
         const auto countType = typeNamed(words.value(2));
         if (!type || (isList && !countType) || header_.elements.empty()) {
-            source_.throwDamaged(Text::tr("its header is not understood"));
+            throwHeaderNotUnderstood();
         }
         Property property{words.value(isList ? 4 : 2), *type, std::nullopt};
         if (isList) {
@@ -241,6 +271,9 @@ private:
                 if (!(count >= 0) || count > double(scanner_.bytesLeft())) {
                     source_.throwDamaged(Text::tr("it ends too early"));
                 }
+                if (count != std::floor(count)) {
+                    source_.throwDamaged(Text::tr("there is no number where one should be"));
+                }
             }
             row[i].resize(std::size_t(count));
             for (double& value : row[i]) {
@@ -256,8 +289,21 @@ private:
             if (i % 4096 == 0) {
                 cancelSwitch_.throwIfCancelled();
             }
+            const qsizetype before = scanner_.bytesLeft();
             readRow(element, row);
+            lastRowBytes_ = before - scanner_.bytesLeft();
             use(row);
+        }
+    }
+
+    // Bytes of no meaning after a binary file are common, and are let be. Where they are as many as
+    // further faces would have, it is the header that counts too few.
+    void checkNothingIsLeft() const {
+        const qsizetype left = scanner_.bytesLeft();
+        const bool areFaces = !header_.elements.empty() && lastRowBytes_ > 0 && left > 0 &&
+                              header_.elements.back().name == "face" && left % lastRowBytes_ == 0;
+        if (header_.encoding == Encoding::Ascii ? scanner_.hasWordsLeft() : areFaces) {
+            source_.throwDamaged(Text::tr("it holds more than its header counts"));
         }
     }
 
@@ -305,7 +351,8 @@ private:
                  double material) {
         requireWithin(Budget::PolygonCorners, qint64(corners.size()), source_.path);
         for (const double corner : corners) {
-            if (!(corner >= 0 && corner < double(SurfacePoint::noTriangle))) {
+            if (!(corner >= 0 && corner < double(SurfacePoint::noTriangle)) ||
+                corner != std::floor(corner)) {
                 throwUnknownPoint();
             }
         }
@@ -338,7 +385,7 @@ private:
                     throwUnknownPoint();
                 }
                 Eigen::Vector2f& uv = model_.textureCoordinates[t][i];
-                if (!pointCoordinates_.empty() && uv.array().isNaN().any()) {
+                if (corner < pointCoordinates_.size() && uv.array().isNaN().any()) {
                     uv = pointCoordinates_[corner];
                 }
             }
@@ -356,7 +403,8 @@ private:
     Scanner scanner_;
     Header header_;
     TexturedMesh model_;
-    std::vector<Eigen::Vector2f> pointCoordinates_;
+    std::vector<Eigen::Vector2f> pointCoordinates_; // of all points, or none
+    qsizetype lastRowBytes_ = 0;
     bool hasColours_ = false;
 };
 

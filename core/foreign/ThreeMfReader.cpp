@@ -4,13 +4,17 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QXmlStreamReader>
 
 #include <quazip.h>
 #include <quazipfile.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace dipwright {
 
@@ -63,16 +67,19 @@ private:
     qint64 unpacked_ = 0; // so far
 };
 
+constexpr int noGroup = -1, noTexture = -1;
+
 // A list of properties that triangles choose from: materials, colours or texture coordinates.
 struct PropertyGroup {
     std::vector<Material> materials;          // base materials and colours
     std::vector<Eigen::Vector2f> coordinates; // texture coordinates
-    QString picture;                          // the file they belong to
+    int texture = noTexture;                  // what they belong to
+    QString picture;                          // its file
 };
 
 struct ObjectTriangle {
     std::array<std::uint32_t, 3> corners{};
-    int group = -1; // no property
+    int group = noGroup;
     std::array<int, 3> properties{};
 };
 
@@ -98,13 +105,30 @@ struct Part {
     std::vector<Placement> build;
 };
 
-double unitNamed(QStringView name) {
-    return name == u"micron"       ? 0.001
-           : name == u"centimeter" ? 10
-           : name == u"inch"       ? 25.4
-           : name == u"foot"       ? 304.8
-           : name == u"meter"      ? 1000
-                                   : 1;
+// In millimetres; nothing where there is no such unit.
+std::optional<double> unitNamed(const QString& name) {
+    static const std::map<QString, double> units{
+        {QStringLiteral("micron"), 0.001},  {QStringLiteral("millimeter"), 1},
+        {QStringLiteral("centimeter"), 10}, {QStringLiteral("inch"), 25.4},
+        {QStringLiteral("foot"), 304.8},    {QStringLiteral("meter"), 1000}};
+    const auto found = units.find(name);
+    return found == units.end() ? std::nullopt : std::optional(found->second);
+}
+
+// Of the extensions that are read here, or that leave shape and colour as they are without them.
+bool isKnownNamespace(QStringView name) {
+    static const QStringList known{
+        QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/core/2015/02"),
+        QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/material/2015/02"),
+        QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/production/2015/06"),
+        QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07")};
+    return known.contains(name);
+}
+
+// Parted by what is white space in XML, which is less than in Unicode.
+QList<QStringView> wordsOf(QStringView text) {
+    static const QRegularExpression space(QStringLiteral("[ \\t\\r\\n]+"));
+    return text.split(space, Qt::SkipEmptyParts);
 }
 
 // "#RRGGBB" or "#RRGGBBAA".
@@ -128,6 +152,7 @@ public:
         if (xml_.hasError()) {
             source_.throwDamaged(Text::tr("%1 in it: %2").arg(name_, xml_.errorString()));
         }
+        resolveReferences();
         return std::move(part_);
     }
 
@@ -146,12 +171,12 @@ private:
         } else if (name == u"color") {
             group().materials.push_back({text("color"), colourNamed(text("color")), -1});
         } else if (name == u"basematerials" || name == u"colorgroup") {
-            openGroup_ = &part_.groups[integer("id")];
+            openGroup_ = &added(part_.groups);
         } else if (name == u"texture2d") {
-            part_.pictures[integer("id")] = text("path");
+            added(part_.pictures) = text("path");
         } else if (name == u"texture2dgroup") {
-            openGroup_ = &part_.groups[integer("id")];
-            openGroup_->picture = part_.pictures[integer("texid")];
+            openGroup_ = &added(part_.groups);
+            openGroup_->texture = integer("texid");
         } else if (name == u"object") {
             readObject();
         } else if (name == u"component") {
@@ -159,15 +184,83 @@ private:
         } else if (name == u"item") {
             part_.build.push_back(placement());
         } else if (name == u"model") {
-            part_.unit = unitNamed(text("unit"));
+            readModel();
+        } else {
+            noteOtherResource();
         }
+    }
+
+    void noteOtherResource() {
+        bool isNumber = false;
+        const int id = text("id").toInt(&isNumber);
+        if (isNumber) {
+            otherResources_.insert(id);
+        }
+    }
+
+    void readModel() {
+        const QString unit = text("unit");
+        const auto known = unit.isEmpty() ? 1 : unitNamed(unit);
+        if (!known) {
+            source_.throwDamaged(Text::tr("its unit %1 is unknown").arg(unit));
+        }
+        part_.unit = *known;
+        const QString prefixes = text("requiredextensions");
+        for (const QStringView prefix : wordsOf(prefixes)) {
+            requireExtension(prefix);
+        }
+    }
+
+    void requireExtension(QStringView prefix) const {
+        QString name = prefix.toString();
+        for (const auto& declaration : xml_.namespaceDeclarations()) {
+            if (declaration.prefix() == prefix) {
+                name = declaration.namespaceUri().toString();
+            }
+        }
+        if (!isKnownNamespace(name)) {
+            source_.throwDamaged(
+                Text::tr("it needs the 3MF extension %1, which is not read").arg(name));
+        }
+    }
+
+    // A new resource of this kind. Those of two kinds may share a number: it is never ambiguous.
+    template <typename Resource>
+    Resource& added(std::map<int, Resource>& resources) {
+        const auto [place, isNew] = resources.try_emplace(integer("id"));
+        if (!isNew) {
+            source_.throwDamaged(Text::tr("two things in it have the number %1").arg(place->first));
+        }
+        return place->second;
+    }
+
+    // The specification wants resources before those that name them. Here they may also stand after
+    // them, as what is meant is clear; but they have to be there.
+    void resolveReferences() {
+        for (auto& [id, group] : part_.groups) {
+            const auto picture = part_.pictures.find(group.texture);
+            if (picture != part_.pictures.end()) {
+                group.picture = picture->second;
+            } else if (group.texture != noTexture) {
+                throwNoSuchResource();
+            }
+        }
+        for (const int group : usedGroups_) {
+            if (part_.groups.count(group) == 0 && otherResources_.count(group) == 0) {
+                throwNoSuchResource();
+            }
+        }
+    }
+
+    [[noreturn]] void throwNoSuchResource() const {
+        source_.throwDamaged(Text::tr("it names a material or texture that is not there"));
     }
 
     void readObject() {
         cancelSwitch_.throwIfCancelled();
-        openObject_ = &part_.objects[integer("id")];
+        openObject_ = &added(part_.objects);
         openObject_->isSupport = text("type").endsWith(QStringLiteral("support"));
-        objectGroup_ = integer("pid", -1);
+        objectGroup_ = usedGroup(noGroup);
         objectProperty_ = integer("pindex", 0);
     }
 
@@ -176,7 +269,7 @@ private:
         const char* corners[] = {"v1", "v2", "v3"};
         const char* properties[] = {"p1", "p2", "p3"};
         const int first = integer("p1", -1);
-        triangle.group = first < 0 ? objectGroup_ : integer("pid", objectGroup_);
+        triangle.group = first < 0 ? objectGroup_ : usedGroup(objectGroup_);
         for (std::size_t i = 0; i < 3; ++i) {
             const int corner = integer(corners[i]);
             if (corner < 0 || std::size_t(corner) >= object().positions.size()) {
@@ -188,17 +281,38 @@ private:
         object().triangles.push_back(triangle);
     }
 
+    int usedGroup(int otherwise) {
+        const int group = integer("pid", otherwise);
+        if (group != otherwise) {
+            usedGroups_.insert(group);
+        }
+        return group;
+    }
+
     Placement placement() {
         Placement result;
         result.object = integer("objectid");
         result.part = text("path").isEmpty() ? name_ : text("path");
-        const QStringList numbers = text("transform").split(u' ', Qt::SkipEmptyParts);
-        if (numbers.size() == 12) { // four rows that a row vector is multiplied by
-            for (int i = 0; i < 12; ++i) {
-                result.transform.matrix()(i % 3, i / 3) = numbers[i].toDouble();
-            }
+        const QString transform = text("transform");
+        if (!transform.isNull()) {
+            result.transform = transformNamed(transform);
         }
         return result;
+    }
+
+    Eigen::Affine3d transformNamed(const QString& text) const {
+        const QList<QStringView> numbers = wordsOf(text);
+        bool isWhole = numbers.size() == 12; // four rows that a row vector is multiplied by
+        Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+        for (int i = 0; isWhole && i < 12; ++i) {
+            const double number = numbers[i].toDouble(&isWhole);
+            isWhole = isWhole && std::isfinite(number);
+            transform.matrix()(i % 3, i / 3) = number;
+        }
+        if (!isWhole) {
+            source_.throwDamaged(Text::tr("a transform in it is not twelve numbers"));
+        }
+        return transform;
     }
 
     Object& object() {
@@ -215,7 +329,8 @@ private:
         return *openGroup_;
     }
 
-    // An attribute whatever its namespace: the production extension's path has one of its own.
+    // An attribute whatever its namespace: the production extension's path has one of its own. Null
+    // where there is none.
     QString text(const char* name) const {
         for (const QXmlStreamAttribute& attribute : xml_.attributes()) {
             if (attribute.name() == QLatin1String(name)) {
@@ -235,12 +350,16 @@ private:
     }
 
     int integer(const char* name, std::optional<int> otherwise = std::nullopt) const {
+        const QString word = text(name);
+        if (word.isEmpty() && otherwise) {
+            return *otherwise;
+        }
         bool isNumber = false;
-        const int value = text(name).toInt(&isNumber);
-        if (!isNumber && !otherwise) {
+        const int value = word.toInt(&isNumber);
+        if (!isNumber) {
             source_.throwDamaged(Text::tr("there is no number where one should be"));
         }
-        return isNumber ? value : *otherwise;
+        return value;
     }
 
     QString name_;
@@ -250,7 +369,9 @@ private:
     Part part_;
     Object* openObject_ = nullptr;
     PropertyGroup* openGroup_ = nullptr;
-    int objectGroup_ = -1, objectProperty_ = 0;
+    int objectGroup_ = noGroup, objectProperty_ = 0;
+    std::set<int> usedGroups_;     // that pid names
+    std::set<int> otherResources_; // of extensions that are not read, or not in full
 };
 
 class ThreeMfReader {

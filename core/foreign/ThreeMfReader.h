@@ -8,7 +8,9 @@ namespace dipwright {
 
 // Reads what the build of a 3MF package places: meshes, components (of other parts of the package
 // too), base materials, colour groups and textures, in millimetres. Supports are left out; a
-// triangle of several colours takes its first corner's. Throws Error.
+// triangle of several colours takes its first corner's. Refused are what would be read wrongly: a
+// unit or a required extension that is not known here, a transform that is not twelve numbers, a
+// number given twice, and a material or texture that is not there. Throws Error.
 //
 // Why a reader of our own: assimp 5.2.5 takes texture coordinates in the order of the points and
 // not by their index, does not read the pictures, ignores the unit and the parts that components

@@ -33,13 +33,6 @@ private:
     QByteArray bytes_;
 };
 
-// Whether a JPEG was cut off within its picture, the rest of which would be read as grey. Within a
-// scan neither mark can occur, and a thumbnail's end comes before the picture's scan.
-bool isCutOff(const QByteArray& bytes) {
-    return bytes.startsWith("\xff\xd8") &&
-           bytes.lastIndexOf("\xff\xd9") < bytes.lastIndexOf("\xff\xda");
-}
-
 } // namespace
 
 QStringList photoPatterns() {
@@ -57,10 +50,6 @@ Photo readPhotoFile(const QString& path, const Progress& progress) {
     const auto bytes = readFile(path);
     if (!bytes) {
         throw Error(Text::tr("The photo cannot be read; check its name and permissions"), path);
-    }
-    if (isCutOff(*bytes)) {
-        throw Error(Text::tr("The photo is cut off in the middle; copy it from the camera again"),
-                    path);
     }
     OneFile file(path, *bytes);
     ReadPhoto read = readPhotoInProcess(path, file, progress);

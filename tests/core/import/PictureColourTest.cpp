@@ -5,11 +5,13 @@
 #include "base/Error.h"
 #include "base/Png.h"
 #include "base/WideColour.h"
+#include "import/ReadPhotos.h"
 #include "import/ReadPictures.h"
 #include "sheet/PrinterColour.h"
 
 #include <QBuffer>
 #include <QColorSpace>
+#include <QImageReader>
 #include <QTemporaryDir>
 #include <QtEndian>
 #include <QtTest>
@@ -88,11 +90,11 @@ QByteArray bigEndian(quint32 number) {
     return bytes;
 }
 
-QByteArray pngFile(Kind kind, const QByteArray& profile) {
+// `packed`: what the chunk of the profile holds after its name and method.
+QByteArray pngWith(Kind kind, const QByteArray& packed) {
     QBuffer png;
     image(kind, pixels(kind)).save(&png, "png");
-    const QByteArray chunk =
-        QByteArray("iCCPown\0\0", 9) + qCompress(profile).mid(4); // qCompress puts a length first
+    const QByteArray chunk = QByteArray("iCCPown\0\0", 9) + packed;
     const auto sum =
         crc32(0, reinterpret_cast<const uchar*>(chunk.constData()), uInt(chunk.size()));
     constexpr int header = 8 + 25; // signature and IHDR
@@ -100,7 +102,16 @@ QByteArray pngFile(Kind kind, const QByteArray& profile) {
         .insert(header, bigEndian(quint32(chunk.size() - 4)) + chunk + bigEndian(quint32(sum)));
 }
 
-QByteArray jpegFile(Kind kind, const QByteArray& profile) {
+QByteArray packed(const QByteArray& profile) {
+    return qCompress(profile).mid(4); // it puts a length first
+}
+
+QByteArray pngFile(Kind kind, const QByteArray& profile) {
+    return pngWith(kind, packed(profile));
+}
+
+// The profile in parts of `most` bytes, of which one, from 1, can be left out.
+QByteArray jpegFile(Kind kind, const QByteArray& profile, int most = 65000, int without = 0) {
     jpeg_compress_struct jpeg{};
     jpeg_error_mgr errors{};
     jpeg.err = jpeg_std_error(&errors);
@@ -119,9 +130,11 @@ QByteArray jpegFile(Kind kind, const QByteArray& profile) {
         jpeg_set_colorspace(&jpeg, JCS_YCCK); // as Photoshop does, with its marker
     }
     jpeg_start_compress(&jpeg, TRUE);
-    constexpr int most = 65000; // bytes of a marker
     const int parts = int((profile.size() + most - 1) / most);
     for (int part = 0; part < parts; ++part) {
+        if (part + 1 == without) {
+            continue;
+        }
         const QByteArray marker = QByteArray("ICC_PROFILE\0", 12) + char(part + 1) + char(parts) +
                                   profile.mid(part * most, most);
         jpeg_write_marker(&jpeg, JPEG_APP0 + 2, reinterpret_cast<const uchar*>(marker.constData()),
@@ -171,6 +184,42 @@ QByteArray tiffFile(Kind kind, const QByteArray& profile, const QString& path, i
     TIFFClose(tiff);
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+// A picture of one colour with this profile.
+QByteArray webpFile(const QColor& colour, const QByteArray& profile) {
+    QImage picture(8, 8, QImage::Format_RGB32);
+    picture.fill(colour);
+    QBuffer plain;
+    picture.save(&plain, "webp", 100); // without loss
+    const auto littleEndian = [](qsizetype number) {
+        QByteArray bytes(4, '\0');
+        qToLittleEndian(quint32(number), bytes.data());
+        return bytes;
+    };
+    const auto chunk = [&](const char* kind, const QByteArray& content) {
+        return kind + littleEndian(content.size()) + content + QByteArray(content.size() % 2, '\0');
+    };
+    const QByteArray sides("\7\0\0\7\0\0", 6); // less one
+    const QByteArray chunks = chunk("VP8X", QByteArray("\x20\0\0\0", 4) + sides) +
+                              chunk("ICCP", profile) + plain.data().mid(12);
+    return "RIFF" + littleEndian(chunks.size() + 4) + "WEBP" + chunks;
+}
+
+QByteArray fileOf(const QImage& picture, const char* format) {
+    QBuffer file;
+    picture.save(&file, format);
+    return file.data();
+}
+
+// What reading it ends with; empty where it is read.
+QString refusal(const QByteArray& file) {
+    try {
+        readPictures({{file, QStringLiteral("odd picture")}});
+        return QString();
+    } catch (const Error& error) {
+        return error.sentence();
+    }
 }
 
 // One colour through profiles, relative to white: to Lab as doubles.
@@ -238,6 +287,14 @@ private slots:
     void colourBeyondSrgbIsKept();
     void profileOfAnotherKindIsRefused();
     void cutOffInksAreNoPicture();
+    void cutOffPicturesAreRefused_data();
+    void cutOffPicturesAreRefused();
+    void cutOffPhotosAreRefused();
+    void whatFollowsAPictureDoesNotMatter();
+    void oddProfilesAreRefused_data();
+    void oddProfilesAreRefused();
+    void profileIsFoundBehindFillBytes();
+    void profileOfWebpIsKeptTo();
 };
 
 void PictureColourTest::printerIsSentWhatTheTextureMeans_data() {
@@ -347,6 +404,106 @@ void PictureColourTest::cutOffInksAreNoPicture() {
         }
         QVERIFY2(!isRead, qPrintable(type));
     }
+}
+
+void PictureColourTest::cutOffPicturesAreRefused_data() {
+    QTest::addColumn<QByteArray>("whole");
+    const QImage picture = image(Kind::Rgb, pixels(Kind::Rgb));
+    QTest::newRow("jpeg") << jpegFile(Kind::Rgb, {});
+    QTest::newRow("grey jpeg") << jpegFile(Kind::Grey, {});
+    QTest::newRow("bmp, 24 bit") << fileOf(picture, "bmp");
+    QTest::newRow("bmp, palette") << fileOf(picture.convertToFormat(QImage::Format_Indexed8),
+                                            "bmp");
+    QTest::newRow("bmp, 1 bit") << fileOf(picture.convertToFormat(QImage::Format_Mono), "bmp");
+}
+
+void PictureColourTest::cutOffPicturesAreRefused() {
+    QFETCH(QByteArray, whole);
+    QCOMPARE(refusal(whole), QString());
+    for (const int percent : {50, 90, 99}) {
+        const QString sentence = refusal(whole.first(whole.size() * percent / 100));
+        QVERIFY2(sentence.contains("cut off") && sentence.contains("odd picture"),
+                 qPrintable(sentence));
+    }
+}
+
+void PictureColourTest::cutOffPhotosAreRefused() {
+    const QByteArray whole = jpegFile(Kind::Rgb, {});
+    const auto photo = [&](const QByteArray& bytes) {
+        QFile file(folder_.filePath("photo.jpg"));
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
+            throw Error(QStringLiteral("the photo is not written"), file.fileName());
+        }
+        file.close();
+        return readPhotoFile(file.fileName());
+    };
+    QCOMPARE(photo(whole).picture.size(), QSize(8 * side, 8 * side));
+    QCOMPARE(photo(whole + "a film \xff\xda of more").picture.size(), QSize(8 * side, 8 * side));
+    try {
+        photo(whole.first(whole.size() / 2));
+        QFAIL("a photo that is cut off was read");
+    } catch (const Error& error) {
+        QVERIFY2(error.sentence().contains("camera"), qPrintable(error.sentence()));
+    }
+}
+
+// Phones write films and other pictures behind theirs, and bytes of these may look like marks.
+void PictureColourTest::whatFollowsAPictureDoesNotMatter() {
+    const QByteArray picture = jpegFile(Kind::Rgb, {});
+    QCOMPARE(refusal(picture + "a film \xff\xda of more"), QString());
+    QCOMPARE(refusal(picture + picture.first(picture.size() / 2)), QString());
+    QCOMPARE(refusal(fileOf(image(Kind::Rgb, pixels(Kind::Rgb)), "bmp") + "more"), QString());
+}
+
+void PictureColourTest::oddProfilesAreRefused_data() {
+    QTest::addColumn<QByteArray>("file");
+    QTest::addColumn<QString>("says");
+    const QByteArray adobe = profileOf(Kind::Rgb), whole = packed(adobe);
+    const QString damaged = QStringLiteral("damaged");
+    QTest::newRow("png, cut off") << pngWith(Kind::Rgb, whole.first(whole.size() / 2)) << damaged;
+    QTest::newRow("png, spoilt") << pngWith(Kind::Rgb, "zzzz" + whole.mid(4)) << damaged;
+    QTest::newRow("png, nothing but a name")
+        << pngFile(Kind::Rgb, adobe).replace(QByteArray("own\0\0", 5), "owned") << damaged;
+    QTest::newRow("png in colour, of grey") << pngFile(Kind::Rgb, greyProfile()) << damaged;
+    QTest::newRow("png, huge") << pngFile(Kind::Rgb, adobe + QByteArray(17 << 20, ' '))
+                               << QStringLiteral("larger than 16 MB");
+    for (const int without : {1, 2, 3}) {
+        QTest::addRow("jpeg without part %d", without)
+            << jpegFile(Kind::Rgb, adobe, int(adobe.size() / 3 + 1), without) << damaged;
+    }
+    QTest::newRow("jpeg of inks without a part")
+        << jpegFile(Kind::Cmyk, profileOf(Kind::Cmyk), 60000, 2) << damaged;
+    QTest::newRow("webp, cut off") << webpFile(Qt::green, adobe.first(adobe.size() / 2)) << damaged;
+    QTest::newRow("webp, of inks") << webpFile(Qt::green, profileOf(Kind::Cmyk)) << damaged;
+}
+
+void PictureColourTest::oddProfilesAreRefused() {
+    QFETCH(QByteArray, file);
+    QFETCH(QString, says);
+    const QString sentence = refusal(file);
+    QVERIFY2(sentence.contains(says) && sentence.contains("profile"), qPrintable(sentence));
+}
+
+void PictureColourTest::profileIsFoundBehindFillBytes() {
+    const QByteArray plain = jpegFile(Kind::Cmyk, profileOf(Kind::Cmyk));
+    const QByteArray filled = QByteArray(plain).insert(2, "\xff\xff\xff");
+    const QImage wanted = readPictures({{plain, QStringLiteral("plain")}}).front();
+    QVERIFY(readPictures({{filled, QStringLiteral("filled")}}).front() == wanted);
+    QVERIFY(wanted != readPictures({{jpegFile(Kind::Cmyk, {}), QStringLiteral("none")}}).front());
+}
+
+void PictureColourTest::profileOfWebpIsKeptTo() {
+    if (!QImageReader::supportedImageFormats().contains("webp")) {
+        return; // Qt's plugin for it is not everywhere
+    }
+    const QColor green(20, 230, 20);
+    const QByteArray adobe = profileOf(Kind::Rgb);
+    const QImage texture = readPictures({{webpFile(green, adobe), QStringLiteral("webp")}}).front();
+    QVERIFY(isWide(texture));
+    QCOMPARE(PrinterColour(adobe, RenderingIntent::RelativeColorimetric, false, "printer")
+                 .rgb(texture)
+                 .pixelColor(4, 4),
+             green);
 }
 
 QTEST_GUILESS_MAIN(PictureColourTest)

@@ -1,0 +1,232 @@
+// Models of which assimp makes something else than their files mean, or nothing, without a word.
+#include "ModelFiles.h"
+
+#include "base/Error.h"
+#include "import/ImportModel.h"
+
+#include <QtTest>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+// The error that an import ends with, or an empty sentence.
+QString refusal(const QString& path) {
+    try {
+        importModel(path, {}, {});
+        return QString();
+    } catch (const Error& error) {
+        return error.sentence();
+    }
+}
+
+QString warningsOf(const ImportedModel& imported) {
+    return imported.report.warnings.join(u'|');
+}
+
+} // namespace
+
+class OddModelsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void gltfOfWholeNumbersIsRefused_data();
+    void gltfOfWholeNumbersIsRefused();
+    void requiredExtensionsAreReadOrNamed_data();
+    void requiredExtensionsAreReadOrNamed();
+    void gltfTextureInAnotherFormatIsAWarning();
+    void gltfTextureThatIsScaledIsAWarning();
+    void gltfMayBeginWithAByteOrderMark();
+    void deeplyNestedGltfIsRefused();
+    void scaledObjTextureIsAWarning_data();
+    void scaledObjTextureIsAWarning();
+    void materialFilesOfAllSortsAreRead_data();
+    void materialFilesOfAllSortsAreRead();
+    void pictureBeforeAnyMaterialIsRefused();
+    void severalMaterialFilesInOneLine();
+
+private:
+    QString write(const QString& name, const QByteArray& bytes) {
+        writeFile(folder_.filePath(name), bytes);
+        return folder_.filePath(name);
+    }
+    QByteArray gltf(const QByteArray& before, const QByteArray& after) const {
+        const QByteArray whole = squareGltf(png(quarters()));
+        return whole.contains(before) ? QByteArray(whole).replace(before, after) : QByteArray();
+    }
+    // A cube with the materials of this file, which has one called "skin".
+    ImportedModel cubeWith(const QByteArray& materials) {
+        write(QStringLiteral("cube.mtl"), materials);
+        return importModel(
+            write(QStringLiteral("cube.obj"), cubeObj("mtllib cube.mtl\nusemtl skin\n")), {}, {});
+    }
+
+    QTemporaryDir folder_;
+};
+
+void OddModelsTest::initTestCase() {
+    write(QStringLiteral("skin.png"), png(quarters()));
+}
+
+void OddModelsTest::gltfOfWholeNumbersIsRefused_data() {
+    QTest::addColumn<QByteArray>("accessor");
+    QTest::newRow("points") << QByteArray(R"({"bufferView":0,"componentType":)");
+    QTest::newRow("texture coordinates") << QByteArray(R"({"bufferView":1,"componentType":)");
+}
+
+void OddModelsTest::gltfOfWholeNumbersIsRefused() {
+    QFETCH(QByteArray, accessor);
+    const QByteArray text = gltf(accessor + "5126", accessor + "5123");
+    QVERIFY(!text.isEmpty());
+    const QString sentence = refusal(write(QStringLiteral("whole.gltf"), text));
+    QVERIFY2(sentence.contains(QStringLiteral("float coordinates")), qPrintable(sentence));
+    QByteArray binary = squareGlb(png(quarters()));
+    binary.replace(accessor + "5126", accessor + "5123");
+    QVERIFY(refusal(write(QStringLiteral("whole.glb"), binary))
+                .contains(QStringLiteral("float coordinates")));
+}
+
+void OddModelsTest::requiredExtensionsAreReadOrNamed_data() {
+    QTest::addColumn<QByteArray>("extension");
+    QTest::addColumn<bool>("isRead");
+    for (const char* name : {"KHR_materials_unlit", "KHR_materials_ior", "KHR_lights_punctual",
+                             "KHR_texture_transform"}) {
+        QTest::newRow(name) << QByteArray(name) << true;
+    }
+    for (const char* name : {"KHR_mesh_quantization", "EXT_meshopt_compression",
+                             "KHR_texture_basisu", "EXT_texture_webp", "ACME_invented"}) {
+        QTest::newRow(name) << QByteArray(name) << false;
+    }
+}
+
+void OddModelsTest::requiredExtensionsAreReadOrNamed() {
+    QFETCH(QByteArray, extension);
+    QFETCH(bool, isRead);
+    const QByteArray text =
+        gltf(R"("asset":)", R"("extensionsUsed":[")" + extension + R"("],"extensionsRequired":[")" +
+                                extension + R"("],"asset":)");
+    const QString sentence = refusal(write(QStringLiteral("needs.gltf"), text));
+    QCOMPARE(sentence.isEmpty(), isRead);
+    QVERIFY2(isRead || sentence.contains(QString::fromLatin1(extension)), qPrintable(sentence));
+}
+
+void OddModelsTest::gltfTextureInAnotherFormatIsAWarning() {
+    const ImportedModel imported = importModel(
+        write(QStringLiteral("other.gltf"),
+              gltf(R"({"source":0})", R"({"extensions":{"KHR_texture_basisu":{"source":0}}})")),
+        {}, {});
+    QVERIFY2(warningsOf(imported).contains(QStringLiteral("format that is not read")),
+             qPrintable(warningsOf(imported)));
+    QCOMPARE(imported.model.textures.size(), std::size_t(0));
+}
+
+void OddModelsTest::gltfTextureThatIsScaledIsAWarning() {
+    const auto moved = [&](const QByteArray& transform, const QByteArray& before) {
+        return gltf(R"("baseColorTexture":{"index":0})",
+                    R"("baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":)" +
+                        transform + "}}")
+            .replace(R"("asset":)",
+                     R"("extensionsUsed":["KHR_texture_transform"],)" + before + R"("asset":)");
+    };
+    for (const char* transform :
+         {R"({"scale":[2,2]})", R"({"rotation":0.5})", R"({"texCoord":1})"}) {
+        const ImportedModel imported =
+            importModel(write(QStringLiteral("scaled.gltf"), moved(transform, "")), {}, {});
+        QVERIFY2(warningsOf(imported).contains(QStringLiteral("KHR_texture_transform")),
+                 qPrintable(warningsOf(imported)));
+    }
+    const QByteArray required = R"("extensionsRequired":["KHR_texture_transform"],)";
+    const QString sentence =
+        refusal(write(QStringLiteral("required.gltf"), moved(R"({"scale":[2,2]})", required)));
+    QVERIFY2(sentence.contains(QStringLiteral("KHR_texture_transform")), qPrintable(sentence));
+    const ImportedModel offset = importModel(
+        write(QStringLiteral("offset.gltf"), moved(R"({"offset":[0.5,0]})", required)), {}, {});
+    QVERIFY2(!warningsOf(offset).contains(QStringLiteral("KHR_texture_transform")),
+             qPrintable(warningsOf(offset)));
+}
+
+void OddModelsTest::gltfMayBeginWithAByteOrderMark() {
+    const ImportedModel imported = importModel(
+        write(QStringLiteral("marked.gltf"), "\xef\xbb\xbf" + squareGltf(png(quarters()))), {}, {});
+    QCOMPARE(imported.model.textures.size(), std::size_t(1));
+}
+
+void OddModelsTest::deeplyNestedGltfIsRefused() {
+    constexpr int depth = 5000;
+    const QString sentence =
+        refusal(write(QStringLiteral("deep.gltf"),
+                      gltf(R"("asset":)", R"("extras":)" + QByteArray(depth, '[') +
+                                              QByteArray(depth, ']') + R"(,"asset":)")));
+    QVERIFY2(sentence.contains(QStringLiteral("deep")), qPrintable(sentence));
+}
+
+void OddModelsTest::scaledObjTextureIsAWarning_data() {
+    QTest::addColumn<QByteArray>("options");
+    QTest::addColumn<bool>("isWarned");
+    QTest::newRow("none") << QByteArray() << false;
+    QTest::newRow("as usual") << QByteArray("-s 1 1 1 -o 0 0 0 -bm 1 ") << false;
+    QTest::newRow("scale") << QByteArray("-s 2 2 1 ") << true;
+    QTest::newRow("offset") << QByteArray("-s 1 1 1 -o 0 .25 0 ") << true;
+}
+
+void OddModelsTest::scaledObjTextureIsAWarning() {
+    QFETCH(QByteArray, options);
+    QFETCH(bool, isWarned);
+    const ImportedModel imported = cubeWith("newmtl skin\nmap_Kd " + options + "skin.png\n");
+    QCOMPARE(imported.model.textures.size(), std::size_t(1));
+    QCOMPARE(warningsOf(imported).contains(QStringLiteral("cube.mtl")), isWarned);
+}
+
+void OddModelsTest::materialFilesOfAllSortsAreRead_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    const QByteArray plain = "newmtl skin\nKd 1 0 0\nmap_Kd skin.png\n";
+    QTest::newRow("a byte-order mark") << "\xef\xbb\xbf" + plain;
+    QTest::newRow("UTF-16") << QByteArray(QStringEncoder(
+        QStringEncoder::Utf16LE, QStringEncoder::Flag::WriteBom)(QString::fromLatin1(plain)));
+    QTest::newRow("capitals") << QByteArray("NEWMTL skin\nKD 1 0 0\n\tMAP_KD skin.png\n");
+    QTest::newRow("spaces first") << "  " + plain;
+    for (const char* heading : {"Produced by X", "Ps export", "author me", "Normal maps: none",
+                                "# nothing", "aniso 0.5"}) {
+        QTest::newRow(heading) << heading + QByteArray("\n") + plain;
+    }
+}
+
+void OddModelsTest::materialFilesOfAllSortsAreRead() {
+    QFETCH(QByteArray, bytes);
+    const ImportedModel imported = cubeWith(bytes);
+    QVERIFY2(warningsOf(imported).isEmpty(), qPrintable(warningsOf(imported)));
+    QCOMPARE(imported.model.textures.size(), std::size_t(1));
+    QCOMPARE(imported.model.materials[0].colour, QColor(Qt::red));
+}
+
+void OddModelsTest::pictureBeforeAnyMaterialIsRefused() {
+    for (const char* before : {"map_Kd skin.png\nnewmtl skin\n", "bump skin.png\nnewmtl skin\n",
+                               "Pr 0.5\n", "a\n", "refl skin.png"}) {
+        write(QStringLiteral("early.mtl"), before);
+        const QString sentence =
+            refusal(write(QStringLiteral("early.obj"), cubeObj("mtllib early.mtl\nusemtl skin\n")));
+        QVERIFY2(sentence.contains(QStringLiteral("early.mtl describes")), before);
+    }
+}
+
+void OddModelsTest::severalMaterialFilesInOneLine() {
+    write(QStringLiteral("my own.mtl"), "newmtl other\nKd 0 1 0\n");
+    write(QStringLiteral("b.mtl"), "newmtl skin\nmap_Kd skin.png");
+    const auto imported = [&](const QByteArray& line) {
+        return importModel(
+            write(QStringLiteral("several.obj"), cubeObj("mtllib " + line + "\nusemtl skin\n")), {},
+            {});
+    };
+    const ImportedModel both = imported("my own.mtl b.mtl");
+    QVERIFY2(warningsOf(both).isEmpty(), qPrintable(warningsOf(both)));
+    QCOMPARE(both.model.textures.size(), std::size_t(1));
+    const ImportedModel one = imported("lost.mtl b.mtl");
+    QVERIFY2(warningsOf(one).contains(QStringLiteral("The file lost.mtl,")),
+             qPrintable(warningsOf(one)));
+    QCOMPARE(one.model.textures.size(), std::size_t(1));
+}
+
+QTEST_GUILESS_MAIN(OddModelsTest)
+#include "OddModelsTest.moc"
