@@ -9,8 +9,8 @@ namespace dipwright {
 // Standard input gives bytes, too.
 std::FILE* answerPipe();
 
-// An interrupt from the keyboard goes to this process as well, but what becomes of it is for the
-// program that started it to say, with which it ends.
+// An interrupt from the keyboard may go to this process as well, where it has no group of its own,
+// but what becomes of it is for the program that started it to say, with which it ends.
 void leaveInterruptsToStarter();
 
 } // namespace dipwright

@@ -1,6 +1,7 @@
 #include "project/ProfileLibrary.h"
 
 #include "base/Error.h"
+#include "base/JsonText.h"
 #include "base/ProgramName.h"
 #include "base/Sha256.h"
 #include "disk/FileLock.h"
@@ -84,6 +85,11 @@ void requireReadable(const QString& path) {
     }
 }
 
+// What cannot be read again would be lost with its file in plain sight, as one without a name.
+void requireReadableAgain(const Profile& profile) {
+    profileFromJson(toJson(profile), {});
+}
+
 } // namespace
 
 QString ProfileLibrary::standardFolder() {
@@ -138,6 +144,7 @@ std::optional<Profile> ProfileLibrary::found(ProfileKind kind, const QString& na
 }
 
 void ProfileLibrary::save(const Profile& profile, const std::optional<Profile>& known) const {
+    requireReadableAgain(profile);
     const QString path = pathFor(profile);
     FileLock lock;
     take(lock, path);
@@ -151,6 +158,7 @@ void ProfileLibrary::save(const Profile& profile, const std::optional<Profile>& 
 }
 
 void ProfileLibrary::replace(const Profile& profile) const {
+    requireReadableAgain(profile);
     const QString path = pathFor(profile);
     FileLock lock;
     take(lock, path);
@@ -193,9 +201,10 @@ void ProfileLibrary::remove(ProfileKind kind, const QString& name) const {
 }
 
 Profile importProfile(const QString& path) {
+    const QByteArray bytes = readSmallFile(path, mostProfileBytes);
+    requireModestJson(bytes, path);
     QJsonParseError failure;
-    const QJsonDocument document =
-        QJsonDocument::fromJson(readSmallFile(path, mostProfileBytes), &failure);
+    const QJsonDocument document = QJsonDocument::fromJson(bytes, &failure);
     if (!document.isObject()) {
         throw Error(Text::tr("This is not a Dipwright profile: %1").arg(failure.errorString()),
                     path);

@@ -1,11 +1,15 @@
 #include "solver/CheckedSolver.h"
 
+#include "base/Error.h"
 #include "base/Progress.h"
+#include "solver/ModuleText.h"
 
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace dipwright {
@@ -16,25 +20,46 @@ struct Text {
 };
 
 constexpr int mostIdleCalls = 10'000; // of advance(), without a step
+// Of one dip: more than a day's work of the fastest solver for the smallest film.
+constexpr std::int64_t mostSteps = 1'000'000'000;
+// After so many, the body has to have come down by so many mm in each, on the whole: a tenth of
+// what the slowest one does in the shortest step that a project may have.
+constexpr std::int64_t stepsToJudge = 1'000'000;
+constexpr double leastWay = 1e-8;
+constexpr std::int64_t mostIterationsOfAStep = 1'000'000; // of a linear solver
+constexpr double travelTolerance = 1e-6;                  // a share of the travel, for rounding
 constexpr std::uint8_t allMarks = std::uint8_t(solver::PointMark::Torn) |
                                   std::uint8_t(solver::PointMark::LetGo) |
                                   std::uint8_t(solver::PointMark::Unbalanced);
 
+[[noreturn]] void fail(const QString& fault) {
+    throw std::runtime_error(fault.toStdString());
+}
+
 void require(bool isGood, const QString& fault) {
     if (!isGood) {
-        throw std::runtime_error(fault.toStdString());
+        fail(fault);
     }
 }
 
-// Turns what is no std::exception into one.
+[[noreturn]] void failUnknown() {
+    fail(Text::tr("it threw an unknown exception"));
+}
+
+// Turns what the module throws into a std::runtime_error with words that may be shown.
 template <typename Call>
 auto guarded(const Call& call) {
     try {
         return call();
-    } catch (const std::exception&) {
+    } catch (const Cancelled&) {
         throw;
+    } catch (const Error&) {
+        throw; // the program's own
+    } catch (const std::exception& failure) {
+        const QString said = moduleText(QString::fromUtf8(failure.what()));
+        said.isEmpty() ? failUnknown() : fail(said);
     } catch (...) {
-        throw std::runtime_error(Text::tr("it threw an unknown exception").toStdString());
+        failUnknown();
     }
 }
 
@@ -57,10 +82,33 @@ bool areFinite(std::span<const float> positions) {
                        [](float position) { return std::isfinite(position); });
 }
 
-void requireForward(const solver::DipState& now, const solver::DipState& before) {
-    require(std::isfinite(now.descent) && now.descent >= before.descent &&
-                now.steps >= before.steps,
+bool isNumberOfSteps(std::int64_t steps) {
+    return steps >= 0 && steps <= mostSteps;
+}
+
+bool isWithin(double travel, double descent) {
+    return descent >= 0 && descent <= travel * (1 + travelTolerance); // not a number is neither
+}
+
+// Of a dip with so many steps.
+void requireEquilibrium(const solver::EquilibriumAccount& account, std::int64_t steps) {
+    const bool isGood =
+        account.stepsWithout >= 0 && account.stepsWithout <= steps &&
+        account.linearIterations >= 0 &&
+        account.linearIterations <= std::max<std::int64_t>(steps, 1) * mostIterationsOfAStep &&
+        std::isfinite(account.worstForceLeft) && account.worstForceLeft >= 0;
+    require(isGood, Text::tr("it told figures of its equilibrium that cannot be"));
+}
+
+void requireForward(const solver::DipState& now, const solver::DipState& before, double travel) {
+    require(isWithin(travel, now.descent) && now.descent >= before.descent &&
+                isNumberOfSteps(now.steps) && now.steps >= before.steps,
             Text::tr("it told steps or a descent that cannot be"));
+    requireEquilibrium(now.equilibrium, now.steps);
+}
+
+bool isCrawling(const solver::DipState& state) {
+    return state.steps >= stepsToJudge && state.descent < double(state.steps) * leastWay;
 }
 
 void requireEnd(bool comesForward) {
@@ -79,13 +127,14 @@ public:
     void begin(const solver::DipSetup& setup) override {
         state_ = {};
         idleCalls_ = 0;
+        travel_ = setup.motion.travel;
         guarded([&] { film_->begin(setup); });
     }
     solver::DipState advance(int maximumSteps) override {
         const solver::DipState now = guarded([&] { return film_->advance(maximumSteps); });
-        requireForward(now, state_);
+        requireForward(now, state_, travel_);
         idleCalls_ = now.steps == state_.steps ? idleCalls_ + 1 : 0;
-        requireEnd(now.finished || idleCalls_ < mostIdleCalls);
+        requireEnd(now.finished || (idleCalls_ < mostIdleCalls && !isCrawling(now)));
         return state_ = now;
     }
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
@@ -102,13 +151,15 @@ public:
             return false;
         }
         requireStates(states);
-        return areFinite(positions) && std::isfinite(shown.descent);
+        return areFinite(positions) && isWithin(travel_, shown.descent) &&
+               isNumberOfSteps(shown.steps);
     }
 
 private:
     std::unique_ptr<solver::FilmSolver> film_;
     solver::DipState state_;
     int idleCalls_ = 0;
+    double travel_ = std::numeric_limits<double>::max(); // before it has begun
 };
 
 // Asks whoever may stop a batch, and remembers the answer.
@@ -124,12 +175,22 @@ struct Stop {
     }
 };
 
+bool isRate(double perSecond) {
+    return std::isfinite(perSecond) && perSecond > 0;
+}
+
+std::string deviceOf(const solver::SolverModule& module) {
+    const char* device = guarded([&] { return module.device(); });
+    return moduleText(QString::fromUtf8(device)).toStdString();
+}
+
 class CheckedModule : public solver::SolverModule {
 public:
-    explicit CheckedModule(const solver::SolverModule& module) : module_(module) {}
+    explicit CheckedModule(const solver::SolverModule& module)
+        : module_(module), device_(deviceOf(module)) {}
 
     const char* unavailableReason() const override { return module_.unavailableReason(); }
-    const char* device() const override { return module_.device(); }
+    const char* device() const override { return device_.c_str(); }
     std::unique_ptr<solver::FilmSolver> create() const override {
         auto film = guarded([&] { return module_.create(); });
         requireFilm(film.get());
@@ -146,7 +207,10 @@ public:
         return isDone;
     }
     std::optional<solver::Ceiling> measuredCeiling() const override {
-        return guarded([&] { return module_.measuredCeiling(); });
+        const auto ceiling = guarded([&] { return module_.measuredCeiling(); });
+        const bool isMeasured =
+            ceiling && isRate(ceiling->flopsPerSecond) && isRate(ceiling->bytesPerSecond);
+        return isMeasured ? ceiling : std::nullopt;
     }
 
 private:
@@ -156,13 +220,16 @@ private:
             item.marks.assign(points, 0); // as readMarks, which need not be there
         }
         require(item.positions.size() == 3 * points && item.states.size() == points &&
-                    item.marks.size() == points && item.steps >= 0,
+                    item.marks.size() == points,
                 Text::tr("it left films of a batch empty"));
+        require(isNumberOfSteps(item.steps), Text::tr("it told steps or a descent that cannot be"));
+        requireEquilibrium(item.equilibrium, item.steps);
         requireStates(item.states);
         requireMarks(item.marks);
     }
 
     const solver::SolverModule& module_;
+    std::string device_;
 };
 
 } // namespace

@@ -17,11 +17,13 @@ public:
 };
 
 // The same module, but that it throws std::runtime_error with a sentence where the module gives no
-// film, throws something else than std::exception, does not come forward, goes back, or gives a
-// state, mark or number that cannot be, and where the films of a batch are not there, or it was
-// stopped by nobody. Its films are StoppableFilms. Where points lie is judged by whoever knows how
-// far they may go (dip/Dip.h, isStable); films for display in which a point lies nowhere are not
-// shown. Keeps a reference to the module.
+// film, does not come forward, goes back, or gives a state, mark or number that cannot be, and
+// where the films of a batch are not there, or it was stopped by nobody. Whatever the module throws
+// comes as std::runtime_error, with as much of its words as may stand within a sentence
+// (ModuleText.h), as do those for its device; a ceiling that cannot be counts as not measured. Its
+// films are StoppableFilms. Where points lie is judged by whoever knows how far they may go
+// (dip/Dip.h, isStable); films for display in which a point lies nowhere are not shown. Keeps a
+// reference to the module.
 std::unique_ptr<solver::SolverModule> checkedSolver(const solver::SolverModule& module);
 
 // Throws std::runtime_error with a sentence for null.

@@ -7,6 +7,8 @@
 #include "solver/CrashSignals.h"
 #include "solver/LoadMarker.h"
 #include "solver/LoadModule.h"
+#include "solver/ModuleText.h"
+#include "solver/ProcessGroup.h"
 #include "solver/SolverMessages.h"
 #include "solver/WatchedSolver.h"
 
@@ -14,6 +16,7 @@
 #include <QProcess>
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace dipwright {
 namespace {
@@ -34,16 +37,31 @@ constexpr std::uint64_t bytesOfAnAnswer = 1 << 20, bytesOfAPoint = 16;
     throw std::runtime_error(sentence.toStdString());
 }
 
-// One process, asked one thing after the other.
+// What the module has thrown.
+[[noreturn]] void failWith(const std::string& said) {
+    const QString sentence = moduleText(QString::fromStdString(said));
+    if (sentence.isEmpty()) {
+        throw UnknownException();
+    }
+    fail(sentence);
+}
+
+// One process, asked one thing after the other. All that the module starts in it ends with it.
 class SolverProcess {
 public:
     explicit SolverProcess(const QString& modulePath) : modulePath_(modulePath) {
         silence(process_);
+        leadGroup(process_);
+        // In whichever thread asks it at that time.
+        QObject::connect(
+            &process_, &QProcess::finished, &process_, [this] { endStarted(); },
+            Qt::DirectConnection);
         process_.start(shippedProgram(QStringLiteral("dipwright-solver")), {modulePath});
         if (!process_.waitForStarted()) {
             fail(Text::tr("it cannot be given a process of its own: %1")
                      .arg(process_.errorString()));
         }
+        leader_ = process_.processId();
     }
     ~SolverProcess() {
         end();
@@ -77,7 +95,7 @@ public:
                 throw LoadFailure(fault, QString::fromStdString(answer.takeText()));
             }
             case SolverAnswer::Threw:
-                throw std::runtime_error(answer.takeText());
+                failWith(answer.takeText());
             case SolverAnswer::ThrewUnknown:
                 throw UnknownException();
             case SolverAnswer::GaveNoFilm:
@@ -143,11 +161,15 @@ private:
                  : Text::tr("it ended its process (%1)").arg(process_.exitCode()));
     }
     void end() {
+        endStarted();
         process_.kill();
         process_.waitForFinished(1000);
     }
+    // Once: when the process is known to have ended, its number is free for another.
+    void endStarted() { endGroup(std::exchange(leader_, 0)); }
 
     QString modulePath_;
+    qint64 leader_ = 0;
     QProcess process_;
     QByteArray received_;
     std::uint64_t mostBytes_ = bytesOfAnAnswer;

@@ -13,10 +13,10 @@ namespace dipwright {
 // Loads the module in a process of its own, the program dipwright-solver, and asks it whether it
 // can run here. Throws Refusal (LoadModule.h), also where it crashes or takes too long; Cancelled.
 //
-// Every film and every batch of the module has a process of its own, which goes with it. Where that
-// crashes or takes too long, or is killed, std::runtime_error is thrown with a sentence; the first
-// two are remembered (LoadMarker.h). Its films are StoppableFilms. Error where that program is not
-// there.
+// Every film and every batch of the module has a process of its own, which goes with it, as does
+// all that the module has started there (ProcessGroup.h). Where it crashes or takes too long, or is
+// killed, std::runtime_error is thrown with a sentence; the first two are remembered
+// (LoadMarker.h). Its films are StoppableFilms. Error where that program is not there.
 std::unique_ptr<solver::SolverModule> containedSolver(const QString& modulePath,
                                                       const CancelSwitch& cancelSwitch);
 

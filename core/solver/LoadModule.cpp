@@ -1,5 +1,7 @@
 #include "solver/LoadModule.h"
 
+#include "solver/ModuleText.h"
+
 #include <QCoreApplication>
 #include <QLibrary>
 
@@ -18,7 +20,10 @@ QString sentenceOf(LoadFault fault, const QString& detail) {
         return Text::tr("Its module has no entry point %1")
             .arg(QLatin1String(DIPWRIGHT_SOLVER_ENTRY));
     case LoadFault::FailedAtStart:
-        return Text::tr("Its module failed at start: %1").arg(detail);
+        if (!detail.isEmpty()) {
+            return Text::tr("Its module failed at start: %1").arg(detail);
+        }
+        [[fallthrough]];
     case LoadFault::FailedUnknown:
         return Text::tr("Its module failed at start with an unknown exception");
     case LoadFault::DoesNotFit:
@@ -28,7 +33,9 @@ QString sentenceOf(LoadFault fault, const QString& detail) {
     case LoadFault::Unavailable:
         break;
     }
-    return detail;
+    return detail.isEmpty()
+               ? Text::tr("It cannot run here and does not say why; ask whoever made it")
+               : detail;
 }
 
 DipwrightSolverEntry* resolvedEntry(const QString& modulePath) {
@@ -60,7 +67,7 @@ auto guarded(const Call& call) {
 } // namespace
 
 LoadFailure::LoadFailure(LoadFault fault, const QString& detail)
-    : Refusal(sentenceOf(fault, detail)), fault_(fault), detail_(detail) {}
+    : Refusal(sentenceOf(fault, moduleText(detail))), fault_(fault), detail_(moduleText(detail)) {}
 
 LoadedModule loadModule(const QString& modulePath) {
     DipwrightSolverEntry* const entry = resolvedEntry(modulePath);
@@ -73,7 +80,7 @@ LoadedModule loadModule(const QString& modulePath) {
         throw LoadFailure(LoadFault::Unavailable, QString::fromUtf8(reason));
     }
     if (const char* device = guarded([&] { return loaded.module->device(); })) {
-        loaded.device = QString::fromUtf8(device);
+        loaded.device = moduleText(QString::fromUtf8(device));
     }
     return loaded;
 }

@@ -35,6 +35,7 @@ enum class LoadFault : std::uint8_t {
 // As a value, so that a process without the user's language can hand it to one that has it.
 class LoadFailure : public Refusal {
 public:
+    // As much of the detail is kept as may stand within a sentence (ModuleText.h).
     explicit LoadFailure(LoadFault fault, const QString& detail = {});
     LoadFault fault() const { return fault_; }
     const QString& detail() const { return detail_; }

@@ -1,12 +1,14 @@
 #include "solver/SolverRegistry.h"
 
 #include "base/Error.h"
+#include "base/OneLine.h"
 #include "base/ShippedFolders.h"
 #include "solver/CheckedSolver.h"
 #include "solver/ContainedSolver.h"
 #include "solver/FolderRights.h"
 #include "solver/LoadMarker.h"
 #include "solver/LoadModule.h"
+#include "solver/ModuleText.h"
 #include "solver/WatchedSolver.h"
 
 #include <QCoreApplication>
@@ -40,7 +42,7 @@ struct Plugin {
 };
 
 QString requiredText(const QJsonObject& metadata, const char* key) {
-    QString text = metadata[QLatin1String(key)].toString().trimmed();
+    QString text = oneLine(metadata[QLatin1String(key)].toString()).trimmed();
     if (text.isEmpty() || text.size() > 200) {
         throw Refusal(Text::tr("Its description has no valid \"%1\"").arg(QLatin1String(key)));
     }
@@ -100,8 +102,10 @@ void readMetadata(SolverInfo& info) {
     if (QFileInfo(module).fileName() != module) {
         throw Refusal(Text::tr("Its module has to be a file beside its description"));
     }
-    info.modulePath = QFileInfo(info.metadataPath).dir().filePath(module);
-    if (!QFileInfo(info.modulePath).isFile()) {
+    // Where a link leads to is what is judged, remembered and loaded, whatever becomes of the link.
+    const QFileInfo file(QFileInfo(info.metadataPath).dir().filePath(module));
+    info.modulePath = file.canonicalFilePath();
+    if (!file.isFile() || info.modulePath.isEmpty()) {
         throw Refusal(Text::tr("Its module %1 is missing").arg(module));
     }
 }
@@ -116,9 +120,10 @@ void refuseCrashed(const QString& modulePath) {
     }
 }
 
-// Where somebody else can put a module, it is theirs that would run.
+// Where somebody else can put a module, or a link to one, it is for them to say what would run.
 void refuseOthersFolder(const SolverInfo& info) {
-    for (const QString& path : {info.modulePath, info.metadataPath}) {
+    const QString folder = QFileInfo(info.metadataPath).path();
+    for (const QString& path : {folder, info.metadataPath, info.modulePath}) {
         if (const QString open = writableByOthers(path); !open.isEmpty()) {
             throw Refusal(Text::tr("Others can write to %1; take that right from them, or move "
                                    "the plugin")
@@ -132,9 +137,6 @@ void loadShipped(Plugin& plugin) {
     const LoadedModule loaded = loadModule(plugin.info.modulePath);
     plugin.inner = watchedSolver(*loaded.module, plugin.info.modulePath);
     plugin.module = checkedSolver(*plugin.inner);
-    if (!loaded.device.isEmpty()) {
-        plugin.info.device = loaded.device;
-    }
 }
 
 void loadContained(Plugin& plugin, const CancelSwitch& cancelSwitch) {
@@ -145,9 +147,6 @@ void loadContained(Plugin& plugin, const CancelSwitch& cancelSwitch) {
     }
     plugin.inner = containedSolver(plugin.info.modulePath, cancelSwitch);
     plugin.module = checkedSolver(*plugin.inner);
-    if (*plugin.module->device() != 0) {
-        plugin.info.device = QString::fromUtf8(plugin.module->device());
-    }
 }
 
 void load(Plugin& plugin, const CancelSwitch& cancelSwitch) {
@@ -158,21 +157,24 @@ void load(Plugin& plugin, const CancelSwitch& cancelSwitch) {
         refuseCrashed(plugin.info.modulePath);
         const bool isTrusted = plugin.isShipped && crashesOf(plugin.info.modulePath) == 0;
         isTrusted ? loadShipped(plugin) : loadContained(plugin, cancelSwitch);
+        if (*plugin.module->device() != 0) {
+            plugin.info.device = QString::fromUtf8(plugin.module->device());
+        }
         plugin.info.available = true;
     } catch (const Refusal& refusal) {
-        plugin.info.reason = refusal.reason();
+        plugin.info.reason = oneLine(refusal.reason());
     }
     plugin.isLoaded = true;
 }
 
 Plugin foundPlugin(const QFileInfo& metadataFile) {
     Plugin plugin;
-    plugin.info.id = plugin.info.name = metadataFile.completeBaseName();
+    plugin.info.id = plugin.info.name = moduleText(metadataFile.completeBaseName());
     plugin.info.metadataPath = metadataFile.absoluteFilePath();
     try {
         readMetadata(plugin.info);
     } catch (const Refusal& refusal) {
-        plugin.info.reason = refusal.reason();
+        plugin.info.reason = oneLine(refusal.reason());
         plugin.isLoaded = true;
     }
     return plugin;

@@ -1,6 +1,8 @@
 #include "solver/SolverServer.h"
 
 #include "solver/LoadModule.h"
+#include "solver/ModuleText.h"
+#include "solver/ProcessGroup.h"
 #include "solver/SolverMessages.h"
 
 #include <chrono>
@@ -35,16 +37,25 @@ private:
         while (true) {
             std::uint64_t length = 0;
             if (std::fread(&length, sizeof length, 1, file) != 1) {
-                std::_Exit(0);
+                leave(file);
             }
             QByteArray request(qsizetype(length), Qt::Uninitialized);
             if (std::fread(request.data(), 1, length, file) != length) {
-                std::_Exit(0);
+                leave(file);
             }
             const std::lock_guard lock(mutex_);
             waiting_.push_back(request);
             wake_.notify_one();
         }
+    }
+
+    // Where the other side is gone, nobody else will end what the module has started. Where the
+    // module has closed the file, the other side will, and is to see that this was no kill.
+    [[noreturn]] static void leave(std::FILE* file) {
+        if (std::feof(file) != 0) {
+            endOwnGroup();
+        }
+        std::_Exit(0);
     }
 
     std::mutex mutex_;
@@ -75,7 +86,7 @@ public:
         } catch (const std::exception& error) {
             writer = MessageWriter();
             writer.put(SolverAnswer::Threw);
-            writer.putText(error.what());
+            writer.putText(moduleText(QString::fromUtf8(error.what())).toStdString());
         } catch (...) {
             writer = MessageWriter();
             writer.put(SolverAnswer::ThrewUnknown);

@@ -5,8 +5,11 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fcntl.h>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <sys/file.h>
 #include <thread>
 #include <unistd.h>
 
@@ -33,6 +36,26 @@ void announceGiant() {
 }
 #endif
 
+#if defined(DIPWRIGHT_BAD_FORK)
+// Starts a process that does nothing for an hour but hold a lock on the file DIPWRIGHT_BAD_LOCK.
+void startAnother() {
+    const int file = ::open(std::getenv("DIPWRIGHT_BAD_LOCK"), O_RDWR | O_CREAT, 0600);
+    ::flock(file, LOCK_EX);
+    if (::fork() == 0) {
+        ::sleep(3600);
+        ::_exit(0);
+    }
+    ::close(file); // the lock is the other's alone
+}
+#endif
+
+#if defined(DIPWRIGHT_BAD_LONG)
+// Two lines and more than anybody reads, an escape among it.
+std::string longText() {
+    return "It said\nfar\r\n  too \x1b much: " + std::string(5'000'000, 'x');
+}
+#endif
+
 // A film that fails where it is told to.
 class Film : public solver::FilmSolver {
 public:
@@ -42,6 +65,9 @@ public:
 #endif
     }
     solver::DipState advance(int steps) override {
+#if defined(DIPWRIGHT_BAD_FORK)
+        startAnother();
+#endif
 #if defined(DIPWRIGHT_BAD_ADVANCE)
         throw std::runtime_error("out of water");
 #elif defined(DIPWRIGHT_BAD_ADVANCE_UNKNOWN)
@@ -58,6 +84,22 @@ public:
         return {};
 #elif defined(DIPWRIGHT_BAD_ADVANCE_NONSENSE)
         return {-5, std::numeric_limits<double>::quiet_NaN(), false};
+#elif defined(DIPWRIGHT_BAD_ADVANCE_STEPS)
+        return {std::numeric_limits<std::int64_t>::max(), 1, true};
+#elif defined(DIPWRIGHT_BAD_ADVANCE_DEEP)
+        return {steps, 1e308, true};
+#elif defined(DIPWRIGHT_BAD_ADVANCE_CRAWL)
+        constexpr std::int64_t atOnce = 1'000'000;
+        crawled_ += atOnce;
+        return {crawled_, 1e-12 * double(crawled_), false};
+#elif defined(DIPWRIGHT_BAD_ADVANCE_EQUILIBRIUM)
+        return {steps, 1, true, { -5, 0, 0 }};
+#elif defined(DIPWRIGHT_BAD_ADVANCE_FORCE)
+        return {steps, 1, true, { 1, std::numeric_limits<double>::infinity(), 1 }};
+#elif defined(DIPWRIGHT_BAD_ADVANCE_EMPTY)
+        throw std::runtime_error("\n");
+#elif defined(DIPWRIGHT_BAD_LONG)
+        throw std::runtime_error(longText());
 #endif
         return {steps, 1, true};
     }
@@ -81,6 +123,11 @@ public:
         std::fill(marks.begin(), marks.end(), std::uint8_t(0));
 #endif
     }
+
+#if defined(DIPWRIGHT_BAD_ADVANCE_CRAWL)
+private:
+    std::int64_t crawled_ = 0;
+#endif
 };
 
 class Module : public solver::SolverModule {
@@ -88,6 +135,11 @@ public:
     const char* unavailableReason() const override {
 #if defined(DIPWRIGHT_BAD_DEVICE)
         return "There is no such device here";
+#elif defined(DIPWRIGHT_BAD_DEVICE_LONG)
+        static const std::string reason = longText();
+        return reason.c_str();
+#elif defined(DIPWRIGHT_BAD_DEVICE_EMPTY)
+        return "";
 #elif defined(DIPWRIGHT_BAD_QUESTION)
         throw std::runtime_error("do not ask");
 #else
@@ -95,7 +147,12 @@ public:
 #endif
     }
     const char* device() const override {
+#if defined(DIPWRIGHT_BAD_LONG)
+        static const std::string device = longText();
+        return device.c_str();
+#else
         return "A device";
+#endif
     }
     std::unique_ptr<solver::FilmSolver> create() const override {
 #if defined(DIPWRIGHT_BAD_CREATE)
@@ -107,7 +164,8 @@ public:
 #endif
         return std::make_unique<Film>();
     }
-    bool runBatch(std::span<solver::BatchItem>, solver::CancelFunction, void*) const override {
+    bool runBatch([[maybe_unused]] std::span<solver::BatchItem> items, solver::CancelFunction,
+                  void*) const override {
 #if defined(DIPWRIGHT_BAD_BATCH_UNKNOWN)
         throw 42;
 #elif defined(DIPWRIGHT_BAD_BATCH_CRASH)
@@ -116,8 +174,27 @@ public:
         return false;
 #elif defined(DIPWRIGHT_BAD_BATCH_HANG)
         std::this_thread::sleep_for(std::chrono::hours(1));
+#elif defined(DIPWRIGHT_BAD_BATCH_STEPS) || defined(DIPWRIGHT_BAD_BATCH_EQUILIBRIUM)
+        solver::DipState end{1, 1, true};
+#if defined(DIPWRIGHT_BAD_BATCH_STEPS)
+        end.steps = std::numeric_limits<std::int64_t>::max();
+#else
+        end.equilibrium.stepsWithout = 2; // of one
+#endif
+        for (solver::BatchItem& item : items) {
+            item.finish(end, [](auto, auto, auto){});
+        }
 #endif
         return true; // and leaves the films empty
+    }
+    std::optional<solver::Ceiling> measuredCeiling() const override {
+#if defined(DIPWRIGHT_BAD_CEILING_CRASH)
+        crash();
+#elif defined(DIPWRIGHT_BAD_CEILING_ENDLESS)
+        constexpr double endless = std::numeric_limits<double>::infinity();
+        return solver::Ceiling{endless, endless};
+#endif
+        return std::nullopt;
     }
 };
 

@@ -13,6 +13,12 @@
 #include <chrono>
 #include <thread>
 
+#ifdef Q_OS_UNIX
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+#endif
+
 using namespace dipwright;
 using namespace dipwright::test;
 
@@ -44,6 +50,25 @@ Listing listedByProgram(const PluginFolder& folder, const QStringList& more = {}
 void openToOthers(const PluginFolder& folder) {
     QVERIFY(QFile::setPermissions(folder.path(), QFile::ReadOwner | QFile::WriteOwner |
                                                      QFile::ExeOwner | QFile::WriteOther));
+}
+
+void linkAll(const PluginFolder& from, const PluginFolder& to) {
+    const QStringList names = QDir(to.path()).entryList(QDir::Files);
+    for (const QString& name : names) {
+        QVERIFY(QFile::link(to.filePath(name), from.filePath(name)));
+    }
+}
+
+// Whether some process holds the lock on the file; a dead one holds none.
+bool isLocked(const QString& path) {
+#ifdef Q_OS_UNIX
+    const int file = ::open(QFile::encodeName(path).constData(), O_RDWR | O_CLOEXEC);
+    const bool isTaken = file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) != 0;
+    ::close(file);
+    return isTaken;
+#else
+    return QFile::exists(path) && false;
+#endif
 }
 
 // A dip of a box with the module `name`; what went wrong, as the user reads it.
@@ -86,12 +111,19 @@ private slots:
     void aHangCanBeLeft();
     void failuresInABatchReachTheUser_data();
     void failuresInABatchReachTheUser();
+    void wordsOfAModuleAreCutToALine();
+    void aCeilingThatCannotBeIsNone();
+    void whatAModuleStartsEndsWithIt_data();
+    void whatAModuleStartsEndsWithIt();
+    void whatAModuleStartsEndsWithAProgramThatIsKilled();
     void aModuleThatCrashesTwiceIsLeftOut_data();
     void aModuleThatCrashesTwiceIsLeftOut();
     void aShippedModuleThatHungIsContained();
     void aShippedModuleThatCrashedTwiceIsLeftOut();
     void aShippedModuleMayLieWhereOthersWrite();
     void aModuleThatOthersCanWriteIsNotLoaded();
+    void linksThatOthersCanTurnAreNotFollowed();
+    void aLinkOfTheUsersOwnIsFollowed();
     void beingKilledWhileLoadingIsNotTheModulesFault();
 };
 
@@ -119,6 +151,8 @@ void BadModulesTest::badModulesAreListedWithTheirReason_data() {
     QTest::newRow("old") << "does not fit this program's solver interface 3";
     QTest::newRow("name") << "no entry point";
     QTest::newRow("device") << "There is no such device here";
+    QTest::newRow("device-long") << "It said far too much: xxx";
+    QTest::newRow("device-empty") << "It cannot run here and does not say why";
     QTest::newRow("question") << "do not ask";
 }
 
@@ -132,6 +166,7 @@ void BadModulesTest::badModulesAreListedWithTheirReason() {
     QCOMPARE(solvers.size(), std::size_t(1));
     QVERIFY(!solvers.front().available);
     QVERIFY2(solvers.front().reason.contains(reasonPart), qPrintable(solvers.front().reason));
+    QVERIFY(solvers.front().reason.size() <= 500);
     try {
         registry.module(id);
         QFAIL("a bad module was given out");
@@ -251,6 +286,13 @@ void BadModulesTest::failuresInADipReachTheUser_data() {
     QTest::newRow("advance-giant") << "more than there can be";
     QTest::newRow("advance-idle") << "does not come forward";
     QTest::newRow("advance-nonsense") << "that cannot be";
+    QTest::newRow("advance-steps") << "steps or a descent that cannot be";
+    QTest::newRow("advance-deep") << "steps or a descent that cannot be";
+    QTest::newRow("advance-crawl") << "does not come forward";
+    QTest::newRow("advance-equilibrium") << "figures of its equilibrium that cannot be";
+    QTest::newRow("advance-force") << "figures of its equilibrium that cannot be";
+    QTest::newRow("advance-empty") << "unknown exception";
+    QTest::newRow("long") << "It said far too much: xxx";
     QTest::newRow("read-crash") << "it crashed";
     QTest::newRow("read-states") << "a state that there is none of";
     QTest::newRow("read-positions") << "unstable";
@@ -262,6 +304,7 @@ void BadModulesTest::failuresInADipReachTheUser() {
     const QString failure = failureOfDip(QString::fromLatin1(QTest::currentDataTag()));
     QVERIFY(!failure.isEmpty());
     QVERIFY2(failure.contains(reasonPart), qPrintable(failure));
+    QVERIFY(failure.size() <= 600); // of which 500 may be the module's
 }
 
 void BadModulesTest::aHangCanBeLeft() {
@@ -283,6 +326,8 @@ void BadModulesTest::failuresInABatchReachTheUser_data() {
     QTest::newRow("batch-crash") << "it crashed";
     QTest::newRow("batch-stops") << "stopped by itself";
     QTest::newRow("batch-hang") << "at one step for more than 1 s";
+    QTest::newRow("batch-steps") << "steps or a descent that cannot be";
+    QTest::newRow("batch-equilibrium") << "figures of its equilibrium that cannot be";
 }
 
 void BadModulesTest::failuresInABatchReachTheUser() {
@@ -301,6 +346,73 @@ void BadModulesTest::failuresInABatchReachTheUser() {
     } catch (const std::exception& failure) {
         QVERIFY2(QString::fromUtf8(failure.what()).contains(reasonPart), failure.what());
     }
+}
+
+void BadModulesTest::wordsOfAModuleAreCutToALine() {
+    const PluginFolder folder;
+    folder.add(QStringLiteral("long"), builtModule(QStringLiteral("long")));
+    QJsonObject description = PluginFolder::description(QStringLiteral("long"));
+    description[QStringLiteral("name")] = QStringLiteral("A name\nof two lines");
+    folder.describe(description);
+    for (const QStringList& shipped : {QStringList(), QStringList(folder.path())}) {
+        const SolverRegistry registry({folder.path()}, shipped);
+        const SolverInfo info = registry.info(QStringLiteral("long"));
+        QVERIFY2(info.device.startsWith(QLatin1String("It said far too much: xxx")),
+                 qPrintable(info.device.left(600)));
+        QCOMPARE(info.device.size(), 500);
+        QCOMPARE(QString::fromUtf8(registry.module(info.id).device()), info.device);
+        QCOMPARE(info.name, QStringLiteral("A name of two lines"));
+    }
+}
+
+void BadModulesTest::aCeilingThatCannotBeIsNone() {
+    const PluginFolder folder;
+    for (const char* name : {"good", "ceiling-endless", "ceiling-crash"}) {
+        folder.add(QString::fromLatin1(name), builtModule(QString::fromLatin1(name)));
+    }
+    const SolverRegistry registry({folder.path()});
+    QVERIFY(!registry.module(QStringLiteral("good")).measuredCeiling());
+    QVERIFY(!registry.module(QStringLiteral("ceiling-endless")).measuredCeiling());
+    QVERIFY_EXCEPTION_THROWN(registry.module(QStringLiteral("ceiling-crash")).measuredCeiling(),
+                             std::runtime_error);
+}
+
+void BadModulesTest::whatAModuleStartsEndsWithIt_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("at the end of the dip") << "fork";
+    QTest::newRow("when its process ends itself") << "fork-exit";
+    QTest::newRow("when it is stopped") << "fork-hang";
+}
+
+void BadModulesTest::whatAModuleStartsEndsWithIt() {
+#ifdef Q_OS_UNIX
+    QFETCH(QString, name);
+    const QTemporaryDir place;
+    const QString lock = place.filePath(QStringLiteral("lock"));
+    qputenv("DIPWRIGHT_BAD_LOCK", QFile::encodeName(lock));
+    failureOfDip(name);
+    QVERIFY(QFile::exists(lock)); // it got as far as that
+    QTRY_VERIFY(!isLocked(lock));
+#endif
+}
+
+void BadModulesTest::whatAModuleStartsEndsWithAProgramThatIsKilled() {
+#ifdef Q_OS_UNIX
+    const PluginFolder folder;
+    folder.add(QStringLiteral("fork-hang"), builtModule(QStringLiteral("fork-hang")));
+    const QString lock = folder.filePath(QStringLiteral("lock"));
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("DIPWRIGHT_BAD_LOCK"), lock);
+    environment.insert(QStringLiteral("DIPWRIGHT_SOLVER_SECONDS"), QStringLiteral("600"));
+    QProcess program;
+    program.setProcessEnvironment(environment);
+    program.start(QStringLiteral(DIPWRIGHT_LOAD_SOLVERS),
+                  {folder.path(), QStringLiteral("contained"), QStringLiteral("dip")});
+    QTRY_VERIFY(isLocked(lock));
+    program.kill();
+    program.waitForFinished();
+    QTRY_VERIFY(!isLocked(lock));
+#endif
 }
 
 void BadModulesTest::aModuleThatCrashesTwiceIsLeftOut_data() {
@@ -402,6 +514,33 @@ void BadModulesTest::aModuleThatOthersCanWriteIsNotLoaded() {
     const Listing listing = listedByProgram(folder);
     QVERIFY2(listing.output.contains(QLatin1String("Others can write to ") + folder.path()),
              qPrintable(listing.output));
+}
+
+// Where they lead to is safe, but for others to say.
+void BadModulesTest::linksThatOthersCanTurnAreNotFollowed() {
+#ifdef Q_OS_UNIX
+    const PluginFolder safe, open;
+    safe.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
+    linkAll(open, safe);
+    openToOthers(open);
+    const Listing listing = listedByProgram(open);
+    QVERIFY2(listing.output.contains(QLatin1String("Others can write to ") + open.path()),
+             qPrintable(listing.output));
+#endif
+}
+
+// As a packager may lay it out; it is the file behind the link that is loaded.
+void BadModulesTest::aLinkOfTheUsersOwnIsFollowed() {
+#ifdef Q_OS_UNIX
+    const PluginFolder place, folder;
+    place.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
+    linkAll(folder, place);
+    QVERIFY(listedByProgram(folder).output.contains(QLatin1String("good available")));
+    const SolverInfo info = SolverRegistry({folder.path()}).info(QStringLiteral("good"));
+    QCOMPARE(info.modulePath,
+             QFileInfo(place.filePath(PluginFolder::moduleName(QStringLiteral("good"))))
+                 .canonicalFilePath());
+#endif
 }
 
 QTEST_GUILESS_MAIN(BadModulesTest)

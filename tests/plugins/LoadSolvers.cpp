@@ -1,19 +1,21 @@
 // Lists the solvers of one folder, a line each: a program of its own, so that it may go down. With
-// a second word, the folder's modules are loaded into it as those that come with the program; with
-// a third, each available one makes a step.
+// the second word "shipped", the folder's modules are loaded into it as those that come with the
+// program; with a third word, each available one makes a step.
 
 #include "solver/SolverRegistry.h"
 
 #include <QCoreApplication>
 #include <QStandardPaths>
 #include <cstdio>
+#include <string>
 
 int main(int argc, char** argv) {
     const QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("load_solvers"));
     QStandardPaths::setTestModeEnabled(true);
     const QStringList folders = QCoreApplication::arguments().mid(1, 1);
-    const dipwright::SolverRegistry registry(folders, argc > 2 ? folders : QStringList());
+    const dipwright::SolverRegistry registry(
+        folders, argc > 2 && argv[2] == std::string("shipped") ? folders : QStringList());
     const bool steps = argc > 3;
     for (const dipwright::SolverInfo& info : registry.solvers()) {
         std::printf("%s %s\n", qPrintable(info.id),

@@ -100,6 +100,19 @@ BenchReport measured(const BenchSolver& solver, const QStringList& parts, int ro
     return report;
 }
 
+std::optional<solver::Ceiling> ceilingOf(const solver::SolverModule& module, const QString& id) {
+    try {
+        return module.measuredCeiling();
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& failure) {
+        throw Error(QStringLiteral("The solver failed: %1").arg(QString::fromUtf8(failure.what())),
+                    id);
+    }
+}
+
 class BenchCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("bench"); }
@@ -143,7 +156,7 @@ public:
         const Progress progress = console.progress();
         const QString id = registry.info(parser.value(solverOption), progress.cancelSwitch).id;
         // First, as it wakes the device, too.
-        const std::optional<solver::Ceiling> ceiling = registry.module(id).measuredCeiling();
+        const std::optional<solver::Ceiling> ceiling = ceilingOf(registry.module(id), id);
         BenchReport report =
             measured({registry, id, runs}, parts, rows, parser.isSet(quickOption), progress);
         report.device = QString::fromUtf8(registry.module(id).device());

@@ -87,6 +87,8 @@ private slots:
     void programBringsSoundProfiles();
     void usersProfileStandsInForTheProgramsOwn();
     void importAndExportCarryOneProfile();
+    void whatCouldNotBeReadAgainIsNotSaved_data();
+    void whatCouldNotBeReadAgainIsNotSaved();
     void missingProfileIsNamed();
     void damagedFilesAreRefused();
     void damagedFileDoesNotHideOthers();
@@ -135,6 +137,40 @@ void ProfilesTest::importAndExportCarryOneProfile() {
     QVERIFY(library_.profile(ProfileKind::Printer, printer().name) == Profile(printer()));
     QVERIFY_EXCEPTION_THROWN(exportProfile(printer(), folder_.filePath("no/such/folder/x.json")),
                              Error);
+}
+
+void ProfilesTest::whatCouldNotBeReadAgainIsNotSaved_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("reasonPart");
+    QTest::newRow("no name") << QString() << "needs a name";
+    QTest::newRow("of spaces") << "  "
+                               << "needs a name";
+    QTest::newRow("too long") << QString(101, u'a') << "at most 100 characters";
+}
+
+void ProfilesTest::whatCouldNotBeReadAgainIsNotSaved() {
+    QFETCH(QString, name);
+    QFETCH(QString, reasonPart);
+    const QTemporaryDir folder;
+    const ProfileLibrary library(folder.path());
+    FilmProfile profile = film();
+    profile.name = name;
+    const auto failureOf = [](const auto& write) {
+        try {
+            write();
+        } catch (const Error& error) {
+            return error.sentence();
+        }
+        return QString();
+    };
+    for (const QString& failure : {failureOf([&] { library.save(profile, std::nullopt); }),
+                                   failureOf([&] { library.replace(profile); })}) {
+        QVERIFY2(failure.contains(reasonPart), qPrintable(failure));
+    }
+    QVERIFY(QDir(folder.path()).isEmpty());
+    profile.name = QString(100, u'a');
+    library.save(profile, std::nullopt);
+    QVERIFY(library.profile(ProfileKind::Film, profile.name) == Profile(profile));
 }
 
 void ProfilesTest::missingProfileIsNamed() {
