@@ -207,6 +207,10 @@
         <source>it does not come forward</source>
         <translation>er kommt nicht voran</translation>
     </message>
+    <message>
+        <source>it told figures of its equilibrium that cannot be</source>
+        <translation>er hat Werte seines Gleichgewichts gemeldet, die nicht sein können</translation>
+    </message>
 </context>
 <context>
     <name>ContainedSolver</name>
@@ -1903,6 +1907,10 @@
         <source>%1 in %2</source>
         <translation>%1 in %2</translation>
     </message>
+    <message>
+        <source>The project is not saved, as it could not be opened again: %1</source>
+        <translation>Das Projekt wird nicht gespeichert, da es nicht wieder geöffnet werden könnte: %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectValue</name>
@@ -2910,6 +2918,10 @@
         <source>Earlier results there were not completed and cannot be now; close what has files there open, or move %1 out of it</source>
         <translation>Frühere Ergebnisse dort wurden nicht vollendet und können es jetzt nicht werden; schließen Sie, was dort Dateien offen hat, oder legen Sie %1 woanders hin</translation>
     </message>
+    <message>
+        <source>Somebody has moved or removed files of %1 while the results were written, and they are not complete; leave it alone and try again</source>
+        <translation>Jemand hat Dateien aus %1 verschoben oder entfernt, während die Ergebnisse geschrieben wurden, und sie sind nicht vollständig; lassen Sie den Ordner in Ruhe und versuchen Sie es noch einmal</translation>
+    </message>
 </context>
 <context>
     <name>ShippedNames</name>
@@ -3109,6 +3121,10 @@
         <source>Its description is not a plain file</source>
         <translation>Seine Beschreibung ist keine gewöhnliche Datei</translation>
     </message>
+    <message>
+        <source>It cannot run here and does not say why; ask whoever made it</source>
+        <translation>Er kann hier nicht laufen und sagt nicht, warum; fragen Sie seinen Hersteller</translation>
+    </message>
 </context>
 <context>
     <name>StateFigures</name>
@@ -3143,6 +3159,13 @@
     <message>
         <source>Area that is not certain</source>
         <translation>Fläche, die nicht sicher ist</translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
+    <message>
+        <source>a transform in it is not twelve numbers</source>
+        <translation>eine Transformation darin besteht nicht aus zwölf Zahlen</translation>
     </message>
 </context>
 <context>
@@ -3451,6 +3474,14 @@
     <message>
         <source>The file cannot be written: %1</source>
         <translation>Die Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>its links lead to one another</source>
+        <translation>seine Verknüpfungen führen zueinander</translation>
+    </message>
+    <message>
+        <source>it is no plain file</source>
+        <translation>es ist keine gewöhnliche Datei</translation>
     </message>
 </context>
 <context>
@@ -3897,6 +3928,14 @@
     <message>
         <source>Reading the file takes more than %1 seconds, more than any of its size needs; reduce it or save it anew</source>
         <translation>Die Datei zu lesen dauert länger als %1 Sekunden, länger als jede von ihrer Größe braucht; verkleinern Sie sie oder speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>The file&apos;s values hold one another more than %1 deep and it is not read; ask whoever made it for another</source>
+        <translation>Die Werte der Datei enthalten einander mehr als %1 tief, und sie wird nicht gelesen; bitten Sie, wer sie gemacht hat, um eine andere</translation>
+    </message>
+    <message>
+        <source>The file holds more than %1 million values and is not read; ask whoever made it for another</source>
+        <translation>Die Datei enthält mehr als %1 Millionen Werte und wird nicht gelesen; bitten Sie, wer sie gemacht hat, um eine andere</translation>
     </message>
 </context>
 <context>
@@ -5613,6 +5652,46 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>Parts of the surface turned that were inside out: %1</source>
         <translation>Gewendete Teile der Oberfläche, die von innen nach außen gekehrt waren: %1</translation>
+    </message>
+    <message>
+        <source>it needs the glTF extension %1, which is not read (export it without that)</source>
+        <translation>es braucht die glTF-Erweiterung %1, die nicht gelesen wird (exportieren Sie es ohne sie)</translation>
+    </message>
+    <message>
+        <source>its points or texture coordinates are whole numbers, which are not read (export it with float coordinates, without quantization)</source>
+        <translation>seine Punkte oder Texturkoordinaten sind ganze Zahlen, die nicht gelesen werden (exportieren Sie es mit Gleitkomma-Koordinaten, ohne Quantisierung)</translation>
+    </message>
+    <message>
+        <source>The model scales or turns a texture (KHR_texture_transform), which is not followed rightly; apply that to the texture coordinates in a modelling program</source>
+        <translation>Das Modell skaliert oder dreht eine Textur (KHR_texture_transform), was nicht richtig befolgt wird; wenden Sie das in einem Modellierprogramm auf die Texturkoordinaten an</translation>
+    </message>
+    <message>
+        <source>A texture of the model is without a picture or in a format that is not read, and its material&apos;s colour is used instead; export it with PNG or JPEG</source>
+        <translation>Eine Textur des Modells ist ohne Bild oder in einem Format, das nicht gelesen wird; stattdessen wird die Farbe ihres Materials verwendet; exportieren Sie es mit PNG oder JPEG</translation>
+    </message>
+    <message>
+        <source>The scale or offset that %1 gives a texture (-s, -o) is not followed; apply it to the texture coordinates in a modelling program</source>
+        <translation>Die Skalierung oder der Versatz, die %1 einer Textur gibt (-s, -o), wird nicht befolgt; wenden Sie sie in einem Modellierprogramm auf die Texturkoordinaten an</translation>
+    </message>
+    <message>
+        <source>it holds more than its header counts</source>
+        <translation>es enthält mehr, als sein Kopf zählt</translation>
+    </message>
+    <message>
+        <source>its unit %1 is unknown</source>
+        <translation>seine Einheit %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>it needs the 3MF extension %1, which is not read</source>
+        <translation>es braucht die 3MF-Erweiterung %1, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>two things in it have the number %1</source>
+        <translation>zwei Dinge darin haben die Nummer %1</translation>
+    </message>
+    <message>
+        <source>it names a material or texture that is not there</source>
+        <translation>es nennt ein Material oder eine Textur, die es nicht gibt</translation>
     </message>
 </context>
 <context>
@@ -8866,6 +8945,14 @@ mm je mm</translation>
     <message>
         <source>Pictures in HEIF are not read here; save it as JPEG, or let the camera write JPEG</source>
         <translation>Bilder in HEIF werden hier nicht gelesen; speichern Sie es als JPEG, oder lassen Sie die Kamera JPEG schreiben</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s ICC profile is larger than %1 MB; save it anew, as sRGB</source>
+        <translation>Das ICC-Profil des Bildes ist größer als %1 MB; speichern Sie es neu, als sRGB</translation>
+    </message>
+    <message>
+        <source>The picture is cut off before its end; save it anew, or copy it again from where it came</source>
+        <translation>Das Bild ist vor seinem Ende abgeschnitten; speichern Sie es neu oder kopieren Sie es noch einmal von dort, woher es kam</translation>
     </message>
 </context>
 <context>

@@ -207,6 +207,10 @@
         <source>it does not come forward</source>
         <translation>ele não avança</translation>
     </message>
+    <message>
+        <source>it told figures of its equilibrium that cannot be</source>
+        <translation>ele informou valores do seu equilíbrio que não podem ser</translation>
+    </message>
 </context>
 <context>
     <name>ContainedSolver</name>
@@ -1903,6 +1907,10 @@
         <source>%1 in %2</source>
         <translation>%1 em %2</translation>
     </message>
+    <message>
+        <source>The project is not saved, as it could not be opened again: %1</source>
+        <translation>O projeto não é salvo, pois não poderia ser aberto de novo: %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectValue</name>
@@ -2910,6 +2918,10 @@
         <source>Earlier results there were not completed and cannot be now; close what has files there open, or move %1 out of it</source>
         <translation>Resultados anteriores ali não foram concluídos e não podem ser agora; feche o que tem arquivos abertos ali, ou mova %1 para fora</translation>
     </message>
+    <message>
+        <source>Somebody has moved or removed files of %1 while the results were written, and they are not complete; leave it alone and try again</source>
+        <translation>Alguém moveu ou removeu arquivos de %1 enquanto os resultados eram gravados, e eles não estão completos; não mexa nessa pasta e tente de novo</translation>
+    </message>
 </context>
 <context>
     <name>ShippedNames</name>
@@ -3109,6 +3121,10 @@
         <source>Its description is not a plain file</source>
         <translation>A descrição dele não é um arquivo comum</translation>
     </message>
+    <message>
+        <source>It cannot run here and does not say why; ask whoever made it</source>
+        <translation>Ele não pode rodar aqui e não diz por quê; pergunte a quem o fez</translation>
+    </message>
 </context>
 <context>
     <name>StateFigures</name>
@@ -3143,6 +3159,13 @@
     <message>
         <source>Area that is not certain</source>
         <translation>Área que não é certa</translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
+    <message>
+        <source>a transform in it is not twelve numbers</source>
+        <translation>uma transformação nele não é formada por doze números</translation>
     </message>
 </context>
 <context>
@@ -3451,6 +3474,14 @@
     <message>
         <source>The file cannot be written: %1</source>
         <translation>O arquivo não pode ser gravado: %1</translation>
+    </message>
+    <message>
+        <source>its links lead to one another</source>
+        <translation>seus links levam uns aos outros</translation>
+    </message>
+    <message>
+        <source>it is no plain file</source>
+        <translation>não é um arquivo comum</translation>
     </message>
 </context>
 <context>
@@ -3897,6 +3928,14 @@
     <message>
         <source>Reading the file takes more than %1 seconds, more than any of its size needs; reduce it or save it anew</source>
         <translation>Ler o arquivo leva mais de %1 segundos, mais do que qualquer um do seu tamanho precisa; reduza-o ou salve-o de novo</translation>
+    </message>
+    <message>
+        <source>The file&apos;s values hold one another more than %1 deep and it is not read; ask whoever made it for another</source>
+        <translation>Os valores do arquivo contêm uns aos outros em mais de %1 níveis e ele não é lido; peça outro a quem o fez</translation>
+    </message>
+    <message>
+        <source>The file holds more than %1 million values and is not read; ask whoever made it for another</source>
+        <translation>O arquivo contém mais de %1 milhões de valores e não é lido; peça outro a quem o fez</translation>
     </message>
 </context>
 <context>
@@ -5613,6 +5652,46 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>Parts of the surface turned that were inside out: %1</source>
         <translation>Partes da superfície viradas que estavam do avesso: %1</translation>
+    </message>
+    <message>
+        <source>it needs the glTF extension %1, which is not read (export it without that)</source>
+        <translation>ele precisa da extensão glTF %1, que não é lida (exporte-o sem ela)</translation>
+    </message>
+    <message>
+        <source>its points or texture coordinates are whole numbers, which are not read (export it with float coordinates, without quantization)</source>
+        <translation>seus pontos ou coordenadas de textura são números inteiros, que não são lidos (exporte-o com coordenadas de ponto flutuante, sem quantização)</translation>
+    </message>
+    <message>
+        <source>The model scales or turns a texture (KHR_texture_transform), which is not followed rightly; apply that to the texture coordinates in a modelling program</source>
+        <translation>O modelo escala ou gira uma textura (KHR_texture_transform), o que não é seguido corretamente; aplique isso às coordenadas de textura em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>A texture of the model is without a picture or in a format that is not read, and its material&apos;s colour is used instead; export it with PNG or JPEG</source>
+        <translation>Uma textura do modelo está sem imagem ou em um formato que não é lido, e a cor do seu material é usada no lugar; exporte-o com PNG ou JPEG</translation>
+    </message>
+    <message>
+        <source>The scale or offset that %1 gives a texture (-s, -o) is not followed; apply it to the texture coordinates in a modelling program</source>
+        <translation>A escala ou o deslocamento que %1 dá a uma textura (-s, -o) não é seguido; aplique-o às coordenadas de textura em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>it holds more than its header counts</source>
+        <translation>contém mais do que seu cabeçalho conta</translation>
+    </message>
+    <message>
+        <source>its unit %1 is unknown</source>
+        <translation>sua unidade %1 é desconhecida</translation>
+    </message>
+    <message>
+        <source>it needs the 3MF extension %1, which is not read</source>
+        <translation>precisa da extensão 3MF %1, que não é lida</translation>
+    </message>
+    <message>
+        <source>two things in it have the number %1</source>
+        <translation>duas coisas nele têm o número %1</translation>
+    </message>
+    <message>
+        <source>it names a material or texture that is not there</source>
+        <translation>cita um material ou uma textura que não existe</translation>
     </message>
 </context>
 <context>
@@ -8866,6 +8945,14 @@ mm por mm</translation>
     <message>
         <source>Pictures in HEIF are not read here; save it as JPEG, or let the camera write JPEG</source>
         <translation>Imagens em HEIF não são lidas aqui; salve-a como JPEG, ou faça a câmera gravar JPEG</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s ICC profile is larger than %1 MB; save it anew, as sRGB</source>
+        <translation>O perfil ICC da imagem é maior que %1 MB; salve-a novamente, como sRGB</translation>
+    </message>
+    <message>
+        <source>The picture is cut off before its end; save it anew, or copy it again from where it came</source>
+        <translation>A imagem está cortada antes do fim; salve-a novamente ou copie-a outra vez de onde veio</translation>
     </message>
 </context>
 <context>
