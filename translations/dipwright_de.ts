@@ -3162,13 +3162,6 @@
     </message>
 </context>
 <context>
-    <name>Text</name>
-    <message>
-        <source>a transform in it is not twelve numbers</source>
-        <translation>eine Transformation darin besteht nicht aus zwölf Zahlen</translation>
-    </message>
-</context>
-<context>
     <name>Tolerance</name>
     <message>
         <source>Body along X</source>
@@ -5693,6 +5686,10 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <source>it names a material or texture that is not there</source>
         <translation>es nennt ein Material oder eine Textur, die es nicht gibt</translation>
     </message>
+    <message>
+        <source>a transform in it is not twelve numbers</source>
+        <translation>eine Transformation darin besteht nicht aus zwölf Zahlen</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
@@ -8029,10 +8026,6 @@ Ergebnisse: %2</translation>
         <source>The photo cannot be read; check its name and permissions</source>
         <translation>Das Foto kann nicht gelesen werden; prüfen Sie Namen und Rechte</translation>
     </message>
-    <message>
-        <source>The photo is cut off in the middle; copy it from the camera again</source>
-        <translation>Das Foto ist mittendrin abgeschnitten; kopieren Sie es noch einmal von der Kamera</translation>
-    </message>
 </context>
 <context>
     <name>dipwright::Reader</name>
@@ -8953,6 +8946,10 @@ mm je mm</translation>
     <message>
         <source>The picture is cut off before its end; save it anew, or copy it again from where it came</source>
         <translation>Das Bild ist vor seinem Ende abgeschnitten; speichern Sie es neu oder kopieren Sie es noch einmal von dort, woher es kam</translation>
+    </message>
+    <message>
+        <source>The photo is cut off in the middle; copy it from the camera again</source>
+        <translation>Das Foto ist mittendrin abgeschnitten; kopieren Sie es noch einmal von der Kamera</translation>
     </message>
 </context>
 <context>

@@ -3162,13 +3162,6 @@
     </message>
 </context>
 <context>
-    <name>Text</name>
-    <message>
-        <source>a transform in it is not twelve numbers</source>
-        <translation>uma transformação nele não é formada por doze números</translation>
-    </message>
-</context>
-<context>
     <name>Tolerance</name>
     <message>
         <source>Body along X</source>
@@ -5693,6 +5686,10 @@ impresso em cartão rígido e impermeável</translation>
         <source>it names a material or texture that is not there</source>
         <translation>cita um material ou uma textura que não existe</translation>
     </message>
+    <message>
+        <source>a transform in it is not twelve numbers</source>
+        <translation>uma transformação nele não é formada por doze números</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
@@ -8029,10 +8026,6 @@ Resultados: %2</translation>
         <source>The photo cannot be read; check its name and permissions</source>
         <translation>A foto não pode ser lida; verifique o nome e as permissões</translation>
     </message>
-    <message>
-        <source>The photo is cut off in the middle; copy it from the camera again</source>
-        <translation>A foto está cortada no meio; copie-a de novo da câmera</translation>
-    </message>
 </context>
 <context>
     <name>dipwright::Reader</name>
@@ -8953,6 +8946,10 @@ mm por mm</translation>
     <message>
         <source>The picture is cut off before its end; save it anew, or copy it again from where it came</source>
         <translation>A imagem está cortada antes do fim; salve-a novamente ou copie-a outra vez de onde veio</translation>
+    </message>
+    <message>
+        <source>The photo is cut off in the middle; copy it from the camera again</source>
+        <translation>A foto está cortada no meio; copie-a de novo da câmera</translation>
     </message>
 </context>
 <context>

@@ -20,9 +20,6 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Texture)
 };
-struct PhotoText {
-    Q_DECLARE_TR_FUNCTIONS(dipwright::ReadPhotos)
-};
 
 // A picture that only states a gamma near 2.2 means sRGB, as every program shows it.
 bool isAsGoodAsSRgb(const QColorSpace& space) {
@@ -81,8 +78,8 @@ void requireWhole(const QByteArray& bytes, const QString& where, PictureReader::
         return;
     }
     throw Error(turned == PictureReader::Turned::Upright
-                    ? PhotoText::tr("The photo is cut off in the middle; copy it from the camera "
-                                    "again")
+                    ? Text::tr("The photo is cut off in the middle; copy it from the camera "
+                               "again")
                     : Text::tr("The picture is cut off before its end; save it anew, or copy it "
                                "again from where it came"),
                 where);

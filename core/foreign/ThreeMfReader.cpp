@@ -300,6 +300,12 @@ private:
         return result;
     }
 
+    void requireTransform(bool isWhole) const {
+        if (!isWhole) {
+            source_.throwDamaged(Text::tr("a transform in it is not twelve numbers"));
+        }
+    }
+
     Eigen::Affine3d transformNamed(const QString& text) const {
         const QList<QStringView> numbers = wordsOf(text);
         bool isWhole = numbers.size() == 12; // four rows that a row vector is multiplied by
@@ -309,9 +315,7 @@ private:
             isWhole = isWhole && std::isfinite(number);
             transform.matrix()(i % 3, i / 3) = number;
         }
-        if (!isWhole) {
-            source_.throwDamaged(Text::tr("a transform in it is not twelve numbers"));
-        }
+        requireTransform(isWhole);
         return transform;
     }
 
