@@ -119,14 +119,20 @@ Field<Owner> text(const char* path, int maximumLength, Access access) {
             }};
 }
 
-// Where a file lies: its name may have any letter.
+// A text of any letters, line breaks too, which nothing shows within a line.
 template <typename Owner = Project, typename Access>
-Field<Owner> filePath(const char* path, int maximumLength, Access access) {
+Field<Owner> textOfLines(const char* path, int maximumLength, Access access) {
     Field<Owner> field = text<Owner>(path, maximumLength, access);
     field.set = [access](Owner& owner, const QJsonValue& value) {
         access(owner) = value.toString();
     };
     return field;
+}
+
+// Where a file lies: its name may have any letter.
+template <typename Owner = Project, typename Access>
+Field<Owner> filePath(const char* path, int maximumLength, Access access) {
+    return textOfLines<Owner>(path, maximumLength, access);
 }
 
 // The tones of inks, which were measured (texture/WedgeTable.h).

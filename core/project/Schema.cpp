@@ -504,7 +504,7 @@ const std::vector<Field<BuiltPlace>>& builtPlaceFields() {
 
 const std::vector<Field<InspectedPhoto>>& inspectedPhotoFields() {
     static const std::vector<Field<InspectedPhoto>> fields{
-        text<InspectedPhoto>(
+        filePath<InspectedPhoto>(
             "file", 4096, [](auto& p) -> auto& { return p.file; }),
         text<InspectedPhoto>(
             "sha256", 64, [](auto& p) -> auto& { return p.sha256; })};
@@ -513,7 +513,7 @@ const std::vector<Field<InspectedPhoto>>& inspectedPhotoFields() {
 
 const std::vector<Field<FloatingPhoto>>& floatingPhotoFields() {
     static const std::vector<Field<FloatingPhoto>> fields{
-        text<FloatingPhoto>(
+        filePath<FloatingPhoto>(
             "file", 4096, [](auto& p) -> auto& { return p.file; }),
         text<FloatingPhoto>(
             "sha256", 64, [](auto& p) -> auto& { return p.sha256; }),
@@ -555,7 +555,7 @@ const std::vector<Field<ArtworkLayer>>& artworkLayerFields() {
             "opacity", 0, 1, [](auto& l) -> auto& { return l.opacity; }),
         text<ArtworkLayer>(
             "picture", lettersOfId, [](auto& l) -> auto& { return l.picture.id; }),
-        text<ArtworkLayer>(
+        textOfLines<ArtworkLayer>(
             "text", longestLayerText, [](auto& l) -> auto& { return l.text; }),
         text<ArtworkLayer>(
             "font", longestLayerName, [](auto& l) -> auto& { return l.font; }),
