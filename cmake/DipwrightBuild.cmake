@@ -34,10 +34,11 @@ else()
 endif()
 if(DIPWRIGHT_SANITIZE)
     # The first fault ends the program, which is checked in half the code then, and compiled in half the
-    # time. GCC's warning about uninitialised values is wrong too often in code that it instruments.
+    # time. GCC's warnings about uninitialised values and bounds are wrong too often in code that it
+    # instruments.
     target_compile_options(dipwright_options INTERFACE
         -fsanitize=${DIPWRIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
-        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+        "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>")
     target_link_options(dipwright_options INTERFACE -fsanitize=${DIPWRIGHT_SANITIZE})
     target_compile_definitions(dipwright_options INTERFACE DIPWRIGHT_SANITIZED)
 endif()
@@ -53,7 +54,8 @@ function(dipwright_library name)
     if(LIB_SOURCES)
         add_library(${name} STATIC ${LIB_SOURCES})
         target_link_libraries(${name} PUBLIC ${LIB_PUBLIC} PRIVATE dipwright_options ${LIB_PRIVATE})
-        if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${PROJECT_SOURCE_DIR}/(core|app)/") # the others know no Qt
+        file(RELATIVE_PATH place "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+        if(place MATCHES "^(core|app)/") # the others know no Qt
             dipwright_precompile(${name})
         endif()
     else()

@@ -264,8 +264,8 @@ private:
         }
         const QString path = projectPath(parser);
         ProjectFile file(path); // before it is read: nobody else writes it meanwhile
-        checkWritable(path);    // better now than after the work
         const Project project = projectArgument(parser);
+        checkWritable(path); // better now than after the work
         const SearchSettings settings = settingsOf(parser, project);
         std::vector<SearchPart> parts;
         for (const QString& name : parser.values(mergeOption)) {

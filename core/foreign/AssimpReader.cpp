@@ -95,7 +95,11 @@ private:
             const MaterialFile file = materialFile(*bytes, QFileInfo(part).fileName());
             materials += file.bytes + between;
             fault_ = fault_.isEmpty() ? file.fault : fault_;
-            warnings_ += file.warnings;
+            for (const QString& warning : file.warnings) {
+                if (!warnings_.contains(warning)) { // a file may be named again and again
+                    warnings_ += warning;
+                }
+            }
         }
         return isThere && fault_.isEmpty() ? new FileStream(materials) : nullptr;
     }
@@ -133,11 +137,12 @@ QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStr
     if (format == QStringLiteral("stl")) {
         return stlForAssimp(source);
     }
-    if (format != QStringLiteral("gltf") && format != QStringLiteral("glb")) {
-        return source.bytes;
+    const bool isGltf = format == QStringLiteral("gltf") || format == QStringLiteral("glb");
+    if (isGltf) {
+        checkGltf(source, warnings);
     }
-    checkGltf(source, warnings);
-    return withoutByteOrderMark(source.bytes);
+    return isGltf || format == QStringLiteral("obj") ? withoutByteOrderMark(source.bytes)
+                                                     : source.bytes;
 }
 
 class ReadingProgress : public Assimp::ProgressHandler {

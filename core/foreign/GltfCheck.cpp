@@ -57,9 +57,22 @@ QJsonObject accessor(const QJsonObject& model, const QJsonValue& index) {
     return model[u"accessors"].toArray().at(index.toInt(-1)).toObject();
 }
 
-bool isPlace(const QString& attribute) {
-    return attribute == QStringLiteral("POSITION") || attribute == QStringLiteral("NORMAL") ||
-           attribute.startsWith(QStringLiteral("TEXCOORD_"));
+// What shows a material's colour as a picture; empty for none.
+QJsonObject textureOf(const QJsonObject& material) {
+    const QJsonObject usual = material[u"pbrMetallicRoughness"].toObject();
+    const QJsonObject older =
+        material[u"extensions"].toObject()[u"KHR_materials_pbrSpecularGlossiness"].toObject();
+    const QJsonValue texture = usual[u"baseColorTexture"];
+    return texture.isObject() ? texture.toObject() : older[u"diffuseTexture"].toObject();
+}
+
+// Of a primitive: where its points and the places of its picture are. There may be more texture
+// coordinates, for light or gloss.
+QStringList placesOf(const QJsonObject& primitive, const QJsonObject& model) {
+    const QJsonValue material = model[u"materials"].toArray().at(primitive[u"material"].toInt(-1));
+    const int set = textureOf(material.toObject())[u"texCoord"].toInt();
+    return {QStringLiteral("POSITION"), QStringLiteral("NORMAL"),
+            QStringLiteral("TEXCOORD_%1").arg(set)};
 }
 
 constexpr int wideIndices = 5125, floats = 5126; // componentType
@@ -67,9 +80,8 @@ constexpr int wideIndices = 5125, floats = 5126; // componentType
 void checkPrimitive(const QJsonObject& primitive, const QJsonObject& model,
                     const ModelSource& source) {
     const QJsonObject attributes = primitive[u"attributes"].toObject();
-    for (auto it = attributes.begin(); it != attributes.end(); ++it) {
-        if (isPlace(it.key()) &&
-            accessor(model, it.value())[u"componentType"].toInt(floats) != floats) {
+    for (const QString& place : placesOf(primitive, model)) {
+        if (accessor(model, attributes[place])[u"componentType"].toInt(floats) != floats) {
             source.throwDamaged(
                 Text::tr("its points or texture coordinates are whole numbers, which are not read "
                          "(export it with float coordinates, without quantization)"));
@@ -80,15 +92,6 @@ void checkPrimitive(const QJsonObject& primitive, const QJsonObject& model,
         accessor(model, primitive[u"indices"])[u"componentType"].toInt() == wideIndices) {
         throwNotRead(source, draco);
     }
-}
-
-// What shows a material's colour as a picture; empty for none.
-QJsonObject textureOf(const QJsonObject& material) {
-    const QJsonObject usual = material[u"pbrMetallicRoughness"].toObject();
-    const QJsonObject older =
-        material[u"extensions"].toObject()[u"KHR_materials_pbrSpecularGlossiness"].toObject();
-    const QJsonValue texture = usual[u"baseColorTexture"];
-    return texture.isObject() ? texture.toObject() : older[u"diffuseTexture"].toObject();
 }
 
 bool lacksPicture(const QJsonObject& texture, const QJsonObject& model) {

@@ -65,7 +65,8 @@ QByteArray profileOfPng(const QByteArray& file, const QString& where) {
     return {};
 }
 
-// JPEG, segments APP2 (ICC.1, annex B.4): "ICC_PROFILE", 0, number from 1, count, part.
+// JPEG, segments APP2 (ICC.1, annex B.4): "ICC_PROFILE", 0, number from 1, count, part. Some
+// programs number from 0 or give no count.
 QByteArray profileOfJpeg(const QByteArray& file, const QString& where) {
     std::map<int, QByteArray> parts;
     int count = 0;
@@ -78,12 +79,12 @@ QByteArray profileOfJpeg(const QByteArray& file, const QString& where) {
             count = std::max(count, int(uchar(segment[13])));
         }
     }
+    if (int(parts.size()) < count) {
+        throwCutOff(where);
+    }
     QByteArray profile;
-    for (int number = 1; number <= count; ++number) {
-        if (!parts.contains(number)) {
-            throwCutOff(where);
-        }
-        profile += parts[number];
+    for (const auto& [number, part] : parts) {
+        profile += part;
     }
     return profile;
 }

@@ -94,10 +94,15 @@ public:
     }
 
     qsizetype bytesLeft() const { return rest_.size(); }
-    bool hasWordsLeft() const { return std::any_of(rest_.begin(), rest_.end(), isNoSpace); }
+    bool hasWordsLeft() const { return std::any_of(rest_.begin(), rest_.end(), isWord); }
+    bool hasOnlyZerosLeft() const { return rest_.count('\0') == rest_.size(); }
 
 private:
     static bool isNoSpace(char byte) { return byte != ' ' && (byte < '\t' || byte > '\r'); }
+    static bool isWord(char byte) {
+        constexpr char endOfDosFile = 0x1a;
+        return isNoSpace(byte) && byte != '\0' && byte != endOfDosFile;
+    }
 
     [[noreturn]] void throwEnded() const { source_.throwDamaged(Text::tr("it ends too early")); }
 
@@ -297,12 +302,13 @@ private:
     }
 
     // Bytes of no meaning after a binary file are common, and are let be. Where they are as many as
-    // further faces would have, it is the header that counts too few.
+    // further faces would have, it is the header that counts too few; but zeros are no faces.
     void checkNothingIsLeft() const {
         const qsizetype left = scanner_.bytesLeft();
         const bool areFaces = !header_.elements.empty() && lastRowBytes_ > 0 && left > 0 &&
                               header_.elements.back().name == "face" && left % lastRowBytes_ == 0;
-        if (header_.encoding == Encoding::Ascii ? scanner_.hasWordsLeft() : areFaces) {
+        if (header_.encoding == Encoding::Ascii ? scanner_.hasWordsLeft()
+                                                : areFaces && !scanner_.hasOnlyZerosLeft()) {
             source_.throwDamaged(Text::tr("it holds more than its header counts"));
         }
     }

@@ -40,8 +40,9 @@ bool isAsciiInCapitals(const QByteArray& bytes) {
 QByteArray stlForAssimp(const ModelSource& source) {
     const QByteArray& bytes = source.bytes;
     if (const auto size = binarySize(bytes)) {
-        const qsizetype left = bytes.size() - *size;
-        if (left > 0 && left % triangleBytes == 0) {
+        const QByteArrayView left = QByteArrayView(bytes).sliced(*size);
+        const bool areZeros = left.count('\0') == left.size(); // which are no triangles
+        if (!areZeros && left.size() % triangleBytes == 0) {
             source.throwDamaged(Text::tr("it holds more than its header counts"));
         }
         return QByteArray::fromRawData(bytes.constData(), *size);

@@ -5,6 +5,8 @@
 #include "disk/FileVersion.h"
 #include "project/Project.h"
 
+#include <functional>
+
 namespace dipwright {
 
 // Reads a project, migrating older versions in memory. Throws Error: missing, empty, truncated,

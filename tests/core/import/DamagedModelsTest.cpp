@@ -206,7 +206,10 @@ void DamagedModelsTest::plyThatIsClearIsRead_data() {
     QTest::newRow("binary, header with CR")
         << binaryPly(QByteArray(binaryHeader).replace("\n", "\r"));
     QTest::newRow("binary, a line's end after it") << binaryPly() + "\r\n";
+    QTest::newRow("a DOS end and a zero after it") << asciiPly() + QByteArray("\x1a\0", 2);
     QTest::newRow("binary, zeros after it") << binaryPly() + QByteArray(4, '\0');
+    QTest::newRow("binary, as many zeros as two faces have")
+        << binaryPly() + QByteArray(2 * binaryFace({0, 1, 2}).size(), '\0');
 }
 
 void DamagedModelsTest::plyThatIsClearIsRead() {
@@ -264,6 +267,8 @@ void DamagedModelsTest::stlThatIsClearIsRead_data() {
     QTest::newRow("binary, a line's end after it") << binaryStl("made by a test") + "\r\n";
     QTest::newRow("binary that begins like ASCII, zeros after it")
         << binaryStl("solid body") + QByteArray(60, '\0');
+    QTest::newRow("binary, as many zeros as a triangle has")
+        << binaryStl("made by a test") + QByteArray(50, '\0');
 }
 
 void DamagedModelsTest::stlThatIsClearIsRead() {

@@ -34,11 +34,13 @@ private Q_SLOTS:
     void initTestCase();
     void gltfOfWholeNumbersIsRefused_data();
     void gltfOfWholeNumbersIsRefused();
+    void furtherTextureCoordinatesMayBeWholeNumbers();
     void requiredExtensionsAreReadOrNamed_data();
     void requiredExtensionsAreReadOrNamed();
     void gltfTextureInAnotherFormatIsAWarning();
     void gltfTextureThatIsScaledIsAWarning();
     void gltfMayBeginWithAByteOrderMark();
+    void objMayBeginWithAByteOrderMark();
     void deeplyNestedGltfIsRefused();
     void scaledObjTextureIsAWarning_data();
     void scaledObjTextureIsAWarning();
@@ -86,6 +88,24 @@ void OddModelsTest::gltfOfWholeNumbersIsRefused() {
     binary.replace(accessor + "5126", accessor + "5123");
     QVERIFY(refusal(write(QStringLiteral("whole.glb"), binary))
                 .contains(QStringLiteral("float coordinates")));
+}
+
+// As for light; glTF 2.0, section 3.7.2.1.
+void OddModelsTest::furtherTextureCoordinatesMayBeWholeNumbers() {
+    const auto square = [this](const QByteArray& texture) {
+        QByteArray text = gltf(R"("TEXCOORD_0":1})", R"("TEXCOORD_0":1,"TEXCOORD_1":3})");
+        text.replace(R"("type":"SCALAR"}])",
+                     R"("type":"SCALAR"},{"bufferView":1,"componentType":5121,"count":4,)"
+                     R"("normalized":true,"type":"VEC2"}])");
+        return write(QStringLiteral("further.gltf"), text.replace(R"({"index":0})", texture));
+    };
+    const QString plain = write(QStringLiteral("plain.gltf"), squareGltf(png(quarters())));
+    const QString further = square(R"({"index":0})");
+    QCOMPARE(refusal(further), QString());
+    QVERIFY(importModel(further, {}, {}).model.textureCoordinates ==
+            importModel(plain, {}, {}).model.textureCoordinates);
+    const QString sentence = refusal(square(R"({"index":0,"texCoord":1})"));
+    QVERIFY2(sentence.contains(QStringLiteral("float coordinates")), qPrintable(sentence));
 }
 
 void OddModelsTest::requiredExtensionsAreReadOrNamed_data() {
@@ -150,6 +170,15 @@ void OddModelsTest::gltfTextureThatIsScaledIsAWarning() {
 void OddModelsTest::gltfMayBeginWithAByteOrderMark() {
     const ImportedModel imported = importModel(
         write(QStringLiteral("marked.gltf"), "\xef\xbb\xbf" + squareGltf(png(quarters()))), {}, {});
+    QCOMPARE(imported.model.textures.size(), std::size_t(1));
+}
+
+void OddModelsTest::objMayBeginWithAByteOrderMark() {
+    write(QStringLiteral("b.mtl"), "newmtl skin\nmap_Kd skin.png");
+    const ImportedModel imported =
+        importModel(write(QStringLiteral("marked.obj"),
+                          "\xef\xbb\xbf" + cubeObj("mtllib b.mtl\nusemtl skin\n")),
+                    {}, {});
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
 }
 

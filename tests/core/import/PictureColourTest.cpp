@@ -294,6 +294,7 @@ private slots:
     void oddProfilesAreRefused_data();
     void oddProfilesAreRefused();
     void profileIsFoundBehindFillBytes();
+    void profileIsFoundHoweverItsPartsAreNumbered();
     void profileOfWebpIsKeptTo();
 };
 
@@ -490,6 +491,20 @@ void PictureColourTest::profileIsFoundBehindFillBytes() {
     const QImage wanted = readPictures({{plain, QStringLiteral("plain")}}).front();
     QVERIFY(readPictures({{filled, QStringLiteral("filled")}}).front() == wanted);
     QVERIFY(wanted != readPictures({{jpegFile(Kind::Cmyk, {}), QStringLiteral("none")}}).front());
+}
+
+void PictureColourTest::profileIsFoundHoweverItsPartsAreNumbered() {
+    const auto read = [](const QByteArray& file) {
+        return readPictures({{file, QStringLiteral("numbered")}}).front();
+    };
+    const QByteArray usual = jpegFile(Kind::Rgb, profileOf(Kind::Rgb));
+    const QByteArray name("ICC_PROFILE\0", 12);
+    for (const QByteArray& numbers : {QByteArray("\0\1", 2), QByteArray("\0\0", 2),
+                                      QByteArray("\1\0", 2), QByteArray("\1\1", 2)}) {
+        const QByteArray file = QByteArray(usual).replace(name + "\1\1", name + numbers);
+        QCOMPARE(read(file), read(usual));
+    }
+    QVERIFY(read(usual) != read(jpegFile(Kind::Rgb, {})));
 }
 
 void PictureColourTest::profileOfWebpIsKeptTo() {
