@@ -95,11 +95,8 @@ private:
             const MaterialFile file = materialFile(*bytes, QFileInfo(part).fileName());
             materials += file.bytes + between;
             fault_ = fault_.isEmpty() ? file.fault : fault_;
-            for (const QString& warning : file.warnings) {
-                if (!warnings_.contains(warning)) { // a file may be named again and again
-                    warnings_ += warning;
-                }
-            }
+            warnings_ += file.warnings;
+            warnings_.removeDuplicates(); // a file may be named again and again
         }
         return isThere && fault_.isEmpty() ? new FileStream(materials) : nullptr;
     }

@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace dipwright {
 
 namespace {
@@ -35,6 +37,11 @@ void ModelSource::throwDamaged(const QString& reason) const {
 
 void ModelSource::checkTriangleCount(std::size_t count) const {
     requireWithin(Budget::Triangles, qint64(count), path, files.bytesRead());
+}
+
+bool areFurtherRows(QByteArrayView left, qsizetype rowBytes) {
+    return left.size() % rowBytes == 0 &&
+           std::any_of(left.begin(), left.end(), [](char byte) { return byte != '\0'; });
 }
 
 } // namespace dipwright

@@ -5,6 +5,7 @@
 #include "import/ForeignFiles.h"
 #include "model/TexturedMesh.h"
 
+#include <QByteArrayView>
 #include <QStringList>
 
 namespace dipwright {
@@ -25,6 +26,10 @@ struct ModelSource {
     [[noreturn]] void throwDamaged(const QString& reason) const;
     void checkTriangleCount(std::size_t count) const;
 };
+
+// Whether what is left behind the last row of a binary file may be further rows, each of so many
+// bytes, which its header does not count. Bytes of no meaning are common there; zeros are no row.
+bool areFurtherRows(QByteArrayView left, qsizetype rowBytes);
 
 // Texture coordinates of a triangle that has none.
 inline std::array<Eigen::Vector2f, 3> noCoordinates() {

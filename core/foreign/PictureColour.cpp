@@ -79,12 +79,14 @@ QByteArray profileOfJpeg(const QByteArray& file, const QString& where) {
             count = std::max(count, int(uchar(segment[13])));
         }
     }
-    if (int(parts.size()) < count) {
-        throwCutOff(where);
-    }
+    const int first = parts.contains(0) ? 0 : 1;
+    const int end = first + std::max(count, int(parts.size()));
     QByteArray profile;
-    for (const auto& [number, part] : parts) {
-        profile += part;
+    for (int number = first; number < end; ++number) {
+        if (!parts.contains(number)) {
+            throwCutOff(where);
+        }
+        profile += parts[number];
     }
     return profile;
 }

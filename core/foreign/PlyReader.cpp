@@ -95,7 +95,7 @@ public:
 
     qsizetype bytesLeft() const { return rest_.size(); }
     bool hasWordsLeft() const { return std::any_of(rest_.begin(), rest_.end(), isWord); }
-    bool hasOnlyZerosLeft() const { return rest_.count('\0') == rest_.size(); }
+    QByteArrayView left() const { return rest_; }
 
 private:
     static bool isNoSpace(char byte) { return byte != ' ' && (byte < '\t' || byte > '\r'); }
@@ -301,14 +301,12 @@ private:
         }
     }
 
-    // Bytes of no meaning after a binary file are common, and are let be. Where they are as many as
-    // further faces would have, it is the header that counts too few; but zeros are no faces.
     void checkNothingIsLeft() const {
-        const qsizetype left = scanner_.bytesLeft();
-        const bool areFaces = !header_.elements.empty() && lastRowBytes_ > 0 && left > 0 &&
-                              header_.elements.back().name == "face" && left % lastRowBytes_ == 0;
-        if (header_.encoding == Encoding::Ascii ? scanner_.hasWordsLeft()
-                                                : areFaces && !scanner_.hasOnlyZerosLeft()) {
+        const bool endsWithFaces = !header_.elements.empty() && lastRowBytes_ > 0 &&
+                                   header_.elements.back().name == "face";
+        if (header_.encoding == Encoding::Ascii
+                ? scanner_.hasWordsLeft()
+                : endsWithFaces && areFurtherRows(scanner_.left(), lastRowBytes_)) {
             source_.throwDamaged(Text::tr("it holds more than its header counts"));
         }
     }

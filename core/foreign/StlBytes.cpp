@@ -40,9 +40,7 @@ bool isAsciiInCapitals(const QByteArray& bytes) {
 QByteArray stlForAssimp(const ModelSource& source) {
     const QByteArray& bytes = source.bytes;
     if (const auto size = binarySize(bytes)) {
-        const QByteArrayView left = QByteArrayView(bytes).sliced(*size);
-        const bool areZeros = left.count('\0') == left.size(); // which are no triangles
-        if (!areZeros && left.size() % triangleBytes == 0) {
+        if (areFurtherRows(QByteArrayView(bytes).sliced(*size), triangleBytes)) {
             source.throwDamaged(Text::tr("it holds more than its header counts"));
         }
         return QByteArray::fromRawData(bytes.constData(), *size);
