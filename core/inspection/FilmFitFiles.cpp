@@ -245,26 +245,14 @@ FilmProfile withFit(FilmProfile profile, const FilmFit& fit, const std::vector<F
 
 Project withFit(const Project& project, const FilmFit& fit, const std::vector<FittedPhoto>& photos,
                 const WatchNotes& notes, const QString& newProfile) {
-    FilmProfile film = project.profiles.film.value_or(FilmProfile{});
-    film.name = project.profiles.film ? film.name : newProfile;
-    film.width = project.film.width;
-    film.height = project.film.height;
-    film.edges = project.film.edges;
-    film.swellX = project.film.swellX;
-    film.swellY = project.film.swellY;
-    film.relaxationTime = project.film.relaxationTime;
-    film.contactDistance = project.film.contactDistance;
-    film.growthRate = project.film.growthRate;
-    film.growthLimit = project.film.growthLimit;
-    film.gripFade = project.film.gripFade;
-    film.gatheringStretch = project.film.gatheringStretch;
+    FilmProfile film = filmProfileOf(project);
+    if (!project.profiles.film) {
+        film.name = newProfile;
+    }
     Project changed = withPlacement(project, fit);
     applyProfile(changed, withFit(film, fit, photos, notes));
     changed.process.overhang = project.process.overhang; // of which a fit says nothing
     changed.process.tearStretch = project.process.tearStretch;
-    changed.film.resolution = project.film.resolution;
-    changed.film.columns = project.film.columns;
-    changed.film.rows = project.film.rows;
     return changed;
 }
 

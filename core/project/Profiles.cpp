@@ -72,6 +72,23 @@ void applyProfile(Project& project, const Profile& profile) {
     std::visit([&](const auto& value) { apply(project, value); }, profile);
 }
 
+FilmProfile filmProfileOf(const Project& project) {
+    FilmProfile film = project.profiles.film.value_or(FilmProfile{});
+    film.width = project.film.width;
+    film.height = project.film.height;
+    film.swellX = project.film.swellX;
+    film.swellY = project.film.swellY;
+    film.relaxationTime = project.film.relaxationTime;
+    film.edges = project.film.edges;
+    film.contactDistance = project.film.contactDistance;
+    film.growthRate = project.film.growthRate;
+    film.growthLimit = project.film.growthLimit;
+    film.gripFade = project.film.gripFade;
+    film.gatheringStretch = project.film.gatheringStretch;
+    film.ink = project.ink.law;
+    return film;
+}
+
 bool hasMeasuredSwell(const FilmSettings& film, const ProjectProfiles& profiles) {
     const auto& known = profiles.film;
     return known && !known->measured.date.isEmpty() && film.swellX == known->measured.swellX &&

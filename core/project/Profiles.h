@@ -111,6 +111,10 @@ struct Project;
 // Takes a profile over into a project, content and effect: all that a film's profile
 // says of the film; a printer's resolution and ink limit; a tank's barriers.
 void applyProfile(Project& project, const Profile& profile);
+// The project's film as a profile: its own, nameless where there is none, with all that a profile
+// says of the film as the project has it now. What a profile may leave to the project stays as the
+// profile has it.
+FilmProfile filmProfileOf(const Project& project);
 
 // Whether the film that is dipped has the swell, growth or relaxation that was measured. Else they
 // are guessed: none were, or somebody has changed them since.

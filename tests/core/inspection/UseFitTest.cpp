@@ -56,8 +56,7 @@ private slots:
             other.tearStretch = 2;
             project.profiles.film = other;
         }
-        Project used =
-            withFit(project, fitOfSwell(project), {}, notes, QStringLiteral("Measured"));
+        Project used = withFit(project, fitOfSwell(project), {}, notes, QStringLiteral("Measured"));
         QCOMPARE(used.film.swellX, 1.06);
         QCOMPARE(used.film.swellY, 1.04);
         QVERIFY(used.profiles.film);
