@@ -5721,6 +5721,10 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <source>The tones must stand by ink: cyan, magenta, yellow, black, white</source>
         <translation>Die Töne müssen nach Tinten stehen: Cyan, Magenta, Gelb, Schwarz, Weiß</translation>
     </message>
+    <message>
+        <source>“%1” is no tone of an ink, which is its name, density, exponent, bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9</source>
+        <translation>„%1“ ist kein Ton einer Tinte, also ihr Name, Dichte, Exponent, Krümmung und größte Dehnung, wie cyan 0.3 0.48 0.1 2.9</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InspectionController</name>
@@ -9174,10 +9178,6 @@ mm je mm</translation>
     <message>
         <source>The table of a wedge begins with the line %1 and has at most %2 lines</source>
         <translation>Die Tabelle eines Keils beginnt mit der Zeile %1 und hat höchstens %2 Zeilen</translation>
-    </message>
-    <message>
-        <source>“%1” is no tone of an ink, which is its name, density, exponent, bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9</source>
-        <translation>„%1“ ist kein Ton einer Tinte, also ihr Name, Dichte, Exponent, Krümmung und größte Dehnung, wie cyan 0.3 0.48 0.1 2.9</translation>
     </message>
     <message>
         <source>Line %1 of the wedge is not an ink (cyan, magenta, yellow, black, white or grey) and five numbers, joined by commas</source>

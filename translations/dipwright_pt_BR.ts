@@ -5721,6 +5721,10 @@ impresso em cartão rígido e impermeável</translation>
         <source>The tones must stand by ink: cyan, magenta, yellow, black, white</source>
         <translation>Os tons devem estar por tinta: ciano, magenta, amarelo, preto, branco</translation>
     </message>
+    <message>
+        <source>“%1” is no tone of an ink, which is its name, density, exponent, bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9</source>
+        <translation>“%1” não é um tom de tinta, que é nome, densidade, expoente, curvatura e maior estiramento, como cyan 0.3 0.48 0.1 2.9</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InspectionController</name>
@@ -9174,10 +9178,6 @@ mm por mm</translation>
     <message>
         <source>The table of a wedge begins with the line %1 and has at most %2 lines</source>
         <translation>A tabela de uma cunha começa com a linha %1 e tem no máximo %2 linhas</translation>
-    </message>
-    <message>
-        <source>“%1” is no tone of an ink, which is its name, density, exponent, bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9</source>
-        <translation>“%1” não é um tom de tinta, que é nome, densidade, expoente, curvatura e maior estiramento, como cyan 0.3 0.48 0.1 2.9</translation>
     </message>
     <message>
         <source>Line %1 of the wedge is not an ink (cyan, magenta, yellow, black, white or grey) and five numbers, joined by commas</source>

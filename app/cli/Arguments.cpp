@@ -2,8 +2,10 @@
 
 #include "base/Error.h"
 #include "import/ReadPictures.h"
+#include "project/Project.h"
 #include "project/ProjectStore.h"
 
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 

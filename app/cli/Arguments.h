@@ -4,7 +4,14 @@
 #include "cli/Command.h"
 #include "parallel/Threads.h"
 #include "pipeline/JobOptions.h"
-#include "project/Project.h"
+
+#include <QStringList>
+
+namespace dipwright {
+
+struct Project;
+
+} // namespace dipwright
 
 namespace dipwright::cli {
 

@@ -1,12 +1,16 @@
-#include "artwork/Artwork.h"
+#include "artwork/EditArtwork.h"
 #include "cli/Arguments.h"
 #include "import/ReadPictures.h"
+#include "project/Project.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
+#include "settings/Artwork.h"
 
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
+#include <map>
 
 namespace dipwright::cli {
 namespace {

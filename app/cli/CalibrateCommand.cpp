@@ -4,6 +4,7 @@
 #include "disk/WholeFile.h"
 #include "printing/Calibration.h"
 #include "printing/PrintFile.h"
+#include "settings/InkTones.h"
 #include "sheet/PrinterColour.h"
 #include "sheet/WatchPage.h"
 #include "sheet/WedgePage.h"

@@ -1,9 +1,9 @@
 // One command of dipwright-cli, and what all commands share.
 #pragma once
 
+#include "base/Error.h"
 #include "cli/CommandSyntax.h"
 #include "cli/Console.h"
-#include "project/Project.h"
 
 #include <memory>
 #include <stdexcept>

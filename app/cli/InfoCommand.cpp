@@ -1,7 +1,14 @@
 #include "cli/Arguments.h"
+#include "geometry/TriangleMesh.h"
+#include "model/TexturedMesh.h"
+#include "project/Project.h"
+#include "settings/FilmSettings.h"
+#include "settings/Immersion.h"
 
+#include <Eigen/Core>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
 #include <cmath>
 
 namespace dipwright::cli {

@@ -5,6 +5,7 @@
 #include "inspection/FilmWatch.h"
 
 #include <QDateTime>
+#include <QStringList>
 #include <functional>
 
 namespace dipwright::cli {

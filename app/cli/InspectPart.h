@@ -4,6 +4,7 @@
 #include "cli/Command.h"
 #include "inspection/FindPrint.h"
 #include "inspection/PartViewFiles.h"
+#include "project/Project.h"
 
 #include <memory>
 #include <optional>

@@ -1,4 +1,6 @@
 #include "cli/Arguments.h"
+#include "project/Project.h"
+#include "settings/FilmSettings.h"
 
 #include "dip/JigModel.h"
 #include "disk/WholeFile.h"

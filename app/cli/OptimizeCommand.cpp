@@ -1,4 +1,5 @@
 #include "cli/Arguments.h"
+#include "project/Project.h"
 
 #include "disk/SmallFile.h"
 #include "disk/WholeFile.h"

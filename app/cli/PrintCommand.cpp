@@ -1,5 +1,6 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
+#include "sheet/PrinterColour.h"
 
 #include "base/Png.h"
 #include "disk/WholeFile.h"

@@ -1,14 +1,19 @@
 #include "cli/Arguments.h"
+#include "project/Profiles.h"
+#include "project/Project.h"
+#include "sheet/PrinterColour.h"
 
 #include "disk/SmallFile.h"
 #include "project/ProfileFields.h"
 #include "project/ProfileLibrary.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
+#include "settings/InkTones.h"
 #include "texture/WedgeTable.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
 
 namespace dipwright::cli {
 namespace {

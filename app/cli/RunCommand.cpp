@@ -1,4 +1,5 @@
 #include "cli/Arguments.h"
+#include "project/Profiles.h"
 
 #include "base/Error.h"
 #include "parallel/Tasks.h"

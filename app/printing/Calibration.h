@@ -1,7 +1,7 @@
 // From a printer's profile to its calibration page, and from what was measured there back.
 #pragma once
 
-#include "project/Profiles.h"
+#include "settings/Profile.h"
 #include "sheet/CalibrationPage.h"
 
 #include <QPageSize>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "printing/PrintHistory.h"
-#include "project/Profiles.h"
+#include "settings/Profile.h"
 #include "sheet/Sheet.h"
 #include "sheet/TiledSheet.h"
 
@@ -11,6 +11,8 @@
 #include <optional>
 
 namespace dipwright {
+
+class PrinterColour;
 
 // The profile's colours; null where it has none, or there is no profile. Throws Error.
 std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>& profile);

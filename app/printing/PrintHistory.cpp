@@ -3,11 +3,14 @@
 #include "base/Error.h"
 #include "disk/SmallFile.h"
 #include "disk/WholeFile.h"
+#include "project/Project.h"
+#include "sheet/Sheet.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
 #include <QStandardPaths>
 #include <QUuid>
 #include <algorithm>

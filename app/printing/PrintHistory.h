@@ -3,13 +3,16 @@
 // several machines too.
 #pragma once
 
-#include "project/Project.h"
+#include "settings/Profile.h"
 
 #include <QDateTime>
 #include <QSizeF>
 #include <vector>
 
 namespace dipwright {
+
+struct Project;
+struct Sheet;
 
 // What became of it. `Sent` stays where the program ended before it knew.
 enum class PrintFate { Sent, Printed, HandedOver, WrittenToFile, Cancelled, Failed };

@@ -1,7 +1,7 @@
 // What of a sheet a printer reaches: its margins, and what a corrected scale moves past the paper.
 #pragma once
 
-#include "project/Profiles.h"
+#include "settings/Profile.h"
 #include "sheet/Sheet.h"
 
 #include <QMarginsF>

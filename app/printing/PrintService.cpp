@@ -5,6 +5,7 @@
 #include "printing/PrintFile.h"
 #include "printing/PrintReach.h"
 #include "sheet/PdfDocument.h"
+#include "sheet/PrinterColour.h"
 #include "sheet/SheetFiles.h"
 #include "sheet/SheetLayout.h"
 #include "sheet/TiledSheet.h"
@@ -13,6 +14,7 @@
 #include <QElapsedTimer>
 #include <QThread>
 #include <algorithm>
+#include <cmath>
 
 namespace dipwright {
 namespace {

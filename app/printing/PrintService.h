@@ -5,7 +5,7 @@
 #include "base/Progress.h"
 #include "printing/PrintHistory.h"
 #include "printing/PrintSystem.h"
-#include "project/Profiles.h"
+#include "settings/Profile.h"
 #include "sheet/CalibrationPage.h"
 #include "sheet/Sheet.h"
 

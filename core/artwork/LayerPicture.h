@@ -1,7 +1,7 @@
 // What a layer shows, as a picture ready to be read anywhere in its plane. Private to this folder.
 #pragma once
 
-#include "artwork/Artwork.h"
+#include "settings/Artwork.h"
 #include "texture/LinearLight.h"
 
 #include <Eigen/Core>

@@ -1,10 +1,10 @@
 // Where a layer's plane lies on a body. Private to this folder.
 #pragma once
 
-#include "artwork/Artwork.h"
 #include "geometry/CornerNormals.h"
 #include "geometry/SurfaceQuery.h"
 #include "geometry/UnfoldedSurface.h"
+#include "settings/Artwork.h"
 
 #include <array>
 #include <memory>

@@ -2,9 +2,9 @@
 // imported so.
 #pragma once
 
-#include "artwork/Artwork.h"
 #include "base/Progress.h"
 #include "model/TexturedMesh.h"
+#include "settings/Artwork.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 // Repeating patterns of our own making. Private to this folder.
 #pragma once
 
-#include "artwork/Artwork.h"
+#include "settings/Artwork.h"
 
 namespace dipwright {
 

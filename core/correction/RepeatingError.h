@@ -2,7 +2,7 @@
 // (docs/inspection.md, "As built").
 #pragma once
 
-#include "correction/AsBuilt.h"
+#include "settings/AsBuilt.h"
 
 #include <Eigen/Core>
 

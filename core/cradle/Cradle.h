@@ -7,14 +7,20 @@
 
 #include "base/Progress.h"
 #include "cradle/CradleCheck.h"
-#include "cradle/CradleSettings.h"
 #include "cradle/DatumPins.h"
-#include "dip/LaidFilm.h"
-#include "geometry/DistanceField.h"
+#include "geometry/TriangleMesh.h"
+#include "settings/CradleSettings.h"
 
+#include <Eigen/Geometry>
 #include <QStringList>
+#include <vector>
 
 namespace dipwright {
+
+class DistanceField;
+class LaidFilm;
+struct Immersion;
+struct ProcessSettings;
 
 // A dip to hold a body in. Nothing is owned.
 struct HeldDip {

@@ -4,6 +4,7 @@
 #include "cradle/Cradle.h"
 
 #include <QPainterPath>
+#include <optional>
 
 namespace dipwright {
 

@@ -1,5 +1,6 @@
 #include "cradle/DatumPins.h"
 
+#include "settings/FilmSettings.h"
 #include "sheet/SheetLayout.h"
 
 #include <algorithm>

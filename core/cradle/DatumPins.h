@@ -2,13 +2,14 @@
 #pragma once
 
 #include "base/Units.h"
-#include "film/FilmSettings.h"
-#include "sheet/Sheet.h"
 
 #include <Eigen/Core>
 #include <array>
 
 namespace dipwright {
+
+struct FilmSettings;
+struct Sheet;
 
 // Places on the water in the world frame (dip/Pose.h), x and z: those of the sheet's registration
 // marks upper left, upper right and lower left, when the film has swollen to its size. Three of

@@ -3,8 +3,8 @@
 
 #include "base/Progress.h"
 #include "cradle/CradleCheck.h"
-#include "cradle/CradleSettings.h"
 #include "dip/LaidFilm.h"
+#include "settings/CradleSettings.h"
 
 #include <optional>
 

@@ -3,9 +3,9 @@
 
 #include "dip/FilmContact.h"
 #include "dip/Pose.h"
-#include "dip/ProcessSettings.h"
 #include "film/DippedFilm.h"
 #include "geometry/CornerNormals.h"
+#include "settings/ProcessSettings.h"
 
 namespace dipwright {
 

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "dip/FilmUnderBody.h"
+#include "film/FilmGrid.h"
 #include "film/Growth.h"
 #include "solver/CheckedSolver.h"
 

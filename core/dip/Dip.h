@@ -2,25 +2,16 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "dip/FilmFrame.h"
 #include "dip/Pose.h"
-#include "dip/ProcessSettings.h"
 #include "film/DippedFilm.h"
-#include "film/FilmSettings.h"
 #include "geometry/DistanceField.h"
+#include "settings/FilmSettings.h"
+#include "settings/ProcessSettings.h"
 
 #include <functional>
 
 namespace dipwright {
-
-// Film points in the world frame while a dip runs, for display. Valid during the call only.
-struct FilmFrame {
-    const solver::FilmGrid& grid;
-    std::span<const float> positions; // x, y, z a point; world frame, waterline y = 0
-    std::span<const solver::PointState> states;
-    double descent = 0; // mm; the body's lowest point is at startHeight − descent
-    std::int64_t steps = 0;
-};
-using FilmObserver = std::function<void(const FilmFrame&)>;
 
 // What a solver is to simulate; with the points of `grid`, of the same film, in place of those that
 // filmUnderBody() chooses.

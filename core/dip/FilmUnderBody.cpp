@@ -1,6 +1,7 @@
 #include "dip/FilmUnderBody.h"
 
 #include "base/Error.h"
+#include "film/FilmGrid.h"
 #include "film/FilmLines.h"
 #include "geometry/SurfaceSamples.h"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dip/Pose.h"
-#include "film/FilmSettings.h"
+#include "settings/FilmSettings.h"
 
 #include <Eigen/Geometry>
 

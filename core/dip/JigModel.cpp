@@ -1,6 +1,7 @@
 #include "dip/JigModel.h"
 
 #include "base/Error.h"
+#include "dip/Pose.h"
 
 #include <QCoreApplication>
 #include <algorithm>

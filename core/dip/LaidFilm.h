@@ -5,8 +5,8 @@
 #include "dip/FilmContact.h"
 #include "dip/PaintedStretch.h"
 #include "dip/Pose.h"
-#include "dip/ProcessSettings.h"
 #include "film/DippedFilm.h"
+#include "settings/ProcessSettings.h"
 
 #include <memory>
 #include <mutex>

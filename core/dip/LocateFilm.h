@@ -4,8 +4,8 @@
 
 #include "dip/FilmContact.h"
 #include "dip/Pose.h"
-#include "dip/ProcessSettings.h"
 #include "film/DippedFilm.h"
+#include "settings/ProcessSettings.h"
 
 namespace dipwright {
 

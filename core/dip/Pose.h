@@ -7,20 +7,14 @@
 #pragma once
 
 #include "base/Units.h"
-#include "dip/ProcessSettings.h"
 #include "geometry/SurfaceQuery.h"
 #include "model/TexturedMesh.h"
+#include "settings/Immersion.h"
+#include "settings/ProcessSettings.h"
 
-#include <QString>
+#include <array>
 
 namespace dipwright {
-
-struct Immersion {
-    QString name = QStringLiteral("Immersion");
-    std::array<Degrees, 3> rotation{};   // about X, Y, Z, applied in that order
-    std::array<Millimetres, 2> offset{}; // of the body on the waterline, x and z
-    bool operator==(const Immersion&) const = default;
-};
 
 // The rotation by angles about X, then Y, then Z, and such angles for a rotation, to a tenth of a
 // degree: of all that there are those nearest to `near`, but within a whole turn.

@@ -2,10 +2,10 @@
 // built").
 #pragma once
 
-#include "correction/AsBuilt.h"
 #include "dip/LaidFilm.h"
 #include "inspection/PartCamera.h"
 #include "inspection/PrintedPlace.h"
+#include "settings/AsBuilt.h"
 
 #include <QSize>
 #include <QSizeF>

@@ -4,6 +4,7 @@
 #include "inspection/FitAdvice.h"
 #include "inspection/JointFit.h"
 #include "inspection/SimulatedPlaces.h"
+#include "project/Project.h"
 
 #include <QCoreApplication>
 

@@ -7,12 +7,15 @@
 #include "inspection/FitQuantities.h"
 #include "inspection/PartCamera.h"
 #include "inspection/PrintedPlace.h"
-#include "project/Project.h"
+#include "settings/FilmSettings.h"
+#include "settings/Immersion.h"
 
 #include <optional>
 #include <vector>
 
 namespace dipwright {
+
+struct Project;
 
 // What photos of one dipped part show. Photos of one camera and size.
 struct FitPairs {

@@ -1,6 +1,8 @@
 #include "inspection/FilmFitFiles.h"
 
 #include "disk/ResultFolder.h"
+#include "project/Profiles.h"
+#include "project/Project.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

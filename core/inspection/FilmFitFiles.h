@@ -9,6 +9,8 @@
 
 namespace dipwright {
 
+struct Project;
+
 struct FittedPhoto {
     QString where, sha256;
 };

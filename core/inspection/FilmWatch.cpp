@@ -1,6 +1,7 @@
 #include "inspection/FilmWatch.h"
 
 #include "base/Error.h"
+#include "project/Profiles.h"
 #include "sheet/WatchPage.h"
 
 #include <QCoreApplication>

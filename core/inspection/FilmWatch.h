@@ -3,8 +3,8 @@
 #pragma once
 
 #include "inspection/GrowthFit.h"
-#include "project/FilmOnWater.h"
-#include "project/Profiles.h"
+#include "settings/FilmOnWater.h"
+#include "settings/Profile.h"
 
 #include <QImage>
 #include <QString>

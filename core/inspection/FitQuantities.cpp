@@ -1,9 +1,11 @@
 #include "inspection/FitQuantities.h"
 
 #include "base/Error.h"
+#include "project/Project.h"
 
 #include <QCoreApplication>
 
+#include <QStringList>
 #include <algorithm>
 #include <array>
 #include <cmath>

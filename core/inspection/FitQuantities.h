@@ -2,13 +2,14 @@
 // fit").
 #pragma once
 
-#include "project/Project.h"
 #include "tolerance/Contributors.h"
 
 #include <QString>
 #include <vector>
 
 namespace dipwright {
+
+struct Project;
 
 enum class FitQuantity : std::uint8_t {
     ShiftX, // of the body against the film, mm

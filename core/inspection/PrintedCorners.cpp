@@ -4,6 +4,7 @@
 #include "base/WideColour.h"
 #include "inspection/CornerGrid.h"
 #include "inspection/RefineCorner.h"
+#include "project/Project.h"
 #include "texture/Chessboard.h"
 
 #include <Eigen/Geometry>

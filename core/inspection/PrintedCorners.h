@@ -2,12 +2,13 @@
 #pragma once
 
 #include "dip/LaidFilm.h"
-#include "project/Project.h"
 
 #include <QSizeF>
 #include <vector>
 
 namespace dipwright {
+
+struct Project;
 
 // Model places and directions are mm, as the project has the model.
 struct PrintedCorner {

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "dip/Dip.h"
+#include "project/Project.h"
 #include "tolerance/ChangedDips.h"
 
 #include <QCoreApplication>

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "dip/LaidFilm.h"
 #include "geometry/DistanceField.h"
 #include "inspection/JointFit.h"
 
 namespace dipwright {
+
+struct Project;
 
 class SimulatedPlaces {
 public:

@@ -1,7 +1,7 @@
 // What a run of the main job is asked for beside its project.
 #pragma once
 
-#include "dip/Dip.h"
+#include "dip/FilmFrame.h"
 #include "traveller/Motion.h"
 
 #include <QImage>

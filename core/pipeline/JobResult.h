@@ -6,12 +6,16 @@
 #include "cradle/Cradle.h"
 #include "dip/Coverage.h"
 #include "pipeline/StepInputs.h"
+#include "project/Project.h"
 #include "share/BodyShare.h"
+#include "sheet/Sheet.h"
 #include "solver/SolverRegistry.h"
 #include "texture/ReadBack.h"
 #include "tolerance/Zones.h"
 
 namespace dipwright {
+
+struct ReverseTexture;
 
 // Immutable parts are shared with the results that later runs take them over into.
 struct ImmersionResult {

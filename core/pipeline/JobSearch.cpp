@@ -3,9 +3,12 @@
 #include "artwork/PaintArtwork.h"
 #include "base/Error.h"
 #include "base/Sha256.h"
+#include "project/Project.h"
+#include "settings/SheetSettings.h"
 
 #include <QCoreApplication>
 #include <QJsonDocument>
+#include <QJsonObject>
 
 namespace dipwright {
 namespace {

@@ -3,11 +3,15 @@
 #include "base/Error.h"
 #include "base/Sha256.h"
 #include "pipeline/StepInputs.h"
+#include "project/Profiles.h"
+#include "project/Project.h"
+#include "settings/Immersion.h"
 #include "sheet/Separation.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QStringList>
 
 namespace dipwright {
 namespace {

@@ -1,10 +1,12 @@
 // The sheet of one immersion: its film image with the job line that tells it from every other.
 #pragma once
 
-#include "dip/Pose.h"
-#include "project/Project.h"
+#include "sheet/Sheet.h"
 
 namespace dipwright {
+
+struct Project;
+struct Immersion;
 
 // What is printed on a film; all but the colours may be null.
 struct PrintedFilm {

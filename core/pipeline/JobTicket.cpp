@@ -3,6 +3,7 @@
 #include "base/ProgramName.h"
 #include "base/Sha256.h"
 #include "pipeline/JobTraveller.h"
+#include "project/Profiles.h"
 
 #include <QJsonArray>
 

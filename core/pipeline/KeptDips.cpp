@@ -7,6 +7,7 @@
 #include "dip/FilmUnderBody.h"
 #include "disk/ArchiveWriter.h"
 #include "disk/WholeFile.h"
+#include "film/FilmGrid.h"
 #include "pipeline/SolverChoice.h"
 #include "pipeline/StoredDip.h"
 #include "project/Archive.h"

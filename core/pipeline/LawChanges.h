@@ -3,9 +3,16 @@
 #pragma once
 
 #include "certainty/LawChange.h"
-#include "project/Project.h"
 
 namespace dipwright {
+
+class CancelSwitch;
+class LaidFilm;
+struct Immersion;
+struct PosedBody;
+
+struct Project;
+class DistanceField;
 
 inline constexpr double lawVariation = 0.2; // of a law's value, to either side
 

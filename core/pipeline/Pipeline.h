@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "pipeline/JobOptions.h"
 #include "pipeline/JobResult.h"
 
 namespace dipwright {

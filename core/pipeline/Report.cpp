@@ -1,6 +1,7 @@
 #include "pipeline/Report.h"
 
 #include "correction/RepeatingError.h"
+#include "project/Profiles.h"
 
 #include "pipeline/JobTolerances.h"
 #include "pipeline/SmallerFilm.h"

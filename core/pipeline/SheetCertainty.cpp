@@ -6,8 +6,10 @@
 #include "dip/FilmUnderBody.h"
 #include "dip/LaidFilm.h"
 #include "disk/ResultFolder.h"
+#include "film/FilmGrid.h"
 #include "pipeline/SolverChoice.h"
 #include "project/FilmSizes.h"
+#include "project/Project.h"
 #include "results/Results.h"
 
 #include <QCoreApplication>

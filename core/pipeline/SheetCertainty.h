@@ -3,13 +3,16 @@
 
 #include "base/Units.h"
 #include "certainty/SheetChange.h"
-#include "project/Project.h"
+#include "settings/Immersion.h"
 #include "solver/SolverRegistry.h"
 
 #include <QImage>
 #include <QJsonObject>
 
 namespace dipwright {
+
+struct Project;
+class LaidFilm;
 
 struct ImmersionCertainty {
     Immersion immersion;

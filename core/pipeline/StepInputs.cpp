@@ -1,6 +1,8 @@
 #include "pipeline/StepInputs.h"
 
 #include "correction/SheetCorrection.h"
+#include "pipeline/JobOptions.h"
+#include "project/Project.h"
 
 namespace dipwright {
 

@@ -5,10 +5,29 @@
 // A step's inputs hold those of the steps before it, so that equal inputs mean equal results.
 #pragma once
 
-#include "pipeline/JobOptions.h"
-#include "project/Project.h"
+#include "settings/Artwork.h"
+#include "settings/AsBuilt.h"
+#include "settings/FilmSettings.h"
+#include "settings/InkSettings.h"
+#include "settings/ProcessSettings.h"
+#include "settings/Profile.h"
+#include "settings/ShareSettings.h"
+#include "settings/SheetSettings.h"
+
+#include <QImage>
+#include <QJsonObject>
+#include <QString>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
 
 namespace dipwright {
+
+struct JobOptions;
+
+struct Project;
+struct TexturedMesh;
 
 // The body in its pose. Models are equal when they are one object: versions of a project share it.
 struct BodyInputs {

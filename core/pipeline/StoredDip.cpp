@@ -1,6 +1,6 @@
 #include "pipeline/StoredDip.h"
 
-#include "film/FilmSettings.h"
+#include "settings/FilmSettings.h"
 
 #include <QCoreApplication>
 #include <QDataStream>

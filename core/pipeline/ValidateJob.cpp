@@ -1,9 +1,14 @@
 #include "pipeline/ValidateJob.h"
 
+#include "artwork/EditArtwork.h"
 #include "base/Error.h"
 #include "dip/FilmUnderBody.h"
+#include "film/FilmGrid.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/SolverChoice.h"
+#include "project/Profiles.h"
+#include "project/Project.h"
+#include "settings/Profile.h"
 
 #include <QCoreApplication>
 

@@ -5,7 +5,7 @@
 #include "base/OneLine.h"
 #include "base/Units.h"
 #include "project/Field.h"
-#include "texture/WedgeTable.h"
+#include "settings/InkTones.h"
 
 #include <QColor>
 #include <QJsonArray>
@@ -135,7 +135,7 @@ Field<Owner> filePath(const char* path, int maximumLength, Access access) {
     return textOfLines<Owner>(path, maximumLength, access);
 }
 
-// The tones of inks, which were measured (texture/WedgeTable.h).
+// The tones of inks, which were measured (settings/InkTones.h).
 template <typename Owner = Project, typename Access>
 Field<Owner> inkTonesField(const char* path, Access access) {
     constexpr int longestTones = 20'000;

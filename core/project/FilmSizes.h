@@ -1,7 +1,7 @@
 // The film sizes that have a name, and how the grid follows a change of size.
 #pragma once
 
-#include "film/FilmSettings.h"
+#include "settings/FilmSettings.h"
 
 #include <QSizeF>
 #include <QStringList>

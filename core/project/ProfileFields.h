@@ -2,7 +2,7 @@
 #pragma once
 
 #include "project/Field.h"
-#include "project/Profiles.h"
+#include "settings/Profile.h"
 
 namespace dipwright {
 

@@ -1,5 +1,6 @@
 // The file form of profiles, as tables of fields.
 #include "project/ProfileFields.h"
+#include "project/Profiles.h"
 
 #include "base/Error.h"
 #include "project/FieldJson.h"

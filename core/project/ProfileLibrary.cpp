@@ -7,6 +7,8 @@
 #include "disk/FileLock.h"
 #include "disk/SmallFile.h"
 #include "disk/WholeFile.h"
+#include "project/Profiles.h"
+#include "project/Project.h"
 #include "project/ProjectFile.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // The profiles at hand: those that come with the program, and the user's own in a folder of files.
 #pragma once
 
-#include "project/Profiles.h"
+#include "settings/Profile.h"
 
 #include <vector>
 

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "project/FieldJson.h"
+#include "project/Profiles.h"
 #include "project/Schema.h"
 
 #include <QCoreApplication>

@@ -2,25 +2,31 @@
 // gives its file form.
 #pragma once
 
-#include "artwork/Artwork.h"
-#include "correction/AsBuilt.h"
-#include "cradle/CradleSettings.h"
-#include "dip/Dip.h"
-#include "model/TexturedMesh.h"
-#include "project/FilmOnWater.h"
-#include "project/InspectedPart.h"
-#include "project/Profiles.h"
-#include "search/SearchSettings.h"
-#include "share/ShareSettings.h"
-#include "sheet/Sheet.h"
-#include "texture/ReverseTexture.h"
-#include "tolerance/ToleranceSettings.h"
+#include "settings/Artwork.h"
+#include "settings/AsBuilt.h"
+#include "settings/CradleSettings.h"
+#include "settings/FilmOnWater.h"
+#include "settings/FilmSettings.h"
+#include "settings/Immersion.h"
+#include "settings/InkSettings.h"
+#include "settings/InspectedPart.h"
+#include "settings/ProcessSettings.h"
+#include "settings/Profile.h"
+#include "settings/SearchSettings.h"
+#include "settings/ShareSettings.h"
+#include "settings/SheetSettings.h"
+#include "settings/ToleranceSettings.h"
 
 #include <QByteArray>
 #include <QJsonObject>
+#include <QString>
 #include <map>
+#include <memory>
+#include <vector>
 
 namespace dipwright {
+
+struct TexturedMesh;
 
 // Where the model came from.
 struct ModelOrigin {

@@ -1,5 +1,6 @@
 #include "project/ProjectFile.h"
 
+#include "project/Project.h"
 #include "project/ProjectStore.h"
 
 #include <QCoreApplication>

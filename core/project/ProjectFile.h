@@ -5,9 +5,10 @@
 #include "base/Error.h"
 #include "disk/FileLock.h"
 #include "disk/FileVersion.h"
-#include "project/Project.h"
 
 namespace dipwright {
+
+struct Project;
 
 // Thrown where a file is not as it was when it was read: somebody else has written it since. It is
 // then left as it is.

@@ -10,11 +10,15 @@
 #include "import/ReadPictures.h"
 #include "model/StoredModel.h"
 #include "project/Archive.h"
+#include "project/Project.h"
+#include "settings/Artwork.h"
+#include "settings/ProcessSettings.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include <QJsonObject>
 #include <map>
 
 namespace dipwright {

@@ -3,11 +3,12 @@
 #pragma once
 
 #include "disk/FileVersion.h"
-#include "project/Project.h"
 
 #include <functional>
 
 namespace dipwright {
+
+struct Project;
 
 // Reads a project, migrating older versions in memory. Throws Error: missing, empty, truncated,
 // encrypted, not a zip, larger than sane when unpacked, entries with unsafe paths, a newer version.

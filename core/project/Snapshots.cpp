@@ -4,11 +4,14 @@
 #include "base/JsonText.h"
 #include "base/Png.h"
 #include "import/ReadPictures.h"
+#include "project/Project.h"
+#include "settings/Artwork.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include <QJsonObject>
 #include <algorithm>
 #include <map>
 #include <set>

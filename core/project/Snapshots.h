@@ -5,11 +5,13 @@
 // and the snapshots themselves are the project's and stay as they are when it goes back to one.
 #pragma once
 
-#include "project/Project.h"
-
+#include <QJsonObject>
+#include <QString>
 #include <vector>
 
 namespace dipwright {
+
+struct Project;
 
 struct Snapshot {
     QString name;

@@ -2,6 +2,7 @@
 // 2020): lightness runs evenly, so that equal steps of the value are equal steps to the eye and the
 // order survives any kind of colour vision and a grey print.
 #include "results/Results.h"
+#include "texture/LinearLight.h"
 
 #include "base/Error.h"
 

@@ -2,6 +2,7 @@
 
 #include "base/WideColour.h"
 #include "parallel/ParallelFor.h"
+#include "texture/Ink.h"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "results/Results.h"
-#include "texture/Ink.h"
+#include "settings/InkSettings.h"
+#include "texture/LinearLight.h"
 
 #include <memory>
 

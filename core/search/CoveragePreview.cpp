@@ -1,5 +1,8 @@
 #include "search/CoveragePreview.h"
 
+#include "dip/Pose.h"
+#include "film/FilmGrid.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -2,9 +2,10 @@
 // for the first stage of the pose search (docs/pose-search.md, "By its shape").
 #pragma once
 
-#include "dip/Pose.h"
-#include "film/FilmSettings.h"
 #include "geometry/RefinedMesh.h"
+#include "settings/FilmSettings.h"
+#include "settings/Immersion.h"
+#include "settings/ProcessSettings.h"
 
 namespace dipwright {
 

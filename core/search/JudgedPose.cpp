@@ -2,6 +2,7 @@
 
 #include "dip/TrappedAir.h"
 #include "geometry/SurfaceSamples.h"
+#include "search/Objective.h"
 #include "search/PlaceWeights.h"
 #include "share/FadeBand.h"
 #include "texture/SurfaceColours.h"

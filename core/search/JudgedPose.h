@@ -2,8 +2,8 @@
 #pragma once
 
 #include "dip/LaidFilm.h"
-#include "search/SearchSettings.h"
 #include "search/SearchSubject.h"
+#include "settings/SearchSettings.h"
 
 #include <memory>
 

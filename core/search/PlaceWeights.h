@@ -1,8 +1,9 @@
 // How much the places of a body matter to a search. Private to this folder.
 #pragma once
 
-#include "search/SearchSettings.h"
+#include "geometry/TriangleMesh.h"
 #include "search/SearchSubject.h"
+#include "settings/ToleranceSettings.h"
 #include "texture/LinearLight.h"
 
 namespace dipwright {

@@ -1,5 +1,7 @@
 #include "search/PoseCandidates.h"
 
+#include "dip/Pose.h"
+#include "film/FilmGrid.h"
 #include "parallel/ParallelFor.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "base/Progress.h"
 #include "search/CoveragePreview.h"
-#include "search/SearchSettings.h"
+#include "settings/SearchSettings.h"
 
 namespace dipwright {
 

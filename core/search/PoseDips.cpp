@@ -1,6 +1,8 @@
 #include "search/PoseDips.h"
 
+#include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
+#include "geometry/DistanceField.h"
 #include "parallel/ParallelFor.h"
 
 #include <algorithm>

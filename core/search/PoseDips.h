@@ -1,6 +1,7 @@
 // Dips of many poses in batches. Private to this folder.
 #pragma once
 
+#include "base/Progress.h"
 #include "search/JudgedPose.h"
 #include "search/SearchSubject.h"
 
@@ -9,6 +10,8 @@
 #include <span>
 
 namespace dipwright {
+
+class DistanceField;
 
 // How finely a pose is dipped; never finer than the job is.
 struct DipDetail {

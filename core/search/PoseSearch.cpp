@@ -4,6 +4,7 @@
 #include "base/Sha256.h"
 #include "parallel/ParallelFor.h"
 #include "search/JudgedPose.h"
+#include "search/Objective.h"
 #include "search/PlaceWeights.h"
 #include "search/PoseCandidates.h"
 #include "search/PoseDips.h"

@@ -5,8 +5,8 @@
 
 #include "base/Progress.h"
 #include "search/SearchPart.h"
-#include "search/SearchSettings.h"
 #include "search/SearchSubject.h"
+#include "settings/SearchSettings.h"
 
 #include <Eigen/Core>
 #include <functional>

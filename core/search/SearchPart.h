@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "search/SearchSettings.h"
 #include "search/SearchSubject.h"
+#include "settings/SearchSettings.h"
 
 #include <memory>
 

@@ -1,10 +1,18 @@
 // What poses are searched for.
 #pragma once
 
-#include "dip/Dip.h"
-#include "tolerance/ToleranceSettings.h"
+#include "settings/FilmSettings.h"
+#include "settings/Immersion.h"
+#include "settings/ProcessSettings.h"
+#include "settings/ToleranceSettings.h"
+
+#include <QByteArray>
+#include <memory>
+#include <vector>
 
 namespace dipwright {
+
+struct TexturedMesh;
 
 struct SearchSubject {
     QString name;

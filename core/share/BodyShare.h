@@ -5,8 +5,8 @@
 #include "base/Progress.h"
 #include "dip/LaidFilm.h"
 #include "geometry/RefinedMesh.h"
-#include "share/ShareSettings.h"
-#include "texture/Ink.h"
+#include "settings/InkSettings.h"
+#include "settings/ShareSettings.h"
 #include "texture/PaintShare.h"
 
 namespace dipwright {

@@ -5,6 +5,7 @@
 #include "dip/LaidFilm.h"
 #include "geometry/SurfaceDistance.h"
 #include "share/BodyShare.h"
+#include "texture/LinearLight.h"
 
 namespace dipwright {
 

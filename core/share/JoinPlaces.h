@@ -6,6 +6,7 @@
 #include "model/TexturedMesh.h"
 #include "share/BodyShare.h"
 #include "share/MinimumCut.h"
+#include "texture/LinearLight.h"
 
 namespace dipwright {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/SurfaceQuery.h"
-#include "share/ShareSettings.h"
+#include "settings/ShareSettings.h"
 
 namespace dipwright {
 

@@ -1,6 +1,7 @@
 #include "share/Suitability.h"
 
 #include "parallel/ParallelFor.h"
+#include "texture/Ink.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include "dip/LaidFilm.h"
 #include "geometry/RefinedMesh.h"
-#include "share/ShareSettings.h"
-#include "texture/Ink.h"
+#include "settings/InkSettings.h"
+#include "texture/LinearLight.h"
 
 namespace dipwright {
 

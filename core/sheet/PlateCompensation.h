@@ -3,8 +3,9 @@
 // is what is printed.
 #pragma once
 
+#include "settings/InkSettings.h"
 #include "sheet/PrinterColour.h"
-#include "texture/Ink.h"
+#include "texture/Thinning.h"
 
 #include <array>
 #include <cstdint>

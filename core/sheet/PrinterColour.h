@@ -2,15 +2,14 @@
 // will look like.
 #pragma once
 
+#include "settings/RenderingIntent.h"
+
 #include <QByteArray>
 #include <QImage>
 #include <array>
 #include <memory>
 
 namespace dipwright {
-
-// How colours that the printer cannot make are dealt with (ICC.1, rendering intents).
-enum class RenderingIntent { Perceptual, RelativeColorimetric, Saturation, AbsoluteColorimetric };
 
 // What of a picture the printer cannot make.
 struct GamutWarning {

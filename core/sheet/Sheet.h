@@ -5,8 +5,8 @@
 #pragma once
 
 #include "base/Units.h"
-#include "film/FilmSettings.h"
-#include "texture/Ink.h"
+#include "settings/InkSettings.h"
+#include "settings/SheetSettings.h"
 
 #include <QImage>
 #include <QPainter>
@@ -16,38 +16,6 @@
 namespace dipwright {
 
 class PrinterColour;
-
-// Where a line to cut along is drawn: round all ink, or along the film's edge.
-enum class CutLine { None, Ink, Film };
-
-// A plate of white: printed last it touches the body, and lies under the colour of the part.
-// Printed first it lies on the outside, over the colour.
-enum class WhiteLayer { None, Last, First };
-
-// The project file's "sheet".
-struct SheetSettings {
-    QString paper = QStringLiteral("film"); // film (the page is the film), A4, A3, Letter, custom
-    bool landscape = false; // turns A4, A3 and Letter; film and custom pages are as they are given
-    Millimetres customWidth{210};
-    Millimetres customHeight{297};
-    DotsPerInch resolution{300};
-    Millimetres bleed{2};
-    bool marks = true;
-    bool ruler = true;
-    bool jobLine = true;
-    // In a PDF in CMYK, as a spot ink of this name; its distance from the ink.
-    CutLine cutLine = CutLine::None;
-    Millimetres cutDistance{3};
-    QString cutName = QStringLiteral("CutContour");
-    // How far beyond the line round the ink all plates go on, in CMYK: colours as at the painted
-    // film's edge, as far as the film goes.
-    Millimetres cutBleed{0};
-    WhiteLayer white = WhiteLayer::None;
-    double whiteDensity = 1;     // wanted on the body, share of full tint
-    Millimetres whiteChoke{0.2}; // so much smaller than the colour all round, on the film
-    QString whiteName = QStringLiteral("White");
-    bool operator==(const SheetSettings&) const = default;
-};
 
 // What the job line says. The hash identifies image and settings; no time of day, so that the same
 // project gives the same sheet bit for bit; `date` is the project's own.

@@ -10,7 +10,9 @@
 
 #include <QColorSpace>
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <tiffio.h>
 

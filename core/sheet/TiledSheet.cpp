@@ -6,6 +6,7 @@
 #include "sheet/SheetInk.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
 
 namespace dipwright {

@@ -2,23 +2,11 @@
 // "Ink").
 #pragma once
 
-#include "texture/InkLaw.h"
+#include "settings/InkSettings.h"
 #include "texture/LinearLight.h"
 #include "texture/Thinning.h"
 
 namespace dipwright {
-
-struct InkSettings {
-    bool compensate = true; // print what shows D after the film has stretched by J
-    // The highest optical density, a channel, up to which compensation goes. Colour that is denser
-    // than this by itself is printed as it is.
-    double limit = 2.0;
-    InkLaw law = {}; // of the ink on the film
-    // Whether a printer of inks is to get each compensated by itself, after separation: where more
-    // is known of them than that they might be dyes.
-    bool isPerInk() const { return compensate && law != InkLaw(); }
-    bool operator==(const InkSettings&) const = default;
-};
 
 // Ink over a white body: density D = −log10 of a channel's linear light.
 class InkCompensation {

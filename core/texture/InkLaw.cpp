@@ -1,6 +1,7 @@
 #include "texture/InkLaw.h"
 
 #include "base/Error.h"
+#include "settings/InkTones.h"
 
 #include <QCoreApplication>
 
@@ -19,11 +20,6 @@ struct Text {
 constexpr double leastWedgeStretch = 1.02; // below that a reading's own error is all that it tells
 // Two stretches of a patch tell how n changes with J where they are so far apart.
 constexpr double apartForBend = 1.15;
-
-double thinned(const InkTone& tone, double stretch) {
-    const double grown = std::log(std::min(stretch, tone.mostStretch));
-    return std::exp(-(tone.exponent + tone.bend * grown) * std::log(stretch));
-}
 
 void checkReading(const WedgeReading& reading, const QString& where) {
     const double most = reading.ink == FilmInk::White ? 1 : mostToneDensity;
@@ -77,35 +73,6 @@ InkTone fittedTone(const std::vector<WedgeReading>& patch, const QString& where)
 }
 
 } // namespace
-
-void checkInkLaw(const InkLaw& law, const QString& where) {
-    for (std::size_t next = 1; next < law.tones.size(); ++next) {
-        const InkTone& low = law.tones[next - 1];
-        const InkTone& high = law.tones[next];
-        if (low.ink > high.ink) {
-            throw Error(
-                Text::tr("The tones must stand by ink: cyan, magenta, yellow, black, white"),
-                where);
-        }
-        if (low.ink < high.ink) {
-            continue;
-        }
-        if (!(low.density < high.density)) {
-            throw Error(Text::tr("The tones of an ink must stand from light to dense"), where);
-        }
-        for (const double share : {0.25, 0.5, 0.75, 1.0}) {
-            const double stretch = std::pow(std::max(low.mostStretch, high.mostStretch), share);
-            if (!(low.density * thinned(low, stretch) < high.density * thinned(high, stretch))) {
-                throw Error(Text::tr("Of the patches of density %1 and %2 the denser one would "
-                                     "show less where film is stretched to %3; read both again")
-                                .arg(low.density)
-                                .arg(high.density)
-                                .arg(stretch, 0, 'f', 2),
-                            where);
-            }
-        }
-    }
-}
 
 FittedInk fitInk(std::span<const WedgeReading> readings, const QString& where) {
     std::map<std::pair<FilmInk, double>, std::vector<WedgeReading>> patches;

@@ -5,6 +5,7 @@
 #include "parallel/ParallelFor.h"
 #include "texture/Bleed.h"
 #include "texture/BodyColours.h"
+#include "texture/Ink.h"
 #include "texture/ReverseMap.h"
 #include "texture/StretchPlane.h"
 

@@ -7,7 +7,7 @@
 
 #include "base/Progress.h"
 #include "dip/LaidFilm.h"
-#include "texture/Ink.h"
+#include "settings/InkSettings.h"
 #include "texture/PaintShare.h"
 
 #include <QImage>

@@ -1,7 +1,7 @@
-// One ink's law (InkLaw.h), ready to be asked for every pixel.
+// One ink's law (texture/InkLaw.h), ready to be asked for every pixel.
 #pragma once
 
-#include "texture/InkLaw.h"
+#include "settings/InkSettings.h"
 
 namespace dipwright {
 

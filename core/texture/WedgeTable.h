@@ -1,5 +1,4 @@
-// A step wedge's readings as a table, and its tones as text (docs/files-and-commands.md,
-// "Profiles").
+// A step wedge's readings as a table (docs/files-and-commands.md, "Profiles").
 #pragma once
 
 #include "texture/InkLaw.h"
@@ -13,9 +12,6 @@ inline constexpr std::array wedgeTones{0.05, 0.1,  0.2, 0.3,  0.45, 0.6,  0.75,
                                        0.9,  1.05, 1.2, 1.35, 1.5,  1.75, 2.0};
 inline constexpr qint64 mostWedgeBytes = 1 << 20;
 
-// "cyan", "magenta", "yellow", "black", "white".
-QString inkName(FilmInk ink);
-
 // A line for each reading after one with the columns' names: ink,nominal,flat,across,down,shown.
 // `ink` is cyan, magenta, yellow, black, white, or grey for the first three at once; the three in
 // the middle are the density that the page asked for, the one that unstretched film shows, and the
@@ -25,10 +21,5 @@ std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& wher
 // Such a table for cyan, magenta and yellow, with black where `black`, with the readings still to
 // be filled in.
 QByteArray blankWedge(int stretches, bool black = false);
-
-// "cyan 0.3 0.48 0.11 2.9; …": ink, density, exponent, bend, greatest stretch. Reading gives the
-// same numbers; it throws Error on what is no such text and as checkInkLaw() does.
-QString inkTonesText(const std::vector<InkTone>& tones);
-std::vector<InkTone> inkTones(const QString& text, const QString& where);
 
 } // namespace dipwright

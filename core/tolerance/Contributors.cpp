@@ -1,5 +1,8 @@
 #include "tolerance/Contributors.h"
 
+#include "dip/Pose.h"
+#include "geometry/TriangleMesh.h"
+
 #include <QCoreApplication>
 
 #include <Eigen/Geometry>

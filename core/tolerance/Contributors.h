@@ -1,10 +1,17 @@
 // What may be off in a dip, each by its own tolerance, and what that does to it.
 #pragma once
 
-#include "dip/Pose.h"
-#include "tolerance/ToleranceSettings.h"
+#include "settings/Immersion.h"
+#include "settings/ToleranceSettings.h"
+
+#include <dipwright/FilmSolver.h>
+
+#include <Eigen/Core>
+#include <QString>
 
 namespace dipwright {
+
+struct TexturedMesh;
 
 enum class Contributor : std::uint8_t {
     PositionX,

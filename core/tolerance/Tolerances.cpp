@@ -1,6 +1,7 @@
 #include "tolerance/Tolerances.h"
 
 #include "base/Error.h"
+#include "dip/Dip.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
 #include "tolerance/ChangedDips.h"

@@ -3,14 +3,17 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "dip/Dip.h"
 #include "dip/LaidFilm.h"
 #include "geometry/RefinedMesh.h"
+#include "settings/FilmSettings.h"
+#include "settings/ProcessSettings.h"
 #include "tolerance/Contributors.h"
 
 #include <functional>
 
 namespace dipwright {
+
+class DistanceField;
 
 // mm, over the painted places.
 struct Spread {

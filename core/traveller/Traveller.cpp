@@ -1,5 +1,6 @@
 #include "traveller/Traveller.h"
 
+#include "project/Profiles.h"
 #include "sheet/PdfDocument.h"
 #include "sheet/QrCode.h"
 #include "sheet/Sheet.h"
@@ -8,6 +9,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 

@@ -3,11 +3,14 @@
 // The words are in the program's language; numbers have its decimal sign.
 #pragma once
 
-#include "cradle/Cradle.h"
-#include "project/Profiles.h"
+#include "cradle/DatumPins.h"
+#include "geometry/TriangleMesh.h"
+#include "settings/Immersion.h"
+#include "settings/Profile.h"
 #include "traveller/Motion.h"
 #include "traveller/PosePicture.h"
 
+#include <QStringList>
 #include <optional>
 
 namespace dipwright {

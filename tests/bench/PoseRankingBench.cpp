@@ -7,7 +7,9 @@
 // objective is lost by taking the coarse dips' best, their best of three, of six and of twelve.
 // Then the mean difference of each measure.
 #include "pipeline/JobSearch.h"
+#include "project/Project.h"
 #include "project/ProjectStore.h"
+#include "search/Objective.h"
 #include "search/PoseCandidates.h"
 #include "search/PoseDips.h"
 #include "solver/SolverRegistry.h"

@@ -6,6 +6,7 @@
 // their join that is too narrow, and the best.
 // And how many times a second coverage is previewed, on one thread.
 #include "pipeline/JobSearch.h"
+#include "project/Project.h"
 #include "project/ProjectStore.h"
 #include "search/CoveragePreview.h"
 #include "solver/SolverRegistry.h"

@@ -2,9 +2,11 @@
 // there is no GPU.
 
 #include "dip/Dip.h"
+#include "film/FilmGrid.h"
 #include "geometry/Shapes.h"
 #include "paper/reference/PlainPaperFilm.h"
 #include "production/reference/ReferenceFilm.h"
+#include "project/Project.h"
 #include "project/ProjectStore.h"
 #include "solver/SolverRegistry.h"
 #include "solvers/TestFilm.h"

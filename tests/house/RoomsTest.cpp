@@ -273,6 +273,7 @@ private Q_SLOTS:
     void roomsLinkOnlyWhatTheyInclude();
     void roomsHandOnWhatTheirHeadersInclude();
     void roomsLinkOnlyWhatIsBelow();
+    void settingsAreALeaf();
     void headersThatSayTheyArePrivateAre();
     void solversAndPluginsIncludeNeitherQtNorVtk();
     void widgetsStayWithThoseWhoLinkThem();
@@ -365,6 +366,17 @@ void RoomsTest::roomsLinkOnlyWhatIsBelow() {
         below << room.target;
         return linesFor(room.target + QStringLiteral(" links upwards or aside"),
                         roomsAmong(room.links), allowed);
+    }));
+}
+
+// A room that needs a setting gets no algorithm with it.
+void RoomsTest::settingsAreALeaf() {
+    expectNone(complaints([](const Room& room) -> QStringList {
+        if (room.target != QLatin1String("dipwright_settings")) {
+            return {};
+        }
+        return linesFor(room.target + QStringLiteral(" links"), roomsAmong(room.links),
+                        {QStringLiteral("dipwright_base"), solverInterface});
     }));
 }
 

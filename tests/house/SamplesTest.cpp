@@ -1,8 +1,12 @@
 // The samples: that they are what the README says, and ready to dip.
+#include "base/Units.h"
 #include "geometry/SurfaceQuery.h"
+#include "model/TexturedMesh.h"
+#include "project/Project.h"
 #include "project/ProjectStore.h"
 
 #include <QtTest>
+#include <cmath>
 #include <set>
 
 using namespace dipwright;

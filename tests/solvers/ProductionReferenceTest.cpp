@@ -1,7 +1,9 @@
 // The production film on the CPU against the reference solver.
 #include "ProductionDips.h"
+#include "film/FilmGrid.h"
 #include "geometry/Shapes.h"
 #include "production/reference/ReferenceFilm.h"
+#include "project/Project.h"
 #include "project/ProjectStore.h"
 
 #include <QTest>

@@ -3,13 +3,20 @@
 
 #include "base/Progress.h"
 #include "cli/bench/Statistics.h"
-#include "project/Project.h"
+#include "settings/Immersion.h"
 #include "solver/SolverRegistry.h"
 
 #include <QJsonObject>
 
 #include <map>
 #include <optional>
+
+namespace dipwright {
+
+struct Project;
+struct TexturedMesh;
+
+} // namespace dipwright
 
 namespace dipwright::cli {
 

@@ -1,4 +1,6 @@
 #include "cli/bench/Measurements.h"
+#include "film/FilmGrid.h"
+#include "project/Project.h"
 
 #include "base/Error.h"
 #include "dip/Dip.h"

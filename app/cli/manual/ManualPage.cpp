@@ -1,5 +1,7 @@
 #include "cli/manual/ManualPage.h"
 
+#include <QStringList>
+
 namespace dipwright::cli {
 namespace {
 

@@ -7,6 +7,9 @@
 #include "panels/Units.h"
 #include "project/FilmSizes.h"
 #include "project/ProfileLibrary.h"
+#include "project/Profiles.h"
+#include "project/Project.h"
+#include "settings/Immersion.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

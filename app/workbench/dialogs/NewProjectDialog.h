@@ -4,7 +4,6 @@
 #include "document/Preferences.h"
 #include "import/ImportModel.h"
 #include "jobs/JobRunner.h"
-#include "project/Project.h"
 
 #include <QDialog>
 #include <QTimer>
@@ -17,6 +16,8 @@ class QPushButton;
 class QRadioButton;
 
 namespace dipwright {
+
+struct Project;
 
 class NewProjectDialog : public QDialog {
     Q_OBJECT

@@ -5,6 +5,7 @@
 #include "panels/PicturePanel.h"
 #include "panels/PictureView.h"
 #include "printing/PrintFile.h"
+#include "project/Profiles.h"
 
 #include <QCheckBox>
 #include <QComboBox>

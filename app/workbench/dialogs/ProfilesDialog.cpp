@@ -7,7 +7,9 @@
 #include "panels/ShippedNames.h"
 #include "printing/PrintFile.h"
 #include "project/ProfileFields.h"
+#include "project/Profiles.h"
 #include "project/ProjectFile.h"
+#include "sheet/PrinterColour.h"
 
 #include <QDialogButtonBox>
 #include <QFileDialog>

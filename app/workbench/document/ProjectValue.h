@@ -3,9 +3,10 @@
 #pragma once
 
 #include "project/Field.h"
-#include "project/Project.h"
 
 namespace dipwright {
+
+struct Project;
 
 // What the value may be. Throws Error for an unknown path.
 FieldRule valueRule(const QString& path);

@@ -7,13 +7,13 @@
 
 #include "disk/FileLock.h"
 #include "disk/FileVersion.h"
-#include "project/Project.h"
 
 #include <QThreadPool>
 #include <QTimer>
 
 #include <atomic>
 #include <optional>
+#include <vector>
 
 namespace dipwright {
 

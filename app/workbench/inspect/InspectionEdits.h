@@ -4,6 +4,7 @@
 
 #include "document/Document.h"
 #include "inspect/FitPage.h"
+#include "settings/InspectedPart.h"
 
 namespace dipwright {
 

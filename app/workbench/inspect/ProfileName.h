@@ -1,8 +1,8 @@
 // Asks for the film profile that takes what was measured, and writes it.
 #pragma once
 
-#include "project/Profiles.h"
 #include "session/Messages.h"
+#include "settings/Profile.h"
 
 #include <QWidget>
 #include <functional>

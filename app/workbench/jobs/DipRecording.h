@@ -1,7 +1,8 @@
 // The film of one dip over time, thinned out so that it can be played and scrubbed.
 #pragma once
 
-#include "dip/Dip.h"
+#include "dip/FilmFrame.h"
+#include "settings/Immersion.h"
 
 #include <memory>
 #include <mutex>

@@ -1,5 +1,6 @@
 #include "layers/ArtworkController.h"
 
+#include "artwork/EditArtwork.h"
 #include "dialogs/NewProjectDialog.h"
 #include "import/ReadPictures.h"
 #include "session/StartJob.h"

@@ -2,7 +2,7 @@
 // itself.
 #pragma once
 
-#include "artwork/Artwork.h"
+#include "settings/Artwork.h"
 
 #include <QWidget>
 #include <functional>

@@ -1,5 +1,7 @@
 #include "layers/LayerFrame.h"
 
+#include "artwork/EditArtwork.h"
+
 #include <algorithm>
 #include <cmath>
 

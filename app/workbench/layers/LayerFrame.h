@@ -1,8 +1,8 @@
 // The frame round a decal in the 3D view, by which it is moved, turned and sized.
 #pragma once
 
-#include "artwork/Artwork.h"
 #include "geometry/UnfoldedSurface.h"
+#include "settings/Artwork.h"
 #include "view/DipScene.h"
 
 #include <optional>

@@ -6,6 +6,7 @@
 #include "main/Workbench.h"
 #include "panels/PropertyPanel.h"
 #include "panels/ShippedNames.h"
+#include "project/Profiles.h"
 
 #include <QAction>
 

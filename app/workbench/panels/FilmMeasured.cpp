@@ -3,9 +3,12 @@
 #include "base/Error.h"
 #include "panels/ShippedNames.h"
 #include "project/ProfileLibrary.h"
+#include "project/Profiles.h"
+#include "project/Project.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QStringList>
 #include <algorithm>
 
 namespace dipwright {

@@ -1,13 +1,14 @@
 // What of a film was measured by photos and what is a guess, in words.
 #pragma once
 
-#include "project/Project.h"
-
 #include <QString>
 
 class QComboBox;
 
 namespace dipwright {
+
+struct FilmProfile;
+struct Project;
 
 // "measured on 2026-11-02" or "not measured".
 QString measuredText(const FilmProfile& film);

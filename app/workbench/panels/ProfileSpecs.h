@@ -2,7 +2,7 @@
 #pragma once
 
 #include "panels/PropertySpecs.h"
-#include "project/Profiles.h"
+#include "settings/Profile.h"
 
 namespace dipwright {
 

@@ -2,7 +2,7 @@
 
 #include "document/ProjectValue.h"
 #include "panels/PropertySpecs.h"
-#include "search/SearchSettings.h"
+#include "settings/SearchSettings.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>

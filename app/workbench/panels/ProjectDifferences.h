@@ -2,9 +2,12 @@
 #pragma once
 
 #include "panels/Units.h"
-#include "project/Project.h"
+
+#include <vector>
 
 namespace dipwright {
+
+struct Project;
 
 struct ProjectDifference {
     QString setting;       // "Film · Swell"

@@ -17,6 +17,7 @@
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace dipwright {
 

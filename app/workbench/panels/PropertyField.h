@@ -4,13 +4,14 @@
 
 #include "panels/Units.h"
 #include "project/Field.h"
-#include "project/Project.h"
 
 #include <QWidget>
 #include <functional>
 #include <memory>
 
 namespace dipwright {
+
+struct Project;
 
 // How a value of the schema is called and explained to the user.
 struct PropertySpec {

@@ -11,6 +11,7 @@
 #include "panels/ShippedNames.h"
 #include "panels/ZoneFields.h"
 #include "pipeline/DeeperDip.h"
+#include "project/Profiles.h"
 
 #include <QComboBox>
 #include <QFileInfo>

@@ -16,6 +16,8 @@ class QFormLayout;
 
 namespace dipwright {
 
+struct Project;
+
 class MarkFields;
 struct PropertySection;
 

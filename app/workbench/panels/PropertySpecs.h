@@ -6,6 +6,8 @@
 
 namespace dipwright {
 
+struct Project;
+
 struct PropertySection {
     QString title; // empty: none
     std::vector<PropertySpec> specs;

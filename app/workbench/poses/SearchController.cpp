@@ -2,6 +2,7 @@
 
 #include "base/HandOver.h"
 #include "document/ImmersionEdits.h"
+#include "film/FilmGrid.h"
 #include "pipeline/JobSearch.h"
 #include "pipeline/SolverChoice.h"
 #include "search/PoseCandidates.h"

@@ -1,7 +1,7 @@
 // What counts in a search, and what must be kept: the aims of a project's searches.
 #pragma once
 
-#include "search/SearchSettings.h"
+#include "settings/SearchSettings.h"
 
 #include <QWidget>
 

@@ -2,9 +2,9 @@
 // the last that was asked for waits, so that a layer that is dragged goes along.
 #pragma once
 
-#include "artwork/Artwork.h"
 #include "jobs/JobRunner.h"
 #include "model/TexturedMesh.h"
+#include "settings/Artwork.h"
 
 #include <memory>
 

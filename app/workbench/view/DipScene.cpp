@@ -2,6 +2,7 @@
 
 #include "dip/FilmMarks.h"
 #include "dip/Pose.h"
+#include "film/FilmGrid.h"
 #include "look/Theme.h"
 #include "pipeline/PrintedBody.h"
 #include "results/Results.h"

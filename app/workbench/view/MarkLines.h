@@ -3,7 +3,7 @@
 
 #include "geometry/RefinedMesh.h"
 #include "geometry/SurfaceQuery.h"
-#include "share/ShareSettings.h"
+#include "settings/ShareSettings.h"
 #include "viewport/ViewLine.h"
 
 namespace dipwright {

@@ -4,7 +4,9 @@
 #include "Samples.h"
 #include "base/Error.h"
 #include "import/ImportModel.h"
+#include "project/Project.h"
 #include "project/ProjectStore.h"
+#include "settings/Immersion.h"
 
 #include <QDir>
 #include <QGuiApplication>

@@ -6,6 +6,7 @@
 #include "disk/Unfinished.h"
 #include "disk/WholeFile.h"
 #include "project/ProfileLibrary.h"
+#include "project/Project.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 

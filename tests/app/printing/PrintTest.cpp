@@ -10,6 +10,7 @@
 #include <QColorSpace>
 #include <QScopeGuard>
 #include <QtTest>
+#include <cmath>
 
 using namespace dipwright;
 

@@ -3,6 +3,7 @@
 #include "FileAnswer.h"
 #include "Patience.h"
 #include "WindowDriver.h"
+#include "artwork/EditArtwork.h"
 #include "base/WideColour.h"
 #include "geometry/Shapes.h"
 #include "layers/ArtworkPage.h"

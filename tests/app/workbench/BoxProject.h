@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/Shapes.h"
+#include "model/TexturedMesh.h"
 #include "project/Project.h"
 
 #include <limits>

@@ -3,6 +3,7 @@
 #include "Patience.h"
 #include "PluginFolder.h"
 #include "WindowDriver.h"
+#include "artwork/EditArtwork.h"
 #include "dialogs/CertaintyDialog.h"
 #include "dialogs/GuideWindow.h"
 #include "dialogs/NewProjectDialog.h"

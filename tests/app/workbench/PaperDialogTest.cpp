@@ -3,6 +3,7 @@
 #include "dialogs/CalibrationDialog.h"
 #include "dialogs/PrintDialog.h"
 #include "dialogs/ProfilesDialog.h"
+#include "project/Profiles.h"
 
 #include "base/Error.h"
 #include "panels/PictureView.h"

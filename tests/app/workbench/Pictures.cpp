@@ -1,5 +1,6 @@
 // Makes pictures of the program's windows, for the guide, the README and for looking at the layout.
 #include "WindowDriver.h"
+#include "artwork/EditArtwork.h"
 #include "base/Error.h"
 #include "compare/CompareWindow.h"
 #include "dialogs/CalibrationDialog.h"
@@ -18,6 +19,7 @@
 #include "look/Theme.h"
 #include "panels/ProjectTree.h"
 #include "panels/Timeline.h"
+#include "project/Profiles.h"
 #include "project/ProjectStore.h"
 
 #include <QApplication>

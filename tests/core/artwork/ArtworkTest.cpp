@@ -1,4 +1,5 @@
 // Pictures, text and patterns on bodies: charts, lengths, order and colours.
+#include "artwork/EditArtwork.h"
 #include "artwork/LayerPicture.h"
 #include "artwork/LayerPlane.h"
 #include "artwork/PaintArtwork.h"

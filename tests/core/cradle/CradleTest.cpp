@@ -2,9 +2,12 @@
 #include "cradle/Cradle.h"
 #include "DippedByHand.h"
 #include "cradle/CradleFiles.h"
+#include "geometry/DistanceField.h"
 #include "geometry/Shapes.h"
 #include "import/ImportModel.h"
 #include "parallel/Threads.h"
+#include "settings/FilmSettings.h"
+#include "sheet/Sheet.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

@@ -1,5 +1,6 @@
 // How fine a film is made for a body and its pose.
 #include "dip/FilmUnderBody.h"
+#include "film/FilmGrid.h"
 
 #include "DippedByHand.h"
 #include "base/Error.h"

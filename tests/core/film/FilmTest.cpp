@@ -1,6 +1,7 @@
 // What can be read off a film by itself: its grid, its constraints and its stretch.
 #include "film/DippedFilm.h"
-#include "film/FilmSettings.h"
+#include "film/FilmGrid.h"
+#include "settings/FilmSettings.h"
 
 #include <Eigen/Geometry>
 #include <QtTest>

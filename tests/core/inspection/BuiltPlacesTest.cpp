@@ -6,6 +6,7 @@
 
 #include <QStandardPaths>
 #include <QtTest>
+#include <cmath>
 
 using namespace dipwright;
 

@@ -7,6 +7,7 @@
 
 #include <QStandardPaths>
 #include <QtTest>
+#include <cmath>
 #include <numeric>
 #include <random>
 

@@ -1,9 +1,10 @@
 // A film on the water, measured by photos of which every number is known.
 #include "TankPhoto.h"
+#include "project/Profiles.h"
 
 #include "base/Error.h"
 #include "inspection/FilmWatch.h"
-#include "project/FilmOnWater.h"
+#include "settings/FilmOnWater.h"
 #include "sheet/WatchPage.h"
 
 #include <QtTest>

@@ -1,6 +1,7 @@
 // Corners of a print found in photos of a body, of which every number is known.
 #include "inspection/FindPrint.h"
 #include "PartPhoto.h"
+#include "artwork/EditArtwork.h"
 #include "base/Error.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"

@@ -4,6 +4,7 @@
 
 #include "PartPhoto.h"
 #include "inspection/FilmFit.h"
+#include "project/Project.h"
 
 namespace dipwright::test {
 

@@ -1,5 +1,6 @@
 // A fit that is used in a project changes what was fitted, and nothing else that was edited.
 #include "inspection/FilmFitFiles.h"
+#include "project/Project.h"
 
 #include <QtTest>
 

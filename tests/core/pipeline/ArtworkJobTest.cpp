@@ -1,4 +1,5 @@
 // Artwork from the project to the sheet: what it paints, what it makes anew, what it leaves alone.
+#include "artwork/EditArtwork.h"
 #include "artwork/PaintArtwork.h"
 #include "base/Error.h"
 #include "base/WideColour.h"

@@ -1,11 +1,14 @@
 // Needs models that are not in the repository: those in ../shared beside it. Without them its cases
 // are skipped, and scripts/test counts them.
+#include "artwork/EditArtwork.h"
 #include "artwork/PaintArtwork.h"
 #include "import/ImportModel.h"
 #include "pipeline/SheetCertainty.h"
+#include "project/Project.h"
 
 #include <QDir>
 #include <QtTest>
+#include <cmath>
 #include <set>
 
 using namespace dipwright;

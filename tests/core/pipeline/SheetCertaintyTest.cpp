@@ -1,5 +1,6 @@
 // How far sheets move when they are computed more finely, and that the user is told.
 #include "pipeline/SheetCertainty.h"
+#include "project/Project.h"
 
 #include "PluginFolder.h"
 #include "base/Error.h"

@@ -1,7 +1,11 @@
 // Which steps of the job depend on which of a project's values: all that decides what is computed
 // anew and what is out of date.
 #include "pipeline/StepInputs.h"
+#include "model/TexturedMesh.h"
+#include "pipeline/JobOptions.h"
+#include "project/Project.h"
 
+#include <QStringList>
 #include <QtTest>
 
 using namespace dipwright;

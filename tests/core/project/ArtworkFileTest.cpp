@@ -1,6 +1,7 @@
 // Artwork in the project's file: kept whole, refused where it makes no sense, absent where there is
 // none.
 #include "SampleProject.h"
+#include "artwork/EditArtwork.h"
 #include "base/Error.h"
 #include "project/ProjectStore.h"
 

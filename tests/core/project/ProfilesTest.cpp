@@ -1,4 +1,5 @@
 // Profiles of printers, films and tanks: their files, the library, and the copy in a project.
+#include "project/Profiles.h"
 #include "project/ProfileLibrary.h"
 
 #include "base/Error.h"

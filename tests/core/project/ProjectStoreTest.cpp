@@ -2,6 +2,8 @@
 #include "HostileZip.h"
 #include "SampleProject.h"
 #include "TestFiles.h"
+#include "artwork/EditArtwork.h"
+#include "model/TexturedMesh.h"
 
 #include "base/Error.h"
 #include "project/ProjectStore.h"

@@ -1,5 +1,6 @@
 // Named states of a project, as they are kept in its file.
 #include "project/Snapshots.h"
+#include "artwork/EditArtwork.h"
 
 #include "SampleProject.h"
 #include "base/Error.h"

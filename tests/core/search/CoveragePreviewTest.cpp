@@ -2,6 +2,8 @@
 #include "search/CoveragePreview.h"
 #include "SearchSubjects.h"
 #include "dip/Coverage.h"
+#include "dip/Dip.h"
+#include "geometry/DistanceField.h"
 #include "solver/SolverRegistry.h"
 
 #include <QStandardPaths>

@@ -2,7 +2,9 @@
 #include "search/PoseSearch.h"
 #include "SearchSubjects.h"
 #include "base/Error.h"
+#include "dip/Pose.h"
 #include "parallel/Threads.h"
+#include "search/Objective.h"
 #include "solver/SolverRegistry.h"
 
 #include <QStandardPaths>

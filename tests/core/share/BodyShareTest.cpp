@@ -6,6 +6,7 @@
 #include "geometry/Shapes.h"
 #include "share/FadeBand.h"
 #include "share/ShareMarks.h"
+#include "texture/Ink.h"
 #include "texture/LinearLight.h"
 #include "texture/ReverseTexture.h"
 

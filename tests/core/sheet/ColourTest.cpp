@@ -12,6 +12,8 @@
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <QtTest>
+#include <algorithm>
+#include <cstdint>
 #include <tiffio.h>
 
 using namespace dipwright;

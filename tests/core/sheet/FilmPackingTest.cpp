@@ -12,6 +12,7 @@
 #include <QTransform>
 #include <QtTest>
 
+#include <algorithm>
 #include <random>
 
 using namespace dipwright;

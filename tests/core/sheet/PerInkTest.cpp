@@ -2,6 +2,8 @@
 // apart by Ghostscript, carried forward by the laws and looked at by lcms2.
 #include "PaperMeasure.h"
 #include "TestProfiles.h"
+#include "texture/Ink.h"
+#include "texture/LinearLight.h"
 
 #include "sheet/PlateCompensation.h"
 #include "sheet/PrinterColour.h"
@@ -10,6 +12,7 @@
 #include "texture/StretchPlane.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <lcms2.h>
 #include <map>

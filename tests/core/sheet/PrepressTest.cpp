@@ -11,6 +11,8 @@
 
 #include <QScopeGuard>
 #include <QtTest>
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <lcms2.h>
 #include <map>

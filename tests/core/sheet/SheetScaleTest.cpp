@@ -11,6 +11,7 @@
 #include <QBuffer>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 
 using namespace dipwright;
 

@@ -10,6 +10,7 @@
 #include <QColorSpace>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 
 using namespace dipwright;
 

@@ -4,6 +4,9 @@
 #include "base/Error.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
+#include "settings/InkTones.h"
+#include "texture/Ink.h"
+#include "texture/LinearLight.h"
 #include "texture/ReverseTexture.h"
 #include "texture/WedgeTable.h"
 

@@ -3,9 +3,11 @@
 #include "traveller/Traveller.h"
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
+#include "sheet/Sheet.h"
 
 #include <QProcess>
 #include <QStandardPaths>
+#include <QStringList>
 #include <QTemporaryDir>
 #include <QtTest>
 

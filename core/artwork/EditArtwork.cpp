@@ -1,9 +1,7 @@
-#include "artwork/Artwork.h"
+#include "artwork/EditArtwork.h"
 
 #include "artwork/LayerPicture.h"
 #include "base/Error.h"
-#include "base/Sha256.h"
-#include "base/WideColour.h"
 #include "geometry/SurfaceQuery.h"
 
 #include <QCoreApplication>
@@ -11,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace dipwright {
 namespace {
@@ -21,50 +18,6 @@ struct Text {
 };
 
 } // namespace
-
-bool isPattern(LayerKind kind) {
-    return kind != LayerKind::Picture && kind != LayerKind::Text;
-}
-
-ArtworkPicture artworkPicture(const QImage& image) {
-    const bool wide = isWide(image);
-    const QImage kept = wide ? inWide(image) : image.convertToFormat(QImage::Format_RGBA8888);
-    Sha256 hash;
-    hash.add(QByteArray::number(kept.width()) + 'x' + QByteArray::number(kept.height()) +
-             (wide ? "w" : "s"));
-    const auto bytes = qsizetype(kept.width()) * kept.depth() / 8;
-    for (int row = 0; row < kept.height(); ++row) {
-        hash.add(QByteArrayView(kept.constScanLine(row), bytes));
-    }
-    return {QString::fromLatin1(hash.result().toHex()), kept};
-}
-
-Artwork Artwork::inColours() const {
-    Artwork coloured{base, {}};
-    std::copy_if(layers.begin(), layers.end(), std::back_inserter(coloured.layers),
-                 [](const ArtworkLayer& layer) { return layer.spot.isEmpty(); });
-    return coloured;
-}
-
-Artwork Artwork::inSpot(const QString& spot) const {
-    Artwork own{QColor(Qt::white), {}};
-    std::copy_if(layers.begin(), layers.end(), std::back_inserter(own.layers),
-                 [&](const ArtworkLayer& layer) { return layer.spot == spot; });
-    return own;
-}
-
-std::vector<ArtworkLayer> Artwork::spots() const {
-    std::vector<ArtworkLayer> found;
-    for (const ArtworkLayer& layer : layers) {
-        const bool isKnown =
-            std::any_of(found.begin(), found.end(),
-                        [&](const ArtworkLayer& known) { return known.spot == layer.spot; });
-        if (layer.visible && !layer.spot.isEmpty() && !isKnown) {
-            found.push_back(layer);
-        }
-    }
-    return found;
-}
 
 ArtworkLayer newLayer(LayerKind kind, const QString& name) {
     ArtworkLayer layer;

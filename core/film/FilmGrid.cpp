@@ -1,4 +1,4 @@
-#include "film/FilmSettings.h"
+#include "film/FilmGrid.h"
 
 #include <cmath>
 

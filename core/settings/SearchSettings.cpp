@@ -1,11 +1,9 @@
-#include "search/SearchSettings.h"
+#include "settings/SearchSettings.h"
 
 #include "base/Error.h"
 
 #include <QCoreApplication>
 #include <QStringList>
-#include <algorithm>
-#include <cmath>
 
 namespace dipwright {
 namespace {
@@ -13,36 +11,6 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(PoseSearch)
 };
-
-// Film drawn out as far as it commonly tears shows nothing of its picture (process.tear_stretch).
-constexpr double goodStretch = 1.2, uselessStretch = 4;
-constexpr double longestJoin = 2;        // equators: a join as long as this is as bad as can be
-constexpr double leastLimitScale = 0.01; // what a limit of 0 is missed by is reckoned against
-
-// 1 at `good`, 0 at `bad`, linear between.
-double ramp(double value, double good, double bad) {
-    return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
-}
-
-double goodness(Measure measure, double value, double equator) {
-    switch (measure) {
-    case Measure::Quality:
-    case Measure::Coverage:
-    case Measure::Certain:
-        return value;
-    case Measure::Stretch:
-        return ramp(value, goodStretch, uselessStretch);
-    case Measure::Join:
-        return ramp(value, 0, longestJoin * equator);
-    case Measure::Wrinkled:
-    case Measure::Torn:
-    case Measure::TrappedAir:
-    case Measure::Narrow:
-    case Measure::FilmUsed:
-        break;
-    }
-    return 1 - value;
-}
 
 void require(double value, double least, double most, const QString& where) {
     if (!(value >= least && value <= most)) {
@@ -192,34 +160,6 @@ void setLimit(PoseAims& aims, const QString& key, std::optional<double> value) {
         require(*value, 0, mostLimit(measure), key);
     }
     aims.limits[measure] = value;
-}
-
-double printQuality(double larger, double smaller) {
-    return ramp(larger, 1.2, 2.5) * ramp(smaller, 0.7, 0.2);
-}
-
-double objective(const PoseMeasures& measures, const SearchSettings& settings, double equator) {
-    double sum = 0, weights = 0;
-    for (const Measure measure : allMeasures()) {
-        if (!isOfTwoDips(measure) || settings.immersions == 2) {
-            const double weight = settings.aims.weights[measure];
-            sum += weight * goodness(measure, measures[measure], equator);
-            weights += weight;
-        }
-    }
-    return sum / weights;
-}
-
-double limitsMissed(const PoseMeasures& measures, const SearchSettings& settings) {
-    double missed = 0;
-    for (const Measure measure : allMeasures()) {
-        if (const std::optional<double>& limit = settings.aims.limits[measure]) {
-            const double over =
-                isMoreBetter(measure) ? *limit - measures[measure] : measures[measure] - *limit;
-            missed += std::max(over, 0.0) / std::max(*limit, leastLimitScale);
-        }
-    }
-    return missed;
 }
 
 } // namespace dipwright

@@ -1,22 +1,22 @@
 // What is laid onto a body beside its own texture: pictures, text and repeating patterns, one above
 // the other, as in the project file's "artwork". Values; what they look like on a body is
-// PaintArtwork.h's.
+// artwork/PaintArtwork.h's.
 #pragma once
 
 #include "base/Units.h"
-#include "model/TexturedMesh.h"
 
 #include <QColor>
 #include <QImage>
-#include <QStringList>
+#include <QString>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace dipwright {
 
-// What a layer shows. The patterns are made by the program (Patterns.h) and have no seams.
+// What a layer shows. The patterns are made by the program (artwork/Patterns.h) and have no seams.
 enum class LayerKind : std::uint8_t { Picture, Text, Carbon, Camouflage, Wood };
 bool isPattern(LayerKind kind);
 
@@ -92,26 +92,5 @@ struct Artwork {
     std::vector<ArtworkLayer> spots() const;
     bool operator==(const Artwork&) const = default;
 };
-
-// A layer as it is best begun with: patterns as a box in their usual scale and colours, others as a
-// decal. `name`: what it is called.
-ArtworkLayer newLayer(LayerKind kind, const QString& name);
-
-// The layer on a model it has not been placed on yet: decals in the middle of its front, the side
-// that looks along +Z, others about its middle; no larger than looks well there.
-ArtworkLayer placedOn(const TexturedMesh& model, ArtworkLayer layer);
-
-// Lays it over all others. The first on a model without a texture makes white, which is no ink, the
-// base, so that not all of the body is printed in the model's plain colour. Throws Error past
-// mostArtworkLayers.
-void addLayer(Artwork& artwork, const ArtworkLayer& layer, const TexturedMesh& model);
-
-// How large what a layer shows comes out, in the area that it takes: a picture or text shown once
-// keeps its proportions. Text needs a QGuiApplication.
-std::array<Millimetres, 2> shownSize(const ArtworkLayer& layer);
-
-// A sentence for each layer whose font this computer has not: it is drawn in another. Needs a
-// QGuiApplication.
-QStringList fontWarnings(const Artwork& artwork);
 
 } // namespace dipwright

@@ -57,9 +57,4 @@ struct FilmSettings {
     bool operator==(const FilmSettings&) const = default;
 };
 
-// The floating film, evenly spaced: the printed sheet grown by the swell.
-solver::FilmGrid filmGrid(const FilmSettings& settings);
-// One byte a point of `grid`, empty when all edges are free.
-std::vector<std::uint8_t> pinnedPoints(const FilmEdges& edges, const solver::FilmGrid& grid);
-
 } // namespace dipwright
