@@ -1,5 +1,6 @@
 #include "cradle/CradlePlate.h"
 
+#include "dip/LaidFilm.h"
 #include "dip/Pose.h"
 #include "sheet/SheetLayout.h"
 

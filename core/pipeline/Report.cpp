@@ -5,6 +5,7 @@
 
 #include "pipeline/JobTolerances.h"
 #include "pipeline/SmallerFilm.h"
+#include "texture/ReverseTexture.h"
 
 #include <QJsonArray>
 

@@ -13,6 +13,7 @@
 #include "pipeline/Pipeline.h"
 #include "pipeline/SheetCertainty.h"
 #include "project/ProjectStore.h"
+#include "texture/ReverseTexture.h"
 
 #include <QGuiApplication>
 

@@ -5,6 +5,7 @@
 // poses and of the project's own, the share that is certain of what the best paint, the share of
 // their join that is too narrow, and the best.
 // And how many times a second coverage is previewed, on one thread.
+#include "model/TexturedMesh.h"
 #include "pipeline/JobSearch.h"
 #include "project/Project.h"
 #include "project/ProjectStore.h"

@@ -2,6 +2,7 @@
 
 #include "panels/ShippedNames.h"
 #include "pipeline/SmallerFilm.h"
+#include "texture/ReverseTexture.h"
 
 #include <QCoreApplication>
 #include <QLabel>

@@ -272,3 +272,4 @@ private:
 
 QTEST_MAIN(ArtworkJobTest)
 #include "ArtworkJobTest.moc"
+#include "texture/ReverseTexture.h"

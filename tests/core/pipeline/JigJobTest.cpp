@@ -126,3 +126,4 @@ private:
 
 QTEST_MAIN(JigJobTest)
 #include "JigJobTest.moc"
+#include "texture/ReverseTexture.h"
