@@ -1,6 +1,7 @@
 #include "inspection/FitQuantities.h"
 
 #include "base/Error.h"
+#include "dip/Pose.h"
 #include "project/Project.h"
 
 #include <QCoreApplication>
