@@ -1303,34 +1303,6 @@
         <translation>Verhalten auf dem Wasser</translation>
     </message>
     <message>
-        <source>Swell</source>
-        <translation>Quellung</translation>
-    </message>
-    <message>
-        <source>How much the wetted film has grown over the printed one, across and down.</source>
-        <translation>Wie viel der nasse Film gegenüber dem gedruckten gewachsen ist, quer und längs.</translation>
-    </message>
-    <message>
-        <source>Relaxation</source>
-        <translation>Relaxation</translation>
-    </message>
-    <message>
-        <source>How fast the film forgets its stretch while it floats.</source>
-        <translation>Wie schnell der schwimmende Film seine Dehnung vergisst.</translation>
-    </message>
-    <message>
-        <source>Elastic</source>
-        <translation>Elastisch</translation>
-    </message>
-    <message>
-        <source>Contact distance</source>
-        <translation>Kontaktabstand</translation>
-    </message>
-    <message>
-        <source>The distance from the body at which the film begins to adhere.</source>
-        <translation>Der Abstand vom Körper, ab dem der Film haftet.</translation>
-    </message>
-    <message>
         <source>Soak time</source>
         <translation>Weichzeit</translation>
     </message>
@@ -1349,10 +1321,6 @@
     <message>
         <source>Sides</source>
         <translation>Seiten</translation>
-    </message>
-    <message>
-        <source>Whether this side of the film floats freely or is held by a barrier.</source>
-        <translation>Ob diese Seite des Films frei schwimmt oder von einer Barriere gehalten wird.</translation>
     </message>
     <message>
         <source>Width and length of the water.</source>
@@ -1390,58 +1358,6 @@
     <message>
         <source>Advanced: laws without measurement</source>
         <translation>Erweitert: Gesetze ohne Messung</translation>
-    </message>
-    <message>
-        <source>Overhang</source>
-        <translation>Überhang</translation>
-    </message>
-    <message>
-        <source>The film holds on faces that turn upwards by no more than this.</source>
-        <translation>Die Folie hält auf Flächen, die sich um nicht mehr als dies nach oben wenden.</translation>
-    </message>
-    <message>
-        <source>As in the project</source>
-        <translation>Wie im Projekt</translation>
-    </message>
-    <message>
-        <source>Grip fades over</source>
-        <translation>Halt schwindet über</translation>
-    </message>
-    <message>
-        <source>So far before the overhang the body begins to lose its grip on the film.</source>
-        <translation>So weit vor dem Überhang beginnt der Körper, die Folie loszulassen.</translation>
-    </message>
-    <message>
-        <source>Tears at</source>
-        <translation>Reißt bei</translation>
-    </message>
-    <message>
-        <source>How many times its length or its area the film can be stretched before it tears.</source>
-        <translation>Auf das Wievielfache ihrer Länge oder Fläche die Folie gedehnt werden kann, bevor sie reißt.</translation>
-    </message>
-    <message>
-        <source>Gathers below</source>
-        <translation>Rafft sich unter</translation>
-    </message>
-    <message>
-        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more.</source>
-        <translation>Folie, die unter diese mittlere Dehnung zusammengeschoben wird, rafft sich und leistet kaum noch Widerstand.</translation>
-    </message>
-    <message>
-        <source>Growth</source>
-        <translation>Wachstum</translation>
-    </message>
-    <message>
-        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin.</source>
-        <translation>Wie schnell die Folie weiterwächst, während sie schwimmt, in einer Sekunde und zu Beginn des Tauchvorgangs.</translation>
-    </message>
-    <message>
-        <source>Grows by at most</source>
-        <translation>Wächst höchstens um</translation>
-    </message>
-    <message>
-        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
-        <translation>Um wie viel länger als zu Beginn des Tauchvorgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
     </message>
     <message>
         <source>Flash time</source>
@@ -1540,37 +1456,6 @@
         <translation>Die Relaxationszeit, die Fotos eines getauchten Teils ergaben.</translation>
     </message>
     <message>
-        <source>Ink thins by</source>
-        <translation>Tinte wird dünner mit</translation>
-    </message>
-    <message>
-        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
-        <translation>Der Exponent n: mit der Dichte D gedruckte Tinte zeigt D·J^−n, wo der Film auf das J-fache seiner Fläche gedehnt ist. 1 für Farbstoff, 0 für Punkte, die alles hinter sich verdecken. Eine Schätzung, für Tinten ohne gemessene Töne.</translation>
-    </message>
-    <message>
-        <source>C</source>
-        <comment>cyan</comment>
-        <translation>C</translation>
-    </message>
-    <message>
-        <source>M</source>
-        <comment>magenta</comment>
-        <translation>M</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <comment>yellow</comment>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Ink, measured</source>
-        <translation>Tinte, gemessen</translation>
-    </message>
-    <message>
-        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
-        <translation>Was ein Stufenkeil ergab, Ton für Ton: Tinte, Dichte, Exponent, Krümmung, größte Dehnung (dipwright-cli profile wedge).</translation>
-    </message>
-    <message>
         <source>Total ink</source>
         <translation>Gesamtfarbauftrag</translation>
     </message>
@@ -1581,24 +1466,6 @@
     <message>
         <source>As the ICC profile has it</source>
         <translation>Wie im ICC-Profil</translation>
-    </message>
-    <message>
-        <source>Black and white</source>
-        <translation>Schwarz und Weiß</translation>
-    </message>
-    <message>
-        <source>The same of black and white ink, which printers in CMYK have.</source>
-        <translation>Dasselbe für schwarze und weiße Tinte, die Drucker in CMYK haben.</translation>
-    </message>
-    <message>
-        <source>K</source>
-        <comment>black</comment>
-        <translation>K</translation>
-    </message>
-    <message>
-        <source>W</source>
-        <comment>white</comment>
-        <translation>W</translation>
     </message>
 </context>
 <context>
@@ -1920,7 +1787,21 @@
     </message>
 </context>
 <context>
-    <name>PropertySpecs</name>
+    <name>FilmFields</name>
+    <message>
+        <source>W</source>
+        <comment>width</comment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <comment>height</comment>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>Whether this side of the film floats freely or is held by a barrier in the tank.</source>
+        <translation>Ob diese Seite des Films frei schwimmt oder von einer Barriere im Becken gehalten wird.</translation>
+    </message>
     <message>
         <source>Free</source>
         <translation>Frei</translation>
@@ -1930,9 +1811,153 @@
         <translation>Von einer Barriere gehalten</translation>
     </message>
     <message>
-        <source>Whether this side of the film floats freely or is held by a barrier in the tank.</source>
-        <translation>Ob diese Seite des Films frei schwimmt oder von einer Barriere im Becken gehalten wird.</translation>
+        <source>Swell</source>
+        <translation>Quellung</translation>
     </message>
+    <message>
+        <source>How much the wetted film has grown over the printed one, across and down. Measure it: it is the first number to calibrate, and the sheet is printed smaller by it.</source>
+        <translation>Wie viel der benetzte Film gegenüber dem gedruckten gewachsen ist, quer und längs. Messen Sie es: Es ist die erste Zahl, die zu kalibrieren ist, und der Bogen wird um sie kleiner gedruckt.</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxation</translation>
+    </message>
+    <message>
+        <source>How fast stress in the floating film decays. An elastic film remembers its shape for ever; a viscous one, at 0 s, forgets at once.</source>
+        <translation>Wie schnell Spannung im schwimmenden Film abklingt. Ein elastischer Film behält seine Form für immer in Erinnerung, ein viskoser, bei 0 s, vergisst sie sofort.</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Elastisch</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Wachstum</translation>
+    </message>
+    <message>
+        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
+        <translation>Wie schnell die Folie weiterwächst, während sie schwimmt, in einer Sekunde und zu Beginn des Tauchvorgangs. Was am Körper liegt, wächst nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Grows by at most</source>
+        <translation>Wächst höchstens um</translation>
+    </message>
+    <message>
+        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
+        <translation>Um wie viel länger als zu Beginn des Tauchvorgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
+    </message>
+    <message>
+        <source>Contact distance</source>
+        <translation>Kontaktabstand</translation>
+    </message>
+    <message>
+        <source>How near a film point has to come to the surface to touch it.</source>
+        <translation>Wie nahe ein Filmpunkt der Oberfläche kommen muss, um sie zu berühren.</translation>
+    </message>
+    <message>
+        <source>Grip fades over</source>
+        <translation>Halt schwindet über</translation>
+    </message>
+    <message>
+        <source>So far before the overhang the body begins to lose its grip on the film. A guess: no film was measured.</source>
+        <translation>So weit vor dem Überhang beginnt der Körper, die Folie loszulassen. Eine Annahme: Keine Folie wurde gemessen.</translation>
+    </message>
+    <message>
+        <source>Gathers below</source>
+        <translation>Rafft sich unter</translation>
+    </message>
+    <message>
+        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
+        <translation>Folie, die unter diese mittlere Dehnung zusammengeschoben wird, rafft sich und leistet kaum noch Widerstand. Eine Annahme: Keine Folie wurde gemessen.</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Ink thins by</source>
+        <translation>Tinte wird dünner mit</translation>
+    </message>
+    <message>
+        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
+        <translation>Der Exponent n: mit der Dichte D gedruckte Tinte zeigt D·J^−n, wo der Film auf das J-fache seiner Fläche gedehnt ist. 1 für Farbstoff, 0 für Punkte, die alles hinter sich verdecken. Eine Schätzung, für Tinten ohne gemessene Töne.</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>cyan</comment>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <comment>magenta</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <comment>yellow</comment>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Schwarz und Weiß</translation>
+    </message>
+    <message>
+        <source>The same of black and white ink, which printers in CMYK have: there each ink is made up for by itself, after separation.</source>
+        <translation>Dasselbe für schwarze und weiße Tinte, die Drucker in CMYK haben: Dort wird jede Tinte für sich ausgeglichen, nach der Separation.</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <comment>black</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>white</comment>
+        <translation>W</translation>
+    </message>
+    <message>
+        <source>Ink, measured</source>
+        <translation>Tinte, gemessen</translation>
+    </message>
+    <message>
+        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
+        <translation>Was ein Stufenkeil ergab, Ton für Ton: Tinte, Dichte, Exponent, Krümmung, größte Dehnung (dipwright-cli profile wedge).</translation>
+    </message>
+    <message>
+        <source>As in the project</source>
+        <translation>Wie im Projekt</translation>
+    </message>
+    <message>
+        <source>Tears at</source>
+        <translation>Reißt bei</translation>
+    </message>
+    <message>
+        <source>How many times its length or its area film can be stretched before it tears. Torn film is marked and not painted.</source>
+        <translation>Um das Wievielfache Länge oder Fläche des Films wachsen können, bevor er reißt. Gerissener Film wird markiert und nicht aufgetragen.</translation>
+    </message>
+    <message>
+        <source>Overhang</source>
+        <translation>Überhang</translation>
+    </message>
+    <message>
+        <source>Film holds on faces that turn upwards by no more than this.</source>
+        <translation>Film hält auf Flächen, die sich höchstens so weit nach oben wenden.</translation>
+    </message>
+</context>
+<context>
+    <name>PropertySpecs</name>
     <message>
         <source>Name</source>
         <translation>Name</translation>
@@ -2012,28 +2037,8 @@
         <translation>Quellung</translation>
     </message>
     <message>
-        <source>How much the wetted film has grown over the printed one, across and down. Measure it: it is the first number to calibrate, and the sheet is printed smaller by it.</source>
-        <translation>Wie viel der benetzte Film gegenüber dem gedruckten gewachsen ist, quer und längs. Messen Sie es: Es ist die erste Zahl, die zu kalibrieren ist, und der Bogen wird um sie kleiner gedruckt.</translation>
-    </message>
-    <message>
         <source>Relaxation</source>
         <translation>Relaxation</translation>
-    </message>
-    <message>
-        <source>How fast stress in the floating film decays. An elastic film remembers its shape for ever; a viscous one, at 0 s, forgets at once.</source>
-        <translation>Wie schnell Spannung im schwimmenden Film abklingt. Ein elastischer Film behält seine Form für immer in Erinnerung, ein viskoser, bei 0 s, vergisst sie sofort.</translation>
-    </message>
-    <message>
-        <source>Elastic</source>
-        <translation>Elastisch</translation>
-    </message>
-    <message>
-        <source>Contact distance</source>
-        <translation>Kontaktabstand</translation>
-    </message>
-    <message>
-        <source>How near a film point has to come to the surface to touch it.</source>
-        <translation>Wie nahe ein Filmpunkt der Oberfläche kommen muss, um sie zu berühren.</translation>
     </message>
     <message>
         <source>Film model</source>
@@ -2072,22 +2077,6 @@
         <translation>Seiten</translation>
     </message>
     <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>Bottom</source>
-        <translation>Unten</translation>
-    </message>
-    <message>
         <source>Motion</source>
         <translation>Bewegung</translation>
     </message>
@@ -2122,22 +2111,6 @@
     <message>
         <source>Limits</source>
         <translation>Grenzen</translation>
-    </message>
-    <message>
-        <source>Tears at</source>
-        <translation>Reißt bei</translation>
-    </message>
-    <message>
-        <source>How many times its length or its area film can be stretched before it tears. Torn film is marked and not painted.</source>
-        <translation>Um das Wievielfache Länge oder Fläche des Films wachsen können, bevor er reißt. Gerissener Film wird markiert und nicht aufgetragen.</translation>
-    </message>
-    <message>
-        <source>Overhang</source>
-        <translation>Überhang</translation>
-    </message>
-    <message>
-        <source>Film holds on faces that turn upwards by no more than this.</source>
-        <translation>Film hält auf Flächen, die sich höchstens so weit nach oben wenden.</translation>
     </message>
     <message>
         <source>Accuracy</source>
@@ -2288,40 +2261,8 @@
         <translation>Die höchste optische Dichte, die gedruckt werden kann. Wo mehr nötig wäre, reicht die Farbe nicht, und der Bericht sagt es.</translation>
     </message>
     <message>
-        <source>Growth</source>
-        <translation>Wachstum</translation>
-    </message>
-    <message>
-        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
-        <translation>Wie schnell die Folie weiterwächst, während sie schwimmt, in einer Sekunde und zu Beginn des Tauchvorgangs. Was am Körper liegt, wächst nicht mehr.</translation>
-    </message>
-    <message>
-        <source>Grows by at most</source>
-        <translation>Wächst höchstens um</translation>
-    </message>
-    <message>
-        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
-        <translation>Um wie viel länger als zu Beginn des Tauchvorgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
-    </message>
-    <message>
         <source>Advanced: laws without measurement</source>
         <translation>Erweitert: Gesetze ohne Messung</translation>
-    </message>
-    <message>
-        <source>Grip fades over</source>
-        <translation>Halt schwindet über</translation>
-    </message>
-    <message>
-        <source>So far before the overhang the body begins to lose its grip on the film. A guess: no film was measured.</source>
-        <translation>So weit vor dem Überhang beginnt der Körper, die Folie loszulassen. Eine Annahme: Keine Folie wurde gemessen.</translation>
-    </message>
-    <message>
-        <source>Gathers below</source>
-        <translation>Rafft sich unter</translation>
-    </message>
-    <message>
-        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
-        <translation>Folie, die unter diese mittlere Dehnung zusammengeschoben wird, rafft sich und leistet kaum noch Widerstand. Eine Annahme: Keine Folie wurde gemessen.</translation>
     </message>
     <message>
         <source>How fine the simulated film is. Automatic chooses the size of its cells from the body&apos;s narrow parts and its pose: fine where the body comes down, coarse towards the film&apos;s edges.</source>
@@ -2628,37 +2569,6 @@
         <translation>Toleranzen</translation>
     </message>
     <message>
-        <source>Thins by</source>
-        <translation>Wird dünner mit</translation>
-    </message>
-    <message>
-        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
-        <translation>Der Exponent n: mit der Dichte D gedruckte Tinte zeigt D·J^−n, wo der Film auf das J-fache seiner Fläche gedehnt ist. 1 für Farbstoff, 0 für Punkte, die alles hinter sich verdecken. Eine Schätzung, für Tinten ohne gemessene Töne.</translation>
-    </message>
-    <message>
-        <source>C</source>
-        <comment>cyan</comment>
-        <translation>C</translation>
-    </message>
-    <message>
-        <source>M</source>
-        <comment>magenta</comment>
-        <translation>M</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <comment>yellow</comment>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Gemessen</translation>
-    </message>
-    <message>
-        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch. The film&apos;s profile gives it.</source>
-        <translation>Was ein Stufenkeil ergab, Ton für Ton: Tinte, Dichte, Exponent, Krümmung, größte Dehnung. Das Filmprofil gibt es vor.</translation>
-    </message>
-    <message>
         <source>Spot inks</source>
         <translation>Sonderfarben</translation>
     </message>
@@ -2749,24 +2659,6 @@
     <message>
         <source>How far beyond the cut line the colours of the painted film&apos;s edge go on, so that a cut that slips shows no bare film.</source>
         <translation>Wie weit die Farben vom Rand des bemalten Films über die Schnittlinie hinaus weitergehen, damit ein verrutschter Schnitt keinen leeren Film zeigt.</translation>
-    </message>
-    <message>
-        <source>Black and white</source>
-        <translation>Schwarz und Weiß</translation>
-    </message>
-    <message>
-        <source>The same of black and white ink, which printers in CMYK have: there each ink is made up for by itself, after separation.</source>
-        <translation>Dasselbe für schwarze und weiße Tinte, die Drucker in CMYK haben: Dort wird jede Tinte für sich ausgeglichen, nach der Separation.</translation>
-    </message>
-    <message>
-        <source>K</source>
-        <comment>black</comment>
-        <translation>K</translation>
-    </message>
-    <message>
-        <source>W</source>
-        <comment>white</comment>
-        <translation>W</translation>
     </message>
 </context>
 <context>

@@ -1303,34 +1303,6 @@
         <translation>Comportamento na água</translation>
     </message>
     <message>
-        <source>Swell</source>
-        <translation>Inchamento</translation>
-    </message>
-    <message>
-        <source>How much the wetted film has grown over the printed one, across and down.</source>
-        <translation>Quanto o filme molhado cresceu em relação ao impresso, na largura e na altura.</translation>
-    </message>
-    <message>
-        <source>Relaxation</source>
-        <translation>Relaxação</translation>
-    </message>
-    <message>
-        <source>How fast the film forgets its stretch while it floats.</source>
-        <translation>Com que rapidez o filme esquece o estiramento enquanto flutua.</translation>
-    </message>
-    <message>
-        <source>Elastic</source>
-        <translation>Elástico</translation>
-    </message>
-    <message>
-        <source>Contact distance</source>
-        <translation>Distância de contato</translation>
-    </message>
-    <message>
-        <source>The distance from the body at which the film begins to adhere.</source>
-        <translation>A distância do corpo em que o filme começa a aderir.</translation>
-    </message>
-    <message>
         <source>Soak time</source>
         <translation>Tempo de molho</translation>
     </message>
@@ -1349,10 +1321,6 @@
     <message>
         <source>Sides</source>
         <translation>Lados</translation>
-    </message>
-    <message>
-        <source>Whether this side of the film floats freely or is held by a barrier.</source>
-        <translation>Se este lado do filme flutua livre ou é preso por uma barreira.</translation>
     </message>
     <message>
         <source>Width and length of the water.</source>
@@ -1390,58 +1358,6 @@
     <message>
         <source>Advanced: laws without measurement</source>
         <translation>Avançado: leis sem medição</translation>
-    </message>
-    <message>
-        <source>Overhang</source>
-        <translation>Ressalto</translation>
-    </message>
-    <message>
-        <source>The film holds on faces that turn upwards by no more than this.</source>
-        <translation>O filme adere a faces que se voltam para cima não mais do que isto.</translation>
-    </message>
-    <message>
-        <source>As in the project</source>
-        <translation>Como no projeto</translation>
-    </message>
-    <message>
-        <source>Grip fades over</source>
-        <translation>Aderência diminui ao longo de</translation>
-    </message>
-    <message>
-        <source>So far before the overhang the body begins to lose its grip on the film.</source>
-        <translation>A essa distância antes do ressalto o corpo começa a perder a aderência ao filme.</translation>
-    </message>
-    <message>
-        <source>Tears at</source>
-        <translation>Rasga em</translation>
-    </message>
-    <message>
-        <source>How many times its length or its area the film can be stretched before it tears.</source>
-        <translation>Quantas vezes o seu comprimento ou a sua área o filme pode ser estirado antes de rasgar.</translation>
-    </message>
-    <message>
-        <source>Gathers below</source>
-        <translation>Franze abaixo de</translation>
-    </message>
-    <message>
-        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more.</source>
-        <translation>O filme comprimido abaixo deste estiramento médio franze e quase já não resiste.</translation>
-    </message>
-    <message>
-        <source>Growth</source>
-        <translation>Crescimento</translation>
-    </message>
-    <message>
-        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin.</source>
-        <translation>Com que rapidez o filme continua a crescer enquanto flutua, por segundo e no início da imersão.</translation>
-    </message>
-    <message>
-        <source>Grows by at most</source>
-        <translation>Cresce no máximo</translation>
-    </message>
-    <message>
-        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
-        <translation>Quanto mais comprido do que no início da imersão o filme flutuante fica no fim. Com 0 não cresce.</translation>
     </message>
     <message>
         <source>Flash time</source>
@@ -1540,37 +1456,6 @@
         <translation>O tempo de relaxação que fotos de uma peça imersa deram.</translation>
     </message>
     <message>
-        <source>Ink thins by</source>
-        <translation>A tinta afina por</translation>
-    </message>
-    <message>
-        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
-        <translation>O expoente n: tinta impressa com densidade D mostra D·J^−n onde o filme está estirado a J vezes a sua área. 1 para corante, 0 para pontos que escondem o que está atrás. Uma estimativa, usada para tintas sem tons medidos.</translation>
-    </message>
-    <message>
-        <source>C</source>
-        <comment>cyan</comment>
-        <translation>C</translation>
-    </message>
-    <message>
-        <source>M</source>
-        <comment>magenta</comment>
-        <translation>M</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <comment>yellow</comment>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Ink, measured</source>
-        <translation>Tinta, medida</translation>
-    </message>
-    <message>
-        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
-        <translation>O que uma cunha de tons mostrou, tom a tom: tinta, densidade, expoente, curvatura, maior estiramento (dipwright-cli profile wedge).</translation>
-    </message>
-    <message>
         <source>Total ink</source>
         <translation>Total de tinta</translation>
     </message>
@@ -1581,24 +1466,6 @@
     <message>
         <source>As the ICC profile has it</source>
         <translation>Como no perfil ICC</translation>
-    </message>
-    <message>
-        <source>Black and white</source>
-        <translation>Preto e branco</translation>
-    </message>
-    <message>
-        <source>The same of black and white ink, which printers in CMYK have.</source>
-        <translation>O mesmo da tinta preta e da branca, que impressoras em CMYK têm.</translation>
-    </message>
-    <message>
-        <source>K</source>
-        <comment>black</comment>
-        <translation>K</translation>
-    </message>
-    <message>
-        <source>W</source>
-        <comment>white</comment>
-        <translation>B</translation>
     </message>
 </context>
 <context>
@@ -1920,7 +1787,21 @@
     </message>
 </context>
 <context>
-    <name>PropertySpecs</name>
+    <name>FilmFields</name>
+    <message>
+        <source>W</source>
+        <comment>width</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <comment>height</comment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>Whether this side of the film floats freely or is held by a barrier in the tank.</source>
+        <translation>Se este lado do filme flutua livre ou é preso por uma barreira no tanque.</translation>
+    </message>
     <message>
         <source>Free</source>
         <translation>Livre</translation>
@@ -1930,9 +1811,153 @@
         <translation>Presa por uma barreira</translation>
     </message>
     <message>
-        <source>Whether this side of the film floats freely or is held by a barrier in the tank.</source>
-        <translation>Se este lado do filme flutua livre ou é preso por uma barreira no tanque.</translation>
+        <source>Swell</source>
+        <translation>Inchamento</translation>
     </message>
+    <message>
+        <source>How much the wetted film has grown over the printed one, across and down. Measure it: it is the first number to calibrate, and the sheet is printed smaller by it.</source>
+        <translation>Quanto o filme molhado cresceu em relação ao impresso, na largura e na altura. Meça: é o primeiro número a calibrar, e a folha é impressa menor por ele.</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxação</translation>
+    </message>
+    <message>
+        <source>How fast stress in the floating film decays. An elastic film remembers its shape for ever; a viscous one, at 0 s, forgets at once.</source>
+        <translation>Com que rapidez a tensão no filme flutuante diminui. Um filme elástico lembra sua forma para sempre; um viscoso, com 0 s, esquece na hora.</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Elástico</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Crescimento</translation>
+    </message>
+    <message>
+        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
+        <translation>Com que rapidez o filme continua a crescer enquanto flutua, por segundo e no início da imersão. O que está sobre o corpo já não cresce.</translation>
+    </message>
+    <message>
+        <source>Grows by at most</source>
+        <translation>Cresce no máximo</translation>
+    </message>
+    <message>
+        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
+        <translation>Quanto mais comprido do que no início da imersão o filme flutuante fica no fim. Com 0 não cresce.</translation>
+    </message>
+    <message>
+        <source>Contact distance</source>
+        <translation>Distância de contato</translation>
+    </message>
+    <message>
+        <source>How near a film point has to come to the surface to touch it.</source>
+        <translation>Quão perto um ponto do filme deve chegar da superfície para tocá-la.</translation>
+    </message>
+    <message>
+        <source>Grip fades over</source>
+        <translation>Aderência diminui ao longo de</translation>
+    </message>
+    <message>
+        <source>So far before the overhang the body begins to lose its grip on the film. A guess: no film was measured.</source>
+        <translation>A essa distância antes do ressalto o corpo começa a perder a aderência ao filme. Uma suposição: nenhum filme foi medido.</translation>
+    </message>
+    <message>
+        <source>Gathers below</source>
+        <translation>Franze abaixo de</translation>
+    </message>
+    <message>
+        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
+        <translation>O filme comprimido abaixo deste estiramento médio franze e quase já não resiste. Uma suposição: nenhum filme foi medido.</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Esquerda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Direita</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Em cima</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Embaixo</translation>
+    </message>
+    <message>
+        <source>Ink thins by</source>
+        <translation>A tinta afina por</translation>
+    </message>
+    <message>
+        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
+        <translation>O expoente n: tinta impressa com densidade D mostra D·J^−n onde o filme está estirado a J vezes a sua área. 1 para corante, 0 para pontos que escondem o que está atrás. Uma estimativa, usada para tintas sem tons medidos.</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>cyan</comment>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <comment>magenta</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <comment>yellow</comment>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Preto e branco</translation>
+    </message>
+    <message>
+        <source>The same of black and white ink, which printers in CMYK have: there each ink is made up for by itself, after separation.</source>
+        <translation>O mesmo da tinta preta e da branca, que impressoras em CMYK têm: ali cada tinta é compensada por si, depois da separação.</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <comment>black</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>white</comment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Ink, measured</source>
+        <translation>Tinta, medida</translation>
+    </message>
+    <message>
+        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
+        <translation>O que uma cunha de tons mostrou, tom a tom: tinta, densidade, expoente, curvatura, maior estiramento (dipwright-cli profile wedge).</translation>
+    </message>
+    <message>
+        <source>As in the project</source>
+        <translation>Como no projeto</translation>
+    </message>
+    <message>
+        <source>Tears at</source>
+        <translation>Rasga em</translation>
+    </message>
+    <message>
+        <source>How many times its length or its area film can be stretched before it tears. Torn film is marked and not painted.</source>
+        <translation>Quantas vezes o comprimento ou a área do filme pode ser esticado antes de rasgar. Filme rasgado é marcado e não pinta.</translation>
+    </message>
+    <message>
+        <source>Overhang</source>
+        <translation>Ressalto</translation>
+    </message>
+    <message>
+        <source>Film holds on faces that turn upwards by no more than this.</source>
+        <translation>O filme adere a faces que se voltam para cima até este ângulo.</translation>
+    </message>
+</context>
+<context>
+    <name>PropertySpecs</name>
     <message>
         <source>Name</source>
         <translation>Nome</translation>
@@ -2012,28 +2037,8 @@
         <translation>Inchamento</translation>
     </message>
     <message>
-        <source>How much the wetted film has grown over the printed one, across and down. Measure it: it is the first number to calibrate, and the sheet is printed smaller by it.</source>
-        <translation>Quanto o filme molhado cresceu em relação ao impresso, na largura e na altura. Meça: é o primeiro número a calibrar, e a folha é impressa menor por ele.</translation>
-    </message>
-    <message>
         <source>Relaxation</source>
         <translation>Relaxação</translation>
-    </message>
-    <message>
-        <source>How fast stress in the floating film decays. An elastic film remembers its shape for ever; a viscous one, at 0 s, forgets at once.</source>
-        <translation>Com que rapidez a tensão no filme flutuante diminui. Um filme elástico lembra sua forma para sempre; um viscoso, com 0 s, esquece na hora.</translation>
-    </message>
-    <message>
-        <source>Elastic</source>
-        <translation>Elástico</translation>
-    </message>
-    <message>
-        <source>Contact distance</source>
-        <translation>Distância de contato</translation>
-    </message>
-    <message>
-        <source>How near a film point has to come to the surface to touch it.</source>
-        <translation>Quão perto um ponto do filme deve chegar da superfície para tocá-la.</translation>
     </message>
     <message>
         <source>Film model</source>
@@ -2072,22 +2077,6 @@
         <translation>Lados</translation>
     </message>
     <message>
-        <source>Left</source>
-        <translation>Esquerda</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Direita</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Em cima</translation>
-    </message>
-    <message>
-        <source>Bottom</source>
-        <translation>Embaixo</translation>
-    </message>
-    <message>
         <source>Motion</source>
         <translation>Movimento</translation>
     </message>
@@ -2122,22 +2111,6 @@
     <message>
         <source>Limits</source>
         <translation>Limites</translation>
-    </message>
-    <message>
-        <source>Tears at</source>
-        <translation>Rasga em</translation>
-    </message>
-    <message>
-        <source>How many times its length or its area film can be stretched before it tears. Torn film is marked and not painted.</source>
-        <translation>Quantas vezes o comprimento ou a área do filme pode ser esticado antes de rasgar. Filme rasgado é marcado e não pinta.</translation>
-    </message>
-    <message>
-        <source>Overhang</source>
-        <translation>Ressalto</translation>
-    </message>
-    <message>
-        <source>Film holds on faces that turn upwards by no more than this.</source>
-        <translation>O filme adere a faces que se voltam para cima até este ângulo.</translation>
     </message>
     <message>
         <source>Accuracy</source>
@@ -2288,40 +2261,8 @@
         <translation>A maior densidade óptica que pode ser impressa. Onde seria preciso mais, a cor fica aquém e o relatório avisa.</translation>
     </message>
     <message>
-        <source>Growth</source>
-        <translation>Crescimento</translation>
-    </message>
-    <message>
-        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
-        <translation>Com que rapidez o filme continua a crescer enquanto flutua, por segundo e no início da imersão. O que está sobre o corpo já não cresce.</translation>
-    </message>
-    <message>
-        <source>Grows by at most</source>
-        <translation>Cresce no máximo</translation>
-    </message>
-    <message>
-        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
-        <translation>Quanto mais comprido do que no início da imersão o filme flutuante fica no fim. Com 0 não cresce.</translation>
-    </message>
-    <message>
         <source>Advanced: laws without measurement</source>
         <translation>Avançado: leis sem medição</translation>
-    </message>
-    <message>
-        <source>Grip fades over</source>
-        <translation>Aderência diminui ao longo de</translation>
-    </message>
-    <message>
-        <source>So far before the overhang the body begins to lose its grip on the film. A guess: no film was measured.</source>
-        <translation>A essa distância antes do ressalto o corpo começa a perder a aderência ao filme. Uma suposição: nenhum filme foi medido.</translation>
-    </message>
-    <message>
-        <source>Gathers below</source>
-        <translation>Franze abaixo de</translation>
-    </message>
-    <message>
-        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
-        <translation>O filme comprimido abaixo deste estiramento médio franze e quase já não resiste. Uma suposição: nenhum filme foi medido.</translation>
     </message>
     <message>
         <source>How fine the simulated film is. Automatic chooses the size of its cells from the body&apos;s narrow parts and its pose: fine where the body comes down, coarse towards the film&apos;s edges.</source>
@@ -2628,37 +2569,6 @@
         <translation>Tolerâncias</translation>
     </message>
     <message>
-        <source>Thins by</source>
-        <translation>Afina por</translation>
-    </message>
-    <message>
-        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
-        <translation>O expoente n: tinta impressa com densidade D mostra D·J^−n onde o filme está estirado a J vezes a sua área. 1 para corante, 0 para pontos que escondem o que está atrás. Uma estimativa, usada para tintas sem tons medidos.</translation>
-    </message>
-    <message>
-        <source>C</source>
-        <comment>cyan</comment>
-        <translation>C</translation>
-    </message>
-    <message>
-        <source>M</source>
-        <comment>magenta</comment>
-        <translation>M</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <comment>yellow</comment>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Medido</translation>
-    </message>
-    <message>
-        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch. The film&apos;s profile gives it.</source>
-        <translation>O que uma cunha de tons mostrou, tom a tom: tinta, densidade, expoente, curvatura, maior estiramento. Vem do perfil do filme.</translation>
-    </message>
-    <message>
         <source>Spot inks</source>
         <translation>Tintas especiais</translation>
     </message>
@@ -2749,24 +2659,6 @@
     <message>
         <source>How far beyond the cut line the colours of the painted film&apos;s edge go on, so that a cut that slips shows no bare film.</source>
         <translation>Até onde as cores da borda do filme pintado continuam para além da linha de corte, para que um corte desviado não mostre filme nu.</translation>
-    </message>
-    <message>
-        <source>Black and white</source>
-        <translation>Preto e branco</translation>
-    </message>
-    <message>
-        <source>The same of black and white ink, which printers in CMYK have: there each ink is made up for by itself, after separation.</source>
-        <translation>O mesmo da tinta preta e da branca, que impressoras em CMYK têm: ali cada tinta é compensada por si, depois da separação.</translation>
-    </message>
-    <message>
-        <source>K</source>
-        <comment>black</comment>
-        <translation>K</translation>
-    </message>
-    <message>
-        <source>W</source>
-        <comment>white</comment>
-        <translation>B</translation>
     </message>
 </context>
 <context>

@@ -39,6 +39,20 @@ enum class LengthUnit { Millimetre, Inch };
 constexpr double millimetresIn(LengthUnit unit) {
     return unit == LengthUnit::Inch ? millimetresPerInch : 1;
 }
+// In what a field is shown to the user.
+enum class Unit {
+    None,
+    Length,
+    Speed,
+    Time,
+    Angle,
+    Resolution,
+    Ratio,
+    Cells,
+    Density,
+    Share,
+    ShareRate
+};
 inline constexpr double pi = 3.14159265358979323846;
 constexpr double radians(Degrees angle) {
     return angle.value() * pi / 180;

@@ -3,7 +3,6 @@
 #include "base/Error.h"
 #include "base/Sha256.h"
 #include "pipeline/StepInputs.h"
-#include "project/Profiles.h"
 #include "project/Project.h"
 #include "settings/Immersion.h"
 #include "sheet/Separation.h"
@@ -38,48 +37,13 @@ QString scaleText(const FilmSettings& film) {
     return Text::tr("1:1, swell %1 × %2 taken out").arg(plain(film.swellX), plain(film.swellY));
 }
 
-// What is known of a film, in a project or in a profile, without what sheets were made before there
-// was: those values count only where they are not the `usual` ones, so that an old project keeps
-// its job.
-QJsonObject withoutLater(QJsonObject film, const QJsonObject& usual) {
-    for (const char* key :
-         {"growth_per_s", "growth_limit", "grip_fade_deg", "gathering_stretch", "overhang_deg",
-          "tear_stretch", "flash_time_s", "drying_time_s", "resolution", "cell_mm", "measured"}) {
-        const QLatin1String name(key);
-        if (film.value(name) == usual.value(name)) {
-            film.remove(name);
-        }
-    }
-    QJsonObject measured = film.value(QLatin1String("measured")).toObject();
-    const QLatin1String relaxation("relaxation_time_s");
-    if (measured.contains(relaxation) && measured.value(relaxation).isNull()) {
-        measured.remove(relaxation);
-        film.insert(QStringLiteral("measured"), measured);
-    }
-    return film;
-}
-
-QJsonObject withoutLater(QJsonObject settings) {
-    const QString film = QStringLiteral("film"), profiles = QStringLiteral("profiles");
-    const QJsonObject usual = toJson(Project()).value(film).toObject();
-    settings.insert(film, withoutLater(settings.value(film).toObject(), usual));
-    QJsonObject used = settings.value(profiles).toObject();
-    if (used.contains(film)) {
-        used.insert(film,
-                    withoutLater(used.value(film).toObject(), toJson(Profile(FilmProfile()))));
-        settings.insert(profiles, used);
-    }
-    settings.insert(QStringLiteral("version"), 1);
-    return settings;
-}
-
 // Of the image and of every setting that it came from; where the project lies plays no part, nor
 // does whether the solver was named or found by "auto": which one it was, the image shows.
 QString jobHash(const Project& project, const Immersion& immersion, const QImage& filmImage) {
     Project anonymous = project;
     anonymous.process.solver = ProcessSettings().solver;
     anonymous.baseColour.clear(); // nothing of it is printed
-    QJsonObject settings = withoutLater(toJson(anonymous));
+    QJsonObject settings = countedSettings(anonymous);
     for (const char* key :
          {"model", "immersions", "name", "cradle", "tolerance", "inspection", "pose_search"}) {
         settings.remove(QLatin1String(key));

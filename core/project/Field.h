@@ -35,6 +35,9 @@ struct Field {
     // Files have it only where it is not what a new owner has: files that know nothing of it stay
     // as they are, and so do the jobs that are hashed of them.
     bool leftOutWhenUsual = false;
+    // The job's number is made of it only where it is not what a new owner has: sheets that were
+    // made before there was the field keep their number.
+    bool uncountedWhenUsual = false;
 };
 
 // Sets a value that keeps the field's rule. What `set` throws passes through; the owner is then as

@@ -40,6 +40,17 @@ void writeFields(const Owner& owner, const std::vector<Field<Owner>>& fields, QJ
     }
 }
 
+// Removes what a job's number is not made of.
+template <typename Owner>
+void removeUncounted(QJsonObject& json, const std::vector<Field<Owner>>& fields) {
+    const Owner usual{};
+    for (const Field<Owner>& field : fields) {
+        if (field.uncountedWhenUsual && valueAt(json, field.path, {}) == field.get(usual)) {
+            removeAt(json, field.path);
+        }
+    }
+}
+
 template <typename Owner>
 QJsonObject withoutFields(QJsonObject json, const std::vector<Field<Owner>>& fields) {
     for (const Field<Owner>& field : fields) {

@@ -2,6 +2,7 @@
 // Private to this folder.
 #pragma once
 
+#include "base/Error.h"
 #include "base/OneLine.h"
 #include "base/Units.h"
 #include "project/Field.h"
@@ -17,12 +18,14 @@ namespace dipwright {
 
 struct Project;
 
-// What a film may be said to do, in a project as in a profile.
+// Of a film, as it is told and as it was measured.
 inline constexpr double mostGrowthRate = 1; // 1/s
 inline constexpr double mostGrowth = 1;
-inline constexpr double leastGripFade = 0.1, mostGripFade = 45; // degrees
-// Gathered to below 2/3 the plane film has no equilibrium of its own; at 1 nothing keeps it flat.
-inline constexpr double leastGathering = 0.67, mostGathering = 0.98;
+
+// Of FilmEdges: false and true.
+inline QStringList edgeWords() {
+    return {QStringLiteral("free"), QStringLiteral("pinned")};
+}
 
 inline double plainNumber(double number) {
     return number;
@@ -86,6 +89,57 @@ template <typename Owner>
 Field<Owner> leftOutWhenUsual(Field<Owner> field) {
     field.leftOutWhenUsual = true;
     return field;
+}
+
+template <typename Owner>
+Field<Owner> uncountedWhenUsual(Field<Owner> field) {
+    field.uncountedWhenUsual = true;
+    return field;
+}
+
+// The field of a part as one of the owner that has it: `access` is to the part.
+template <typename Owner = Project, typename Part, typename Access>
+Field<Owner> fieldOf(const QString& prefix, const Field<Part>& field, Access access) {
+    return {prefix + field.path,
+            field.rule,
+            [get = field.get, access](const Owner& owner) { return get(access(owner)); },
+            [field, prefix, access](Owner& owner, const QJsonValue& value) {
+                try {
+                    field.set(access(owner), value);
+                } catch (const Error& error) {
+                    if (error.where() != field.path) {
+                        throw;
+                    }
+                    throw Error(error.message(), prefix + field.path);
+                }
+            },
+            field.leftOutWhenUsual,
+            field.uncountedWhenUsual};
+}
+
+// The same of an owner that may have none of it: `access` is to the optional value, `member` is
+// where the part has it.
+template <typename Owner, typename Part, typename Value, typename Access>
+Field<Owner> optionalFieldOf(const Field<Part>& field, Value Part::*member, Access access) {
+    FieldRule rule = field.rule;
+    rule.nullable = true;
+    return {field.path,
+            rule,
+            [get = field.get, member, access](const Owner& owner) {
+                Part part;
+                part.*member = access(owner).value_or(part.*member);
+                return access(owner) ? get(part) : QJsonValue();
+            },
+            [set = field.set, member, access](Owner& owner, const QJsonValue& value) {
+                access(owner).reset();
+                if (!value.isNull()) {
+                    Part part;
+                    set(part, value);
+                    access(owner) = part.*member;
+                }
+            },
+            field.leftOutWhenUsual,
+            field.uncountedWhenUsual};
 }
 
 // Several numbers of one unit: `access` gives the part of that index.

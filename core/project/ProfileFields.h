@@ -4,6 +4,8 @@
 #include "project/Field.h"
 #include "settings/Profile.h"
 
+#include <QJsonObject>
+
 namespace dipwright {
 
 // A nameless one with the values that stand for “nothing measured yet”.
@@ -16,5 +18,8 @@ FieldRule profileRule(ProfileKind kind, const QString& path);
 QJsonValue profileValue(const Profile& profile, const QString& path);
 // Throws Error when the value breaks the rule; the profile is then as it was.
 void setProfileValue(Profile& profile, const QString& path, const QJsonValue& value);
+
+// The film's file without what the number of a job is not made of (Field::uncountedWhenUsual).
+QJsonObject countedValues(const FilmProfile& film);
 
 } // namespace dipwright

@@ -5,6 +5,7 @@
 #include "base/Error.h"
 #include "project/FieldJson.h"
 #include "project/FieldMakers.h"
+#include "project/FilmFields.h"
 #include "project/Project.h"
 
 #include <QCoreApplication>
@@ -22,25 +23,10 @@ constexpr int profileVersion = 1;
 constexpr int longestName = 100;
 constexpr int longestIccProfile = 16 << 20; // bytes
 
-const QStringList edgeWords{QStringLiteral("free"), QStringLiteral("pinned")};
-
 template <typename Owner>
 Field<Owner> nameField() {
     return text<Owner>(
         "name", longestName, [](auto& p) -> auto& { return p.name; });
-}
-
-// Four choices under `path`: left, right, top and bottom.
-template <typename Owner, typename Access>
-void addEdges(std::vector<Field<Owner>>& fields, const QByteArray& path, Access edges) {
-    fields.push_back(choice<Owner>(
-        path + ".left", edgeWords, [edges](auto& p) -> auto& { return edges(p).leftPinned; }));
-    fields.push_back(choice<Owner>(
-        path + ".right", edgeWords, [edges](auto& p) -> auto& { return edges(p).rightPinned; }));
-    fields.push_back(choice<Owner>(
-        path + ".top", edgeWords, [edges](auto& p) -> auto& { return edges(p).topPinned; }));
-    fields.push_back(choice<Owner>(
-        path + ".bottom", edgeWords, [edges](auto& p) -> auto& { return edges(p).bottomPinned; }));
 }
 
 Field<PrinterProfile> iccField() {
@@ -130,9 +116,29 @@ void addMeasurement(std::vector<Field<FilmProfile>>& fields) {
     fields.push_back(numberOrNone<P>(
         "measured.growth_limit", 0, mostGrowth,
         [](auto& p) -> auto& { return p.measured.growthLimit; }));
-    fields.push_back(numberOrNone<P>(
+    fields.push_back(uncountedWhenUsual(numberOrNone<P>(
         "measured.relaxation_time_s", 0, 1e6,
-        [](auto& p) -> auto& { return p.measured.relaxationTime; }));
+        [](auto& p) -> auto& { return p.measured.relaxationTime; })));
+}
+
+// What a project has as well.
+void addMaterial(std::vector<Field<FilmProfile>>& fields) {
+    using P = FilmProfile;
+    for (const auto& material : filmBehaviourFields()) {
+        fields.push_back(fieldOf<P>(
+            {}, material.field, [](auto& p) -> auto& { return p.behaviour(); }));
+    }
+    for (const auto& material : inkLawFields()) {
+        fields.push_back(fieldOf<P>(
+            QStringLiteral("ink_"), material.field, [](auto& p) -> auto& { return p.ink; }));
+    }
+    const FilmLimitFields limits = filmLimitFields();
+    fields.push_back(uncountedWhenUsual(optionalFieldOf<P>(
+        limits.overhang.field, &ProcessSettings::overhang,
+        [](auto& p) -> auto& { return p.overhang; })));
+    fields.push_back(uncountedWhenUsual(optionalFieldOf<P>(
+        limits.tearStretch.field, &ProcessSettings::tearStretch,
+        [](auto& p) -> auto& { return p.tearStretch; })));
 }
 
 const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
@@ -143,54 +149,22 @@ const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
             numbers<P>(
                 "size_mm", 2, 10, 3000,
                 [](auto& p, int part) -> auto& { return part == 0 ? p.width : p.height; }),
-            numbers<P>(
-                "swell", 2, 0.5, 2,
-                [](auto& p, int part) -> auto& { return part == 0 ? p.swellX : p.swellY; }),
-            numberOrInfinity<P>(
-                "relaxation_time_s", 0, 1e6, [](auto& p) -> auto& { return p.relaxationTime; }),
-            number<P>(
-                "contact_distance_mm", 0, 10, [](auto& p) -> auto& { return p.contactDistance; }),
-            number<P>(
-                "growth_per_s", 0, mostGrowthRate, [](auto& p) -> auto& { return p.growthRate; }),
-            number<P>(
-                "growth_limit", 0, mostGrowth, [](auto& p) -> auto& { return p.growthLimit; }),
-            numberOrNone<P>(
-                "overhang_deg", 0, 90, [](auto& p) -> auto& { return p.overhang; }),
-            number<P>(
-                "grip_fade_deg", leastGripFade, mostGripFade,
-                [](auto& p) -> auto& { return p.gripFade; }),
-            numberOrNone<P>(
-                "tear_stretch", 1, 100, [](auto& p) -> auto& { return p.tearStretch; }),
-            number<P>(
-                "gathering_stretch", leastGathering, mostGathering,
-                [](auto& p) -> auto& { return p.gatheringStretch; }),
             choice<P>(
                 "feed", {QStringLiteral("short edge first"), QStringLiteral("long edge first")},
                 [](auto& p) -> auto& { return p.feed; }),
-            numbers<P>(
-                "ink_exponents", lightInks, 0, mostInkExponent,
-                [](auto& p, int part) -> auto& { return p.ink.exponents[std::size_t(part)]; }),
-            leftOutWhenUsual(numbers<P>(
-                "ink_black_white_exponents", inkCount - lightInks, 0, mostInkExponent,
-                [](auto& p, int part) -> auto& {
-                    return p.ink.exponents[std::size_t(lightInks + part)];
-                })),
-            inkTonesField<P>(
-                "ink_tones", [](auto& p) -> auto& { return p.ink.tones; }),
             number<P>(
                 "soak_time_s", 0, 3600, [](auto& p) -> auto& { return p.soakTime; }),
             number<P>(
                 "activator_time_s", 0, 3600, [](auto& p) -> auto& { return p.activatorTime; }),
-            numberOrNone<P>(
-                "flash_time_s", 0, 86'400, [](auto& p) -> auto& { return p.flashTime; }),
-            numberOrNone<P>(
-                "drying_time_s", 0, 604'800, [](auto& p) -> auto& { return p.dryingTime; }),
+            uncountedWhenUsual(numberOrNone<P>(
+                "flash_time_s", 0, 86'400, [](auto& p) -> auto& { return p.flashTime; })),
+            uncountedWhenUsual(numberOrNone<P>(
+                "drying_time_s", 0, 604'800, [](auto& p) -> auto& { return p.dryingTime; })),
             text<P>(
                 "lot", 100, [](auto& p) -> auto& { return p.lot; }),
             dateField(
                 "expiry", [](auto& p) -> auto& { return p.expiry; })};
-        addEdges(
-            all, "edges", [](auto& p) -> auto& { return p.edges; });
+        addMaterial(all);
         addMeasurement(all);
         return all;
     }();
@@ -210,8 +184,14 @@ const std::vector<Field<TankProfile>>& fieldsOf(const TankProfile*) {
             numbers<P>(
                 "mark_distance_mm", 2, 0, 10000,
                 [](auto& p, int part) -> auto& { return p.markDistance[std::size_t(part)]; })};
-        addEdges(
-            all, "barriers", [](auto& p) -> auto& { return p.barriers; });
+        const auto add = [&all](const char* path, bool FilmEdges::*side) {
+            all.push_back(choice<P>(
+                path, edgeWords(), [side](auto& p) -> auto& { return p.barriers.*side; }));
+        };
+        add("barriers.left", &FilmEdges::leftPinned);
+        add("barriers.right", &FilmEdges::rightPinned);
+        add("barriers.top", &FilmEdges::topPinned);
+        add("barriers.bottom", &FilmEdges::bottomPinned);
         return all;
     }();
     return fields;
@@ -317,6 +297,15 @@ QJsonObject toJson(const Profile& profile) {
                      {QStringLiteral("version"), profileVersion},
                      {QStringLiteral("kind"), profileKindName(kindOf(profile))}};
     std::visit([&](const auto& value) { writeFields(value, fieldsOf(&value), json); }, profile);
+    return json;
+}
+
+QJsonObject countedValues(const FilmProfile& film) {
+    QJsonObject json = toJson(Profile(film));
+    removeUncounted(json, fieldsOf(&film));
+    if (film.measured == FilmMeasurement()) {
+        json.remove(QLatin1String("measured"));
+    }
     return json;
 }
 

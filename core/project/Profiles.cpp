@@ -26,15 +26,7 @@ void apply(Project& project, const PrinterProfile& printer) {
 
 void apply(Project& project, const FilmProfile& film) {
     resizeFilm(project.film, film.width, film.height);
-    project.film.swellX = film.swellX;
-    project.film.swellY = film.swellY;
-    project.film.relaxationTime = film.relaxationTime;
-    project.film.edges = film.edges;
-    project.film.contactDistance = film.contactDistance;
-    project.film.growthRate = film.growthRate;
-    project.film.growthLimit = film.growthLimit;
-    project.film.gripFade = film.gripFade;
-    project.film.gatheringStretch = film.gatheringStretch;
+    project.film.behaviour() = film.behaviour();
     project.ink.law = film.ink;
     project.process.overhang = film.overhang.value_or(project.process.overhang);
     project.process.tearStretch = film.tearStretch.value_or(project.process.tearStretch);
@@ -76,15 +68,7 @@ FilmProfile filmProfileOf(const Project& project) {
     FilmProfile film = project.profiles.film.value_or(FilmProfile{});
     film.width = project.film.width;
     film.height = project.film.height;
-    film.swellX = project.film.swellX;
-    film.swellY = project.film.swellY;
-    film.relaxationTime = project.film.relaxationTime;
-    film.edges = project.film.edges;
-    film.contactDistance = project.film.contactDistance;
-    film.growthRate = project.film.growthRate;
-    film.growthLimit = project.film.growthLimit;
-    film.gripFade = project.film.gripFade;
-    film.gatheringStretch = project.film.gatheringStretch;
+    film.behaviour() = project.film.behaviour();
     film.ink = project.ink.law;
     return film;
 }

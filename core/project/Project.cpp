@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "project/FieldJson.h"
+#include "project/ProfileFields.h"
 #include "project/Profiles.h"
 #include "project/Schema.h"
 
@@ -341,6 +342,16 @@ QJsonObject toJson(const Project& project) {
              writeList(project.filmOnWater.photos, floatingPhotoFields(), {}));
     writeArtwork(project.artwork, json);
     writeProfiles(project.profiles, json);
+    return json;
+}
+
+QJsonObject countedSettings(const Project& project) {
+    QJsonObject json = toJson(project);
+    removeUncounted(json, projectFields());
+    if (project.profiles.film) {
+        insertAt(json, QStringLiteral("profiles.film"), countedValues(*project.profiles.film));
+    }
+    json.insert(QStringLiteral("version"), 1);
     return json;
 }
 

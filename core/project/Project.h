@@ -81,6 +81,10 @@ void applyPreset(Project& project, const QString& preset);
 // project is then as it was.
 void setByPath(Project& project, const QString& path, const QString& value);
 
+// What the number of a job is made of: project.json of version 1, without what sheets were made
+// before there was, where it is as usual (Field::uncountedWhenUsual).
+QJsonObject countedSettings(const Project& project);
+
 // project.json and back; `fromJson` checks every value's range and throws Error by its path.
 QJsonObject toJson(const Project& project);
 Project fromJson(const QJsonObject& json, const QString& where);

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "project/FieldMakers.h"
+#include "project/FilmFields.h"
 #include "project/FilmSizes.h"
 
 #include <QCoreApplication>
@@ -97,48 +98,25 @@ void addModelFields(std::vector<Field<Project>>& fields) {
 }
 
 void addFilmFields(std::vector<Field<Project>>& fields) {
-    const QStringList edge{QStringLiteral("free"), QStringLiteral("pinned")};
     fields.push_back(filmPreset());
     fields.push_back(filmSizeField());
     fields.push_back(filmPoints());
-    fields.push_back(filmCell());
-    fields.push_back(choice(
+    fields.push_back(uncountedWhenUsual(filmCell()));
+    fields.push_back(uncountedWhenUsual(choice(
         "film.resolution",
         {QStringLiteral("points"), QStringLiteral("automatic"), QStringLiteral("cell")},
-        [](auto& p) -> auto& { return p.film.resolution; }));
+        [](auto& p) -> auto& { return p.film.resolution; })));
     fields.push_back(choice(
         "film.lattice", {QStringLiteral("structural"), QStringLiteral("isotropic")},
         [](auto& p) -> auto& { return p.film.lattice; }));
     fields.push_back(choice(
         "film.support", {QStringLiteral("none"), QStringLiteral("water")},
         [](auto& p) -> auto& { return p.film.support; }));
-    fields.push_back(choice(
-        "film.edges.left", edge, [](auto& p) -> auto& { return p.film.edges.leftPinned; }));
-    fields.push_back(choice(
-        "film.edges.right", edge, [](auto& p) -> auto& { return p.film.edges.rightPinned; }));
-    fields.push_back(choice(
-        "film.edges.top", edge, [](auto& p) -> auto& { return p.film.edges.topPinned; }));
-    fields.push_back(choice(
-        "film.edges.bottom", edge, [](auto& p) -> auto& { return p.film.edges.bottomPinned; }));
-    fields.push_back(numbers(
-        "film.swell", 2, 0.5, 2,
-        [](auto& p, int part) -> auto& { return part == 0 ? p.film.swellX : p.film.swellY; }));
-    fields.push_back(numberOrInfinity(
-        "film.relaxation_time_s", 0, 1e6, [](auto& p) -> auto& { return p.film.relaxationTime; }));
-    fields.push_back(number(
-        "film.contact_distance_mm", 0, 10,
-        [](auto& p) -> auto& { return p.film.contactDistance; }));
-    fields.push_back(number(
-        "film.growth_per_s", 0, mostGrowthRate,
-        [](auto& p) -> auto& { return p.film.growthRate; }));
-    fields.push_back(number(
-        "film.growth_limit", 0, mostGrowth, [](auto& p) -> auto& { return p.film.growthLimit; }));
-    fields.push_back(number(
-        "film.grip_fade_deg", leastGripFade, mostGripFade,
-        [](auto& p) -> auto& { return p.film.gripFade; }));
-    fields.push_back(number(
-        "film.gathering_stretch", leastGathering, mostGathering,
-        [](auto& p) -> auto& { return p.film.gatheringStretch; }));
+    for (const auto& material : filmBehaviourFields()) {
+        fields.push_back(fieldOf(
+            QStringLiteral("film."), material.field,
+            [](auto& p) -> auto& { return p.film.behaviour(); }));
+    }
 }
 
 void addProcessFields(std::vector<Field<Project>>& fields) {
@@ -160,10 +138,11 @@ void addProcessFields(std::vector<Field<Project>>& fields) {
         "process.depth_mm", 0.1, 5000, [](auto& p) -> auto& { return p.process.depth; }));
     fields.push_back(number(
         "process.margin_mm", 0, 100, [](auto& p) -> auto& { return p.process.margin; }));
-    fields.push_back(number(
-        "process.tear_stretch", 1, 100, [](auto& p) -> auto& { return p.process.tearStretch; }));
-    fields.push_back(number(
-        "process.overhang_deg", 0, 90, [](auto& p) -> auto& { return p.process.overhang; }));
+    const FilmLimitFields limits = filmLimitFields();
+    for (const auto& field : {limits.tearStretch.field, limits.overhang.field}) {
+        fields.push_back(fieldOf(
+            QStringLiteral("process."), field, [](auto& p) -> auto& { return p.process; }));
+    }
     fields.push_back(text(
         "process.solver", 100, [](auto& p) -> auto& { return p.process.solver; }));
     fields.push_back(number(
@@ -258,16 +237,10 @@ void addSheetFields(std::vector<Field<Project>>& fields) {
         "ink.compensate", [](auto& p) -> auto& { return p.ink.compensate; }));
     fields.push_back(number(
         "ink.limit", 0.1, 10, [](auto& p) -> auto& { return p.ink.limit; }));
-    fields.push_back(numbers(
-        "ink.exponents", lightInks, 0, mostInkExponent,
-        [](auto& p, int part) -> auto& { return p.ink.law.exponents[std::size_t(part)]; }));
-    fields.push_back(leftOutWhenUsual(numbers(
-        "ink.black_white_exponents", inkCount - lightInks, 0, mostInkExponent,
-        [](auto& p, int part) -> auto& {
-            return p.ink.law.exponents[std::size_t(lightInks + part)];
-        })));
-    fields.push_back(inkTonesField(
-        "ink.tones", [](auto& p) -> auto& { return p.ink.law.tones; }));
+    for (const auto& material : inkLawFields()) {
+        fields.push_back(fieldOf(
+            QStringLiteral("ink."), material.field, [](auto& p) -> auto& { return p.ink.law; }));
+    }
 }
 
 void addShareFields(std::vector<Field<Project>>& fields) {

@@ -12,7 +12,6 @@
 #include <QByteArray>
 #include <QString>
 #include <array>
-#include <limits>
 #include <optional>
 #include <variant>
 
@@ -52,16 +51,9 @@ struct FilmMeasurement {
     bool operator==(const FilmMeasurement&) const = default;
 };
 
-struct FilmProfile {
+struct FilmProfile : FilmBehaviour {
     QString name;
     Millimetres width{210}, height{297};
-    double swellX = 1, swellY = 1;
-    Seconds relaxationTime{std::numeric_limits<double>::infinity()}; // infinity: elastic
-    FilmEdges edges;
-    Millimetres contactDistance{0};
-    double growthRate = 0, growthLimit = 0; // as in FilmSettings
-    Degrees gripFade{5};
-    double gatheringStretch = 0.8;
     // None: as the project has them.
     std::optional<Degrees> overhang;
     std::optional<double> tearStretch;

@@ -82,33 +82,8 @@ std::vector<PropertySection> printerSections() {
     return {size, colour};
 }
 
-PropertySection filmLaws() {
-    PropertySection laws{Text::tr("Advanced: laws without measurement"), {}};
-    laws.specs = {
-        {.path = QStringLiteral("overhang_deg"),
-         .label = Text::tr("Overhang"),
-         .help = Text::tr("The film holds on faces that turn upwards by no more than this."),
-         .unit = Unit::Angle,
-         .absent = Text::tr("As in the project"),
-         .whenPresent = 20},
-        {.path = QStringLiteral("grip_fade_deg"),
-         .label = Text::tr("Grip fades over"),
-         .help = Text::tr("So far before the overhang the body begins to lose its grip on the "
-                          "film."),
-         .unit = Unit::Angle},
-        {.path = QStringLiteral("tear_stretch"),
-         .label = Text::tr("Tears at"),
-         .help = Text::tr("How many times its length or its area the film can be stretched before "
-                          "it tears."),
-         .unit = Unit::Ratio,
-         .absent = Text::tr("As in the project"),
-         .whenPresent = 4},
-        {.path = QStringLiteral("gathering_stretch"),
-         .label = Text::tr("Gathers below"),
-         .help = Text::tr("Film pushed together to a mean stretch below this gathers, and hardly "
-                          "resists any more."),
-         .unit = Unit::Ratio}};
-    return laws;
+PropertySpec material(const char* path) {
+    return specOf(QLatin1String(path), materialWords(QLatin1String(path)));
 }
 
 // What photos gave (dipwright-cli inspect film): where the figures above come from.
@@ -186,48 +161,14 @@ std::vector<PropertySection> filmSections() {
                           .help = Text::tr("A date such as 2027-03-31, or nothing.")});
     PropertySection water{Text::tr("Behaviour on the water"), {}};
     water.specs = {
-        {.path = QStringLiteral("swell"),
-         .label = Text::tr("Swell"),
-         .help = Text::tr("How much the wetted film has grown over the printed one, across and "
-                          "down."),
-         .unit = Unit::Ratio,
-         .parts = {Text::tr("W", "width"), Text::tr("H", "height")},
-         .linked = true},
-        {.path = QStringLiteral("relaxation_time_s"),
-         .label = Text::tr("Relaxation"),
-         .help = Text::tr("How fast the film forgets its stretch while it floats."),
-         .unit = Unit::Time,
-         .absent = Text::tr("Elastic"),
-         .whenPresent = 5},
-        {.path = QStringLiteral("growth_per_s"),
-         .label = Text::tr("Growth"),
-         .help = Text::tr("How fast the film goes on growing while it floats, in a second of the "
-                          "dip and at its begin."),
-         .unit = Unit::ShareRate},
-        {.path = QStringLiteral("growth_limit"),
-         .label = Text::tr("Grows by at most"),
-         .help = Text::tr("How much longer than at the begin of the dip the floating film becomes "
-                          "in the end. At 0 it does not grow."),
-         .unit = Unit::Share},
-        {.path = QStringLiteral("ink_exponents"),
-         .label = Text::tr("Ink thins by"),
-         .help = Text::tr("The exponent n: ink printed with density D shows D·J^−n where film is "
-                          "stretched to J times its area. 1 for dye, 0 for dots that hide what is "
-                          "behind them. A guess, taken for inks without tones."),
-         .parts = {Text::tr("C", "cyan"), Text::tr("M", "magenta"), Text::tr("Y", "yellow")},
-         .linked = true},
-        {.path = QStringLiteral("ink_black_white_exponents"),
-         .label = Text::tr("Black and white"),
-         .help = Text::tr("The same of black and white ink, which printers in CMYK have."),
-         .parts = {Text::tr("K", "black"), Text::tr("W", "white")}},
-        {.path = QStringLiteral("ink_tones"),
-         .label = Text::tr("Ink, measured"),
-         .help = Text::tr("What a step wedge told, tone by tone: ink, density, exponent, bend, "
-                          "greatest stretch (dipwright-cli profile wedge).")},
-        {.path = QStringLiteral("contact_distance_mm"),
-         .label = Text::tr("Contact distance"),
-         .help = Text::tr("The distance from the body at which the film begins to adhere."),
-         .unit = Unit::Length},
+        material("swell"),
+        material("relaxation_time_s"),
+        material("growth_per_s"),
+        material("growth_limit"),
+        material("ink_exponents"),
+        material("ink_black_white_exponents"),
+        material("ink_tones"),
+        material("contact_distance_mm"),
         {.path = QStringLiteral("soak_time_s"),
          .label = Text::tr("Soak time"),
          .help = Text::tr("From the water to the activator."),
@@ -252,9 +193,11 @@ std::vector<PropertySection> filmSections() {
             water,
             filmMeasurement(),
             {Text::tr("Sides"),
-             sides("edges", Text::tr("Whether this side of the film floats freely or is held by a "
-                                     "barrier."))},
-            filmLaws()};
+             {material("edges.left"), material("edges.right"), material("edges.top"),
+              material("edges.bottom")}},
+            {Text::tr("Advanced: laws without measurement"),
+             {material("overhang_deg"), material("grip_fade_deg"), material("tear_stretch"),
+              material("gathering_stretch")}}};
 }
 
 std::vector<PropertySection> tankSections() {

@@ -18,17 +18,14 @@ bool isPaperModel(const Project& project) {
     return !isProduction(project);
 }
 
-QMap<QString, QString> edgeWords() {
-    return {{QStringLiteral("free"), Text::tr("Free")},
-            {QStringLiteral("pinned"), Text::tr("Held by a barrier")}};
-}
-
-PropertySpec edge(const char* path, const QString& label) {
-    return {.path = QLatin1String(path),
-            .label = label,
-            .help = Text::tr("Whether this side of the film floats freely or is held by a barrier "
-                             "in the tank."),
-            .words = edgeWords()};
+// `path` as a film profile has it.
+PropertySpec material(const QString& section, const char* path) {
+    const FieldWords words = materialWords(QLatin1String(path));
+    PropertySpec spec = specOf(section + QLatin1String(path), words);
+    if (words.isOfProductionFilm) {
+        spec.relevant = isProduction;
+    }
+    return spec;
 }
 
 std::vector<PropertySection> projectProperties() {
@@ -91,40 +88,14 @@ std::vector<PropertySection> filmProperties() {
              return isPaperModel(project) || project.film.resolution == FilmResolution::Points;
          }}};
 
-    PropertySection material{Text::tr("Behaviour on the water"), {}};
-    material.specs = {
-        {.path = QStringLiteral("film.swell"),
-         .label = Text::tr("Swell"),
-         .help = Text::tr("How much the wetted film has grown over the printed one, across and "
-                          "down. Measure it: it is the first number to calibrate, and the sheet is "
-                          "printed smaller by it."),
-         .unit = Unit::Ratio,
-         .parts = {Text::tr("W", "width"), Text::tr("H", "height")},
-         .linked = true},
-        {.path = QStringLiteral("film.relaxation_time_s"),
-         .label = Text::tr("Relaxation"),
-         .help = Text::tr("How fast stress in the floating film decays. An elastic film remembers "
-                          "its shape for ever; a viscous one, at 0 s, forgets at once."),
-         .unit = Unit::Time,
-         .absent = Text::tr("Elastic"),
-         .whenPresent = 1,
-         .relevant = isProduction},
-        {.path = QStringLiteral("film.growth_per_s"),
-         .label = Text::tr("Growth"),
-         .help = Text::tr("How fast the film goes on growing while it floats, in a second of the "
-                          "dip and at its begin. What is on the body grows no more."),
-         .unit = Unit::ShareRate,
-         .relevant = isProduction},
-        {.path = QStringLiteral("film.growth_limit"),
-         .label = Text::tr("Grows by at most"),
-         .help = Text::tr("How much longer than at the begin of the dip the floating film becomes "
-                          "in the end. At 0 it does not grow."),
-         .unit = Unit::Share,
-         .relevant = isProduction},
-        {.path = QStringLiteral("film.contact_distance_mm"),
-         .label = Text::tr("Contact distance"),
-         .help = Text::tr("How near a film point has to come to the surface to touch it."),
-         .unit = Unit::Length},
+    const QString film = QStringLiteral("film.");
+    PropertySection floating{Text::tr("Behaviour on the water"), {}};
+    floating.specs = {
+        material(film, "swell"),
+        material(film, "relaxation_time_s"),
+        material(film, "growth_per_s"),
+        material(film, "growth_limit"),
+        material(film, "contact_distance_mm"),
         {.path = QStringLiteral("film.lattice"),
          .label = Text::tr("Film model"),
          .help = Text::tr("Isotropic film resists shear and gives the same result whichever way "
@@ -138,26 +109,13 @@ std::vector<PropertySection> filmProperties() {
          .words = {{QStringLiteral("water"), Text::tr("Water")},
                    {QStringLiteral("none"), Text::tr("None")}}}};
 
-    PropertySection edges{Text::tr("Sides"), {}};
-    edges.specs = {
-        edge("film.edges.left", Text::tr("Left")), edge("film.edges.right", Text::tr("Right")),
-        edge("film.edges.top", Text::tr("Top")), edge("film.edges.bottom", Text::tr("Bottom"))};
-
-    PropertySection laws{Text::tr("Advanced: laws without measurement"), {}};
-    laws.specs = {
-        {.path = QStringLiteral("film.grip_fade_deg"),
-         .label = Text::tr("Grip fades over"),
-         .help = Text::tr("So far before the overhang the body begins to lose its grip on the "
-                          "film. A guess: no film was measured."),
-         .unit = Unit::Angle,
-         .relevant = isProduction},
-        {.path = QStringLiteral("film.gathering_stretch"),
-         .label = Text::tr("Gathers below"),
-         .help = Text::tr("Film pushed together to a mean stretch below this gathers, and hardly "
-                          "resists any more. A guess: no film was measured."),
-         .unit = Unit::Ratio,
-         .relevant = isProduction}};
-    return {printed, material, edges, laws};
+    return {printed,
+            floating,
+            {Text::tr("Sides"),
+             {material(film, "edges.left"), material(film, "edges.right"),
+              material(film, "edges.top"), material(film, "edges.bottom")}},
+            {Text::tr("Advanced: laws without measurement"),
+             {material(film, "grip_fade_deg"), material(film, "gathering_stretch")}}};
 }
 
 PropertySection cradleProperties() {
@@ -230,17 +188,9 @@ std::vector<PropertySection> processProperties() {
          .unit = Unit::Length,
          .relevant = [](const Project& project) { return !project.process.depth; }}};
 
-    PropertySection limits{Text::tr("Limits"), {}};
-    limits.specs = {
-        {.path = QStringLiteral("process.tear_stretch"),
-         .label = Text::tr("Tears at"),
-         .help = Text::tr("How many times its length or its area film can be stretched before it "
-                          "tears. Torn film is marked and not painted."),
-         .unit = Unit::Ratio},
-        {.path = QStringLiteral("process.overhang_deg"),
-         .label = Text::tr("Overhang"),
-         .help = Text::tr("Film holds on faces that turn upwards by no more than this."),
-         .unit = Unit::Angle}};
+    const QString process = QStringLiteral("process.");
+    const PropertySection limits{
+        Text::tr("Limits"), {material(process, "tear_stretch"), material(process, "overhang_deg")}};
 
     PropertySection accuracy{Text::tr("Accuracy"), {}};
     accuracy.specs = {
@@ -434,32 +384,21 @@ std::vector<PropertySection> sheetProperties() {
 }
 
 std::vector<PropertySection> inkProperties() {
-    return {{{},
-             {{.path = QStringLiteral("ink.compensate"),
-               .label = Text::tr("Compensate stretch"),
-               .help = Text::tr("Ink thins where the film stretches. Print more there, so that the "
-                                "body shows the colour of the texture.")},
-              {.path = QStringLiteral("ink.limit"),
-               .label = Text::tr("Ink limit"),
-               .help = Text::tr("The highest optical density that can be printed. Where more would "
-                                "be needed, the colour falls short and the report says so."),
-               .unit = Unit::Density},
-              {.path = QStringLiteral("ink.exponents"),
-               .label = Text::tr("Thins by"),
-               .help = Text::tr("The exponent n: ink printed with density D shows D·J^−n where "
-                                "film is stretched to J times its area. 1 for dye, 0 for dots that "
-                                "hide what is behind them. A guess, taken for inks without tones."),
-               .parts = {Text::tr("C", "cyan"), Text::tr("M", "magenta"), Text::tr("Y", "yellow")},
-               .linked = true},
-              {.path = QStringLiteral("ink.black_white_exponents"),
-               .label = Text::tr("Black and white"),
-               .help = Text::tr("The same of black and white ink, which printers in CMYK have: "
-                                "there each ink is made up for by itself, after separation."),
-               .parts = {Text::tr("K", "black"), Text::tr("W", "white")}},
-              {.path = QStringLiteral("ink.tones"),
-               .label = Text::tr("Measured"),
-               .help = Text::tr("What a step wedge told, tone by tone: ink, density, exponent, "
-                                "bend, greatest stretch. The film's profile gives it.")}}}};
+    return {
+        {{},
+         {{.path = QStringLiteral("ink.compensate"),
+           .label = Text::tr("Compensate stretch"),
+           .help = Text::tr("Ink thins where the film stretches. Print more there, so that the "
+                            "body shows the colour of the texture.")},
+          {.path = QStringLiteral("ink.limit"),
+           .label = Text::tr("Ink limit"),
+           .help = Text::tr("The highest optical density that can be printed. Where more would "
+                            "be needed, the colour falls short and the report says so."),
+           .unit = Unit::Density},
+          specOf(QStringLiteral("ink.exponents"), materialWords(QStringLiteral("ink_exponents"))),
+          specOf(QStringLiteral("ink.black_white_exponents"),
+                 materialWords(QStringLiteral("ink_black_white_exponents"))),
+          specOf(QStringLiteral("ink.tones"), materialWords(QStringLiteral("ink_tones")))}}};
 }
 
 PropertySection offProperties() {
@@ -528,6 +467,18 @@ std::vector<PropertySection> toleranceProperties() {
 }
 
 } // namespace
+
+PropertySpec specOf(const QString& path, const FieldWords& words) {
+    return {.path = path,
+            .label = words.label,
+            .help = words.help,
+            .unit = words.unit,
+            .parts = words.parts,
+            .words = words.words,
+            .absent = words.absent,
+            .whenPresent = words.whenPresent,
+            .linked = words.linked};
+}
 
 QString partName(const ProjectNode& node, const Project& project) {
     switch (node.part) {

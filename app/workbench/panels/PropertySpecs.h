@@ -3,6 +3,7 @@
 
 #include "panels/ProjectTree.h"
 #include "panels/PropertyField.h"
+#include "project/FilmFields.h"
 
 namespace dipwright {
 
@@ -12,6 +13,9 @@ struct PropertySection {
     QString title; // empty: none
     std::vector<PropertySpec> specs;
 };
+
+// Of a field of the film's material that stands at `path`.
+PropertySpec specOf(const QString& path, const FieldWords& words);
 
 // "Film", "Dipping"; of the project and of an immersion: their own names.
 QString partName(const ProjectNode& node, const Project& project);

@@ -1,25 +1,12 @@
 // Numbers as the user reads them: in millimetres or inches, with the unit's sign.
 #pragma once
 
+#include "base/Units.h"
 #include "document/Preferences.h"
 
 #include <Eigen/Core>
 
 namespace dipwright {
-
-enum class Unit {
-    None,
-    Length,
-    Speed,
-    Time,
-    Angle,
-    Resolution,
-    Ratio,
-    Cells,
-    Density,
-    Share,
-    ShareRate
-};
 
 // The factor from a project's value to the one shown.
 double shownPerStored(Unit unit, LengthUnit length);
