@@ -3,6 +3,7 @@
 
 #include "printing/PrintHistory.h"
 #include "settings/Profile.h"
+#include "sheet/PrinterColour.h"
 #include "sheet/Sheet.h"
 #include "sheet/TiledSheet.h"
 
@@ -11,8 +12,6 @@
 #include <optional>
 
 namespace dipwright {
-
-class PrinterColour;
 
 // The profile's colours; null where it has none, or there is no profile. Throws Error.
 std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>& profile);

@@ -1,6 +1,8 @@
 // A film's material: what a project and a profile have in common is the same in both, goes from one
 // to the other and back, and stands in the documents as it is declared.
 #include "project/FilmFields.h"
+
+#include "base/Error.h"
 #include "project/ProfileFields.h"
 #include "project/Profiles.h"
 #include "project/Project.h"
