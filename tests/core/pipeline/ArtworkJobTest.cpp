@@ -9,6 +9,7 @@
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
 #include "pipeline/ValidateJob.h"
+#include "texture/ReverseTexture.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -272,4 +273,3 @@ private:
 
 QTEST_MAIN(ArtworkJobTest)
 #include "ArtworkJobTest.moc"
-#include "texture/ReverseTexture.h"

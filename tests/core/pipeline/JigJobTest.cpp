@@ -3,6 +3,7 @@
 #include "TexturedBall.h"
 #include "dip/JigModel.h"
 #include "pipeline/Pipeline.h"
+#include "texture/ReverseTexture.h"
 
 #include <QStandardPaths>
 #include <QtTest>
@@ -126,4 +127,3 @@ private:
 
 QTEST_MAIN(JigJobTest)
 #include "JigJobTest.moc"
-#include "texture/ReverseTexture.h"
