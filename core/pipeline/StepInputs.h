@@ -5,6 +5,7 @@
 // A step's inputs hold those of the steps before it, so that equal inputs mean equal results.
 #pragma once
 
+#include "pipeline/JobOptions.h"
 #include "settings/Artwork.h"
 #include "settings/AsBuilt.h"
 #include "settings/FilmSettings.h"
@@ -23,8 +24,6 @@
 #include <vector>
 
 namespace dipwright {
-
-struct JobOptions;
 
 struct Project;
 struct TexturedMesh;

@@ -8,6 +8,7 @@
 #include "disk/FileLock.h"
 #include "disk/FileVersion.h"
 
+#include <QDateTime>
 #include <QThreadPool>
 #include <QTimer>
 

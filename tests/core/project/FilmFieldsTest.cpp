@@ -80,7 +80,7 @@ QString rangeText(const FieldRule& rule) {
         return u'`' + rule.choices.join(QStringLiteral("`, `")) + u'`';
     }
     if (rule.kind == FieldKind::Text) {
-        return QStringLiteral("text, ") + QLocale::c().toString(int(rule.maximum));
+        return QStringLiteral("text, ") + QLocale(QLocale::English).toString(int(rule.maximum));
     }
     return (rule.parts > 1 ? QStringLiteral("%1 × ").arg(rule.parts) : QString()) +
            (rule.nullable ? QStringLiteral("null, ") : QString()) + numberText(rule.minimum) +
