@@ -6,8 +6,6 @@
 
 namespace dipwright {
 
-struct JobOptions;
-
 // Writes every file of docs/files-and-commands.md, "Result files", into `folder`, which is made if
 // it is missing, whole or not at all (disk/ResultFolder.h). Earlier results there are replaced,
 // other files are left alone. Throws Error or Cancelled.
