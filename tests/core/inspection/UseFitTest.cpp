@@ -2,7 +2,8 @@
 #include "inspection/FilmFitFiles.h"
 #include "project/Project.h"
 
-#include <QtTest>
+#include <QJsonObject>
+#include <QTest>
 
 using namespace dipwright;
 

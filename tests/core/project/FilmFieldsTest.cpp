@@ -2,6 +2,7 @@
 // to the other and back, and stands in the documents as it is declared.
 #include "project/FilmFields.h"
 
+#include "TestFolders.h"
 #include "base/Error.h"
 #include "project/ProfileFields.h"
 #include "project/Profiles.h"
@@ -11,7 +12,7 @@
 #include <QFile>
 #include <QJsonArray>
 #include <QLocale>
-#include <QtTest>
+#include <QTest>
 
 using namespace dipwright;
 
@@ -103,7 +104,7 @@ QString valueText(const QJsonValue& value) {
 // The cells of the document's row for a path, which may stand there with others: `film.edges.left`,
 // `.right`.
 QStringList rowFor(const QString& path) {
-    QFile file(QStringLiteral(DIPWRIGHT_FIELDS_DOCUMENT));
+    QFile file(sourceFolder("/docs/files-and-commands.md"));
     if (!file.open(QIODevice::ReadOnly)) {
         return {};
     }

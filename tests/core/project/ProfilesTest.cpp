@@ -1,10 +1,10 @@
 // Profiles of printers, films and tanks: their files, the library, and the copy in a project.
-#include "project/Profiles.h"
 #include "project/ProfileLibrary.h"
 
 #include "base/Error.h"
 #include "base/ProgramName.h"
 #include "project/ProfileFields.h"
+#include "project/Profiles.h"
 #include "project/Project.h"
 
 #include <QJsonArray>

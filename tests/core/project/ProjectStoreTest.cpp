@@ -2,6 +2,7 @@
 #include "HostileZip.h"
 #include "SampleProject.h"
 #include "TestFiles.h"
+#include "TestFolders.h"
 #include "artwork/EditArtwork.h"
 #include "model/TexturedMesh.h"
 
@@ -286,7 +287,7 @@ private slots:
     }
 
     void theGoldenProjectOfEveryVersionOpens() {
-        const QDir golden(QStringLiteral(DIPWRIGHT_GOLDEN_FOLDER));
+        const QDir golden(sourceFolder("/tests/core/project/golden"));
         for (int version = 1; version <= projectVersion; ++version) {
             const Project project =
                 loadProject(golden.filePath(QStringLiteral("version-%1.dipw").arg(version)));
@@ -299,7 +300,7 @@ private slots:
     }
 
     void theFirstGoldenProjectIsAsItWas() {
-        const Project project = loadProject(QDir(QStringLiteral(DIPWRIGHT_GOLDEN_FOLDER))
+        const Project project = loadProject(QDir(sourceFolder("/tests/core/project/golden"))
                                                 .filePath(QStringLiteral("version-1.dipw")));
         QCOMPARE(project.name, QStringLiteral("golden"));
         QCOMPARE(project.immersions[1].rotation[0].value(), 180.0);
