@@ -23,7 +23,7 @@ if(DIPWRIGHT_PRECOMPILE)
     dipwright_precompiled(core LINK dipwright_options FOLDERS ${Qt6Gui_INCLUDE_DIRS})
     if(BUILD_TESTING)
         dipwright_precompiled(test LINK dipwright_test_compilation Qt6::Test FOLDERS ${Qt6Gui_INCLUDE_DIRS}
-            HEADERS <QtTest>)
+            HEADERS <QtCore/QtCore> <QtTest/qsignalspy.h> <QtTest/qtestcase.h> <QtTest/qtestdata.h>)
     endif()
     if(DIPWRIGHT_WORKBENCH)
         dipwright_precompiled(widgets LINK dipwright_options
