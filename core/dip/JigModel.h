@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dip/Pose.h"
+#include "model/TexturedMesh.h"
 
 #include <memory>
 #include <vector>

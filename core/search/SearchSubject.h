@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dip/Dip.h"
+#include "model/TexturedMesh.h"
 #include "tolerance/ToleranceSettings.h"
 
 namespace dipwright {

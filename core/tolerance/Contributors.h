@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dip/Pose.h"
+#include "model/TexturedMesh.h"
 #include "tolerance/ToleranceSettings.h"
 
 namespace dipwright {

@@ -13,7 +13,7 @@ namespace {
 
 Body turtle() {
     const Project project = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw"));
-    return {posedBody(*project.model, project.immersions.front()),
+    return {posedBody(project.model->mesh, project.immersions.front()),
             buildDistanceField(project.model->mesh, 128, {})};
 }
 
