@@ -438,7 +438,7 @@ std::vector<FilmPainter::PaintedRow> paintRows(const FilmPainter& painter, int r
     return painted;
 }
 
-void blankPixels(const std::vector<FilmPainter::PaintedRow>& painted, std::size_t bytes) {
+void blankPixels(const std::vector<FilmPainter::PaintedRow>& painted, std::ptrdiff_t bytes) {
     for (const FilmPainter::PaintedRow& row : painted) {
         for (unsigned char* pixel : row.left) {
             std::fill_n(pixel, bytes, std::uint8_t(0));
