@@ -122,6 +122,21 @@ void chooseImmersion(Project& project, const QCommandLineParser& parser) {
     }
 }
 
+// Where the soft proof goes; empty where none is asked for.
+QString proofFile(const QCommandLineParser& parser, const Project& project,
+                  const PrintTarget& target, const PrintRequest& request) {
+    const QString proof = pictureOption(parser, proofOption, {".png"});
+    if (!(target.file + proof).isEmpty() && project.immersions.size() > 1) {
+        throw UsageError(QStringLiteral("The project has two sheets, choose one with --immersion"),
+                         target.file + proof);
+    }
+    if (!proof.isEmpty() && !printerColour(request.profile)) {
+        throw Error(QStringLiteral("A soft proof needs a printer profile with an ICC profile"),
+                    proof);
+    }
+    return proof;
+}
+
 // A print a line, the newest first.
 void tellHistory(QTextStream& out) {
     for (const PrintRecord& record : PrintHistory().records()) {
@@ -194,16 +209,7 @@ public:
         if (!target.file.isEmpty()) {
             fileRequest(request); // refused before the work
         }
-        const QString proof = pictureOption(parser, proofOption, {".png"});
-        if (!(target.file + proof).isEmpty() && project.immersions.size() > 1) {
-            throw UsageError(
-                QStringLiteral("The project has two sheets, choose one with --immersion"),
-                target.file + proof);
-        }
-        if (!proof.isEmpty() && !printerColour(request.profile)) {
-            throw Error(QStringLiteral("A soft proof needs a printer profile with an ICC profile"),
-                        proof);
-        }
+        const QString proof = proofFile(parser, project, target, request);
         std::unique_ptr<PrintSystem> system;
         if (target.file.isEmpty()) {
             system = printSystem();

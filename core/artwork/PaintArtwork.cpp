@@ -184,8 +184,8 @@ QImage bake(const TexturedMesh& model, const Unwrapping& charts, const Ground& g
     return picture;
 }
 
-TexturedMesh baked(const TexturedMesh& model, const Artwork& artwork, Painted painted, double texel,
-                   const Progress& progress, qint64 mostTexels) {
+SurfaceAppearance baked(const TexturedMesh& model, const Artwork& artwork, Painted painted,
+                        double texel, const Progress& progress, qint64 mostTexels) {
     const QString step = Text::tr("Painting the artwork");
     progress(0, step);
     const qint64 most = mostOf(Budget::Pixels);
@@ -204,10 +204,9 @@ TexturedMesh baked(const TexturedMesh& model, const Artwork& artwork, Painted pa
         }
     }
     progress(0.5, step);
-    TexturedMesh result;
+    SurfaceAppearance result;
     result.textures = {
         bake(model, charts, Ground(model, artwork, wide), layers, wide, painted, progress)};
-    result.mesh = model.mesh;
     result.material = model.material;
     result.materials = model.materials;
     for (Material& material : result.materials) {
@@ -234,11 +233,11 @@ double texelFor(DotsPerInch resolution) {
 
 TexturedMesh paintArtwork(const TexturedMesh& model, const Artwork& artwork, double texel,
                           const Progress& progress, qint64 mostTexels) {
-    return baked(model, artwork, Painted::Colour, texel, progress, mostTexels);
+    return {baked(model, artwork, Painted::Colour, texel, progress, mostTexels), model.mesh};
 }
 
-TexturedMesh paintSpot(const TexturedMesh& model, const Artwork& artwork, const QString& spot,
-                       double texel, const Progress& progress) {
+SurfaceAppearance paintSpot(const TexturedMesh& model, const Artwork& artwork, const QString& spot,
+                            double texel, const Progress& progress) {
     return baked(model, artwork.inSpot(spot), Painted::Cover, texel, progress, 0);
 }
 

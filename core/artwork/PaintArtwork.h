@@ -19,10 +19,10 @@ namespace dipwright {
 TexturedMesh paintArtwork(const TexturedMesh& model, const Artwork& artwork, double texel,
                           const Progress& progress, qint64 mostTexels = 0);
 
-// The model with the layers of a spot ink as its plate: grey, the tint being 1 − its linear light.
+// What the model is to show of a spot ink, as its plate: grey, the tint being 1 − its linear light.
 // Only what a layer covers counts, and not in which colour.
-TexturedMesh paintSpot(const TexturedMesh& model, const Artwork& artwork, const QString& spot,
-                       double texel, const Progress& progress);
+SurfaceAppearance paintSpot(const TexturedMesh& model, const Artwork& artwork, const QString& spot,
+                            double texel, const Progress& progress);
 
 // paintArtwork() for models that are shared; one without artwork comes back as it is.
 std::shared_ptr<const TexturedMesh> painted(const std::shared_ptr<const TexturedMesh>& model,

@@ -115,7 +115,7 @@ CertaintyEstimate certaintyEstimate(const LaidFilm& own, const CoarserFilms& coa
     if (!coarser.failure.isEmpty()) {
         return estimate;
     }
-    const std::vector<SurfacePoint> places = comparedPlaces(own.body().model.mesh);
+    const std::vector<SurfacePoint> places = comparedPlaces(own.body().mesh);
     const std::vector<float> spacing = sheetMoves(own, *coarser.doubleSpacing, places);
     const std::vector<float> step = sheetMoves(own, *coarser.doubleStep, places);
     estimate.doubleSpacing = sheetChange(spacing);

@@ -30,7 +30,7 @@ std::vector<SeatPiece> above(const std::vector<SeatPiece>& seat, double lowest) 
 
 // How far down a cradle reaches: as little as it can and hold the body.
 double lowestOf(const std::vector<SeatPiece>& seat, const PosedBody& body, double reach) {
-    const Eigen::Vector3d centre = centreOfVolume(body.model.mesh);
+    const Eigen::Vector3d centre = centreOfVolume(body.mesh);
     double best = body.height - reach, bestTilt = -180;
     bool isSteady = false;
     for (; reach < reachGrowth * body.height; reach *= reachGrowth) {
@@ -139,7 +139,7 @@ Cradle nothingToHold(const HeldDip& dip, const CradleSettings& settings, const F
 
 Cradle makeCradle(const HeldDip& dip, const CradleSettings& settings, const Progress& progress) {
     const PosedBody& body = dip.film.body();
-    const Eigen::Vector3d centre = centreOfVolume(body.model.mesh);
+    const Eigen::Vector3d centre = centreOfVolume(body.mesh);
     CradleDistances distances = distancesOf(settings);
     const auto paintDistance =
         settings.onPaint ? std::nullopt : std::optional<double>(distances.earlierPaint);
@@ -178,7 +178,7 @@ Cradle makeCradle(const HeldDip& dip, const CradleSettings& settings, const Prog
     const std::optional<SurfaceQuery> painted =
         untouched.triangles.empty() ? std::nullopt : std::optional<SurfaceQuery>(untouched);
     result.check =
-        checkCradle(result.mesh, body.model.mesh, body.query, painted ? &*painted : nullptr, seat,
+        checkCradle(result.mesh, body.mesh, body.query, painted ? &*painted : nullptr, seat,
                     distances.body + result.cell, settings.padding.value(), progress.part(0.7, 1));
     result.notes = notesOn(result, dip, settings, plate);
     return result;

@@ -66,7 +66,7 @@ public:
 
     // What the seat is at places of one column, from the upper end downwards: negative in it.
     void fillColumn(const DistanceField& grid, int i, int k, std::vector<double>& values) const {
-        SweptDistance body(&body_.query, &body_.model.mesh, within_);
+        SweptDistance body(&body_.query, &body_.mesh, within_);
         SweptDistance film(film_ ? &*film_ : nullptr, &side_.film, distances_.film + grid.spacing);
         SweptDistance paint(paint_ ? &*paint_ : nullptr, &side_.earlierPaint,
                             distances_.earlierPaint + grid.spacing);

@@ -80,7 +80,7 @@ public:
           waterline_(dipDepth(process, film.body())) {}
 
     Side sideOf(const Piece& piece) const {
-        const TriangleMesh& mesh = film_.body().model.mesh;
+        const TriangleMesh& mesh = film_.body().mesh;
         const SurfacePoint middle = piece.middle();
         const bool isUnderWater = double(position(mesh, middle).y()) < waterline_;
         const bool turnsUp = double(triangleNormal(mesh, piece.triangle).y()) > upward_;
@@ -116,7 +116,7 @@ FilmSide filmSide(const LaidFilm& film, const std::vector<const LaidFilm*>& earl
                   std::optional<double> earlierDistance, const Progress& progress) {
     progress(0, Text::tr("Looking for what stays dry"));
     const PosedBody& body = film.body();
-    const TriangleMesh& mesh = body.model.mesh;
+    const TriangleMesh& mesh = body.mesh;
     std::vector<Piece> pieces = piecesOf(mesh, edge);
     const Sorting sorting(film, earlier, process);
     parallelFor(std::size_t(0), pieces.size(),

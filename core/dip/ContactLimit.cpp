@@ -22,8 +22,8 @@ class LimitFinder {
 public:
     LimitFinder(const DippedFilm& film, const PosedBody& body, const CornerNormals& normals,
                 const ProcessSettings& process, FilmContact& contact)
-        : film_(film), mesh_(body.model.mesh), normals_(normals), query_(body.query),
-          contact_(contact), triangles_(filmTriangles(film.grid)),
+        : film_(film), mesh_(body.mesh), normals_(normals), query_(body.query), contact_(contact),
+          triangles_(filmTriangles(film.grid)),
           steepest_(float(std::sin(radians(process.overhang)))), mostStretch_(process.tearStretch),
           state_(film.positions.size(), Reach::None) {}
 

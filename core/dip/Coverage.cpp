@@ -24,7 +24,7 @@ struct TriangleCover {
 };
 
 TriangleCover triangleCover(const LaidFilm& laid, std::size_t triangle, double sampleArea) {
-    const double area = triangleArea(laid.body().model.mesh, triangle);
+    const double area = triangleArea(laid.body().mesh, triangle);
     const int pieces =
         int(std::clamp(std::ceil(std::sqrt(area / sampleArea)), 1.0, double(mostPieces)));
     const double pieceArea = area / (pieces * pieces);
@@ -49,7 +49,7 @@ TriangleCover triangleCover(const LaidFilm& laid, std::size_t triangle, double s
 } // namespace
 
 Coverage coverage(const LaidFilm& laid) {
-    const TriangleMesh& mesh = laid.body().model.mesh;
+    const TriangleMesh& mesh = laid.body().mesh;
     const solver::FilmGrid& grid = laid.film().grid;
     const double sampleArea = grid.leastSpacingX() * grid.leastSpacingZ() / samplesPerFilmCell;
     std::vector<TriangleCover> covers(mesh.triangles.size());
@@ -70,7 +70,7 @@ Coverage coverage(const LaidFilm& laid) {
 
 double coverageTogether(const std::vector<std::shared_ptr<const LaidFilm>>& films,
                         const Progress& progress) {
-    const TriangleMesh& mesh = films.front()->body().model.mesh;
+    const TriangleMesh& mesh = films.front()->body().mesh;
     const std::vector<SurfacePoint> samples = evenSamples(mesh, surfaceArea(mesh) / samplesOfBody);
     std::vector<std::uint8_t> painted(samples.size());
     parallelFor(std::size_t(0), samples.size(), [&](std::size_t sample) {

@@ -39,7 +39,7 @@ Error missedFilm(const Immersion& immersion) {
 // Before anything is computed: whether any of the body is over the film at all.
 void requireBodyOverFilm(const PosedBody& body, const Immersion& immersion,
                          const solver::FilmGrid& film) {
-    const BoundingBox box = boundingBox(body.model.mesh);
+    const BoundingBox box = boundingBox(body.mesh);
     const double x = immersion.offset[0].value();
     const double z = immersion.offset[1].value();
     const bool over = box.min().x() + x < film.width / 2 && box.max().x() + x > -film.width / 2 &&

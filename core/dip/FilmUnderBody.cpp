@@ -89,7 +89,7 @@ Underside undersideOf(const TriangleMesh& mesh, const SurfaceQuery& query,
 }
 
 Underside undersideOf(const PosedBody& body, const ProcessSettings& process) {
-    return undersideOf(body.model.mesh, body.query, Eigen::Isometry3d::Identity(), process);
+    return undersideOf(body.mesh, body.query, Eigen::Isometry3d::Identity(), process);
 }
 
 // As if the film that the faces have more than their shadow came evenly from all round a disc of

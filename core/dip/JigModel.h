@@ -2,6 +2,7 @@
 // which each keeps its own texture and place.
 #pragma once
 
+#include "dip/Pose.h"
 #include "model/TexturedMesh.h"
 #include "settings/Immersion.h"
 

@@ -19,7 +19,7 @@ LaidFilm::LaidFilm(std::shared_ptr<const PosedBody> body, DippedFilm film, FilmC
     : body_(std::move(body)), film_(std::move(film)), contact_(std::move(contact)),
       triangles_(filmTriangles(film_.grid)), stretches_(principalStretches(film_)),
       painted_(paintedStretch(film_, triangles_, stretches_, contact_)),
-      onBody_(std::make_unique<FilmOnBody>(film_.grid, triangles_, contact_, body_->model.mesh)) {}
+      onBody_(std::make_unique<FilmOnBody>(film_.grid, triangles_, contact_, body_->mesh)) {}
 
 LaidFilm::~LaidFilm() = default;
 
@@ -75,7 +75,7 @@ std::optional<Eigen::Vector3f> LaidFilm::onBody(const FilmPlace& place) const {
     for (int corner = 0; corner < 3; ++corner) {
         lies += weights[corner] * contact_.places[triangles_[place.triangle][std::size_t(corner)]];
     }
-    return position(body_->model.mesh, body_->query.closest(lies).point);
+    return position(body_->mesh, body_->query.closest(lies).point);
 }
 
 std::shared_ptr<const LaidFilm> layFilm(std::shared_ptr<const PosedBody> body, DippedFilm film,

@@ -1,5 +1,6 @@
 // A film at the end of its dip as it lies on the body: the one value that everything after the dip
-// asks, be it the reverse texture, a map, the coverage or the proof.
+// asks, be it the reverse texture, a map, the coverage or the proof. Made once a dip: what the body
+// looks like is no part of it and is passed beside it.
 #pragma once
 
 #include "dip/FilmContact.h"

@@ -51,7 +51,7 @@ SurfacePoint filledPoint(const DippedFilm& film, const PosedBody& body,
         if (!located[neighbour].isValid()) {
             return {};
         }
-        middle += position(body.model.mesh, located[neighbour]) / 4;
+        middle += position(body.mesh, located[neighbour]) / 4;
     }
     return body.query.closest(middle, cellOfPoint(film.grid, point)).point;
 }
@@ -73,7 +73,7 @@ class PaintTest {
 public:
     PaintTest(const PosedBody& body, const CornerNormals& normals,
               const std::vector<SurfacePoint>& surface, const ProcessSettings& process)
-        : mesh_(body.model.mesh), normals_(normals), query_(body.query), surface_(surface),
+        : mesh_(body.mesh), normals_(normals), query_(body.query), surface_(surface),
           steepest_(float(std::sin(radians(process.overhang)))) {}
 
     // `cell`: the side of the triangle's cell.
@@ -152,7 +152,7 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body,
 
     const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
     const std::vector<PrincipalStretch> stretches = principalStretches(film);
-    const CornerNormals normals = cornerNormals(body.model.mesh);
+    const CornerNormals normals = cornerNormals(body.mesh);
     const PaintTest test(body, normals, contact.surface, process);
     contact.painted.resize(triangles.size());
     parallelFor(std::size_t(0), triangles.size(), [&](std::size_t triangle) {
@@ -163,7 +163,7 @@ FilmContact locateFilm(const DippedFilm& film, const PosedBody& body,
     contact.places = film.positions;
     for (std::size_t point = 0; point < contact.places.size(); ++point) {
         if (contact.surface[point].isValid()) {
-            contact.places[point] = position(body.model.mesh, contact.surface[point]);
+            contact.places[point] = position(body.mesh, contact.surface[point]);
         }
     }
     if (film.isotropic) {

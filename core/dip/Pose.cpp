@@ -58,12 +58,11 @@ Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immer
     return transform;
 }
 
-PosedBody posedBody(const TexturedMesh& model, const Immersion& immersion) {
-    const Eigen::Isometry3d modelToPose = poseTransform(model.mesh, immersion);
-    TexturedMesh posed = model;
-    posed.mesh = transformed(model.mesh, modelToPose);
-    const double height = boundingBox(posed.mesh).max().y();
-    SurfaceQuery query(posed.mesh);
+PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion) {
+    const Eigen::Isometry3d modelToPose = poseTransform(model, immersion);
+    TriangleMesh posed = transformed(model, modelToPose);
+    const double height = boundingBox(posed).max().y();
+    SurfaceQuery query(posed);
     return {std::move(posed), modelToPose, height, std::move(query)};
 }
 

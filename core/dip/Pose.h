@@ -8,7 +8,6 @@
 
 #include "base/Units.h"
 #include "geometry/SurfaceQuery.h"
-#include "model/TexturedMesh.h"
 #include "settings/Immersion.h"
 #include "settings/ProcessSettings.h"
 
@@ -25,15 +24,15 @@ std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
 // Model coordinates to the pose frame.
 Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immersion);
 
-// A body in the pose frame of one immersion, with what asks its surface questions. It does not
-// depend on the immersion's offset.
+// The shape of a body in the pose frame of one immersion, with what asks its surface questions. It
+// does not depend on the immersion's offset, nor on what the body looks like.
 struct PosedBody {
-    TexturedMesh model;            // positions in the pose frame
+    TriangleMesh mesh;             // the model's, in the pose frame
     Eigen::Isometry3d modelToPose; // from the coordinates of the model and its distance field
     double height = 0;             // mm from the lowest to the highest point
-    SurfaceQuery query;            // of model.mesh
+    SurfaceQuery query;            // of mesh
 };
-PosedBody posedBody(const TexturedMesh& model, const Immersion& immersion);
+PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion);
 
 // mm between the body's lowest point and the water before the dip.
 inline constexpr double startHeight = 0.5;

@@ -144,7 +144,7 @@ std::vector<std::uint8_t> openAir(const SpaceGrid& grid) {
 } // namespace
 
 TrappedAir trappedAir(const PosedBody& body, int resolution) {
-    const TriangleMesh& mesh = body.model.mesh;
+    const TriangleMesh& mesh = body.mesh;
     const SpaceGrid grid(mesh, body.query, resolution);
     const std::vector<std::uint8_t> open = openAir(grid);
     const double bottom = boundingBox(mesh).min().y();

@@ -74,10 +74,10 @@ struct ToModel {
     Eigen::Isometry3d back = body.modelToPose.inverse();
 
     Eigen::Vector3d place(const SurfacePoint& point) const {
-        return back * position(body.model.mesh, point).cast<double>();
+        return back * position(body.mesh, point).cast<double>();
     }
     Eigen::Vector3d outward(const SurfacePoint& point) const {
-        return back.linear() * triangleNormal(body.model.mesh, point.triangle).cast<double>();
+        return back.linear() * triangleNormal(body.mesh, point.triangle).cast<double>();
     }
 };
 

@@ -31,7 +31,7 @@ bool isContinuous(const TexturedMesh& mesh, std::uint32_t edge, std::uint32_t op
 
 } // namespace
 
-bool TexturedMesh::hasTextureCoordinates(std::size_t triangle) const {
+bool SurfaceAppearance::hasTextureCoordinates(std::size_t triangle) const {
     for (const auto& corner : textureCoordinates[triangle]) {
         if (!std::isfinite(corner.x()) || !std::isfinite(corner.y())) {
             return false;
@@ -40,7 +40,7 @@ bool TexturedMesh::hasTextureCoordinates(std::size_t triangle) const {
     return true;
 }
 
-Eigen::Vector2f TexturedMesh::textureCoordinate(const SurfacePoint& point) const {
+Eigen::Vector2f SurfaceAppearance::textureCoordinate(const SurfacePoint& point) const {
     const auto& corners = textureCoordinates[point.triangle];
     return point.weights[0] * corners[0] + point.weights[1] * corners[1] +
            point.weights[2] * corners[2];

@@ -22,6 +22,7 @@ struct ImmersionResult {
     Immersion immersion;
     SheetInputs inputs; // what all of this was made from
     std::shared_ptr<const PosedBody> body;
+    std::shared_ptr<const SurfaceAppearance> appearance; // of the body; null: a kept dip's
     SolverInfo solver;       // that dipped the film: the chosen one, or one that took over from it
     QStringList solverNotes; // sentences for the user, where one took over
     std::shared_ptr<const LaidFilm> laid;

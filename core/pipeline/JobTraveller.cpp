@@ -64,7 +64,7 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
         }
         dip.sheet = flattened(immersion.sheet.image)
                         .scaledToWidth(sheetPixelsAcross, Qt::SmoothTransformation);
-        dip.body = boundingBox(immersion.body->model.mesh);
+        dip.body = boundingBox(immersion.body->mesh);
         films.push_back(dipped[i]);
         dip.after = afterDip({*immersion.body, nullptr, films}, progress.silent());
         traveller.dips.push_back(std::move(dip));

@@ -215,7 +215,7 @@ std::shared_ptr<const JobResult> keptDips(const Project& project, const SolverRe
         dip.immersion = project.immersions[number];
         dip.solver = solver;
         dip.inputs.texture.dip = dipInputs(project, number, solver.id);
-        dip.body = std::make_shared<const PosedBody>(posedBody(*project.model, dip.immersion));
+        dip.body = std::make_shared<const PosedBody>(posedBody(project.model->mesh, dip.immersion));
         restore(dip, project, kept[number], file);
     }
     return kept.empty() ? nullptr : result;

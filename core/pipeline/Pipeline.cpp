@@ -94,21 +94,14 @@ std::shared_ptr<const TexturedMesh> paintedOf(const Run& run, const PaintInputs&
                    progress);
 }
 
-// Whether the earlier result's bodies look otherwise than `model`. Dips that were kept look as
-// their model does by itself.
-bool isRepainted(const Run& run, const std::shared_ptr<const TexturedMesh>& model) {
-    return run.previous &&
-           (run.previous->painted ? run.previous->painted : run.project.model) != model;
-}
-
 std::shared_ptr<const PosedBody> bodyOf(const Run& run, std::size_t number,
-                                        const BodyInputs& inputs,
-                                        const std::shared_ptr<const TexturedMesh>& model) {
+                                        const BodyInputs& inputs) {
     const ImmersionResult* earlier = run.earlier(number);
-    if (earlier && earlier->inputs.texture.dip.body == inputs && !isRepainted(run, model)) {
+    if (earlier && earlier->inputs.texture.dip.body == inputs) {
         return earlier->body;
     }
-    return std::make_shared<const PosedBody>(posedBody(*model, run.project.immersions[number]));
+    return std::make_shared<const PosedBody>(
+        posedBody(inputs.model->mesh, run.project.immersions[number]));
 }
 
 // Fills in the film on the body.
@@ -128,9 +121,16 @@ void dip(ImmersionResult& result, const Run& run, std::size_t number, const Dist
     result.laid = layFilm(result.body, std::move(film), run.project.process);
 }
 
-void measure(ImmersionResult& result) {
-    result.coverage = std::make_shared<const Coverage>(coverage(*result.laid));
-    result.readBack = readBackError(*result.laid, *result.laid);
+// What is not measured yet: the coverage of film that was just dipped, or taken over from dips that
+// were kept; the sheet read back of that, and of a body that looked otherwise before.
+void measure(ImmersionResult& result, const ImmersionResult* earlier) {
+    const bool isLaidAnew = !result.coverage;
+    if (isLaidAnew) {
+        result.coverage = std::make_shared<const Coverage>(coverage(*result.laid));
+    }
+    if (isLaidAnew || earlier->appearance != result.appearance) {
+        result.readBack = readBackError(*result.laid, *result.laid, *result.appearance);
+    }
 }
 
 QImage chessboardOf(const FilmSettings& film, QSize pixels) {
@@ -156,27 +156,20 @@ QImage evenWhite(const QImage& picture, double tint) {
     return white;
 }
 
-// The tints of the artwork's spot inks: the film on a body that shows nothing else.
-std::vector<QImage> spotsOf(const LaidFilm& laid, const TextureInputs& inputs,
-                            const Immersion& immersion, const ReverseTextureOptions& colours,
-                            const Progress& progress) {
-    ReverseTextureOptions options = colours;
-    options.white = 0;
-    options.keepsWanted = false;
-    options.isPlate = true;
-    std::vector<QImage> spots;
+// Of the artwork's spot inks. Keeps references to its arguments.
+std::vector<SpotPlate> spotPlates(const TextureInputs& inputs, const Progress& progress) {
+    std::vector<SpotPlate> plates;
     for (const ArtworkLayer& layer : inputs.paint.artwork.spots()) {
-        const TexturedMesh plate = paintSpot(*inputs.paint.model, inputs.paint.artwork, layer.spot,
-                                             texelFor(inputs.resolution), progress);
-        const LaidFilm own(std::make_shared<const PosedBody>(posedBody(plate, immersion)),
-                           laid.film(), laid.contact());
-        spots.push_back(tintsOf(reverseTexture(own, options, progress).image));
+        plates.emplace_back([&inputs, &progress, spot = layer.spot] {
+            return paintSpot(*inputs.paint.model, inputs.paint.artwork, spot,
+                             texelFor(inputs.resolution), progress);
+        });
     }
-    return spots;
+    return plates;
 }
 
-ReverseTexture textureOf(const LaidFilm& laid, const TextureInputs& inputs,
-                         const Immersion& immersion, std::optional<PaintShare> share,
+ReverseTexture textureOf(const LaidFilm& laid, const SurfaceAppearance& appearance,
+                         const TextureInputs& inputs, std::optional<PaintShare> share,
                          const Progress& progress) {
     const FilmSettings& film = inputs.dip.film;
     const QSize pixels = sheetPixels(film.width, film.height, inputs.resolution);
@@ -184,9 +177,8 @@ ReverseTexture textureOf(const LaidFilm& laid, const TextureInputs& inputs,
         ReverseTextureOptions options{pixels, inputs.bleed.value(), inputs.ink, std::move(share),
                                       inputs.white};
         options.keepsWanted = inputs.isPerInk();
-        ReverseTexture picture = reverseTexture(laid, options, progress);
-        picture.spots = spotsOf(laid, inputs, immersion, options, progress);
-        return picture;
+        options.spots = spotPlates(inputs, progress);
+        return reverseTexture(laid, appearance, options, progress);
     }
     ReverseTexture picture;
     picture.image =
@@ -237,12 +229,8 @@ ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetI
         now = *earlier;
     }
     now.immersion = run.project.immersions[number];
-    now.body = bodyOf(run, number, inputs.texture.dip.body, job.painted);
-    if (isDipped && isRepainted(run, job.painted)) { // the same film on a body that looks otherwise
-        now.laid =
-            std::make_shared<const LaidFilm>(now.body, now.laid->film(), now.laid->contact());
-        now.coverage = nullptr; // is measured anew
-    }
+    now.body = bodyOf(run, number, inputs.texture.dip.body);
+    now.appearance = job.painted;
     if (comparison.isWanted && isBeside) {
         compare(comparison, run, now, *field, solver.solver.id, left);
     }
@@ -278,7 +266,7 @@ void paint(ImmersionResult& now, const Run& run, std::size_t number, const BodyS
     const ImmersionResult* earlier = run.earlier(number);
     if (!earlier || earlier->inputs.texture != now.inputs.texture) {
         now.texture = std::make_shared<const ReverseTexture>(
-            textureOf(*now.laid, now.inputs.texture, now.immersion,
+            textureOf(*now.laid, *now.appearance, now.inputs.texture,
                       share ? std::optional(share->of(number)) : std::nullopt, progress));
     }
 }
@@ -325,9 +313,7 @@ std::optional<double> shortfallOf(const Sheet& sheet,
 void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison& comparison) {
     const ImmersionResult* earlier = run.earlier(number);
     Tasks measuring;
-    if (!now.coverage) { // just dipped, or taken over from dips that were kept
-        measuring.run([&] { measure(now); });
-    }
+    measuring.run([&] { measure(now, earlier); });
     if (!earlier || earlier->inputs != now.inputs) {
         now.sheet = jobSheet(run.project, now.immersion,
                              printedFilm(*now.texture, now.inputs, run.project, number));
@@ -418,6 +404,21 @@ bool showsWhite(const SheetInputs& inputs) {
     return inputs.texture.white > 0 && !inputs.baseColour.isEmpty();
 }
 
+// Fills in the proofs and the picture of who paints what, or takes them over where the earlier
+// result has the same; the stage is not needed then.
+void showTogether(JobResult& result, const Run& run, const ProofStage* stage, bool hasProof,
+                  bool hasCoverage, const Progress& progress) {
+    const std::vector<ImmersionResult>& immersions = result.immersions;
+    const Progress proofs = progress.part(picturesDone, proofDone);
+    result.proof = hasProof ? run.previous->proof : proofOf(*stage, immersions, true, proofs);
+    if (showsWhite(immersions.front().inputs)) {
+        result.proofWithoutWhite = hasProof ? run.previous->proofWithoutWhite
+                                            : proofOf(*stage, immersions, false, proofs.silent());
+    }
+    result.coverage = hasCoverage ? run.previous->coverage
+                                  : coverageOf(*stage, result, progress.part(proofDone, 1));
+}
+
 // Fills in the immersions and what is told of them together. One film is dipped after the other;
 // what follows a dip goes on beside the next one, for which the solver does not need, or cannot
 // use, all of the processor; but where the dips share the body out, the pictures wait for the last
@@ -469,17 +470,7 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     }
     progress(sharesDone, Text::tr("Reversing the texture"));
     pictures.wait();
-    undisturbed([&] {
-        const Progress proofs = progress.part(picturesDone, proofDone);
-        result.proof = hasProof ? run.previous->proof : proofOf(*stage, immersions, true, proofs);
-        if (showsWhite(inputs.front())) {
-            result.proofWithoutWhite = hasProof
-                                           ? run.previous->proofWithoutWhite
-                                           : proofOf(*stage, immersions, false, proofs.silent());
-        }
-        result.coverage = hasCoverage ? run.previous->coverage
-                                      : coverageOf(*stage, result, progress.part(proofDone, 1));
-    });
+    undisturbed([&] { showTogether(result, run, stage.get(), hasProof, hasCoverage, progress); });
     sheets.wait();
     result.coverageTotal = coverageTotal(immersions, progress);
 }

@@ -70,8 +70,8 @@ std::vector<float> pointMoves(const LaidFilm& own, const LaidFilm& finer) {
 ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
                              const DistanceField& field, const solver::SolverModule& module,
                              const Progress& progress) {
-    const auto body = std::make_shared<const PosedBody>(posedBody(*project.model, immersion));
-    const std::vector<SurfacePoint> places = comparedPlaces(body->model.mesh);
+    const auto body = std::make_shared<const PosedBody>(posedBody(project.model->mesh, immersion));
+    const std::vector<SurfacePoint> places = comparedPlaces(body->mesh);
     // Of all places, and of the unmarked ones.
     const auto changes = [&](const LaidFilm& own, const LaidFilm& finer) {
         const std::vector<float> moves = sheetMoves(own, finer, places);

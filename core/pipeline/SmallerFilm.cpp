@@ -11,7 +11,7 @@ namespace {
 // Of the printed film, for a dip, mm; origin in its middle.
 Eigen::AlignedBox2d neededFilm(const ImmersionResult& dip, const FilmSettings& film) {
     Eigen::AlignedBox2d needed = usedFilm(*dip.laid).cast<double>();
-    const BoundingBox body = boundingBox(dip.body->model.mesh);
+    const BoundingBox body = boundingBox(dip.body->mesh);
     const Eigen::Vector2d offset(dip.immersion.offset[0].value(), dip.immersion.offset[1].value());
     needed.extend(offset + Eigen::Vector2d(body.min().x(), body.min().z()));
     needed.extend(offset + Eigen::Vector2d(body.max().x(), body.max().z()));

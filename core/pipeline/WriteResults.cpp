@@ -111,9 +111,10 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
              const ResultFolder& folder) {
     pieces.push_back(
         {Text::tr("Writing the film of %1").arg(result.immersion.name), [&result, prefix, &folder] {
-             folder.write(prefix + QStringLiteral("film.vtp"), filmVtp(*result.laid));
+             folder.write(prefix + QStringLiteral("film.vtp"),
+                          filmVtp(*result.laid, *result.appearance));
              folder.write(prefix + QStringLiteral("body.vtp"),
-                          bodyVtp(*result.body, *result.coverage));
+                          bodyVtp(*result.body, *result.appearance, *result.coverage));
          }});
     const QString text = Text::tr("Writing the stretch of %1").arg(result.immersion.name);
     pieces.push_back({text, [&result, prefix, &folder] {

@@ -139,7 +139,7 @@ QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t di
     const FilmValues values(laid, std::move(inside));
     const FilmValues joins(laid, std::move(joining));
     const solver::FilmGrid& grid = laid.film().grid;
-    const float width = joinWidthIn(share, boundingBox(laid.body().model.mesh));
+    const float width = joinWidthIn(share, boundingBox(laid.body().mesh));
     const auto colour = [&](double column, double row) {
         const auto distance = float(values.at(column, row));
         if (!values.isPainted(column, row) || std::isnan(distance)) {

@@ -145,8 +145,8 @@ private:
 
     // Of the film that covers a place of the body, if the dip gets as deep.
     std::optional<FilmPlace> placeOf(const SurfacePoint& point) const {
-        return position(laid_->body().model.mesh, point).y() > highest_ ? std::nullopt
-                                                                        : laid_->place(point);
+        return position(laid_->body().mesh, point).y() > highest_ ? std::nullopt
+                                                                  : laid_->place(point);
     }
     // The place of the picture that lies where the flat film has `rest`, were it in its place.
     Eigen::Vector2f printedAt(const Eigen::Vector2f& rest) const {

@@ -15,9 +15,10 @@
 namespace dipwright {
 
 // VTK XML PolyData files as docs/files-and-commands.md, "Result files", says, in the pose frame:
-// float arrays, compressed.
-QByteArray filmVtp(const LaidFilm& laid);
-QByteArray bodyVtp(const PosedBody& body, const Coverage& coverage);
+// float arrays, compressed. `appearance`: of the body, whose texture coordinates are written.
+QByteArray filmVtp(const LaidFilm& laid, const SurfaceAppearance& appearance);
+QByteArray bodyVtp(const PosedBody& body, const SurfaceAppearance& appearance,
+                   const Coverage& coverage);
 
 // The mean stretch of each film point over the flat film, ink side up, with a labelled scale, the
 // outline of the painted area and its distribution. `longEdge` pixels tall.

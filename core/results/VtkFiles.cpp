@@ -73,23 +73,23 @@ struct SplitBody {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-SplitBody splitAtSeams(const TexturedMesh& model) {
+SplitBody splitAtSeams(const TriangleMesh& mesh, const SurfaceAppearance& appearance) {
     using Key = std::array<std::uint32_t, 3>; // bits, as NaN is not equal to itself
     std::map<Key, std::uint32_t> known;
     SplitBody body;
-    for (std::size_t triangle = 0; triangle < model.mesh.triangles.size(); ++triangle) {
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         std::array<std::uint32_t, 3> corners{};
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            const std::uint32_t position = model.mesh.triangles[triangle][corner];
-            const Eigen::Vector2f uv = model.textureCoordinates.empty()
+            const std::uint32_t position = mesh.triangles[triangle][corner];
+            const Eigen::Vector2f uv = appearance.textureCoordinates.empty()
                                            ? Eigen::Vector2f(none, none)
-                                           : model.textureCoordinates[triangle][corner];
+                                           : appearance.textureCoordinates[triangle][corner];
             const Key key{position, std::bit_cast<std::uint32_t>(uv.x()),
                           std::bit_cast<std::uint32_t>(uv.y())};
             const auto [entry, isNew] =
                 known.try_emplace(key, std::uint32_t(body.positions.size()));
             if (isNew) {
-                body.positions.push_back(model.mesh.positions[position]);
+                body.positions.push_back(mesh.positions[position]);
                 body.textureCoordinates.push_back(uv);
             }
             corners[corner] = entry->second;
@@ -115,7 +115,7 @@ void addPrincipalStretches(const std::vector<PrincipalStretch>& stretches, vtkCe
 
 } // namespace
 
-QByteArray filmVtp(const LaidFilm& laid) {
+QByteArray filmVtp(const LaidFilm& laid, const SurfaceAppearance& appearance) {
     const DippedFilm& film = laid.film();
     const std::size_t count = film.grid.pointCount();
     const std::vector<float> stretches = pointStretches(film);
@@ -131,8 +131,8 @@ QByteArray filmVtp(const LaidFilm& laid) {
         adhered->SetValue(tuple, film.adhered(point) ? 1 : 0);
         marks->SetValue(tuple, film.marks.empty() ? 0 : film.marks[point]);
         const SurfacePoint& place = laid.contact().surface[point];
-        const Eigen::Vector2f texture = place.isValid() ? laid.body().model.textureCoordinate(place)
-                                                        : Eigen::Vector2f(none, none);
+        const Eigen::Vector2f texture =
+            place.isValid() ? appearance.textureCoordinate(place) : Eigen::Vector2f(none, none);
         uv->SetTypedTuple(tuple, texture.data());
         stretch->SetValue(tuple, stretches[point]);
     }
@@ -148,8 +148,9 @@ QByteArray filmVtp(const LaidFilm& laid) {
     return vtpBytes(data);
 }
 
-QByteArray bodyVtp(const PosedBody& body, const Coverage& coverage) {
-    const SplitBody split = splitAtSeams(body.model);
+QByteArray bodyVtp(const PosedBody& body, const SurfaceAppearance& appearance,
+                   const Coverage& coverage) {
+    const SplitBody split = splitAtSeams(body.mesh, appearance);
     vtkNew<vtkFloatArray> texture = floatArray("TCoords", 2, split.positions.size());
     for (std::size_t i = 0; i < split.positions.size(); ++i) {
         texture->SetTypedTuple(vtkIdType(i), split.textureCoordinates[i].data());

@@ -94,7 +94,7 @@ std::vector<std::size_t> PoseDips::alikeTogether(const std::vector<Immersion>& i
     std::vector<std::array<double, 6>> films(immersions.size());
     parallelFor(std::size_t(0), films.size(), [&](std::size_t index) {
         const Immersion& immersion = immersions[index];
-        const Eigen::AlignedBox2d box = fineCellsOf(posedBody(*subject_.model, immersion));
+        const Eigen::AlignedBox2d box = fineCellsOf(posedBody(subject_.model->mesh, immersion));
         films[index] = {box.min().x(),
                         box.min().y(),
                         box.max().x(),
@@ -124,7 +124,8 @@ void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
     std::vector<solver::BatchItem> items(batch.size());
     parallelFor(std::size_t(0), items.size(), [&](std::size_t item) {
         const Immersion& immersion = immersions[batch[item]];
-        bodies[item] = std::make_shared<const PosedBody>(posedBody(*subject_.model, immersion));
+        bodies[item] =
+            std::make_shared<const PosedBody>(posedBody(subject_.model->mesh, immersion));
         items[item].setup = setupOf(*bodies[item], immersion);
     });
     simulateDips(items, module_, [this] { return cancelSwitch_.isCancelled(); });

@@ -1,6 +1,7 @@
 // What poses are searched for.
 #pragma once
 
+#include "model/TexturedMesh.h"
 #include "settings/FilmSettings.h"
 #include "settings/Immersion.h"
 #include "settings/ProcessSettings.h"

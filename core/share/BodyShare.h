@@ -5,6 +5,7 @@
 #include "base/Progress.h"
 #include "dip/LaidFilm.h"
 #include "geometry/RefinedMesh.h"
+#include "model/TexturedMesh.h"
 #include "settings/InkSettings.h"
 #include "settings/ShareSettings.h"
 #include "texture/PaintShare.h"

@@ -38,7 +38,7 @@ Suitability suitability(const RefinedMesh& body, const LaidFilm& laid,
                        std::vector<float>(triangles)};
     parallelFor(std::size_t(0), triangles, [&](std::size_t triangle) {
         const SurfacePoint middle = body.middle(triangle);
-        const Eigen::Vector3f normal = triangleNormal(laid.body().model.mesh, middle.triangle);
+        const Eigen::Vector3f normal = triangleNormal(laid.body().mesh, middle.triangle);
         const std::optional<FilmPlace> place = laid.place(middle);
         result.reached[triangle] = place ? 1 : 0;
         result.stretch[triangle] = place ? laid.stretches()[place->triangle].larger : 1;

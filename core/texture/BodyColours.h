@@ -11,11 +11,12 @@ struct BodyTexture {
     std::unique_ptr<ChartMap> charts; // null: nothing to keep apart
 };
 
-// Keeps a reference to the model. Reading is const, any thread.
+// Keeps a reference to the appearance. Reading is const, any thread.
 class BodyColours {
 public:
-    explicit BodyColours(const TexturedMesh& model);
+    explicit BodyColours(const SurfaceAppearance& appearance);
 
+    const SurfaceAppearance& appearance() const { return appearance_; }
     // Whether colours are shares of wide colour's primaries, of all where one texture is wide.
     bool isWide() const { return wide_; }
 
@@ -24,9 +25,9 @@ public:
     const LinearColour& plain(std::uint32_t bodyTriangle) const;
 
 private:
-    const TexturedMesh& model_;
+    const SurfaceAppearance& appearance_;
     bool wide_;
-    std::vector<BodyTexture> textures_; // as the model's
+    std::vector<BodyTexture> textures_; // as the appearance's
     std::vector<LinearColour> plain_;   // a material each
 };
 

@@ -13,24 +13,25 @@ namespace {
 constexpr int bandRows = 64; // rows of texels that are filled together
 constexpr double wholeTexture = 0.999;
 
-std::vector<std::uint32_t> trianglesWith(const TexturedMesh& model, int texture) {
+std::vector<std::uint32_t> trianglesWith(const SurfaceAppearance& appearance, int texture) {
     std::vector<std::uint32_t> triangles;
-    for (std::uint32_t triangle = 0; triangle < model.textureCoordinates.size(); ++triangle) {
-        if (model.materials[model.material[triangle]].texture == texture &&
-            model.hasTextureCoordinates(triangle)) {
+    for (std::uint32_t triangle = 0; triangle < appearance.textureCoordinates.size(); ++triangle) {
+        if (appearance.materials[appearance.material[triangle]].texture == texture &&
+            appearance.hasTextureCoordinates(triangle)) {
             triangles.push_back(triangle);
         }
     }
     return triangles;
 }
 
-bool isOneChartOnAll(const TexturedMesh& model, const std::vector<std::uint32_t>& triangles) {
+bool isOneChartOnAll(const SurfaceAppearance& appearance,
+                     const std::vector<std::uint32_t>& triangles) {
     double area = 0;
     for (const std::uint32_t triangle : triangles) {
-        if (model.chart[triangle] != model.chart[triangles.front()]) {
+        if (appearance.chart[triangle] != appearance.chart[triangles.front()]) {
             return false;
         }
-        const auto& [a, b, c] = model.textureCoordinates[triangle];
+        const auto& [a, b, c] = appearance.textureCoordinates[triangle];
         area += std::abs(double((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x())) / 2;
     }
     return area > wholeTexture;
@@ -58,33 +59,33 @@ std::pair<double, double> crossing(const std::array<Eigen::Vector2d, 3>& corners
 
 } // namespace
 
-bool textureRepeats(const TexturedMesh& model, int texture) {
+bool textureRepeats(const SurfaceAppearance& appearance, int texture) {
     constexpr float rounding = 1e-4f;
-    const std::vector<std::uint32_t> triangles = trianglesWith(model, texture);
+    const std::vector<std::uint32_t> triangles = trianglesWith(appearance, texture);
     return std::any_of(triangles.begin(), triangles.end(), [&](std::uint32_t triangle) {
-        const auto& corners = model.textureCoordinates[triangle];
+        const auto& corners = appearance.textureCoordinates[triangle];
         return std::any_of(corners.begin(), corners.end(), [](const Eigen::Vector2f& corner) {
             return corner.minCoeff() < -rounding || corner.maxCoeff() > 1 + rounding;
         });
     });
 }
 
-std::unique_ptr<ChartMap> ChartMap::of(const TexturedMesh& model, int texture) {
-    const std::vector<std::uint32_t> triangles = trianglesWith(model, texture);
-    if (triangles.empty() || isOneChartOnAll(model, triangles)) {
+std::unique_ptr<ChartMap> ChartMap::of(const SurfaceAppearance& appearance, int texture) {
+    const std::vector<std::uint32_t> triangles = trianglesWith(appearance, texture);
+    if (triangles.empty() || isOneChartOnAll(appearance, triangles)) {
         return nullptr;
     }
-    return std::unique_ptr<ChartMap>(new ChartMap(model, texture));
+    return std::unique_ptr<ChartMap>(new ChartMap(appearance, texture));
 }
 
-ChartMap::ChartMap(const TexturedMesh& model, int texture)
-    : width_(model.textures[std::size_t(texture)].width()),
-      height_(model.textures[std::size_t(texture)].height()),
+ChartMap::ChartMap(const SurfaceAppearance& appearance, int texture)
+    : width_(appearance.textures[std::size_t(texture)].width()),
+      height_(appearance.textures[std::size_t(texture)].height()),
       owner_(std::size_t(width_) * std::size_t(height_), nobody) {
     const int bands = (height_ + bandRows - 1) / bandRows;
     std::vector<std::vector<std::uint32_t>> inBand(static_cast<std::size_t>(bands));
-    for (const std::uint32_t triangle : trianglesWith(model, texture)) {
-        const auto& [a, b, c] = model.textureCoordinates[triangle];
+    for (const std::uint32_t triangle : trianglesWith(appearance, texture)) {
+        const auto& [a, b, c] = appearance.textureCoordinates[triangle];
         const auto band = [&](float v) {
             return std::clamp(int((1 - v) * float(height_)) / bandRows, 0, bands - 1);
         };
@@ -94,18 +95,18 @@ ChartMap::ChartMap(const TexturedMesh& model, int texture)
         }
     }
     parallelFor(0, bands, [&](int band) {
-        fillRows(model, inBand[std::size_t(band)], band * bandRows,
+        fillRows(appearance, inBand[std::size_t(band)], band * bandRows,
                  std::min(height_, (band + 1) * bandRows));
     });
     findBlocks();
 }
 
-void ChartMap::fillRows(const TexturedMesh& model, const std::vector<std::uint32_t>& triangles,
-                        int begin, int end) {
+void ChartMap::fillRows(const SurfaceAppearance& appearance,
+                        const std::vector<std::uint32_t>& triangles, int begin, int end) {
     for (const std::uint32_t triangle : triangles) {
         std::array<Eigen::Vector2d, 3> corners;
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            const Eigen::Vector2f& place = model.textureCoordinates[triangle][corner];
+            const Eigen::Vector2f& place = appearance.textureCoordinates[triangle][corner];
             corners[corner] = {double(place.x()) * width_, (1 - double(place.y())) * height_};
         }
         const auto [top, bottom] = std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
@@ -120,8 +121,9 @@ void ChartMap::fillRows(const TexturedMesh& model, const std::vector<std::uint32
                  ++column) {
                 std::uint32_t& owner =
                     owner_[std::size_t(row) * std::size_t(width_) + std::size_t(column)];
-                owner = owner == nobody || owner == model.chart[triangle] ? model.chart[triangle]
-                                                                          : several;
+                owner = owner == nobody || owner == appearance.chart[triangle]
+                            ? appearance.chart[triangle]
+                            : several;
             }
         }
     }

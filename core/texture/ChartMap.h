@@ -9,13 +9,13 @@
 namespace dipwright {
 
 // Whether any triangle's coordinates on a texture lie outside [0, 1] by more than rounding.
-bool textureRepeats(const TexturedMesh& model, int texture);
+bool textureRepeats(const SurfaceAppearance& appearance, int texture);
 
 class ChartMap {
 public:
     // Of a texture that does not repeat; tiles are made to fit on each other and need none. Null
     // where there is nothing to keep apart, because one chart covers the whole texture.
-    static std::unique_ptr<ChartMap> of(const TexturedMesh& model, int texture);
+    static std::unique_ptr<ChartMap> of(const SurfaceAppearance& appearance, int texture);
 
     // Whether the texel with its middle in `chart` may be seen there; texels are numbered row by
     // row from the picture's upper left corner.
@@ -31,9 +31,9 @@ private:
     static constexpr std::uint32_t several = 0xfffffffeu; // charts that lie on each other
     static constexpr int blockSize = 8;
 
-    ChartMap(const TexturedMesh& model, int texture);
-    void fillRows(const TexturedMesh& model, const std::vector<std::uint32_t>& triangles, int begin,
-                  int end);
+    ChartMap(const SurfaceAppearance& appearance, int texture);
+    void fillRows(const SurfaceAppearance& appearance, const std::vector<std::uint32_t>& triangles,
+                  int begin, int end);
     void findBlocks();
 
     int width_ = 0;

@@ -57,9 +57,9 @@ double paintedArea(const LaidFilm& laid) {
 }
 
 // How far from `wanted` on the body, in mm, that belongs what the film shows there.
-float errorAt(const TexturedMesh& model, const ReverseMap& map, const SurfacePoint& wanted,
-              const FilmWeights& place) {
-    const Eigen::Vector3f at = position(model.mesh, wanted);
+float errorAt(const TriangleMesh& body, const std::vector<std::uint32_t>& chart,
+              const ReverseMap& map, const SurfacePoint& wanted, const FilmWeights& place) {
+    const Eigen::Vector3f at = position(body, wanted);
     const SurfacePoint carried = map.surface(place);
     const TexturePlace shown = map.texture(place);
     float error = std::numeric_limits<float>::infinity();
@@ -67,34 +67,35 @@ float errorAt(const TexturedMesh& model, const ReverseMap& map, const SurfacePoi
     // the body cannot be told from it.
     for (const std::uint32_t triangle : {carried.triangle, shown.bodyTriangle}) {
         const auto belongs = map.showing(shown.coordinate, triangle);
-        if (belongs && model.chart[triangle] == model.chart[shown.bodyTriangle]) {
+        if (belongs && chart[triangle] == chart[shown.bodyTriangle]) {
             error = std::min(error, (*belongs - at).norm());
         }
     }
-    return std::isfinite(error) ? error : (position(model.mesh, carried) - at).norm();
+    return std::isfinite(error) ? error : (position(body, carried) - at).norm();
 }
 
 } // namespace
 
-ReadBackError readBackError(const LaidFilm& planned, const LaidFilm& laid) {
-    const TexturedMesh& model = planned.body().model;
-    const double whole = surfaceArea(model.mesh);
+ReadBackError readBackError(const LaidFilm& planned, const LaidFilm& laid,
+                            const SurfaceAppearance& appearance) {
+    const TriangleMesh& body = planned.body().mesh;
+    const double whole = surfaceArea(body);
     const double painted = paintedArea(planned);
     if (!(painted > 0)) {
         return {};
     }
     const std::vector<SurfacePoint> samples =
-        evenSamples(model.mesh, std::max(painted / wantedSamples, whole / mostSamples));
+        evenSamples(body, std::max(painted / wantedSamples, whole / mostSamples));
     const std::vector<std::uint8_t> inside =
         cellsWellInside(planned.film().grid, planned.contact());
-    const ReverseMap map(planned);
+    const ReverseMap map(planned, appearance);
     constexpr float leftOut = -1;
     std::vector<float> errors(samples.size(), leftOut);
     parallelFor(std::size_t(0), samples.size(), [&](std::size_t sample) {
         const std::optional<FilmPlace> place = laid.place(samples[sample]);
         if (place && inside[place->triangle / 2]) {
-            errors[sample] =
-                errorAt(model, map, samples[sample], {place->triangle, planned.weights(*place)});
+            errors[sample] = errorAt(body, appearance.chart, map, samples[sample],
+                                     {place->triangle, planned.weights(*place)});
         }
     });
     std::erase(errors, leftOut);

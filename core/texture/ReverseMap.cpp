@@ -24,19 +24,20 @@ Eigen::Matrix<float, 3, 2> edges(const TriangleMesh& mesh, std::uint32_t triangl
     return edges;
 }
 
-bool isSeamEdge(const TexturedMesh& model, std::uint32_t edge, std::uint32_t opposite) {
+bool isSeamEdge(const TriangleMesh& mesh, const SurfaceAppearance& appearance, std::uint32_t edge,
+                std::uint32_t opposite) {
     const std::uint32_t here = edge / 3;
     const std::uint32_t there = opposite / 3;
-    if (model.chart[here] != model.chart[there]) {
+    if (appearance.chart[here] != appearance.chart[there]) {
         return true;
     }
     // A chart may also meet itself, as where a cylinder's sleeve is closed.
     const auto matches = [&](std::uint32_t corner) {
-        const std::uint32_t position = model.mesh.triangles[here][corner];
-        const Eigen::Vector2f& coordinate = model.textureCoordinates[here][corner];
+        const std::uint32_t position = mesh.triangles[here][corner];
+        const Eigen::Vector2f& coordinate = appearance.textureCoordinates[here][corner];
         for (std::size_t other = 0; other < 3; ++other) {
-            if (model.mesh.triangles[there][other] == position) {
-                return model.textureCoordinates[there][other] == coordinate ||
+            if (mesh.triangles[there][other] == position) {
+                return appearance.textureCoordinates[there][other] == coordinate ||
                        !coordinate.allFinite();
             }
         }
@@ -63,19 +64,18 @@ Eigen::Vector3f FilmPiece::childWeights(const Eigen::Vector3f& weights, std::siz
     return 2 * weights - Eigen::Vector3f::Unit(int(child));
 }
 
-ReverseMap::ReverseMap(const LaidFilm& laid)
-    : contact_(laid.contact()), model_(laid.body().model), query_(laid.body().query),
-      triangles_(laid.triangles()), seam_(triangles_.size(), 0) {
+ReverseMap::ReverseMap(const LaidFilm& laid, const SurfaceAppearance& appearance)
+    : contact_(laid.contact()), appearance_(appearance), mesh_(laid.body().mesh),
+      query_(laid.body().query), triangles_(laid.triangles()), seam_(triangles_.size(), 0) {
     markSeams(laid);
 }
 
 void ReverseMap::markSeams(const LaidFilm& laid) {
-    const TriangleMesh& mesh = model_.mesh;
-    const std::vector<std::uint32_t> opposite = oppositeEdges(mesh);
+    const std::vector<std::uint32_t> opposite = oppositeEdges(mesh_);
     std::vector<std::uint32_t> seamEdges;
     for (std::uint32_t edge = 0; edge < opposite.size(); ++edge) {
         if (opposite[edge] != noEdge && edge < opposite[edge] &&
-            isSeamEdge(model_, edge, opposite[edge])) {
+            isSeamEdge(mesh_, appearance_, edge, opposite[edge])) {
             seamEdges.push_back(edge);
         }
     }
@@ -88,8 +88,8 @@ void ReverseMap::markSeams(const LaidFilm& laid) {
         const std::uint32_t triangle = edge / 3;
         const int from = int(edge % 3);
         const int to = (from + 1) % 3;
-        const float length = (mesh.positions[mesh.triangles[triangle][std::size_t(to)]] -
-                              mesh.positions[mesh.triangles[triangle][std::size_t(from)]])
+        const float length = (mesh_.positions[mesh_.triangles[triangle][std::size_t(to)]] -
+                              mesh_.positions[mesh_.triangles[triangle][std::size_t(from)]])
                                  .norm();
         const int steps = 1 + int(double(length) / step);
         for (int place = 0; place <= steps; ++place) {
@@ -119,7 +119,7 @@ SurfacePoint ReverseMap::surface(const FilmWeights& place) const {
     const ClosestPoint closest = query_.closestNear(flat, reach);
     // Where the body is thin, its far side may be nearer; the film lies on the side that it faces.
     const Eigen::Vector3f intoBody = (b - a).cross(c - a);
-    if (triangleNormal(model_.mesh, closest.point.triangle).dot(intoBody) < 0) {
+    if (triangleNormal(mesh_, closest.point.triangle).dot(intoBody) < 0) {
         return closest.point;
     }
     const RayHit facing = query_.hit(flat, -intoBody.normalized(), reach);
@@ -127,7 +127,7 @@ SurfacePoint ReverseMap::surface(const FilmWeights& place) const {
 }
 
 TexturePlace ReverseMap::texture(const SurfacePoint& point) const {
-    return {model_.textureCoordinate(point), point.triangle};
+    return {appearance_.textureCoordinate(point), point.triangle};
 }
 
 TexturePlace ReverseMap::texture(const FilmWeights& place) const {
@@ -147,10 +147,10 @@ TexturePlace ReverseMap::texture(const FilmWeights& place) const {
 
 Eigen::Matrix2f ReverseMap::textureSteps(std::uint32_t bodyTriangle,
                                          const Eigen::Matrix<float, 3, 2>& steps) const {
-    const auto& corners = model_.textureCoordinates[bodyTriangle];
+    const auto& corners = appearance_.textureCoordinates[bodyTriangle];
     Eigen::Matrix2f onTexture;
     onTexture << corners[1] - corners[0], corners[2] - corners[0];
-    const Eigen::Matrix<float, 3, 2> onBody = edges(model_.mesh, bodyTriangle);
+    const Eigen::Matrix<float, 3, 2> onBody = edges(mesh_, bodyTriangle);
     const Eigen::Matrix2f normal = onBody.transpose() * onBody;
     const Eigen::Matrix2f moved = onTexture * normal.inverse() * onBody.transpose() * steps;
     return moved.allFinite() ? moved : Eigen::Matrix2f(Eigen::Matrix2f::Zero());
@@ -206,23 +206,24 @@ std::array<FilmPiece, 4> ReverseMap::halved(const FilmPiece& piece,
 
 std::optional<Eigen::Vector3f> ReverseMap::showing(const Eigen::Vector2f& coordinate,
                                                    std::uint32_t bodyTriangle) const {
-    const auto& corners = model_.textureCoordinates[bodyTriangle];
+    const auto& corners = appearance_.textureCoordinates[bodyTriangle];
     Eigen::Matrix2f onTexture;
     onTexture << corners[1] - corners[0], corners[2] - corners[0];
     const Eigen::Vector2f steps = onTexture.inverse() * (coordinate - corners[0]);
     if (!steps.allFinite()) {
         return std::nullopt;
     }
-    const std::uint32_t first = model_.mesh.triangles[bodyTriangle][0];
-    return model_.mesh.positions[first] + edges(model_.mesh, bodyTriangle) * steps;
+    const std::uint32_t first = mesh_.triangles[bodyTriangle][0];
+    return mesh_.positions[first] + edges(mesh_, bodyTriangle) * steps;
 }
 
 float ReverseMap::mismatch(const SurfacePoint& point, const Eigen::Vector2f& coordinate) const {
     if (const auto shown = showing(coordinate, point.triangle)) {
-        return (*shown - position(model_.mesh, point)).norm();
+        return (*shown - position(mesh_, point)).norm();
     }
-    return coordinate == model_.textureCoordinate(point) ? 0
-                                                         : std::numeric_limits<float>::infinity();
+    return coordinate == appearance_.textureCoordinate(point)
+               ? 0
+               : std::numeric_limits<float>::infinity();
 }
 
 std::optional<LinearPiece> ReverseMap::linear(const FilmPiece& piece,
@@ -230,9 +231,9 @@ std::optional<LinearPiece> ReverseMap::linear(const FilmPiece& piece,
     if (isSeam(piece.triangle) && piece.depth < seamDepth) {
         return std::nullopt;
     }
-    const std::uint32_t chart = model_.chart[middles[0].triangle];
+    const std::uint32_t chart = appearance_.chart[middles[0].triangle];
     const auto onChart = [&](const SurfacePoint& point) {
-        return model_.chart[point.triangle] == chart;
+        return appearance_.chart[point.triangle] == chart;
     };
     if (!std::all_of(middles.begin(), middles.end(), onChart) ||
         !std::all_of(piece.surface.begin(), piece.surface.end(), onChart)) {
@@ -241,14 +242,14 @@ std::optional<LinearPiece> ReverseMap::linear(const FilmPiece& piece,
     LinearPiece linear;
     linear.bodyTriangle = middles[0].triangle;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-        linear.coordinates[corner] = model_.textureCoordinate(piece.surface[corner]);
+        linear.coordinates[corner] = appearance_.textureCoordinate(piece.surface[corner]);
     }
     const Eigen::Vector3f centre = (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3;
     const SurfacePoint middle = surface({piece.triangle, centre});
     if (!onChart(middle)) {
         return std::nullopt;
     }
-    if (!model_.hasTextureCoordinates(linear.bodyTriangle)) {
+    if (!appearance_.hasTextureCoordinates(linear.bodyTriangle)) {
         return linear;
     }
     const auto& [a, b, c] = linear.coordinates;

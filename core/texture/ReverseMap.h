@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dip/LaidFilm.h"
+#include "model/TexturedMesh.h"
 
 namespace dipwright {
 
@@ -45,13 +46,14 @@ struct LinearPiece {
 // A film place is carried linearly to the flat triangle between the points of contact and from
 // there to the nearest place of the body. Pieces whose coordinates are linear within `tolerance` mm
 // on the body are read directly; others are halved at the middles of their edges until they are,
-// which resolves the seams between charts (the paper's Figure 5). Keeps a reference to the film.
-// Reading is const, any thread.
+// which resolves the seams between charts (the paper's Figure 5). Keeps references to the film and
+// the appearance. Reading is const, any thread.
 class ReverseMap {
 public:
     static constexpr float tolerance = 0.03f; // mm on the body
 
-    explicit ReverseMap(const LaidFilm& laid);
+    // `appearance`: of the triangles of the body that the film is laid on.
+    ReverseMap(const LaidFilm& laid, const SurfaceAppearance& appearance);
 
     // Whether a border between charts runs through a painted triangle, by the body's topology.
     bool isSeam(std::uint32_t triangle) const { return seam_[triangle] != 0; }
@@ -89,7 +91,8 @@ private:
     void markSeams(const LaidFilm& laid);
 
     const FilmContact& contact_;
-    const TexturedMesh& model_;
+    const SurfaceAppearance& appearance_;
+    const TriangleMesh& mesh_; // the body's
     const SurfaceQuery& query_;
     const std::vector<FilmTriangle>& triangles_;
     std::vector<std::uint8_t> seam_; // a film triangle each

@@ -109,19 +109,22 @@ private:
     unsigned char* bits_ = nullptr;
 };
 
+// What the body shows: colours, or the plate of a spot ink.
+enum class Shown { Colours, Plate };
+
 class FilmPainter {
 public:
     // `wanted`: may be null.
     FilmPainter(const LaidFilm& laid, const ReverseMap& map, const BodyColours& colours,
-                const ReverseTextureOptions& options, QImage& image, QImage& wanted,
+                Shown shown, const ReverseTextureOptions& options, QImage& image, QImage& wanted,
                 const AsidePicture& aside)
-        : laid_(laid), grid_(laid.film().grid), model_(laid.body().model), map_(map),
-          colours_(colours), ink_(options.ink), share_(options.share ? &*options.share : nullptr),
+        : laid_(laid), grid_(laid.film().grid), map_(map), colours_(colours), ink_(options.ink),
+          share_(options.share ? &*options.share : nullptr),
           columns_(grid_, image.width(), grid_.columns - 1, columnAt),
           rows_(grid_, image.height(), grid_.rows - 1, rowAt),
           pixelSize_(float(grid_.width / image.width()), float(grid_.depth / image.height())),
           code_(image), bits_(image.bits()), stride_(image.bytesPerLine()),
-          white_(float(options.white)), isPlate_(options.isPlate),
+          white_(float(options.white)), isPlate_(shown == Shown::Plate),
           growsPlate_(options.ink.compensate),
           wantedBits_(wanted.isNull() ? nullptr : wanted.bits()), aside_(aside) {}
 
@@ -246,7 +249,7 @@ private:
                                 const Eigen::Vector3f&) { return plain; });
         }
         const TextureSteps step = steps(piece, linear);
-        const std::uint32_t chart = model_.chart[linear.bodyTriangle];
+        const std::uint32_t chart = colours_.appearance().chart[linear.bodyTriangle];
         if (texture->charts &&
             !texture->sampler.isWithin(linear.coordinates, step, *texture->charts, chart)) {
             return printAll(piece, pixels, [&](const Eigen::Vector3f& weights) {
@@ -312,12 +315,12 @@ private:
         if (!texture) {
             return colours_.plain(onBody.triangle);
         }
-        const Eigen::Vector2f coordinate = model_.textureCoordinate(onBody);
+        const Eigen::Vector2f coordinate = colours_.appearance().textureCoordinate(onBody);
         const TextureSteps step =
             map_.textureSteps(onBody.triangle, map_.contactPoints(place.triangle) * gradient / 2);
         if (texture->charts) {
             return texture->sampler.sampleWithin(coordinate, step, *texture->charts,
-                                                 model_.chart[onBody.triangle]);
+                                                 colours_.appearance().chart[onBody.triangle]);
         }
         return texture->sampler.sample(coordinate, texture->sampler.footprint(step));
     }
@@ -366,7 +369,6 @@ private:
 
     const LaidFilm& laid_;
     const solver::FilmGrid& grid_;
-    const TexturedMesh& model_;
     const ReverseMap& map_;
     const BodyColours& colours_;
     InkCompensation ink_;
@@ -397,8 +399,7 @@ void blankAs(const QImage& image, QImage& picture) {
     }
 }
 
-} // namespace
-
+// The tints, Grayscale8, of a plate's image.
 QImage tintsOf(const QImage& plate) {
     const PixelCode code(plate);
     QImage tints(plate.size(), QImage::Format_Grayscale8);
@@ -412,62 +413,95 @@ QImage tintsOf(const QImage& plate) {
     return tints;
 }
 
-ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions& options,
-                              const Progress& progress) {
-    progress(0, Text::tr("Reversing the texture"));
-    ReverseTexture result;
-    const BodyColours colours(laid.body().model);
-    result.image =
-        QImage(options.pixels, colours.isWide() ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
-    if (result.image.isNull()) {
+// Nothing printed yet.
+QImage blankImage(QSize pixels, bool isWide) {
+    QImage image(pixels, isWide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
+    if (image.isNull()) {
         throw Error(
             Text::tr("The film's image is too large for this computer's memory; choose a lower "
                      "resolution"),
-            QStringLiteral("%1 × %2").arg(options.pixels.width()).arg(options.pixels.height()));
+            QStringLiteral("%1 × %2").arg(pixels.width()).arg(pixels.height()));
     }
-    if (colours.isWide()) {
-        result.image.setColorSpace(wideSpace());
+    if (isWide) {
+        image.setColorSpace(wideSpace());
     }
-    result.image.fill(Qt::transparent);
+    image.fill(Qt::transparent);
+    return image;
+}
+
+std::vector<FilmPainter::PaintedRow> paintRows(const FilmPainter& painter, int rows,
+                                               const Progress& progress) {
+    std::vector<FilmPainter::PaintedRow> painted(static_cast<std::size_t>(rows));
+    parallelFor(0, rows, [&](int row) {
+        progress.cancelSwitch.throwIfCancelled();
+        painted[std::size_t(row)] = painter.paintCells(row);
+    });
+    return painted;
+}
+
+void blankPixels(const std::vector<FilmPainter::PaintedRow>& painted, std::ptrdiff_t bytes) {
+    for (const FilmPainter::PaintedRow& row : painted) {
+        for (unsigned char* pixel : row.left) {
+            std::fill_n(pixel, bytes, std::uint8_t(0));
+        }
+    }
+}
+
+// All but the spot inks.
+ReverseTexture reversed(const LaidFilm& laid, const SurfaceAppearance& appearance, Shown shown,
+                        const ReverseTextureOptions& options, const Progress& progress) {
+    progress(0, Text::tr("Reversing the texture"));
+    ReverseTexture result;
+    const BodyColours colours(appearance);
+    result.image = blankImage(options.pixels, colours.isWide());
     if (options.keepsWanted) {
         result.wanted = result.image;
     }
     AsidePicture aside(options.pixels, options.white > 0 || options.keepsWanted);
-    const ReverseMap map(laid);
+    const ReverseMap map(laid, appearance);
     result.seamTriangles = map.seamCount();
     progress(0.1, Text::tr("Reversing the texture"));
 
-    const FilmPainter painter(laid, map, colours, options, result.image, result.wanted, aside);
+    const FilmPainter painter(laid, map, colours, shown, options, result.image, result.wanted,
+                              aside);
     const solver::FilmGrid& grid = laid.film().grid;
-    std::vector<FilmPainter::PaintedRow> painted(std::size_t(grid.rows - 1));
-    parallelFor(0, grid.rows - 1, [&](int row) {
-        progress.cancelSwitch.throwIfCancelled();
-        painted[std::size_t(row)] = painter.paintCells(row);
-    });
+    const std::vector<FilmPainter::PaintedRow> painted =
+        paintRows(painter, grid.rows - 1, progress);
     for (const FilmPainter::PaintedRow& row : painted) {
         result.shortfallArea += row.shortfall;
     }
 
     progress(0.9, Text::tr("Continuing the colour past the edge"));
-    const double pixelSize = grid.width / options.pixels.width();
-    continueColour(result.image, options.bleed / pixelSize);
-    for (const FilmPainter::PaintedRow& row : painted) {
-        for (unsigned char* pixel : row.left) {
-            std::fill_n(pixel, PixelCode(result.image).bytes(), std::uint8_t(0));
-        }
-    }
+    const double bleed = options.bleed / (grid.width / options.pixels.width());
+    continueColour(result.image, bleed);
+    blankPixels(painted, PixelCode(result.image).bytes());
     if (aside.isMade()) {
-        continueColour(aside.picture(), options.bleed / pixelSize);
+        continueColour(aside.picture(), bleed);
     }
     if (options.white > 0) {
         result.white = aside.white(result.image);
     }
     if (options.keepsWanted) {
-        continueColour(result.wanted, options.bleed / pixelSize);
+        continueColour(result.wanted, bleed);
         blankAs(result.image, result.wanted);
         result.stretch = aside.stretch();
     }
     progress(1, Text::tr("Reversing the texture"));
+    return result;
+}
+
+} // namespace
+
+ReverseTexture reverseTexture(const LaidFilm& laid, const SurfaceAppearance& appearance,
+                              const ReverseTextureOptions& options, const Progress& progress) {
+    ReverseTexture result = reversed(laid, appearance, Shown::Colours, options, progress);
+    ReverseTextureOptions tints = options;
+    tints.white = 0;
+    tints.keepsWanted = false;
+    for (const SpotPlate& spot : options.spots) {
+        const SurfaceAppearance plate = spot();
+        result.spots.push_back(tintsOf(reversed(laid, plate, Shown::Plate, tints, progress).image));
+    }
     return result;
 }
 

@@ -7,12 +7,18 @@
 
 #include "base/Progress.h"
 #include "dip/LaidFilm.h"
+#include "model/TexturedMesh.h"
 #include "settings/InkSettings.h"
 #include "texture/PaintShare.h"
 
 #include <QImage>
 
+#include <functional>
+
 namespace dipwright {
+
+// What the body is to show in a spot ink: grey of 1 − its tint in linear light.
+using SpotPlate = std::function<SurfaceAppearance()>;
 
 struct ReverseTextureOptions {
     QSize pixels;     // of the whole film
@@ -21,9 +27,8 @@ struct ReverseTextureOptions {
     std::optional<PaintShare> share = {}; // none: it gives all the colour wherever it reaches
     double white = 0; // tint that a white layer is to have on the body, 0 … 1; 0: no layer
     bool keepsWanted = false; // what colour is to show, and how far the film stretches there
-    // The body shows a plate, in grey of 1 − its tint in linear light; so does the image then. Tint
-    // thins as an even layer, and shares of it are shares of tint.
-    bool isPlate = false;
+    // Made when their turn comes, one at a time: each is as large as the body's texture.
+    std::vector<SpotPlate> spots = {};
 };
 
 struct ReverseTexture {
@@ -37,17 +42,16 @@ struct ReverseTexture {
     // What the image is to show on the body, as it would be printed on film that is not stretched,
     // and how far it is: Grayscale16, codes of StretchPlane.h. Null where they are not kept.
     QImage wanted, stretch;
-    std::vector<QImage> spots; // the tints of other plates, of its size, Grayscale8; by the caller
+    // The tints of the spot inks, in the options' order; of the image's size, Grayscale8. Tint
+    // thins as an even layer, and shares of it are shares of tint.
+    std::vector<QImage> spots;
 };
 
-// The tints, Grayscale8, of a plate's image.
-QImage tintsOf(const QImage& plate);
-
-// The image to print so that the dip puts the body's texture where it belongs: every pixel in a
-// painted film triangle shows its place of the texture, filtered over what the pixel covers there.
-// Where its share is nothing the film is left blank, and no colour is continued there.
-// All cores, deterministic, throws Cancelled; Error for an image that does not fit into memory.
-ReverseTexture reverseTexture(const LaidFilm& laid, const ReverseTextureOptions& options,
-                              const Progress& progress);
+// The image to print so that the dip puts `appearance` where it belongs on the body: every pixel in
+// a painted film triangle shows its place of the texture, filtered over what the pixel covers
+// there. Where its share is nothing the film is left blank, and no colour is continued there. All
+// cores, deterministic, throws Cancelled; Error for an image that does not fit into memory.
+ReverseTexture reverseTexture(const LaidFilm& laid, const SurfaceAppearance& appearance,
+                              const ReverseTextureOptions& options, const Progress& progress);
 
 } // namespace dipwright

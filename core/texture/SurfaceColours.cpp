@@ -5,20 +5,20 @@
 
 namespace dipwright {
 
-std::vector<LinearColour> surfaceColours(const TexturedMesh& model,
+std::vector<LinearColour> surfaceColours(const SurfaceAppearance& appearance,
                                          const std::vector<SurfacePoint>& places) {
-    const BodyColours colours(model);
+    const BodyColours colours(appearance);
     std::vector<LinearColour> result(places.size());
     parallelFor(std::size_t(0), places.size(), [&](std::size_t k) {
         const BodyTexture* texture = colours.texture(places[k].triangle);
-        result[k] = texture ? texture->sampler.sample(model.textureCoordinate(places[k]), {})
+        result[k] = texture ? texture->sampler.sample(appearance.textureCoordinate(places[k]), {})
                             : colours.plain(places[k].triangle);
     });
     return result;
 }
 
-SurfaceColours::SurfaceColours(const TexturedMesh& model)
-    : model_(model), colours_(std::make_unique<const BodyColours>(model)) {}
+SurfaceColours::SurfaceColours(const SurfaceAppearance& appearance)
+    : appearance_(appearance), colours_(std::make_unique<const BodyColours>(appearance)) {}
 
 SurfaceColours::~SurfaceColours() = default;
 
@@ -28,14 +28,14 @@ LinearColour SurfaceColours::at(const SurfacePoint& place,
     if (!texture) {
         return colours_->plain(place.triangle);
     }
-    const auto& corners = model_.textureCoordinates[place.triangle];
+    const auto& corners = appearance_.textureCoordinates[place.triangle];
     Eigen::Matrix<float, 2, 3> coordinates;
     coordinates << corners[0], corners[1], corners[2];
     const TextureSteps onTexture = coordinates * steps;
-    const Eigen::Vector2f coordinate = model_.textureCoordinate(place);
+    const Eigen::Vector2f coordinate = appearance_.textureCoordinate(place);
     if (texture->charts) {
         return texture->sampler.sampleWithin(coordinate, onTexture, *texture->charts,
-                                             model_.chart[place.triangle]);
+                                             appearance_.chart[place.triangle]);
     }
     return texture->sampler.sample(coordinate, texture->sampler.footprint(onTexture));
 }

@@ -22,8 +22,8 @@ struct TextureFootprint {
 };
 
 // A picture with its smaller versions (a mip pyramid filtered by area in linear light). Texture
-// coordinates are OBJ's, see TexturedMesh. See-through texels let the white body show. Reading is
-// const and may go on on many threads.
+// coordinates are OBJ's, see SurfaceAppearance. See-through texels let the white body show. Reading
+// is const and may go on on many threads.
 class TextureSampler {
 public:
     // `image` has Format_RGBA8888 or is wide; its colours are read as shares of its own primaries.

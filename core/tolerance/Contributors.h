@@ -1,6 +1,7 @@
 // What may be off in a dip, each by its own tolerance, and what that does to it.
 #pragma once
 
+#include "model/TexturedMesh.h"
 #include "settings/Immersion.h"
 #include "settings/ToleranceSettings.h"
 

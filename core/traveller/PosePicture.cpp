@@ -16,7 +16,7 @@ const Eigen::Array3f bareBody(0.78F, 0.78F, 0.76F), cradleColour(0.93F, 0.80F, 0
 class Drawing {
 public:
     Drawing(const PoseView& view, PoseSide side, QSize size) : view_(view), size_(size) {
-        BoundingBox box = boundingBox(view.body.model.mesh);
+        BoundingBox box = boundingBox(view.body.mesh);
         if (view.cradle && !view.cradle->triangles.empty()) {
             cradle_.emplace(*view.cradle);
             box.extend(boundingBox(*view.cradle));
@@ -71,7 +71,7 @@ private:
         if (!body.point.isValid()) {
             return Eigen::Array3f::Ones();
         }
-        return lit(worn(body.point), triangleNormal(view_.body.model.mesh, body.point.triangle));
+        return lit(worn(body.point), triangleNormal(view_.body.mesh, body.point.triangle));
     }
 
     static Eigen::Array3f channels(const QColor& colour) {

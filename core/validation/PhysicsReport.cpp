@@ -27,6 +27,71 @@ QColor seriesColour(std::size_t index) {
     return QColor::fromRgb(colours[index % colours.size()]);
 }
 
+// The plot of a film law: film radius over arc length, mm, both from 0 to `longest`.
+struct Plot {
+    QRectF frame; // with titles
+    double longest = 10;
+    QRectF area() const { return frame.adjusted(52, 34, -16, -44); }
+    QPointF at(double arc, double radius) const {
+        return {area().left() + area().width() * arc / longest,
+                area().bottom() - area().height() * radius / longest};
+    }
+};
+
+void drawAxes(QPainter& painter, const Plot& plot, const QString& title) {
+    const QFontMetricsF metrics(painter.font());
+    for (int tick = 0; tick <= int(plot.longest); tick += 10) {
+        painter.setPen(QPen(QColor(225, 225, 225), 1));
+        painter.drawLine(plot.at(tick, 0), plot.at(tick, plot.longest));
+        painter.drawLine(plot.at(0, tick), plot.at(plot.longest, tick));
+        painter.setPen(QColor(70, 70, 70));
+        const QString label = QString::number(tick);
+        const double width = metrics.horizontalAdvance(label);
+        painter.drawText(plot.at(tick, 0) + QPointF(-width / 2, 18), label);
+        painter.drawText(plot.at(0, tick) + QPointF(-width - 8, metrics.ascent() / 2), label);
+    }
+    const QRectF& frame = plot.frame;
+    const QRectF area = plot.area();
+    painter.setPen(Qt::black);
+    painter.drawText(QRectF(frame.left(), frame.top() + 4, frame.width(), 24), Qt::AlignCenter,
+                     title);
+    painter.drawText(QRectF(area.left(), area.bottom() + 22, area.width(), 20), Qt::AlignCenter,
+                     Text::tr("arc length from the pole (mm)"));
+    painter.save();
+    painter.translate(frame.left() + 12, area.center().y());
+    painter.rotate(-90);
+    painter.drawText(QRectF(-area.height() / 2, -10, area.height(), 20), Qt::AlignCenter,
+                     Text::tr("film radius (mm)"));
+    painter.restore();
+}
+
+// The closed form as a line, the simulated film as dots, and the key.
+void drawSeries(QPainter& painter, const Plot& plot, const PhysicsResult& result,
+                std::size_t series) {
+    std::vector<PhysicsResult::Sample> samples = result.samples;
+    std::sort(samples.begin(), samples.end(),
+              [](const auto& a, const auto& b) { return a.arc < b.arc; });
+    QPainterPath curve(plot.at(samples.front().arc, samples.front().exact));
+    for (const PhysicsResult::Sample& sample : samples) {
+        curve.lineTo(plot.at(sample.arc, sample.exact));
+    }
+    painter.setPen(QPen(seriesColour(series), 1.6));
+    painter.drawPath(curve);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(seriesColour(series));
+    const std::size_t every = std::max<std::size_t>(samples.size() / 24, 1);
+    for (std::size_t i = 0; i < samples.size(); i += every) {
+        painter.drawEllipse(plot.at(samples[i].arc, samples[i].simulated), 3, 3);
+    }
+    painter.setBrush(Qt::NoBrush);
+    const QPointF key(plot.area().left() + 14, plot.area().top() + 16 + 20 * double(series));
+    painter.setPen(QPen(seriesColour(series), 2));
+    painter.drawLine(key, key + QPointF(22, 0));
+    painter.setPen(Qt::black);
+    painter.drawText(key + QPointF(30, QFontMetricsF(painter.font()).ascent() / 2 - 1),
+                     QStringLiteral("%1: %2").arg(result.body, error(result, result.rms)));
+}
+
 // The plot of one film law: the finest resolution of every body.
 void drawLaw(QPainter& painter, const QRectF& frame, const std::vector<PhysicsResult>& results,
              const QString& film, int cells) {
@@ -36,64 +101,14 @@ void drawLaw(QPainter& painter, const QRectF& frame, const std::vector<PhysicsRe
             longest = std::max({longest, sample.arc, sample.exact});
         }
     }
-    longest = std::ceil(longest / 10) * 10;
-    const QRectF plot = frame.adjusted(52, 34, -16, -44);
-    const auto at = [&](double arc, double radius) {
-        return QPointF(plot.left() + plot.width() * arc / longest,
-                       plot.bottom() - plot.height() * radius / longest);
-    };
-    const QFontMetricsF metrics(painter.font());
-    for (int tick = 0; tick <= int(longest); tick += 10) {
-        painter.setPen(QPen(QColor(225, 225, 225), 1));
-        painter.drawLine(at(tick, 0), at(tick, longest));
-        painter.drawLine(at(0, tick), at(longest, tick));
-        painter.setPen(QColor(70, 70, 70));
-        const QString label = QString::number(tick);
-        painter.drawText(at(tick, 0) + QPointF(-metrics.horizontalAdvance(label) / 2, 18), label);
-        painter.drawText(at(0, tick) +
-                             QPointF(-metrics.horizontalAdvance(label) - 8, metrics.ascent() / 2),
-                         label);
-    }
-    painter.setPen(Qt::black);
-    painter.drawText(QRectF(frame.left(), frame.top() + 4, frame.width(), 24), Qt::AlignCenter,
-                     Text::tr("%1 film, %2 cells in the contact radius").arg(film).arg(cells));
-    painter.drawText(QRectF(plot.left(), plot.bottom() + 22, plot.width(), 20), Qt::AlignCenter,
-                     Text::tr("arc length from the pole (mm)"));
-    painter.save();
-    painter.translate(frame.left() + 12, plot.center().y());
-    painter.rotate(-90);
-    painter.drawText(QRectF(-plot.height() / 2, -10, plot.height(), 20), Qt::AlignCenter,
-                     Text::tr("film radius (mm)"));
-    painter.restore();
-
+    const Plot plot{frame, std::ceil(longest / 10) * 10};
+    drawAxes(painter, plot,
+             Text::tr("%1 film, %2 cells in the contact radius").arg(film).arg(cells));
     std::size_t series = 0;
     for (const PhysicsResult& result : results) {
-        if (result.film != film || result.cells != cells || result.samples.empty()) {
-            continue;
+        if (result.film == film && result.cells == cells && !result.samples.empty()) {
+            drawSeries(painter, plot, result, series++);
         }
-        std::vector<PhysicsResult::Sample> samples = result.samples;
-        std::sort(samples.begin(), samples.end(),
-                  [](const auto& a, const auto& b) { return a.arc < b.arc; });
-        QPainterPath curve(at(samples.front().arc, samples.front().exact));
-        for (const PhysicsResult::Sample& sample : samples) {
-            curve.lineTo(at(sample.arc, sample.exact));
-        }
-        painter.setPen(QPen(seriesColour(series), 1.6));
-        painter.drawPath(curve);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(seriesColour(series));
-        const std::size_t every = std::max<std::size_t>(samples.size() / 24, 1);
-        for (std::size_t i = 0; i < samples.size(); i += every) {
-            painter.drawEllipse(at(samples[i].arc, samples[i].simulated), 3, 3);
-        }
-        painter.setBrush(Qt::NoBrush);
-        const QPointF key(plot.left() + 14, plot.top() + 16 + 20 * double(series));
-        painter.setPen(QPen(seriesColour(series), 2));
-        painter.drawLine(key, key + QPointF(22, 0));
-        painter.setPen(Qt::black);
-        painter.drawText(key + QPointF(30, metrics.ascent() / 2 - 1),
-                         QStringLiteral("%1: %2").arg(result.body, error(result, result.rms)));
-        ++series;
     }
 }
 

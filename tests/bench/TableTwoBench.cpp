@@ -64,7 +64,7 @@ std::shared_ptr<const LaidFilm> dipped(const Project& project, const QString& so
 // From below, where the film came from, aside by a part.
 PhotoCamera cameraOf(const LaidFilm& laid, double aside) {
     const PosedBody& body = laid.body();
-    const auto box = boundingBox(body.model.mesh);
+    const auto box = boundingBox(body.mesh);
     const double size = double(box.sizes().maxCoeff());
     const Eigen::Vector3d middle = box.center().cast<double>();
     const Eigen::Vector3d from =

@@ -29,15 +29,8 @@ struct Body {
     DistanceField field;
 };
 
-Body bodyOf(const TexturedMesh& model, const Immersion& immersion = {}) {
-    return {posedBody(model, immersion), buildDistanceField(model.mesh, 128, {})};
-}
-
-Body bodyOf(TriangleMesh mesh) {
-    TexturedMesh model;
-    model.mesh = std::move(mesh);
-    model.materials.resize(1);
-    return bodyOf(model);
+Body bodyOf(const TriangleMesh& mesh, const Immersion& immersion = {}) {
+    return {posedBody(mesh, immersion), buildDistanceField(mesh, 128, {})};
 }
 
 Body bodyNamed(const QString& name) {
@@ -48,7 +41,7 @@ Body bodyNamed(const QString& name) {
         return bodyOf(coneMesh(pi / 4, 40, 256));
     }
     const Project project = loadProject(sampleFolder("/turtle.dipw"));
-    return bodyOf(*project.model, project.immersions.front());
+    return bodyOf(project.model->mesh, project.immersions.front());
 }
 
 solver::DipSetup wholeDip(const Body& body, const QString& preset) {

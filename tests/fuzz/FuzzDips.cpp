@@ -14,14 +14,7 @@ namespace {
 using namespace dipwright;
 
 std::shared_ptr<const PosedBody> ball() {
-    TexturedMesh model;
-    model.mesh = sphereMesh(5, 6, 8);
-    const Eigen::Vector2f none = Eigen::Vector2f::Constant(std::numeric_limits<float>::quiet_NaN());
-    model.textureCoordinates.assign(model.mesh.triangles.size(), {none, none, none});
-    model.material.assign(model.mesh.triangles.size(), 0);
-    model.materials.emplace_back();
-    model.chart = findCharts(model);
-    return std::make_shared<const PosedBody>(posedBody(model, Immersion{}));
+    return std::make_shared<const PosedBody>(posedBody(sphereMesh(5, 6, 8), Immersion{}));
 }
 
 } // namespace

@@ -77,11 +77,10 @@ QString failureOfDip(const QString& name, const Progress& progress = {}) {
     const PluginFolder folder;
     folder.add(name, builtModule(name));
     const SolverRegistry registry({folder.path()});
-    TexturedMesh model;
-    model.mesh = boxMesh({20, 20, 20});
+    const TriangleMesh box = boxMesh({20, 20, 20});
     const Immersion immersion;
-    const PosedBody body = posedBody(model, immersion);
-    const DistanceField field = buildDistanceField(model.mesh, 64, {});
+    const PosedBody body = posedBody(box, immersion);
+    const DistanceField field = buildDistanceField(box, 64, {});
     try {
         simulateDip(body, field, immersion, {}, {}, registry.module(name), progress, {});
     } catch (const Error& error) {

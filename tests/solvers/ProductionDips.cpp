@@ -33,11 +33,8 @@ Ending dipOnCpu(const solver::DipSetup& setup) {
     return dip(*cpu::makeProductionFilm(), setup);
 }
 
-Body bodyOf(TriangleMesh mesh) {
-    TexturedMesh model;
-    model.mesh = std::move(mesh);
-    model.materials.resize(1);
-    return {posedBody(model, Immersion{}), buildDistanceField(model.mesh, 128, {})};
+Body bodyOf(const TriangleMesh& mesh) {
+    return {posedBody(mesh, Immersion{}), buildDistanceField(mesh, 128, {})};
 }
 
 solver::DipSetup squareDip(const Body& body, int columns, double depth) {

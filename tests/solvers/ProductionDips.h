@@ -37,7 +37,7 @@ struct Body {
     DistanceField field;
 };
 
-Body bodyOf(TriangleMesh mesh);
+Body bodyOf(const TriangleMesh& mesh);
 
 // A film of `columns` points a side over 150 mm, to a depth in mm.
 solver::DipSetup squareDip(const Body& body, int columns, double depth);

@@ -240,11 +240,9 @@ void ProductionFilmTest::aSmallFirstContactDoesNotSpinTheFilm() {
     Immersion askew;
     askew.rotation = {Degrees(12), Degrees(25), Degrees(0)};
     askew.offset = {Millimetres(0.7), Millimetres(-0.4)};
-    TexturedMesh horn;
-    horn.mesh = ellipsoidMesh({3, 24, 2.5}, 60, 80);
-    horn.materials.resize(1);
+    const TriangleMesh horn = ellipsoidMesh({3, 24, 2.5}, 60, 80);
     const PosedBody posed = posedBody(horn, askew);
-    const DistanceField field = buildDistanceField(horn.mesh, 128, {});
+    const DistanceField field = buildDistanceField(horn, 128, {});
     FilmSettings film;
     film.width = film.height = Millimetres(150);
     film.columns = film.rows = 81;

@@ -16,7 +16,7 @@ namespace {
 
 Body turtle() {
     const Project project = loadProject(sampleFolder("/turtle.dipw"));
-    return {posedBody(*project.model, project.immersions.front()),
+    return {posedBody(project.model->mesh, project.immersions.front()),
             buildDistanceField(project.model->mesh, 128, {})};
 }
 

@@ -37,7 +37,7 @@ public:
     ReverseTexture texture(double dpi) const {
         const QSize pixels =
             sheetPixels(project_.film.width, project_.film.height, DotsPerInch(dpi));
-        return reverseTexture(*immersion().laid,
+        return reverseTexture(*immersion().laid, *immersion().appearance,
                               {pixels, project_.sheet.bleed.value(), project_.ink}, {});
     }
 
@@ -136,12 +136,12 @@ std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& pr
         {QStringLiteral("reading the project"), [] { BenchBodies::turtle(); }},
         {QStringLiteral("distance field"),
          [&] { buildDistanceField(model.mesh, project.fieldResolution, {}); }},
-        {QStringLiteral("body in its pose"), [&] { posedBody(model, dipped.immersion); }},
+        {QStringLiteral("body in its pose"), [&] { posedBody(model.mesh, dipped.immersion); }},
         {QStringLiteral("film on the body"),
          [&] { layFilm(dipped.body, laid.film(), project.process); }},
         {QStringLiteral("coverage"), [&] { coverage(laid); }},
         {QStringLiteral("coverage by both immersions"), [&] { coverageTogether(films, {}); }},
-        {QStringLiteral("reading back"), [&] { readBackError(laid, laid); }},
+        {QStringLiteral("reading back"), [&] { readBackError(laid, laid, model); }},
         {QStringLiteral("reverse texture"),
          [&] { turtle.texture(project.sheet.resolution.value()); }},
         {QStringLiteral("sheet and its job number"),
@@ -152,8 +152,9 @@ std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& pr
          [&] { bytesOf([&](QIODevice& device) { writeSheetPdf(dipped.sheet, device); }); }},
         {QStringLiteral("map of the stretch as PNG"),
          [&] { pngBytes(stretchMap(laid, mapEdge), nowhere); }},
-        {QStringLiteral("film as VTK file"), [&] { filmVtp(laid); }},
-        {QStringLiteral("body as VTK file"), [&] { bodyVtp(*dipped.body, *dipped.coverage); }},
+        {QStringLiteral("film as VTK file"), [&] { filmVtp(laid, model); }},
+        {QStringLiteral("body as VTK file"),
+         [&] { bodyVtp(*dipped.body, model, *dipped.coverage); }},
         {QStringLiteral("stage of the proof"), [&] { proofStage(model); }},
         {QStringLiteral("proof"), [&] { proofPicture(*stage, worn, {}, {}); }},
         {QStringLiteral("proof as PNG"), [&] { pngBytes(turtle.job().proof, nowhere); }}};

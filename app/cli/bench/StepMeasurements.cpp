@@ -72,7 +72,7 @@ BenchBodies::Body made(const QString& name) {
 std::vector<DippedFilm> dips(const BenchSolver& solver, const BenchBodies::Body& body,
                              const DistanceField& field, const Project& project,
                              const Progress& progress) {
-    const PosedBody posed = posedBody(*body.model, body.immersion);
+    const PosedBody posed = posedBody(body.model->mesh, body.immersion);
     const solver::SolverModule& module = solver.registry.module(solver.id);
     std::vector<DippedFilm> films;
     films.reserve(std::size_t(solver.runs));

@@ -46,7 +46,8 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const Solve
     resize(660, 520);
 }
 
-QWidget* PreferencesDialog::makeGeneralPage() {
+// With the choices, each at the preference.
+void PreferencesDialog::fillLists() {
     language_->addItem(tr("As the system"), QString());
     for (const Language& language : languages()) {
         language_->addItem(language.name, language.code);
@@ -60,35 +61,43 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     navigation_->setCurrentIndex(int(preferences_.navigation));
     film_->addItems(filmSizeNames());
     film_->setCurrentText(preferences_.filmPreset);
-    film_->setToolTip(tr("The film that is proposed when a project is made."));
-    filmProfile_->setObjectName(QStringLiteral("defaultFilm"));
     addFilmProfiles(*filmProfile_, preferences_.filmProfile);
-    filmProfile_->setToolTip(tr("The film profile that is proposed when a project is made."));
-    printer_->setObjectName(QStringLiteral("defaultPrinter"));
     printer_->addItem(tr("None"), QString());
     for (const ProfileEntry& entry : ProfileLibrary().profiles(ProfileKind::Printer)) {
         printer_->addItem(shownName(entry.name), entry.name);
     }
     printer_->setCurrentIndex(std::max(0, printer_->findData(preferences_.printerProfile)));
+}
+
+void PreferencesDialog::explainFields() {
+    film_->setToolTip(tr("The film that is proposed when a project is made."));
+    filmProfile_->setToolTip(tr("The film profile that is proposed when a project is made."));
     printer_->setToolTip(tr("The printer profile that new projects begin with. It can be changed "
                             "under Sheet."));
     language_->setToolTip(tr("The language of menus, panels and messages."));
     unit_->setToolTip(tr("The unit in which lengths and speeds are shown and typed."));
     theme_->setToolTip(tr("Light or dark colours."));
     navigation_->setToolTip(tr("How dragging in the view turns it."));
-    autosave_->setRange(1, 3600);
-    autosave_->setSuffix(tr(" s"));
-    autosave_->setValue(preferences_.autosaveSeconds);
     autosave_->setToolTip(tr("How long after a change, at most, a copy is kept from which work is "
                              "restored after a crash."));
-    live_->setChecked(preferences_.liveUpdate);
     live_->setToolTip(tr("Once there is a result, a change starts a new run of what depends on "
                          "it."));
-    keeps_->setObjectName(QStringLiteral("keepResults"));
-    keeps_->setChecked(preferences_.keepsResults);
     keeps_->setToolTip(
         tr("The dips of a saved project are kept in a file NAME.dips beside it, up to "
            "64 MB, and its results are there when it is opened again."));
+}
+
+QWidget* PreferencesDialog::makeGeneralPage() {
+    fillLists();
+    explainFields();
+    filmProfile_->setObjectName(QStringLiteral("defaultFilm"));
+    printer_->setObjectName(QStringLiteral("defaultPrinter"));
+    keeps_->setObjectName(QStringLiteral("keepResults"));
+    autosave_->setRange(1, 3600);
+    autosave_->setSuffix(tr(" s"));
+    autosave_->setValue(preferences_.autosaveSeconds);
+    live_->setChecked(preferences_.liveUpdate);
+    keeps_->setChecked(preferences_.keepsResults);
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
     form->setContentsMargins(16, 16, 16, 16);

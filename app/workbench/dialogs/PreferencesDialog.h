@@ -29,6 +29,8 @@ public:
 
 private:
     QWidget* makeGeneralPage();
+    void fillLists();
+    void explainFields();
     QWidget* makeShortcutPage(const QList<QAction*>& actions);
     void checkShortcuts(); // keys that two commands want work for neither
 

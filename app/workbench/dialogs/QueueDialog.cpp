@@ -68,21 +68,8 @@ QueueDialog::QueueDialog(JobQueue& queue, QWidget* parent)
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setTabKeyNavigation(false);
     table_->setWordWrap(false);
-    folder_->setObjectName(QStringLiteral("queueFolder"));
-    folder_->setAccessibleName(tr("Folder for the results"));
-    folder_->setText(QDir::toNativeSeparators(QDir::homePath()));
-    folder_->setToolTip(tr("Each project that is added has a folder with its name in this one."));
     sum_->setObjectName(QStringLiteral("queueSum"));
     sum_->setWordWrap(true);
-
-    auto* choose = new QPushButton(tr("C&hoose…"));
-    connect(choose, &QPushButton::clicked, this, &QueueDialog::askFolder);
-    auto* label = new QLabel(tr("Results &into"));
-    label->setBuddy(folder_);
-    auto* where = new QHBoxLayout;
-    where->addWidget(label);
-    where->addWidget(folder_, 1);
-    where->addWidget(choose);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     const auto button = [&](const char* name, const QString& text, auto what) {
@@ -110,12 +97,28 @@ QueueDialog::QueueDialog(JobQueue& queue, QWidget* parent)
         QApplication::alert(this);
     });
     auto* layout = new QVBoxLayout(this);
-    layout->addLayout(where);
+    layout->addLayout(makeFolderRow());
     layout->addWidget(table_, 1);
     layout->addWidget(sum_);
     layout->addWidget(buttons);
     resize(860, 460);
     refresh();
+}
+
+QLayout* QueueDialog::makeFolderRow() {
+    folder_->setObjectName(QStringLiteral("queueFolder"));
+    folder_->setAccessibleName(tr("Folder for the results"));
+    folder_->setText(QDir::toNativeSeparators(QDir::homePath()));
+    folder_->setToolTip(tr("Each project that is added has a folder with its name in this one."));
+    auto* choose = new QPushButton(tr("C&hoose…"));
+    connect(choose, &QPushButton::clicked, this, &QueueDialog::askFolder);
+    auto* label = new QLabel(tr("Results &into"));
+    label->setBuddy(folder_);
+    auto* where = new QHBoxLayout;
+    where->addWidget(label);
+    where->addWidget(folder_, 1);
+    where->addWidget(choose);
+    return where;
 }
 
 void QueueDialog::propose(const QString& project) {

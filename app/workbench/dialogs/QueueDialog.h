@@ -29,6 +29,7 @@ protected:
     void reject() override; // asks before what runs is cancelled
 
 private:
+    QLayout* makeFolderRow();
     void addProjects();
     void askFolder();
     void refresh();

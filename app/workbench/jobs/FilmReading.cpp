@@ -130,7 +130,7 @@ FilmReadingPoint FilmReading::at(const SurfacePoint& onFilm) const {
     }
     reading.body = laid_->contact().surface[triangle[std::size_t(nearest)]];
     if (reading.body.isValid()) {
-        reading.outward = triangleNormal(laid_->body().model.mesh, reading.body.triangle);
+        reading.outward = triangleNormal(laid_->body().mesh, reading.body.triangle);
     }
     return reading;
 }

@@ -112,7 +112,8 @@ ExportController::Write ExportController::stretchWriter(const QString& suffix) c
         return [result = session_.outcome().result,
                 number = session_.immersion()](const QString& path) {
             writeWhole(path, [&](QIODevice& device) {
-                device.write(filmVtp(*result->immersions[number].laid));
+                const ImmersionResult& dip = result->immersions[number];
+                device.write(filmVtp(*dip.laid, *dip.appearance));
             });
         };
     }

@@ -85,7 +85,7 @@ private:
                                         immersion.rotation[2].value()};
         auto found = drawn_.find(key);
         if (found == drawn_.end()) {
-            const PosedBody body = posedBody(*model_, immersion);
+            const PosedBody body = posedBody(model_->mesh, immersion);
             const PoseView view{body, nullptr, {}};
             found = drawn_.emplace(key, posePicture(view, PoseSide::Front, pictureSize, {}).image)
                         .first;

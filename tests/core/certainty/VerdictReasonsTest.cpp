@@ -21,12 +21,12 @@ std::shared_ptr<const LaidFilm> filmWith(const solver::EquilibriumAccount& accou
         film.grid.columnPlaces.push_back(line - 30);
         film.grid.rowPlaces.push_back(line - 30);
     }
-    return test::laid(test::plainModel(boxMesh(boxSize), Qt::gray), film);
+    return test::laid(boxMesh(boxSize), film);
 }
 
 // Of a film that all coarser dips agree with.
 CertaintyEstimate agreement(const LaidFilm& laid) {
-    const auto same = test::laid(laid.body().model, laid.film());
+    const auto same = test::laid(laid.body().mesh, laid.film());
     return certaintyEstimate(laid, {same, same, {}});
 }
 

@@ -36,7 +36,7 @@ TexturedMesh ball() {
 // Film up to the ball's equator.
 std::shared_ptr<const LaidFilm> halfPainted() {
     static const auto laid =
-        test::laid(ball(), test::viscousOnSphere(test::a4Grid(), radius, pi / 2));
+        test::laid(ball().mesh, test::viscousOnSphere(test::a4Grid(), radius, pi / 2));
     return laid;
 }
 
@@ -44,7 +44,7 @@ std::shared_ptr<const LaidFilm> halfPainted() {
 LaidFilm paintedFromAbove(double angle) {
     Immersion turned;
     turned.rotation[0] = Degrees(180);
-    const auto body = std::make_shared<const PosedBody>(posedBody(ball(), turned));
+    const auto body = std::make_shared<const PosedBody>(posedBody(ball().mesh, turned));
     const auto laid = layFilm(body, test::viscousOnSphere(test::a4Grid(), radius, angle), {});
     return {body, laid->film(), laid->contact()};
 }
@@ -53,8 +53,7 @@ Cradle cradleOf(const LaidFilm& laid, const CradleSettings& wanted = settings(),
                 const ProcessSettings& process = {}, std::vector<const LaidFilm*> earlier = {},
                 const Progress& progress = {}) {
     const Immersion immersion;
-    const TriangleMesh inModel =
-        transformed(laid.body().model.mesh, laid.body().modelToPose.inverse());
+    const TriangleMesh inModel = transformed(laid.body().mesh, laid.body().modelToPose.inverse());
     const DistanceField field = buildDistanceField(inModel, 96, {});
     const DatumPins pins = datumPins(Sheet(), FilmSettings(), wanted.pinSpan);
     return makeCradle({laid, std::move(earlier), field, immersion, process, pins, 1, hash}, wanted,
@@ -130,7 +129,7 @@ private slots:
     void aFlatTopIsHeldButCanSlide() {
         const Eigen::Vector3d size(40, 30, 40);
         const TexturedMesh box = test::plainModel(boxMesh(size), Qt::white);
-        const auto laid = test::laid(box, test::flatUnderBox(test::a4Grid(), size));
+        const auto laid = test::laid(box.mesh, test::flatUnderBox(test::a4Grid(), size));
         const Cradle cradle = cradleOf(*laid);
         isSound(cradle);
         QVERIFY(cradle.check.standing.tiltDegrees > 30);
@@ -142,7 +141,7 @@ private slots:
     void sidesAboveTheWaterHoldToo() {
         const Eigen::Vector3d size(40, 30, 40);
         const TexturedMesh box = test::plainModel(boxMesh(size), Qt::white);
-        const auto laid = test::laid(box, test::flatUnderBox(test::a4Grid(), size));
+        const auto laid = test::laid(box.mesh, test::flatUnderBox(test::a4Grid(), size));
         ProcessSettings process;
         process.depth = Millimetres(10);
         const Cradle cradle = cradleOf(*laid, settings(), process);
@@ -157,7 +156,7 @@ private slots:
     void undercutsAreFilled() {
         const TexturedMesh ring = test::plainModel(torusMesh(20, 8, 48, 96), Qt::white);
         const auto laid =
-            test::laid(ring, test::flatUnderBox(test::a4Grid(), Eigen::Vector3d(1, 1, 1)));
+            test::laid(ring.mesh, test::flatUnderBox(test::a4Grid(), Eigen::Vector3d(1, 1, 1)));
         CradleSettings deep = settings();
         deep.reach = Millimetres(16);
         const Cradle cradle = cradleOf(*laid, deep);

@@ -49,7 +49,7 @@ void keep(const QString& name, const JobResult& result, const std::vector<Cradle
     const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES");
     for (std::size_t i = 0; i < cradles.size() && !folder.isEmpty(); ++i) {
         Cradle body = cradles[i];
-        body.mesh = result.immersions[i].body->model.mesh;
+        body.mesh = result.immersions[i].body->mesh;
         for (const auto& [suffix, one] : {std::pair("cradle", cradles[i]), {"body", body}}) {
             QFile file(QStringLiteral("%1/%2-%3-%4.stl").arg(folder, name).arg(i + 1).arg(suffix));
             QVERIFY(file.open(QIODevice::WriteOnly));

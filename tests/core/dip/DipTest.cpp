@@ -107,7 +107,7 @@ private:
 };
 
 struct Dip {
-    PosedBody body = test::posed(test::plainModel(boxMesh({30, 40, 50}), Qt::red));
+    PosedBody body = test::posed(boxMesh({30, 40, 50}));
     DistanceField field;
     Immersion immersion;
     FilmSettings film;
@@ -157,7 +157,7 @@ void DipTest::setupPutsTheBodyJustAboveTheWater() {
     Dip dip;
     dip.immersion.rotation = {Degrees(20), Degrees(30), Degrees(-40)};
     dip.immersion.offset = {Millimetres(12), Millimetres(-7)};
-    dip.body = posedBody(test::plainModel(boxMesh({30, 40, 50}), Qt::red), dip.immersion);
+    dip.body = posedBody(boxMesh({30, 40, 50}), dip.immersion);
     const auto motion = dipSetup(dip.body, dip.field, dip.immersion, dip.film, dip.process).motion;
     const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation(motion.rotation.data());
     const Eigen::Vector3d start(motion.start.data());
@@ -165,7 +165,7 @@ void DipTest::setupPutsTheBodyJustAboveTheWater() {
     const TriangleMesh box = boxMesh({30, 40, 50});
     for (std::size_t corner = 0; corner < box.positions.size(); ++corner) {
         const Eigen::Vector3d world = rotation * box.positions[corner].cast<double>() + start;
-        const Eigen::Vector3d pose = dip.body.model.mesh.positions[corner].cast<double>();
+        const Eigen::Vector3d pose = dip.body.mesh.positions[corner].cast<double>();
         QVERIFY((world - pose - Eigen::Vector3d(12, startHeight, -7)).norm() < 1e-4);
         lowest = std::min(lowest, world.y());
     }

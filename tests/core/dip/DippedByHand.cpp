@@ -46,11 +46,11 @@ solver::FilmGrid gradedA4Grid(int columns, int rows) {
     return grid;
 }
 
-PosedBody posed(const TexturedMesh& model) {
+PosedBody posed(const TriangleMesh& model) {
     return posedBody(model, Immersion{});
 }
 
-std::shared_ptr<const LaidFilm> laid(const TexturedMesh& model, const DippedFilm& film,
+std::shared_ptr<const LaidFilm> laid(const TriangleMesh& model, const DippedFilm& film,
                                      const ProcessSettings& process) {
     return layFilm(std::make_shared<const PosedBody>(posed(model)), film, process);
 }
@@ -169,7 +169,7 @@ DippedFilm viscousOnSphere(const solver::FilmGrid& grid, double radius, double e
     });
 }
 
-std::shared_ptr<const LaidFilm> laidOnTurnedSphere(const TexturedMesh& model, double radius,
+std::shared_ptr<const LaidFilm> laidOnTurnedSphere(const TriangleMesh& model, double radius,
                                                    double end, double turn) {
     Immersion immersion;
     immersion.rotation[0] = Degrees(turn);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dip/LaidFilm.h"
+#include "model/TexturedMesh.h"
 
 #include <functional>
 
@@ -11,10 +12,10 @@ solver::FilmGrid a4Grid(int columns = 120, int rows = 170);
 // Its lines half as far apart in the middle as at the edges, and a little more.
 solver::FilmGrid gradedA4Grid(int columns = 120, int rows = 170);
 
-// A body of one plain colour, in the pose frame of an immersion as modelled.
-PosedBody posed(const TexturedMesh& model);
+// A body in the pose frame of an immersion as modelled.
+PosedBody posed(const TriangleMesh& model);
 // A film that is on such a body as a dip with `process` would have left it.
-std::shared_ptr<const LaidFilm> laid(const TexturedMesh& model, const DippedFilm& film,
+std::shared_ptr<const LaidFilm> laid(const TriangleMesh& model, const DippedFilm& film,
                                      const ProcessSettings& process = {});
 // A letter F of three bars, black on white, in the upper left of its picture.
 QImage letterF();
@@ -39,7 +40,7 @@ DippedFilm onSphere(const solver::FilmGrid& grid, double radius, double end,
 // Viscous film: R = 2ρ sin(θ/2) (docs/film-model.md, "Closed forms").
 DippedFilm viscousOnSphere(const solver::FilmGrid& grid, double radius, double end);
 // The same on a model of a sphere that is turned about X by so many degrees before the dip.
-std::shared_ptr<const LaidFilm> laidOnTurnedSphere(const TexturedMesh& model, double radius,
+std::shared_ptr<const LaidFilm> laidOnTurnedSphere(const TriangleMesh& model, double radius,
                                                    double end, double turn);
 
 } // namespace dipwright::test

@@ -20,8 +20,8 @@ struct Located {
 
     Located(const TriangleMesh& mesh, const DippedFilm& dipped,
             const ProcessSettings& process = ProcessSettings{})
-        : laid(test::laid(test::plainModel(mesh, Qt::red), dipped, process)), body(laid->body()),
-          film(laid->film()), contact(laid->contact()) {}
+        : laid(test::laid(mesh, dipped, process)), body(laid->body()), film(laid->film()),
+          contact(laid->contact()) {}
 
     // Of the film over the body's place nearest to `position`.
     std::optional<FilmPlace> placeAt(const Eigen::Vector3f& position) const {
@@ -32,7 +32,7 @@ struct Located {
             std::accumulate(contact.painted.begin(), contact.painted.end(), std::size_t(0)));
     }
     Eigen::Vector3f place(std::size_t point) const {
-        return position(body.model.mesh, contact.surface[point]);
+        return position(body.mesh, contact.surface[point]);
     }
     // Share of the painted film triangles for which `test` of the triangle's middle holds.
     template <typename Test>
@@ -217,10 +217,10 @@ void FilmContactTest::coverageOfABoxIsItsBottom() {
     const Coverage cover = coverage(*box.laid);
     const double bottom = size.x() * size.z();
     QVERIFY(std::abs(cover.paintedArea - bottom) < 0.01 * bottom);
-    QVERIFY(std::abs(cover.share - bottom / surfaceArea(box.body.model.mesh)) < 0.005);
+    QVERIFY(std::abs(cover.share - bottom / surfaceArea(box.body.mesh)) < 0.005);
     QCOMPARE(cover.trappedAir.area, 0.0);
     for (std::size_t triangle = 0; triangle < cover.covered.size(); ++triangle) {
-        const bool down = triangleNormal(box.body.model.mesh, triangle).y() < -0.5f;
+        const bool down = triangleNormal(box.body.mesh, triangle).y() < -0.5f;
         QCOMPARE(bool(cover.covered[triangle]), down);
     }
 }
@@ -246,9 +246,9 @@ void FilmContactTest::filmsTogetherCoverWhatAnyCovers() {
 
 void FilmContactTest::filmOnTheEdgeIsTold() {
     const DippedFilm film = test::flatUnderBox({31, 31, 60, 60}, {50, 30, 50});
-    QVERIFY(!edgeIsOnBody(*test::laid(test::plainModel(boxMesh({50, 30, 50}), Qt::red), film)));
+    QVERIFY(!edgeIsOnBody(*test::laid(boxMesh({50, 30, 50}), film)));
     const DippedFilm tooSmall = test::flatUnderBox({31, 31, 60, 60}, {70, 30, 70});
-    QVERIFY(edgeIsOnBody(*test::laid(test::plainModel(boxMesh({70, 30, 70}), Qt::red), tooSmall)));
+    QVERIFY(edgeIsOnBody(*test::laid(boxMesh({70, 30, 70}), tooSmall)));
 }
 
 void FilmContactTest::paintEndsEvenlyWhereTheBodyTurnsUp_data() {
@@ -294,10 +294,9 @@ void FilmContactTest::paintEndsEvenlyWhereTheBodyTurnsUp() {
 void FilmContactTest::placeGivesTheFlatFilmBack() {
     const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.5));
     int found = 0;
-    for (std::uint32_t triangle = 0; triangle < globe.body.model.mesh.triangles.size();
-         ++triangle) {
+    for (std::uint32_t triangle = 0; triangle < globe.body.mesh.triangles.size(); ++triangle) {
         const SurfacePoint middle = middleOf(triangle);
-        const Eigen::Vector3f place = position(globe.body.model.mesh, middle);
+        const Eigen::Vector3f place = position(globe.body.mesh, middle);
         const double angle =
             std::atan2(std::hypot(place.x(), place.z()), ballRadius - double(place.y()));
         const std::optional<FilmPlace> covering = globe.laid->place(middle);

@@ -21,7 +21,7 @@ std::shared_ptr<const LaidFilm> markedFilm(const MarkAt& markAt) {
     for (std::size_t point = 0; point < film.positions.size(); ++point) {
         film.marks.push_back(markAt(restPosition(film.grid, point)));
     }
-    return test::laid(test::plainModel(boxMesh(boxSize), Qt::gray), film);
+    return test::laid(boxMesh(boxSize), film);
 }
 
 constexpr std::uint8_t torn = std::uint8_t(PointMark::Torn);
@@ -65,8 +65,8 @@ private slots:
     }
 
     void filmWithoutMarksIsNotMarked() {
-        const auto laid = test::laid(test::plainModel(boxMesh(boxSize), Qt::gray),
-                                     test::flatUnderBox({61, 61, 60, 60}, boxSize));
+        const auto laid =
+            test::laid(boxMesh(boxSize), test::flatUnderBox({61, 61, 60, 60}, boxSize));
         const Coverage cover = coverage(*laid);
         QCOMPARE(cover.marked.any, 0.0);
         QVERIFY(markedText(cover.marked, cover.paintedArea).isEmpty());
@@ -76,7 +76,7 @@ private slots:
         const auto laid = markedFilm([](const Eigen::Vector2f& rest) {
             return rest.x() + rest.y() > 0 ? letGo : std::uint8_t(0);
         });
-        const TriangleMesh& mesh = laid->body().model.mesh;
+        const TriangleMesh& mesh = laid->body().mesh;
         const Coverage cover = coverage(*laid);
         int marked = 0;
         for (std::size_t triangle = 0; triangle < cover.marks.size(); ++triangle) {

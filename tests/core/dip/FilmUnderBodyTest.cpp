@@ -23,7 +23,7 @@ FilmSettings filmOf(FilmResolution resolution) {
 }
 
 Underside undersideOf(const TriangleMesh& mesh, const Immersion& immersion = {}) {
-    return undersideOf(posedBody(test::plainModel(mesh, Qt::red), immersion), {});
+    return undersideOf(posedBody(mesh, immersion), {});
 }
 
 Underside ball() {

@@ -11,12 +11,12 @@ using namespace dipwright;
 namespace {
 
 // A box away from the origin, so that turning about the origin would show.
-TexturedMesh farBox() {
+TriangleMesh farBox() {
     TriangleMesh box = boxMesh({10, 20, 30});
     for (Eigen::Vector3f& position : box.positions) {
         position += Eigen::Vector3f(100, 200, 300);
     }
-    return test::plainModel(box, Qt::red);
+    return box;
 }
 
 Immersion turned(double x, double y, double z) {
@@ -47,7 +47,7 @@ private Q_SLOTS:
 
 void PoseTest::bodyStandsOnTheWaterPlaneOverTheMiddle() {
     const PosedBody body = posedBody(farBox(), Immersion{});
-    const BoundingBox box = boundingBox(body.model.mesh);
+    const BoundingBox box = boundingBox(body.mesh);
     QVERIFY(isNear(box.min().cast<double>(), {-5, 0, -15}));
     QVERIFY(isNear(box.max().cast<double>(), {5, 20, 15}));
     QVERIFY(std::abs(body.height - 20) < 1e-4);
@@ -61,17 +61,17 @@ void PoseTest::quarterTurnsSwapTheEdges() {
 }
 
 void PoseTest::turnsAreAppliedAboutXThenYThenZ() {
-    const Eigen::Isometry3d pose = poseTransform(farBox().mesh, turned(90, 90, 0));
+    const Eigen::Isometry3d pose = poseTransform(farBox(), turned(90, 90, 0));
     // About X, +Y goes to +Z; about Y then, +Z goes to +X.
     QVERIFY(isNear(pose.linear() * Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitX()));
-    const Eigen::Isometry3d other = poseTransform(farBox().mesh, turned(0, 90, 90));
+    const Eigen::Isometry3d other = poseTransform(farBox(), turned(0, 90, 90));
     // About Y, +Z goes to +X; about Z then, +X goes to +Y.
     QVERIFY(isNear(other.linear() * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()));
 }
 
 void PoseTest::leaningBodyRestsOnItsLowestCorner() {
     const PosedBody body = posedBody(farBox(), turned(31, -57, 12));
-    const BoundingBox box = boundingBox(body.model.mesh);
+    const BoundingBox box = boundingBox(body.mesh);
     QVERIFY(std::abs(box.min().y()) < 1e-4);
     QVERIFY(std::abs(box.max().y() - body.height) < 1e-4);
     QVERIFY(std::abs(box.center().x()) < 1e-4 && std::abs(box.center().z()) < 1e-4);
@@ -80,8 +80,7 @@ void PoseTest::leaningBodyRestsOnItsLowestCorner() {
 void PoseTest::offsetDoesNotMoveThePose() {
     Immersion beside;
     beside.offset = {Millimetres(40), Millimetres(-25)};
-    QVERIFY(
-        poseTransform(farBox().mesh, beside).isApprox(poseTransform(farBox().mesh, Immersion{})));
+    QVERIFY(poseTransform(farBox(), beside).isApprox(poseTransform(farBox(), Immersion{})));
 }
 
 void PoseTest::anglesOfARotationGiveItBack_data() {

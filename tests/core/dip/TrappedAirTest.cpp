@@ -56,7 +56,7 @@ constexpr double pitArea = pi * 27 * 27 + 2 * pi * 27 * 37;
 TrappedAir airIn(const TriangleMesh& mesh, const std::array<double, 3>& degrees) {
     Immersion immersion;
     immersion.rotation = {Degrees(degrees[0]), Degrees(degrees[1]), Degrees(degrees[2])};
-    return trappedAir(posedBody(test::plainModel(mesh, Qt::red), immersion));
+    return trappedAir(posedBody(mesh, immersion));
 }
 double trapped(const TriangleMesh& mesh, const std::array<double, 3>& degrees = {0, 0, 0}) {
     return airIn(mesh, degrees).area;

@@ -87,7 +87,7 @@ PhotographedPart::PhotographedPart(Project believed, const Hidden& hidden, doubl
 std::shared_ptr<const LaidFilm> PhotographedPart::dipped(const Project& project,
                                                          const solver::SolverModule& module) const {
     const Immersion& immersion = project.immersions.front();
-    auto body = std::make_shared<const PosedBody>(posedBody(*project.model, immersion));
+    auto body = std::make_shared<const PosedBody>(posedBody(project.model->mesh, immersion));
     DippedFilm film =
         simulateDip(*body, *field_, immersion, project.film, project.process, module, {}, {});
     return layFilm(std::move(body), std::move(film), project.process);

@@ -128,6 +128,7 @@ private slots:
         options.observer = [&](std::size_t, const FilmFrame&) { hasDipped = true; };
         const JobResult live = runJob(moved, *registry_, options, &spotted_, {});
         QVERIFY(!hasDipped);
+        isOnTheSameFilm(live.immersions[0]);
         QVERIFY(live.immersions[0].texture->image != spotted_.immersions[0].texture->image);
         const JobResult whole = run(moved);
         QCOMPARE(live.immersions[0].texture->image, whole.immersions[0].texture->image);
@@ -164,6 +165,7 @@ private slots:
         project.sheet.white = WhiteLayer::Last;
         const JobResult result = run(project, &spotted_);
         const ImmersionResult& dip = result.immersions[0];
+        isOnTheSameFilm(dip);
         QCOMPARE(redArea(dip, project), 0.0);
         QCOMPARE(dip.sheet.plates.size(), std::size_t(3));
         QStringList names;
@@ -266,6 +268,13 @@ private slots:
 private:
     JobResult run(const Project& project, const JobResult* previous = nullptr) const {
         return runJob(project, *registry_, {}, previous, {});
+    }
+    // What the body looks like makes nothing anew of where the film lies on it.
+    void isOnTheSameFilm(const ImmersionResult& dip) const {
+        QCOMPARE(dip.body, spotted_.immersions[0].body);
+        QCOMPARE(dip.laid, spotted_.immersions[0].laid);
+        QCOMPARE(dip.coverage, spotted_.immersions[0].coverage);
+        QVERIFY(dip.appearance != spotted_.immersions[0].appearance);
     }
 
     std::unique_ptr<SolverRegistry> registry_;

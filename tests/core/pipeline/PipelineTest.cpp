@@ -112,7 +112,7 @@ private slots:
         std::size_t same = 0, above = 0, laid = 0;
         for (std::size_t triangle = 0; triangle < fine.mesh().triangles.size(); ++triangle) {
             const SurfacePoint point = fine.middle(triangle);
-            const double height = double(position(dip.body->model.mesh, point).y());
+            const double height = double(position(dip.body->mesh, point).y());
             const auto before = dip.laid->place(point);
             const auto after = deeper->place(point);
             if (height < 10 - 2 * cell) {

@@ -92,7 +92,7 @@ private slots:
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Look at these places first"));
         QVERIFY(!isCertain(fullCheck(thumb())));
         QVERIFY(!result.verdict.places.empty() && result.verdict.uncertainArea > 0);
-        const TriangleMesh& mesh = result.body->model.mesh;
+        const TriangleMesh& mesh = result.body->mesh;
         const BoundingBox box = boundingBox(thumb().model->mesh);
         for (const UncertainPlace& place : result.verdict.places) {
             QVERIFY(box.exteriorDistance(place.place) < 1); // on the model, in its own frame

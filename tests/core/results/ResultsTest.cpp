@@ -72,7 +72,7 @@ DippedFilm dippedFilm(const solver::FilmGrid& grid) {
 struct Dip {
     TexturedMesh model = ball();
     std::shared_ptr<const PosedBody> body =
-        std::make_shared<const PosedBody>(posedBody(model, Immersion{}));
+        std::make_shared<const PosedBody>(posedBody(model.mesh, Immersion{}));
     std::shared_ptr<const LaidFilm> laid =
         layFilm(body, dippedFilm({81, 113, 140, 196}), ProcessSettings{});
     const DippedFilm& film = laid->film();
@@ -176,7 +176,7 @@ private slots:
 };
 
 void ResultsTest::filmFileHoldsTheFilm() {
-    const auto data = readBack(filmVtp(*dip_.laid));
+    const auto data = readBack(filmVtp(*dip_.laid, dip_.model));
     QCOMPARE(data->GetNumberOfPoints(), vtkIdType(81 * 113));
     QCOMPARE(data->GetNumberOfPolys(), vtkIdType(2 * 80 * 112));
     auto* rest = vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray("rest"));
@@ -201,7 +201,7 @@ void ResultsTest::filmFileHoldsTheFilm() {
 }
 
 void ResultsTest::bodyFileHoldsTheBody() {
-    const auto data = readBack(bodyVtp(*dip_.body, dip_.covered));
+    const auto data = readBack(bodyVtp(*dip_.body, dip_.model, dip_.covered));
     QCOMPARE(data->GetNumberOfPolys(), vtkIdType(dip_.model.mesh.triangles.size()));
     auto* texture = vtkFloatArray::SafeDownCast(data->GetPointData()->GetTCoords());
     auto* covered = data->GetCellData()->GetArray("covered");
@@ -222,12 +222,12 @@ void ResultsTest::bodyFileHoldsTheBody() {
 
 void ResultsTest::filesHoldTheMarks() {
     const auto laid = dip_.marked(solver::PointMark::LetGo, true);
-    const auto film = readBack(filmVtp(*laid));
+    const auto film = readBack(filmVtp(*laid, dip_.model));
     auto* marks = film->GetPointData()->GetArray("marks");
     QVERIFY(marks);
     QCOMPARE(marks->GetComponent(0, 0), 0.0);
     QCOMPARE(marks->GetComponent(80, 0), 2.0);
-    const auto body = readBack(bodyVtp(*dip_.body, coverage(*laid)));
+    const auto body = readBack(bodyVtp(*dip_.body, dip_.model, coverage(*laid)));
     auto* onBody = body->GetCellData()->GetArray("marks");
     QVERIFY(onBody);
     QCOMPARE(onBody->GetRange()[0], 0.0);
@@ -235,9 +235,9 @@ void ResultsTest::filesHoldTheMarks() {
 }
 
 void ResultsTest::filesAreTheSameEveryTime() {
-    const QByteArray once = filmVtp(*dip_.laid);
+    const QByteArray once = filmVtp(*dip_.laid, dip_.model);
     QVERIFY(!once.isEmpty());
-    QCOMPARE(once, filmVtp(*dip_.laid));
+    QCOMPARE(once, filmVtp(*dip_.laid, dip_.model));
 }
 
 namespace {
@@ -623,8 +623,8 @@ namespace {
 struct OppositeDips {
     TexturedMesh model = test::plainModel(sphereMesh(radius, 60, 120), QColor(120, 120, 120));
     std::array<std::shared_ptr<const LaidFilm>, 2> films{
-        test::laidOnTurnedSphere(model, radius, 2, 0),
-        test::laidOnTurnedSphere(model, radius, 2, 180)};
+        test::laidOnTurnedSphere(model.mesh, radius, 2, 0),
+        test::laidOnTurnedSphere(model.mesh, radius, 2, 180)};
     BodyShare share = shareBody(model, films, {}, {}, {});
 };
 

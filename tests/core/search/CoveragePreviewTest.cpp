@@ -110,7 +110,8 @@ private slots:
             tetrahedronMesh(40), cylinderMesh(10, 40, 60)};
         const SearchSubject subject = subjectOf(meshes[std::size_t(body)]);
         const Immersion immersion = turned(about, about / 2);
-        const auto posed = std::make_shared<const PosedBody>(posedBody(*subject.model, immersion));
+        const auto posed =
+            std::make_shared<const PosedBody>(posedBody(subject.model->mesh, immersion));
         const auto field = cachedDistanceField(subject.model->mesh, subject.fieldResolution, {});
         const auto laid = layFilm(posed,
                                   simulateDip(*posed, *field, immersion, subject.film,

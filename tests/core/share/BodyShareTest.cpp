@@ -27,7 +27,7 @@ const QSize a4Pixels(1240, 1754);        // 150 dpi
 using Films = std::array<std::shared_ptr<const LaidFilm>, 2>;
 
 std::shared_ptr<const LaidFilm> laidFrom(const TexturedMesh& model, double turn) {
-    return test::laidOnTurnedSphere(model, radius, reach, turn);
+    return test::laidOnTurnedSphere(model.mesh, radius, reach, turn);
 }
 
 // From below and from above, as the model stands.
@@ -152,7 +152,8 @@ void BodyShareTest::greyIsRightAcrossTheJoin() {
     const BodyShare share = shared(model, films);
     std::array<QImage, 2> sheets;
     for (std::size_t dip = 0; dip < 2; ++dip) {
-        sheets[dip] = reverseTexture(*films[dip], {a4Pixels, 2, {}, share.of(dip)}, {}).image;
+        sheets[dip] =
+            reverseTexture(*films[dip], model, {a4Pixels, 2, {}, share.of(dip)}, {}).image;
     }
     const float wanted = linearColour(QColor(120, 120, 120))[0];
     std::size_t inBand = 0;
@@ -175,8 +176,10 @@ void BodyShareTest::blackAndWhiteAreRightAcrossTheJoin() {
         const TexturedMesh model = ball(colour);
         const Films films = oppositeFilms(model);
         const BodyShare share = shared(model, films);
-        const QImage first = reverseTexture(*films[0], {a4Pixels, 2, {}, share.of(0)}, {}).image;
-        const QImage second = reverseTexture(*films[1], {a4Pixels, 2, {}, share.of(1)}, {}).image;
+        const QImage first =
+            reverseTexture(*films[0], model, {a4Pixels, 2, {}, share.of(0)}, {}).image;
+        const QImage second =
+            reverseTexture(*films[1], model, {a4Pixels, 2, {}, share.of(1)}, {}).image;
         for (std::uint32_t triangle = 0; triangle < share.painters.size(); triangle += 7) {
             const SurfacePoint point = share.fade.mesh->middle(triangle);
             const LinearColour shown =
@@ -193,7 +196,7 @@ void BodyShareTest::nothingIsPaintedTwice() {
     const BodyShare share = shared(model, films);
     for (std::size_t dip = 0; dip < 2; ++dip) {
         const QImage sheet =
-            reverseTexture(*films[dip], {a4Pixels, 2, {}, share.of(dip)}, {}).image;
+            reverseTexture(*films[dip], model, {a4Pixels, 2, {}, share.of(dip)}, {}).image;
         for (std::uint32_t triangle = 0; triangle < share.painters.size(); triangle += 3) {
             const Painter other = dip == 0 ? Painter::Second : Painter::First;
             const SurfacePoint point = share.fade.mesh->middle(triangle);
@@ -286,8 +289,8 @@ void BodyShareTest::tooLittleRoomIsTold() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     // Both reach past the equator by 4 mm.
     const double end = pi / 2 + 4 / radius;
-    const Films films{test::laidOnTurnedSphere(model, radius, end, 0),
-                      test::laidOnTurnedSphere(model, radius, end, 180)};
+    const Films films{test::laidOnTurnedSphere(model.mesh, radius, end, 0),
+                      test::laidOnTurnedSphere(model.mesh, radius, end, 180)};
     ShareSettings settings;
     settings.registrationError = Millimetres(0.2);
     QCOMPARE(shared(model, films, settings).narrow, 0.0);
@@ -315,8 +318,8 @@ void BodyShareTest::whatOneDipAloneReachesIsItsOwn() {
 void BodyShareTest::whatOneDipAloneReachesGetsAllItsColour() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     // Films that leave a ring bare between them fade nowhere, up to their ends.
-    const Films films{test::laidOnTurnedSphere(model, radius, 1.3, 0),
-                      test::laidOnTurnedSphere(model, radius, 1.3, 180)};
+    const Films films{test::laidOnTurnedSphere(model.mesh, radius, 1.3, 0),
+                      test::laidOnTurnedSphere(model.mesh, radius, 1.3, 180)};
     const BodyShare share = shared(model, films);
     QVERIFY(share.areas.none > 0.2 * share.areas.total());
     std::array<int, 2> tried{};

@@ -25,7 +25,7 @@ std::shared_ptr<const LaidFilm> dipped(const TexturedMesh& model, const Immersio
     ProcessSettings process;
     process.depth = depth;
     process.dipSpeed = speed;
-    const auto body = std::make_shared<const PosedBody>(posedBody(model, immersion));
+    const auto body = std::make_shared<const PosedBody>(posedBody(model.mesh, immersion));
     const SolverRegistry registry;
     const DistanceField field = buildDistanceField(model.mesh, 128, Progress{});
     return layFilm(body,
@@ -46,13 +46,16 @@ FilmSettings filmOf(Millimetres width, Millimetres height, int columns) {
 
 const Eigen::Vector3d boxSize(60, 20, 60);
 
+TexturedMesh lettered() {
+    return test::boxWithPicture(boxSize, test::letterF());
+}
+
 // A box over a place off the film's middle, dipped by 2 mm.
 std::shared_ptr<const LaidFilm> dippedBox(const FilmSettings& film,
                                           MillimetresPerSecond speed = ProcessSettings().dipSpeed) {
     Immersion beside;
     beside.offset = {Millimetres(12), Millimetres(-7)};
-    return dipped(test::boxWithPicture(boxSize, test::letterF()), beside, film, Millimetres(2),
-                  speed);
+    return dipped(lettered(), beside, film, Millimetres(2), speed);
 }
 std::shared_ptr<const LaidFilm> dippedBox() {
     return dippedBox(filmOf(Millimetres(120), Millimetres(100), 97));
@@ -112,7 +115,7 @@ void PrintedBodyTest::flatFaceIsCarriedUnchanged() {
         for (const std::uint32_t point : triangles[triangle]) {
             const Eigen::Vector2f rest = restPosition(grid, point) - Eigen::Vector2f(12, -7);
             const Eigen::Vector3f place =
-                position(laid->body().model.mesh, laid->contact().surface[point]);
+                position(laid->body().mesh, laid->contact().surface[point]);
             QVERIFY((place - Eigen::Vector3f(rest.x(), 0, rest.y())).norm() < 0.05f);
         }
     }
@@ -122,7 +125,7 @@ void PrintedBodyTest::flatFaceIsCarriedUnchanged() {
 void PrintedBodyTest::letterOnTheBottomIsMirroredOnTheSheet() {
     ReverseTextureOptions options;
     options.pixels = {1200, 1000}; // ten a millimetre
-    const QImage sheet = reverseTexture(*dippedBox(), options, Progress{}).image;
+    const QImage sheet = reverseTexture(*dippedBox(), lettered(), options, Progress{}).image;
     // The letter as it has to stand on the sheet: mirrored, 60 mm wide, its middle 12 mm right of
     // the film's and 7 mm above it.
     const QImage mirrored = test::letterF().mirrored(true, false);
@@ -148,7 +151,7 @@ void PrintedBodyTest::whatGrowsIsPrintedSmaller() {
     ReverseTextureOptions options;
     options.pixels = {1200, 1000}; // ten a millimetre
     const auto laid = dippedBox(growing(filmOf(Millimetres(120), Millimetres(100), 97)), slowly);
-    const QImage sheet = reverseTexture(*laid, options, Progress{}).image;
+    const QImage sheet = reverseTexture(*laid, lettered(), options, Progress{}).image;
     const QImage mirrored = test::letterF().mirrored(true, false);
     int wrong = 0, inked = 0;
     for (int y = -290; y < 290; ++y) {
@@ -180,9 +183,10 @@ void PrintedBodyTest::filmThatCannotGrowWrinkles() {
 void PrintedBodyTest::sphereIsPaintedToItsOverhangAndInPlace() {
     QImage picture(256, 128, QImage::Format_RGBA8888);
     picture.fill(Qt::red);
-    const auto laid = dipped(test::globe(35, 90, 180, picture), Immersion{},
-                             filmOf(Millimetres(210), Millimetres(210), 91), std::nullopt);
-    const ReadBackError error = readBackError(*laid, *laid);
+    const TexturedMesh globe = test::globe(35, 90, 180, picture);
+    const auto laid =
+        dipped(globe, Immersion{}, filmOf(Millimetres(210), Millimetres(210), 91), std::nullopt);
+    const ReadBackError error = readBackError(*laid, *laid, globe);
     QVERIFY2(error.mean <= 0.15, qPrintable(QString::number(error.mean)));
     QVERIFY2(error.percentile95 <= 0.4, qPrintable(QString::number(error.percentile95)));
     const Coverage cover = coverage(*laid);
@@ -198,9 +202,10 @@ void PrintedBodyTest::sphereComesOutInPlaceOnAFilmThatGrows() {
     QImage picture(256, 128, QImage::Format_RGBA8888);
     picture.fill(Qt::red);
     const auto film = growing(filmOf(Millimetres(side), Millimetres(side), 161));
-    const auto laid = dipped(test::globe(radius, 90, 180, picture), Immersion{}, film,
-                             Millimetres(34), MillimetresPerSecond(speed));
-    const ReadBackError error = readBackError(*laid, *laid);
+    const TexturedMesh globe = test::globe(radius, 90, 180, picture);
+    const auto laid =
+        dipped(globe, Immersion{}, film, Millimetres(34), MillimetresPerSecond(speed));
+    const ReadBackError error = readBackError(*laid, *laid, globe);
     QVERIFY2(error.percentile95 <= 0.2, qPrintable(QString::number(error.percentile95)));
 
     const FloatingFilm floating{FilmLaw::Elastic, FilmEdge::Free, side / std::sqrt(pi),

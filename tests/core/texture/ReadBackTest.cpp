@@ -22,7 +22,7 @@ QImage anyPicture() {
 // Measures a film that came to lie as `dipped` when its sheet was made for `planned`.
 ReadBackError measured(const TexturedMesh& model, const DippedFilm& planned,
                        const DippedFilm& dipped) {
-    return readBackError(*test::laid(model, planned), *test::laid(model, dipped));
+    return readBackError(*test::laid(model.mesh, planned), *test::laid(model.mesh, dipped), model);
 }
 
 } // namespace

@@ -49,7 +49,7 @@ LinearColour waves(double u, double v) {
 
 ReverseTexture reversed(const TexturedMesh& model, const DippedFilm& film,
                         const ReverseTextureOptions& options, const Progress& progress = {}) {
-    return reverseTexture(*test::laid(model, film), options, progress);
+    return reverseTexture(*test::laid(model.mesh, film), model, options, progress);
 }
 
 ReverseTextureOptions uncompensated(QSize pixels = a4Pixels) {
@@ -104,6 +104,7 @@ private Q_SLOTS:
     void colourThatCannotBeHadIsReported();
     void whiteIsPrintedMoreWhereTheFilmStretches();
     void whatIsWantedIsKeptWhereItIsAskedFor();
+    void spotInksAreReturnedInTheirOrder();
     void sameBytesOnOneThreadAndOnMany();
     void tinyImageStillWorks();
     void cancellingThrows();
@@ -410,6 +411,35 @@ void ReverseTextureTest::whatIsWantedIsKeptWhereItIsAskedFor() {
         }
     }
     QVERIFY(printed > 10'000);
+}
+
+// One film on the body serves the colours and all plates.
+void ReverseTextureTest::spotInksAreReturnedInTheirOrder() {
+    const TexturedMesh box = test::boxWithPicture(boxSize, drawn(waves, {256, 256}));
+    const auto laid = test::laid(box.mesh, test::flatUnderBox(test::a4Grid(), boxSize));
+    ReverseTextureOptions options = uncompensated({210, 297});
+    options.white = 0.5;
+    const ReverseTexture alone = reverseTexture(*laid, box, options, {});
+    QVERIFY(alone.spots.empty());
+    for (const int grey : {0, 188, 255}) {
+        options.spots.emplace_back([=] {
+            QImage plate(8, 8, QImage::Format_RGBA8888);
+            plate.fill(QColor(grey, grey, grey));
+            return test::boxWithPicture(boxSize, plate);
+        });
+    }
+    const ReverseTexture both = reverseTexture(*laid, box, options, {});
+    QCOMPARE(both.image, alone.image);
+    QCOMPARE(both.white, alone.white);
+    QCOMPARE(both.spots.size(), std::size_t(3));
+    std::vector<int> tints;
+    for (const QImage& spot : both.spots) {
+        QCOMPARE(spot.format(), QImage::Format_Grayscale8);
+        QCOMPARE(spot.size(), both.image.size());
+        QCOMPARE(int(spot.constScanLine(2)[2]), 0); // beyond the bleed
+        tints.push_back(spot.constScanLine(spot.height() / 2)[spot.width() / 2]);
+    }
+    QCOMPARE(tints, std::vector<int>({255, 127, 0})); // sRGB 188 is half the light
 }
 
 void ReverseTextureTest::sameBytesOnOneThreadAndOnMany() {

@@ -101,15 +101,16 @@ struct Shown {
 };
 Shown shown(const InkOnFilm& ink, const InkSettings& settings) {
     const TexturedMesh model = test::globe(radius, 90, 180, ramp());
-    const auto laid = test::laid(model, test::onSphere(test::a4Grid(), radius, rim, polarAngle));
+    const auto laid =
+        test::laid(model.mesh, test::onSphere(test::a4Grid(), radius, rim, polarAngle));
     ReverseTextureOptions options;
     options.pixels = {1050, 1485}; // five a millimetre
     options.bleed = 0;
     options.ink = settings;
-    const QImage sheet = reverseTexture(*laid, options, Progress{}).image;
+    const QImage sheet = reverseTexture(*laid, model, options, Progress{}).image;
     ReverseTextureOptions plain = options;
     plain.ink.compensate = false;
-    const QImage wanted = reverseTexture(*laid, plain, Progress{}).image;
+    const QImage wanted = reverseTexture(*laid, model, plain, Progress{}).image;
     const double darkest = std::pow(10, -settings.limit) * 1.05;
     Shown result;
     for (int row = 0; row < sheet.height(); ++row) {

@@ -326,9 +326,9 @@ void TexturePartsTest::filmPressedToAPointLiesWhereThatIs() {
     contact.places.assign(film.positions.size(), beside);
     contact.surface.resize(film.positions.size());
     contact.painted.assign(filmTriangles(film.grid).size(), 1);
-    const LaidFilm laid(std::make_shared<const PosedBody>(posedBody(model, {})), std::move(film),
-                        std::move(contact));
-    for (const SurfacePoint& corner : ReverseMap(laid).whole(0).surface) {
+    const LaidFilm laid(std::make_shared<const PosedBody>(posedBody(model.mesh, {})),
+                        std::move(film), std::move(contact));
+    for (const SurfacePoint& corner : ReverseMap(laid, model).whole(0).surface) {
         QVERIFY(corner.isValid());
     }
 }

@@ -23,8 +23,8 @@ QByteArray outputOf(const QString& program, const QStringList& arguments) {
 }
 
 const std::shared_ptr<const LaidFilm>& film() {
-    static const auto laid = test::laid(test::plainModel(sphereMesh(35, 60, 120), Qt::white),
-                                        test::viscousOnSphere(test::a4Grid(), 35, pi / 2));
+    static const auto laid =
+        test::laid(sphereMesh(35, 60, 120), test::viscousOnSphere(test::a4Grid(), 35, pi / 2));
     return laid;
 }
 
@@ -48,7 +48,7 @@ Traveller traveller() {
         dip.job = QStringLiteral("%1").arg(result.dips.size() + 1, 12, 16, QLatin1Char('a'));
         dip.sheet = QImage(210, 297, QImage::Format_RGB32);
         dip.sheet.fill(Qt::yellow);
-        dip.body = boundingBox(film()->body().model.mesh);
+        dip.body = boundingBox(film()->body().mesh);
         dip.motion.depth = Millimetres(72);
         dip.waterAtEnd = 72;
         result.dips.push_back(dip);
