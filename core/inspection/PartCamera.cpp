@@ -35,7 +35,7 @@ struct PhotoPairs {
     Eigen::Matrix2Xd seen;  // half diagonals
 };
 
-PhotoPairs pairsOf(const std::vector<PlacePair>& pairs, int photo, QSize picture) {
+PhotoPairs ownPairs(const std::vector<PlacePair>& pairs, int photo, QSize picture) {
     const auto isOwn = [photo](const PlacePair& pair) { return pair.photo == photo; };
     const auto count = Eigen::Index(std::count_if(pairs.begin(), pairs.end(), isOwn));
     PhotoPairs own{Eigen::Matrix3Xd(3, count), Eigen::Matrix2Xd(2, count)};
@@ -89,7 +89,7 @@ PartView firstCamera(const std::vector<PlacePair>& pairs, int photos, QSize pict
     PartView first;
     first.focalLength.value = 1;
     for (int photo = 0; photo < photos; ++photo) {
-        const PhotoPairs own = pairsOf(pairs, photo, picture);
+        const PhotoPairs own = ownPairs(pairs, photo, picture);
         if (own.model.cols() < leastPairs) {
             refuse(Text::tr("Photo %1 has %2 pairs of places and takes %3 to tell its camera; give "
                             "more")
