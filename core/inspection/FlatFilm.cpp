@@ -232,16 +232,6 @@ void requireBoth(const SeenBoard& film, const SeenBoard& card, const QString& wh
                    where);
 }
 
-double medianLength(const Eigen::VectorXd& residuals) {
-    std::vector<double> lengths;
-    for (Eigen::Index i = 0; i + 1 < residuals.size(); i += 2) {
-        lengths.push_back(residuals.segment<2>(i).norm());
-    }
-    const auto middle = lengths.begin() + std::ptrdiff_t(lengths.size() / 2);
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    return *middle;
-}
-
 } // namespace
 
 FlatFilm fitFlatFilm(const SeenBoard& film, const SeenBoard& card, QSize picture,
@@ -256,7 +246,8 @@ FlatFilm fitFlatFilm(const SeenBoard& film, const SeenBoard& card, QSize picture
     requireFlatCard(problem, fit, where);
     // By the median, which a few places where something else was taken for a corner do not move.
     const double freedom = double(problem.count() - fit.parameters.size()) / problem.count();
-    const double sigma = medianLength(fit.residuals) / medianOfDistances / std::sqrt(freedom);
+    const double sigma =
+        medianLength(fit.residuals, problem.count() / 2) / medianOfDistances / std::sqrt(freedom);
     FlatFilm result;
     result.swellX = swellOf(fit, 8, sigma);
     result.swellY = swellOf(fit, 10, sigma);
