@@ -39,7 +39,7 @@ inline const Sizes tableOneFilms{{8, 12},    {40, 60},   {80, 120},  {120, 180},
 class Arguments {
 public:
     Arguments(int argc, char** argv) {
-        for (const std::string word : std::vector<std::string>(argv + 1, argv + argc)) {
+        for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
             if (const std::size_t sign = word.find('='); sign == std::string::npos) {
                 words_.push_back(word);
             } else {
