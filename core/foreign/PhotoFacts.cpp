@@ -1,8 +1,8 @@
 #include "foreign/PhotoFacts.h"
 
-#include <QtEndian>
+#include "foreign/PictureFile.h"
 
-#include <optional>
+#include <QtEndian>
 
 namespace dipwright {
 
@@ -10,76 +10,58 @@ namespace {
 
 enum Tag : quint16 { ExifFolder = 0x8769, Taken = 0x9003, FocalLength35 = 0xa405 };
 
-constexpr int mostEntries = 1000;
-
-// The TIFF structure in which the tags are, at the begin of a TIFF file or in a segment of a JPEG.
-QByteArrayView tagsOf(const QByteArray& file) {
-    const QByteArrayView view(file);
+// The TIFF structure in which the tags are: a TIFF file itself, or a segment of a JPEG.
+QByteArray tagsOf(const QByteArray& file) {
     if (file.startsWith("II") || file.startsWith("MM")) {
-        return view;
+        return file;
     }
-    const auto byte = [&](qsizetype at) { return uchar(view[at]); };
-    qsizetype at = 2;
-    while (file.startsWith("\xff\xd8") && at + 4 <= view.size() && byte(at) == 0xff) {
-        const qsizetype length = byte(at + 2) << 8 | byte(at + 3);
-        const bool isPicture = byte(at + 1) == 0xda; // from here on there are pixels
-        if (isPicture || length < 2 || at + 2 + length > view.size()) {
-            break;
+    if (!file.startsWith("\xff\xd8")) {
+        return {};
+    }
+    for (auto marker = nextJpegMarker(file, 0); marker && marker->kind != jpegScan;
+         marker = nextJpegMarker(file, marker->end)) {
+        if (marker->kind == 0xe1 && marker->segment.startsWith(QByteArrayView("Exif\0\0", 6))) {
+            return marker->segment.mid(6);
         }
-        const QByteArrayView segment = view.sliced(at + 4, length - 2);
-        if (byte(at + 1) == 0xe1 && segment.startsWith(QByteArrayView("Exif\0\0", 6))) {
-            return segment.sliced(6);
-        }
-        at += 2 + length;
     }
     return {};
 }
 
 class Tags {
 public:
-    explicit Tags(QByteArrayView bytes) : bytes_(bytes), isLittle_(bytes.startsWith("II")) {}
+    explicit Tags(QByteArray bytes)
+        : bytes_(std::move(bytes)), isLittle_(bytes_.startsWith("II")) {}
 
-    std::optional<quint32> firstFolder() const { return long_(4); }
-
-    // Where the entry of that tag is in a folder.
-    std::optional<quint32> entry(quint32 folder, quint16 tag) const {
-        const int entries = std::min(int(short_(folder).value_or(0)), mostEntries);
-        for (int i = 0; i < entries; ++i) {
-            const qint64 at = qint64(folder) + 2 + 12 * i;
-            if (short_(at) == tag) {
-                return quint32(at);
-            }
+    // 0 where the bytes end before it does, or begin after it.
+    template <typename Number>
+    Number number(qint64 at) const {
+        if (at < 0 || at + qint64(sizeof(Number)) > bytes_.size()) {
+            return 0;
         }
-        return std::nullopt;
+        return isLittle_ ? qFromLittleEndian<Number>(bytes_.constData() + at)
+                         : qFromBigEndian<Number>(bytes_.constData() + at);
     }
 
-    std::optional<quint16> shortOf(quint32 entry) const { return short_(entry + 8LL); }
-    std::optional<quint32> longOf(quint32 entry) const { return long_(entry + 8LL); }
-    QByteArray textOf(quint32 entry) const {
-        constexpr quint32 longest = 64;
-        const quint32 length = long_(entry + 4LL).value_or(0);
-        const qint64 at = long_(entry + 8LL).value_or(0);
+    // Where the value of that tag of a folder is, or the place of a longer one; -1: nowhere.
+    qint64 value(qint64 folder, Tag tag) const {
+        const int entries = folder > 0 ? number<quint16>(folder) : 0;
+        for (qint64 at = folder + 2; at < folder + 2 + 12LL * entries; at += 12) {
+            if (number<quint16>(at) == tag) {
+                return at + 8;
+            }
+        }
+        return -1;
+    }
+
+    QByteArray text(qint64 value) const {
+        constexpr qint64 longest = 64;
+        const qint64 length = number<quint32>(value - 4), at = number<quint32>(value);
         const bool isThere = length > 4 && length <= longest && at + length <= bytes_.size();
-        return isThere ? bytes_.sliced(at, length).toByteArray() : QByteArray();
+        return isThere ? bytes_.mid(at, length) : QByteArray();
     }
 
 private:
-    std::optional<quint16> short_(qint64 at) const {
-        if (at < 0 || at + 2 > bytes_.size()) {
-            return std::nullopt;
-        }
-        return isLittle_ ? qFromLittleEndian<quint16>(bytes_.data() + at)
-                         : qFromBigEndian<quint16>(bytes_.data() + at);
-    }
-    std::optional<quint32> long_(qint64 at) const {
-        if (at < 0 || at + 4 > bytes_.size()) {
-            return std::nullopt;
-        }
-        return isLittle_ ? qFromLittleEndian<quint32>(bytes_.data() + at)
-                         : qFromBigEndian<quint32>(bytes_.data() + at);
-    }
-
-    QByteArrayView bytes_;
+    QByteArray bytes_;
     bool isLittle_;
 };
 
@@ -88,21 +70,11 @@ private:
 PhotoFacts photoFacts(const QByteArray& file) {
     constexpr int mostFocalLength = 5000; // mm
     const Tags tags(tagsOf(file));
-    PhotoFacts facts;
-    const auto folder = tags.firstFolder();
-    const auto pointer = folder ? tags.entry(*folder, ExifFolder) : std::nullopt;
-    const auto exif = pointer ? tags.longOf(*pointer) : std::nullopt;
-    if (!exif) {
-        return facts;
-    }
-    if (const auto taken = tags.entry(*exif, Taken)) {
-        facts.taken = QString::fromLatin1(tags.textOf(*taken).left(19));
-    }
-    if (const auto focal = tags.entry(*exif, FocalLength35)) {
-        const int length = tags.shortOf(*focal).value_or(0);
-        facts.focalLength = length <= mostFocalLength ? length : 0;
-    }
-    return facts;
+    const auto first = tags.number<quint32>(4);
+    const auto exif = tags.number<quint32>(tags.value(first, ExifFolder));
+    const int focalLength = tags.number<quint16>(tags.value(exif, FocalLength35));
+    return {QString::fromLatin1(tags.text(tags.value(exif, Taken)).left(19)),
+            focalLength <= mostFocalLength ? double(focalLength) : 0};
 }
 
 } // namespace dipwright

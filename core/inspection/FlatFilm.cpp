@@ -2,8 +2,8 @@
 
 #include "base/Error.h"
 #include "base/Units.h"
-#include "inspection/Homography.h"
 #include "inspection/LeastSquares.h"
+#include "inspection/LinearProjection.h"
 #include "sheet/WatchPage.h"
 
 #include <Eigen/Geometry>
@@ -49,6 +49,10 @@ Places seenPlaces(const SeenBoard& board, const LensPlane& plane) {
     return places;
 }
 
+Eigen::Map<const Eigen::Matrix2Xd> columnsOf(const Places& places) {
+    return {places.front().data(), 2, Eigen::Index(places.size())};
+}
+
 // Parameters: the water's homography (8), the film on the water (2 × 2 by columns, then its shift),
 // and k1, k2 where no camera is known.
 class FlatFit {
@@ -67,7 +71,8 @@ public:
         for (const Eigen::Vector2d& place : cardSeen_) {
             seen.push_back(undistorted(place, lens));
         }
-        const Eigen::Matrix3d water = linearHomography(card_, seen);
+        Eigen::Matrix3d water = linearProjection(columnsOf(card_), columnsOf(seen));
+        water /= water(2, 2);
         const Eigen::Matrix3d back = water.inverse();
         Eigen::MatrixXd rows(Eigen::Index(film_.size()), 3), lies(Eigen::Index(film_.size()), 2);
         for (std::size_t i = 0; i < film_.size(); ++i) {
@@ -227,16 +232,6 @@ void requireBoth(const SeenBoard& film, const SeenBoard& card, const QString& wh
                    where);
 }
 
-double medianLength(const Eigen::VectorXd& residuals) {
-    std::vector<double> lengths;
-    for (Eigen::Index i = 0; i + 1 < residuals.size(); i += 2) {
-        lengths.push_back(residuals.segment<2>(i).norm());
-    }
-    const auto middle = lengths.begin() + std::ptrdiff_t(lengths.size() / 2);
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    return *middle;
-}
-
 } // namespace
 
 FlatFilm fitFlatFilm(const SeenBoard& film, const SeenBoard& card, QSize picture,
@@ -251,7 +246,8 @@ FlatFilm fitFlatFilm(const SeenBoard& film, const SeenBoard& card, QSize picture
     requireFlatCard(problem, fit, where);
     // By the median, which a few places where something else was taken for a corner do not move.
     const double freedom = double(problem.count() - fit.parameters.size()) / problem.count();
-    const double sigma = medianLength(fit.residuals) / medianOfDistances / std::sqrt(freedom);
+    const double sigma =
+        medianLength(fit.residuals, problem.count() / 2) / medianOfDistances / std::sqrt(freedom);
     FlatFilm result;
     result.swellX = swellOf(fit, 8, sigma);
     result.swellY = swellOf(fit, 10, sigma);

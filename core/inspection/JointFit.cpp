@@ -2,8 +2,7 @@
 
 #include "base/Error.h"
 #include "inspection/LeastSquares.h"
-
-#include <Eigen/Geometry>
+#include "inspection/MovedCamera.h"
 
 #include <QCoreApplication>
 
@@ -29,46 +28,6 @@ double sure95(double freedom) {
     return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom);
 }
 
-// The start's camera moved: logarithm of the focal length, `distortions` of k1 and k2, and for each
-// photo a turn along its axis and a shift over the distance.
-class MovedCamera {
-public:
-    MovedCamera(const PartView& start, int distortions, bool isHeld)
-        : start_(start), distortions_(distortions), isHeld_(isHeld) {}
-
-    Eigen::Index count() const {
-        return isHeld_ ? 0 : firstPose() + 6 * Eigen::Index(start_.photos.size());
-    }
-
-    template <typename Numbers>
-    PartView view(const Numbers& by) const {
-        PartView view = start_;
-        if (isHeld_) {
-            return view;
-        }
-        view.focalLength.value *= std::exp(by[0]);
-        view.lens.k1 += distortions_ > 0 ? by[1] : 0;
-        view.lens.k2 += distortions_ > 1 ? by[2] : 0;
-        for (std::size_t photo = 0; photo < view.photos.size(); ++photo) {
-            const Eigen::Index at = firstPose() + 6 * Eigen::Index(photo);
-            const Eigen::Vector3d turn = by.template segment<3>(at);
-            PartPose& pose = view.photos[photo];
-            if (const double angle = turn.norm(); angle > 0) {
-                pose.turn = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * pose.turn;
-            }
-            pose.shift += by.template segment<3>(at + 3) * start_.photos[photo].shift.norm();
-        }
-        return view;
-    }
-
-private:
-    Eigen::Index firstPose() const { return 1 + distortions_; }
-
-    const PartView& start_;
-    int distortions_;
-    bool isHeld_;
-};
-
 // Numbers: the free unknowns and then the camera's. Residuals: a pair of each place that is on the
 // body and of each of the body's own, pixels, and then the springs.
 class Joint {
@@ -76,12 +35,11 @@ public:
     Joint(const PlacesNear& near, const SeenPlaces& seen, const PartView& start,
           const std::vector<bool>& isFree, CameraFit camera)
         : near_(near), seen_(seen),
-          camera_(
-              start,
-              camera == CameraFit::Whole
-                  ? std::min(2, int(seen.printed.size() + seen.body.size()) / pairsForDistortion)
-                  : 0,
-              camera == CameraFit::Held) {
+          camera_(start,
+                  camera == CameraFit::Whole
+                      ? distortionsTold(seen.printed.size() + seen.body.size())
+                      : 0,
+                  camera == CameraFit::Held) {
         for (std::size_t i = 0; i < isFree.size(); ++i) {
             if (isFree[i]) {
                 free_.push_back(Eigen::Index(i));

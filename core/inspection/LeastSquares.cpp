@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace dipwright {
 
@@ -56,23 +55,19 @@ void judge(LeastSquaresFit& fit, const Eigen::MatrixXd& jacobian) {
     fit.covariance = rows * rows.transpose();
 }
 
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+Eigen::VectorXd lengthsOf(const Eigen::VectorXd& residuals, Eigen::Index points) {
+    return Eigen::Map<const Eigen::Matrix2Xd>(residuals.data(), 2, points).colwise().norm();
 }
 
 // Square roots of Huber's weights of the points, 1 for what is none.
 Eigen::VectorXd huberRoots(const Eigen::VectorXd& residuals, Eigen::Index points) {
-    std::vector<double> lengths;
-    for (Eigen::Index point = 0; point < points; ++point) {
-        lengths.push_back(residuals.segment<2>(2 * point).norm());
-    }
-    const double far = 2.5 * std::max(medianOf(lengths), 1e-12);
+    const Eigen::VectorXd lengths = lengthsOf(residuals, points);
+    const double far = 2.5 * std::max(medianLength(residuals, points), 1e-12);
     Eigen::VectorXd roots = Eigen::VectorXd::Ones(residuals.size());
     for (Eigen::Index point = 0; point < points; ++point) {
-        const double length = lengths[std::size_t(point)];
-        roots.segment<2>(2 * point).setConstant(length > far ? std::sqrt(far / length) : 1);
+        if (lengths[point] > far) {
+            roots.segment<2>(2 * point).setConstant(std::sqrt(far / lengths[point]));
+        }
     }
     return roots;
 }
@@ -92,6 +87,13 @@ Eigen::MatrixXd derivatives(const Residuals& residuals, int count, const Eigen::
         jacobian.col(i) = (after - before) / (2 * h);
     }
     return jacobian;
+}
+
+double medianLength(const Eigen::VectorXd& residuals, Eigen::Index points) {
+    Eigen::VectorXd lengths = lengthsOf(residuals, points);
+    const auto middle = lengths.begin() + points / 2;
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return *middle;
 }
 
 LeastSquaresFit leastSquares(const Residuals& residuals, int count, Eigen::VectorXd start) {

@@ -31,6 +31,9 @@ LeastSquaresFit robustLeastSquares(const Residuals& residuals, int count, Eigen:
                                    int points);
 LeastSquaresFit robustLeastSquares(const Residuals& residuals, int count, Eigen::VectorXd start);
 
+// The median of how far out the first `points` of them lie.
+double medianLength(const Eigen::VectorXd& residuals, Eigen::Index points);
+
 // Derivatives of `residuals` by the parameters, by central differences.
 Eigen::MatrixXd derivatives(const Residuals& residuals, int count, const Eigen::VectorXd& at);
 

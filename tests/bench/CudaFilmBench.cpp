@@ -9,21 +9,18 @@
 // FIELD: a file of "nx ny nz x y z spacing lowest height" in text, an end of line, and the samples
 // as floats.
 
+#include "Bench.h"
 #include "paper/cpu/PaperFilm.h"
 #include "paper/cuda/PaperDips.h"
 #include "production/cpu/ProductionFilm.h"
 #include "production/cuda/ProductionDips.h"
 #include "solvers/TestFilm.h"
 
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <limits>
-#include <string>
-#include <string_view>
 
 using namespace dipwright;
+using namespace dipwright::bench;
 using namespace dipwright::test;
 
 namespace {
@@ -68,43 +65,26 @@ struct Options {
     bool checks = false;
     double relaxationTime = std::numeric_limits<double>::infinity();
     std::string body = "sphere";
-    std::vector<std::pair<int, int>> films;
+    Sizes films;
 };
 
 Options parsed(int argc, char** argv) {
+    Arguments arguments(argc, argv);
     Options options;
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view argument = argv[i];
-        int columns = 0, rows = 0;
-        if (argument.starts_with("batch=")) {
-            options.batch = std::max(1, std::atoi(argv[i] + 6));
-        } else if (argument.starts_with("dips=")) {
-            options.dips = std::max(1, std::atoi(argv[i] + 5));
-        } else if (argument.starts_with("steps=")) {
-            options.steps = std::max(1, std::atoi(argv[i] + 6));
-        } else if (argument == "check") {
-            options.checks = true;
-        } else if (argument == "production") {
-            options.isProduction = true;
-        } else if (argument == "viscous") {
-            options.relaxationTime = 0;
-        } else if (std::sscanf(argv[i], "%dx%d", &columns, &rows) == 2) {
-            options.films.emplace_back(columns, rows);
-        } else if (argument != "paper" && argument != "elastic") {
-            options.body = argument;
-        }
+    options.batch = std::max(1, arguments.number("batch", options.batch));
+    options.dips = std::max(1, arguments.number("dips", options.dips));
+    options.steps = std::max(1, arguments.number("steps", options.steps));
+    options.checks = arguments.take("check");
+    options.isProduction = arguments.take("production");
+    if (arguments.take("viscous")) {
+        options.relaxationTime = 0;
     }
-    if (options.films.empty() && options.isProduction) {
-        options.films = {{120, 170}, {280, 396}};
-    } else if (options.films.empty()) {
-        options.films = {{8, 12},    {40, 60},   {80, 120},  {120, 180},
-                         {160, 240}, {200, 300}, {240, 360}, {280, 420}};
+    options.films =
+        arguments.takeSizes(options.isProduction ? Sizes{{120, 170}, {280, 396}} : tableOneFilms);
+    for (const std::string& word : arguments.words()) {
+        options.body = word == "paper" || word == "elastic" ? options.body : word;
     }
     return options;
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 Ending gpuEnding(const cuda::Dips& dips, std::size_t dip, const solver::FilmGrid& grid) {
@@ -152,11 +132,12 @@ void run(const cuda::Device& device, const Options& options, const Body& body, i
     Ending first;
     for (int dip = 0; dip < options.dips; ++dip) {
         const auto dips = makeDips(device, setups);
-        const auto start = std::chrono::steady_clock::now();
-        while (!dips->state(0).finished && dips->state(0).steps < options.steps) {
-            dips->advance(std::min(options.steps, 256));
-        }
-        seconds.push_back(secondsSince(start) / options.batch);
+        const double all = secondsOf([&] {
+            while (!dips->state(0).finished && dips->state(0).steps < options.steps) {
+                dips->advance(std::min(options.steps, 256));
+            }
+        });
+        seconds.push_back(all / options.batch);
         const Ending end = gpuEnding(*dips, setups.size() - 1, setup.film);
         if (dip == 0) {
             first = end;
@@ -164,13 +145,12 @@ void run(const cuda::Device& device, const Options& options, const Body& body, i
             std::printf("    not the same bits again\n");
         }
     }
-    std::sort(seconds.begin(), seconds.end());
-    const double steps = double(first.progress.steps), median = seconds[seconds.size() / 2];
-    std::printf("%8d points: %.4f s a dip (%.4f … %.4f), %.0f steps/s\n", columns * rows, median,
-                seconds.front(), seconds.back(), steps / median);
+    const Statistics dip = statistics(std::move(seconds));
+    std::printf("%8d points: %.4f s a dip (%.4f … %.4f), %.0f steps/s\n", columns * rows,
+                dip.median, dip.minimum, dip.maximum, double(first.progress.steps) / dip.median);
     if (options.checks) {
         const auto film = options.isProduction ? cpu::makeProductionFilm() : cpu::makePaperFilm();
-        compare(first, dip(*film, setup));
+        compare(first, test::dip(*film, setup));
     }
     std::fflush(stdout);
 }

@@ -8,6 +8,7 @@
 // over that of the first line's. Right is a verdict unless it has a sheet printed that moves, when
 // it is checked fully, by more than it says.
 
+#include "Bench.h"
 #include "base/Error.h"
 #include "pipeline/JobSearch.h"
 #include "pipeline/Pipeline.h"
@@ -18,9 +19,6 @@
 #include <QGuiApplication>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <string_view>
 
 using namespace dipwright;
 
@@ -34,20 +32,15 @@ struct Options {
 };
 
 Options parsed(int argc, char** argv) {
+    bench::Arguments arguments(argc, argv);
     Options options;
-    for (int i = 1; i < argc; ++i) {
-        const QString text = QString::fromLocal8Bit(argv[i]);
-        if (text == QLatin1String("found")) {
-            options.areFound = true;
-        } else if (text == QLatin1String("automatic")) {
-            options.isAutomatic = true;
-        } else if (text.startsWith(QLatin1String("solver="))) {
-            options.solver = text.mid(7);
-        } else if (text.startsWith(QLatin1String("against="))) {
-            options.against = text.mid(8);
-        } else if (std::sscanf(argv[i], "points=%dx%d", &options.columns, &options.rows) != 2) {
-            options.jobs.append(text);
-        }
+    options.areFound = arguments.take("found");
+    options.isAutomatic = arguments.take("automatic");
+    options.solver = QString::fromStdString(arguments.value("solver"));
+    options.against = QString::fromStdString(arguments.value("against"));
+    std::sscanf(arguments.value("points").c_str(), "%dx%d", &options.columns, &options.rows);
+    for (const std::string& job : arguments.words()) {
+        options.jobs.append(QString::fromStdString(job));
     }
     return options;
 }

@@ -6,6 +6,7 @@
 // many of the five best are among the twelve that the coarse dips put first, and what of the
 // objective is lost by taking the coarse dips' best, their best of three, of six and of twelve.
 // Then the mean difference of each measure.
+#include "Bench.h"
 #include "pipeline/JobSearch.h"
 #include "project/Project.h"
 #include "project/ProjectStore.h"
@@ -18,7 +19,6 @@
 #include <QTextStream>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -132,16 +132,16 @@ public:
 private:
     Dips dipped(const DipDetail& detail) const {
         const PoseDips poses(subject_, body_, module_, detail, {});
-        const auto begin = std::chrono::steady_clock::now();
         Dips dips;
         std::vector<std::shared_ptr<const JudgedPose>> all(immersions_.size());
-        poses.dip(immersions_, all, [](std::size_t) {});
-        for (const auto& judged : all) {
-            dips.measures.push_back(body_.measures({judged.get()}));
-            dips.objectives.push_back(objective(dips.measures.back(), settings_, body_.equator()));
-        }
-        dips.seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        dips.seconds = bench::secondsOf([&] {
+            poses.dip(immersions_, all, [](std::size_t) {});
+            for (const auto& judged : all) {
+                dips.measures.push_back(body_.measures({judged.get()}));
+                dips.objectives.push_back(
+                    objective(dips.measures.back(), settings_, body_.equator()));
+            }
+        });
         return dips;
     }
 
@@ -159,25 +159,19 @@ int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const QGuiApplication app(argc, argv);
     QTextStream out(stdout);
-    QString solver = QStringLiteral("auto");
-    int poses = 96;
+    const bench::Arguments arguments(argc, argv);
+    const QString solver = QString::fromStdString(arguments.value("solver", "auto"));
     const SolverRegistry registry;
-    for (const QString& argument : QCoreApplication::arguments().mid(1)) {
-        if (argument.startsWith(QLatin1String("solver="))) {
-            solver = argument.mid(7);
-        } else if (argument.startsWith(QLatin1String("poses="))) {
-            poses = argument.mid(6).toInt();
-        } else {
-            const Project project = loadProject(argument);
-            const Ranking ranking(project, registry, solver, poses);
-            out << project.name << ", " << ranking.poses() << " poses\n";
-            ranking.tell(jobDetail, out);
-            for (const DipDetail& detail :
-                 {DipDetail{15, 128, 0.5}, DipDetail{20, 128, 0.5}, DipDetail{20, 128, 0.35},
-                  DipDetail{30, 128, 0.5}, DipDetail{40, 128, 0.5}, DipDetail{40, 128, 0.35},
-                  DipDetail{60, 128, 0}}) {
-                ranking.tell(detail, out);
-            }
+    for (const std::string& path : arguments.words()) {
+        const Project project = loadProject(QString::fromStdString(path));
+        const Ranking ranking(project, registry, solver, arguments.number("poses", 96));
+        out << project.name << ", " << ranking.poses() << " poses\n";
+        ranking.tell(jobDetail, out);
+        for (const DipDetail& detail :
+             {DipDetail{15, 128, 0.5}, DipDetail{20, 128, 0.5}, DipDetail{20, 128, 0.35},
+              DipDetail{30, 128, 0.5}, DipDetail{40, 128, 0.5}, DipDetail{40, 128, 0.35},
+              DipDetail{60, 128, 0}}) {
+            ranking.tell(detail, out);
         }
     }
     return 0;

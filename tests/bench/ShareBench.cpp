@@ -5,6 +5,7 @@
 // cost against those of the plane halfway between the poses. And with the second film 0.7 mm off in
 // each of four directions: the share of the overlap whose reflectance changes by more than a tenth,
 // which means something of plain bodies only, and the largest change.
+#include "Bench.h"
 #include "dip/Dip.h"
 #include "pipeline/Pipeline.h"
 #include "project/ProjectStore.h"
@@ -14,17 +15,9 @@
 #include <QGuiApplication>
 #include <QTextStream>
 
-#include <chrono>
-
 using namespace dipwright;
 
 namespace {
-
-double secondsOf(const std::function<void()>& work) {
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 struct Slipped {
     double share = 0;   // of the overlap, that changes by more than a tenth
@@ -76,14 +69,10 @@ void measure(const QString& path, const QString& points, QTextStream& out) {
         out << path << ": one dip\n";
         return;
     }
-    double least = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < 5; ++round) {
-        least = std::min(least, secondsOf([&] {
-                             shareBody(*project.model,
-                                       {result.immersions[0].laid, result.immersions[1].laid},
-                                       project.share, project.ink, {});
-                         }));
-    }
+    const bench::Statistics seconds = bench::timed(5, [&] {
+        shareBody(*project.model, {result.immersions[0].laid, result.immersions[1].laid},
+                  project.share, project.ink, {});
+    });
     const BodyShare& share = *result.share;
     const ShareAreas& areas = share.areas;
     out << project.name
@@ -91,7 +80,7 @@ void measure(const QString& path, const QString& points, QTextStream& out) {
                           "%4 % by both, %5 mm, %6 % too narrow; join %7 mm, cost %8, against the "
                           "plane's %9 % length and %10 % cost\n")
                .arg(share.painters.size())
-               .arg(least, 0, 'f', 2)
+               .arg(seconds.minimum, 0, 'f', 2)
                .arg(100 * (areas.total() - areas.none) / areas.total() / result.coverageTotal, 0,
                     'f', 1)
                .arg(100 * areas.both / areas.total(), 0, 'f', 1)
@@ -116,13 +105,10 @@ int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const QGuiApplication app(argc, argv);
     QTextStream out(stdout);
-    QString points;
-    for (const QString& argument : QCoreApplication::arguments().mid(1)) {
-        if (argument.startsWith(QLatin1String("points="))) {
-            points = argument.mid(7);
-        } else {
-            measure(argument, points, out);
-        }
+    const bench::Arguments arguments(argc, argv);
+    for (const std::string& path : arguments.words()) {
+        measure(QString::fromStdString(path), QString::fromStdString(arguments.value("points")),
+                out);
     }
     return 0;
 }

@@ -32,7 +32,8 @@ QByteArray entry(quint16 tag, quint16 type, quint32 count, quint32 value) {
     return number(tag, 2) + number(type, 2) + number(count, 4) + number(value, 4);
 }
 
-// JPEG with a camera's tags: how it was held, when, and its focal length.
+// JPEG with a camera's tags: how it was held, when, and its focal length. Before those of a camera
+// that was turned stand a byte that fills and a comment, past which libexif finds no tags.
 QByteArray cameraFile(const QImage& picture, int orientation, const QByteArray& taken) {
     QByteArray tags = "II" + number(42, 2) + number(8, 4);
     tags += number(2, 2) + entry(0x0112, 3, 1, quint32(orientation)) + entry(0x8769, 4, 1, 38) +
@@ -44,8 +45,9 @@ QByteArray cameraFile(const QImage& picture, int orientation, const QByteArray& 
     buffer.open(QIODevice::WriteOnly);
     picture.save(&buffer, "JPEG", 85);
     const auto length = quint16(segment.size() + 2);
-    return buffer.data().left(2) + "\xff\xe1" + char(length >> 8) + char(length & 255) + segment +
-           buffer.data().mid(2);
+    const QByteArray comment("\xff\xff\xfe\0\7words", 10);
+    return buffer.data().left(2) + (orientation == 1 ? QByteArray() : comment) + "\xff\xe1" +
+           char(length >> 8) + char(length & 255) + segment + buffer.data().mid(2);
 }
 
 // As a raster image processor writes it: cyan, magenta, yellow and black.

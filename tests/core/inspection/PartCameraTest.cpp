@@ -114,6 +114,26 @@ private slots:
         QVERIFY(std::abs(mean / expected - 1) < 0.05);
     }
 
+    // Such a pair moves least squares without weights, as OpenCV's calib3d has them, by 3.8 px.
+    void onePairFarOffDoesNotMoveTheCamera() {
+        std::mt19937 random(6);
+        double mean = 0;
+        constexpr int parts = 20;
+        for (int i = 0; i < parts; ++i) {
+            Truth camera = truth(20, i);
+            camera.k1 = 0;
+            camera.distance = 200;
+            std::vector<PlacePair> pairs = onBall(camera, 0, 16, 0.5, random);
+            pairs[3].pixel.x() += 30;
+            const PartView view = fitPartCamera(pairs, 1, picture, QStringLiteral("x"));
+            for (const PlacePair& pair : onBall(camera, 0, 20, 0, random)) {
+                mean += (seenAt(view, 0, picture, pair.model) - pair.pixel).norm() / 20 / parts;
+            }
+        }
+        qInfo("places off by %.2f px", mean);
+        QVERIFY(mean < 0.75);
+    }
+
     void severalPhotosShareOneLens() {
         std::mt19937 random(3);
         const Truth first = truth(10, 0), second = truth(15, 120);

@@ -1,0 +1,58 @@
+// A part's camera near another one, by numbers to fit. Private to this folder.
+#pragma once
+
+#include "inspection/PartCamera.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+// How many of k1 and k2 so many pairs tell.
+inline int distortionsTold(std::size_t pairs) {
+    return int(std::min<std::size_t>(2, pairs / pairsForDistortion));
+}
+
+// Numbers, 0 at the start: logarithm of the focal length, `distortions` of k1 and k2, and for each
+// photo a turn, as a vector along its axis, and a shift over the distance. A camera that is held
+// has none.
+class MovedCamera {
+public:
+    MovedCamera(const PartView& start, int distortions, bool isHeld = false)
+        : start_(start), distortions_(distortions), isHeld_(isHeld) {}
+
+    Eigen::Index count() const {
+        return isHeld_ ? 0 : firstPose() + 6 * Eigen::Index(start_.photos.size());
+    }
+
+    PartView view(const Eigen::Ref<const Eigen::VectorXd>& by) const {
+        PartView view = start_;
+        if (isHeld_) {
+            return view;
+        }
+        view.focalLength.value *= std::exp(by[0]);
+        view.lens.k1 += distortions_ > 0 ? by[1] : 0;
+        view.lens.k2 += distortions_ > 1 ? by[2] : 0;
+        for (std::size_t photo = 0; photo < view.photos.size(); ++photo) {
+            const Eigen::Index at = firstPose() + 6 * Eigen::Index(photo);
+            const Eigen::Vector3d turn = by.segment<3>(at);
+            PartPose& pose = view.photos[photo];
+            if (const double angle = turn.norm(); angle > 0) {
+                pose.turn = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * pose.turn;
+            }
+            pose.shift += by.segment<3>(at + 3) * start_.photos[photo].shift.norm();
+        }
+        return view;
+    }
+
+private:
+    Eigen::Index firstPose() const { return 1 + distortions_; }
+
+    const PartView& start_;
+    int distortions_;
+    bool isHeld_;
+};
+
+} // namespace dipwright
