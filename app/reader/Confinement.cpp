@@ -9,15 +9,14 @@
 #include <unistd.h>
 #endif
 #if defined(Q_OS_LINUX)
+#include <QByteArrayList>
 #include <cerrno>
-#include <cstddef>
-#include <linux/audit.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
+#include <memory>
+#include <sched.h>
+#include <seccomp.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
-#include <vector>
 #endif
 #if defined(Q_OS_WIN)
 #include <fcntl.h>
@@ -43,123 +42,46 @@ constexpr qint64 anyFile = qint64(1) << 50; // bytes: the largest budget of all
 #endif
 
 #if defined(Q_OS_LINUX) && (defined(__x86_64__) || defined(__aarch64__))
-#if defined(__x86_64__)
-constexpr std::uint32_t architecture = AUDIT_ARCH_X86_64;
-#else
-constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
-#endif
+// System calls that only compute, use streams that are open, or end.
+constexpr char harmlessCalls[] =
+    "read readv write writev close lseek fstat fcntl poll ppoll munmap mremap madvise brk "
+    "futex sched_yield sched_getaffinity set_robust_list rseq membarrier rt_sigaction "
+    "rt_sigprocmask rt_sigreturn sigaltstack restart_syscall getpid gettid getuid geteuid "
+    "getgid getegid getrandom uname sysinfo getrusage time clock_gettime clock_getres "
+    "clock_nanosleep nanosleep gettimeofday eventfd2 pipe2 exit exit_group";
 
-// Calls that only compute, talk over streams that are open, or end.
-const int harmlessCalls[] = {
-    SYS_read,
-    SYS_readv,
-    SYS_write,
-    SYS_writev,
-    SYS_close,
-    SYS_lseek,
-    SYS_fstat,
-    SYS_fcntl,
-    SYS_ppoll,
-    SYS_munmap,
-    SYS_mremap,
-    SYS_madvise,
-    SYS_brk,
-    SYS_futex,
-    SYS_sched_yield,
-    SYS_sched_getaffinity,
-    SYS_set_robust_list,
-    SYS_rseq,
-    SYS_membarrier,
-    SYS_rt_sigaction,
-    SYS_rt_sigprocmask,
-    SYS_rt_sigreturn,
-    SYS_sigaltstack,
-    SYS_restart_syscall,
-    SYS_getpid,
-    SYS_gettid,
-    SYS_getuid,
-    SYS_geteuid,
-    SYS_getgid,
-    SYS_getegid,
-    SYS_getrandom,
-    SYS_uname,
-    SYS_sysinfo,
-    SYS_getrusage,
-    SYS_clock_gettime,
-    SYS_clock_getres,
-    SYS_clock_nanosleep,
-    SYS_nanosleep,
-    SYS_gettimeofday,
-    SYS_eventfd2,
-    SYS_pipe2,
-    SYS_exit,
-    SYS_exit_group,
-#if defined(__x86_64__)
-    SYS_poll,
-    SYS_time,
-#endif
+// A call that is harmless where bits of an argument are these: of its lower half, which is all that
+// the kernel looks at.
+struct LimitedCall {
+    int call;
+    scmp_arg_cmp argument;
 };
 
-using Filter = std::vector<sock_filter>;
-
-void load(Filter& filter, std::size_t offset) {
-    filter.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, std::uint32_t(offset)));
-}
-void answer(Filter& filter, std::uint32_t verdict) {
-    filter.push_back(BPF_STMT(BPF_RET | BPF_K, verdict));
-}
-// The next instruction alone holds for calls where the word just loaded is this.
-void ifEqual(Filter& filter, std::uint32_t value) {
-    filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, 1));
-}
-
-constexpr std::uint32_t refuse = SECCOMP_RET_ERRNO | EPERM;
-constexpr std::size_t numberOffset = offsetof(seccomp_data, nr);
-constexpr std::size_t argumentOffset(int index) { // its lower half
-    return offsetof(seccomp_data, args) + std::size_t(index) * sizeof(std::uint64_t);
-}
-
-// A call that is harmless where `mask` of an argument is `wanted`: five instructions that others
-// pass over.
-void allowWhere(Filter& filter, int call, int argument, std::uint32_t mask, std::uint32_t wanted) {
-    filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, std::uint32_t(call), 0, 5));
-    load(filter, argumentOffset(argument));
-    filter.push_back(BPF_STMT(BPF_ALU | BPF_AND | BPF_K, mask));
-    ifEqual(filter, wanted);
-    answer(filter, SECCOMP_RET_ALLOW);
-    answer(filter, refuse);
-}
-
-Filter filterOfCalls() {
-    constexpr std::uint32_t all = 0xffffffffu;
-    constexpr std::uint32_t threadFlag = 0x10000; // CLONE_THREAD, linux/sched.h
-    Filter filter;
-    load(filter, offsetof(seccomp_data, arch));
-    filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0));
-    answer(filter, SECCOMP_RET_KILL_PROCESS);
-    load(filter, numberOffset);
-    for (const int call : harmlessCalls) {
-        ifEqual(filter, std::uint32_t(call));
-        answer(filter, SECCOMP_RET_ALLOW);
-    }
-    // Says that there is no such call, at which the C library takes clone, whose flags can be seen.
-    ifEqual(filter, SYS_clone3);
-    answer(filter, SECCOMP_RET_ERRNO | ENOSYS);
-    allowWhere(filter, SYS_clone, 0, threadFlag, threadFlag);
-    allowWhere(filter, SYS_mmap, 2, PROT_EXEC, 0);
-    allowWhere(filter, SYS_mprotect, 2, PROT_EXEC, 0);
-    allowWhere(filter, SYS_prctl, 0, all, PR_SET_NAME);
-    allowWhere(filter, SYS_prlimit64, 0, all, 0); // its own
-    allowWhere(filter, SYS_tgkill, 0, all, std::uint32_t(getpid()));
-    answer(filter, refuse);
-    return filter;
-}
-
 bool filterCalls() {
-    Filter filter = filterOfCalls();
-    const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
-    return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-           prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+    constexpr auto bits = SCMP_CMP_MASKED_EQ;
+    constexpr std::uint32_t all = 0xffffffffu;
+    const LimitedCall limitedCalls[] = {
+        {SCMP_SYS(clone), {0, bits, CLONE_THREAD, CLONE_THREAD}},
+        {SCMP_SYS(mmap), {2, bits, PROT_EXEC, 0}},
+        {SCMP_SYS(mprotect), {2, bits, PROT_EXEC, 0}},
+        {SCMP_SYS(prctl), {0, bits, all, PR_SET_NAME}},
+        {SCMP_SYS(prlimit64), {0, bits, all, 0}}, // its own
+        {SCMP_SYS(tgkill), {0, bits, all, std::uint32_t(getpid())}},
+    };
+    const std::unique_ptr<void, decltype(&seccomp_release)> filter(
+        seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release);
+    // Kernels before 4.14 can only end the thread.
+    seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
+    // Says that there is no such call, at which the C library takes clone, whose flags can be seen.
+    int refused = seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
+    for (const QByteArray& name : QByteArray(harmlessCalls).split(' ')) {
+        const int call = seccomp_syscall_resolve_name(name.constData());
+        refused |= seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, call, 0);
+    }
+    for (const auto& [call, argument] : limitedCalls) {
+        refused |= seccomp_rule_add_array(filter.get(), SCMP_ACT_ALLOW, call, 1, &argument);
+    }
+    return refused == 0 && seccomp_load(filter.get()) == 0;
 }
 #else
 bool filterCalls() {

@@ -1,4 +1,6 @@
-// Damage to Collada files (.dae) that assimp does not survive. Private to this folder.
+// Damage to Collada files (.dae) at which assimp 5.2.5 reads something else without a word: it
+// reads past the end of an array, takes an index below 0 for 0, and ignores a count. Private to
+// this folder.
 #pragma once
 
 #include "foreign/ModelSource.h"

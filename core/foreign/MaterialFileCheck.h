@@ -16,8 +16,8 @@ struct MaterialFile {
 
 // The file of this name from its first material on, without a byte-order mark, and with the words
 // for colours in the case in which assimp knows them. Refused is a picture, or a value of
-// physically based materials, that belongs to none, where assimp 5.2.5 ends the program: a picture
-// before the first material, either where there is no material at all.
+// physically based materials, that belongs to none, at which assimp 5.2.5 crashes or which it drops
+// without a word: a picture before the first material, either where there is no material at all.
 MaterialFile materialFile(const QByteArray& bytes, const QString& name);
 
 // A text that begins with a byte-order mark as UTF-8 without it, any other as it is.

@@ -16,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <tiffio.h>
+#include <webp/demux.h>
 
 namespace dipwright {
 
@@ -38,7 +39,8 @@ constexpr qsizetype largestProfile = 16 << 20; // bytes
                 where);
 }
 
-// PNG (ISO/IEC 15948), chunk iCCP: name, 0, method 0, zlib stream.
+// PNG (ISO/IEC 15948), chunk iCCP: name, 0, method 0, zlib stream. libpng drops profiles that are
+// read here: of RGB in a grey picture, and behind a palette.
 QByteArray profileOfPng(const QByteArray& file, const QString& where) {
     qsizetype at = 8;
     while (at + 12 <= file.size()) {
@@ -66,7 +68,7 @@ QByteArray profileOfPng(const QByteArray& file, const QString& where) {
 }
 
 // JPEG, segments APP2 (ICC.1, annex B.4): "ICC_PROFILE", 0, number from 1, count, part. Some
-// programs number from 0 or give no count.
+// programs number from 0 or give no count, which libjpeg refuses.
 QByteArray profileOfJpeg(const QByteArray& file, const QString& where) {
     std::map<int, QByteArray> parts;
     int count = 0;
@@ -91,27 +93,19 @@ QByteArray profileOfJpeg(const QByteArray& file, const QString& where) {
     return profile;
 }
 
-// WebP (RFC 9649, section 2.7): behind the head of the file chunks of kind, length and content, of
-// an even length; the first, VP8X, says whether one is an ICCP.
+// WebP, which says at its begin whether it has a profile.
 QByteArray profileOfWebp(const QByteArray& file, const QString& where) {
-    constexpr qsizetype head = 8, firstChunk = 12, flags = firstChunk + head;
-    constexpr int hasProfile = 0x20;
-    if (file.size() <= flags || file.mid(firstChunk, 4) != "VP8X" ||
-        (uchar(file[flags]) & hasProfile) == 0) {
-        return {};
+    const WebPData data{reinterpret_cast<const uchar*>(file.constData()), std::size_t(file.size())};
+    const std::unique_ptr<WebPDemuxer, decltype(&WebPDemuxDelete)> webp(WebPDemux(&data),
+                                                                        WebPDemuxDelete);
+    if (!webp || (WebPDemuxGetI(webp.get(), WEBP_FF_FORMAT_FLAGS) & ICCP_FLAG) == 0) {
+        return {}; // what is damaged Qt refuses, which reads by the same library
     }
-    qsizetype at = firstChunk;
-    while (at + head <= file.size()) {
-        const auto length = qsizetype(qFromLittleEndian<quint32>(file.constData() + at + 4));
-        if (length > file.size() - at - head) {
-            break;
-        }
-        if (QByteArrayView(file).sliced(at, 4) == "ICCP") {
-            return file.mid(at + head, length);
-        }
-        at += head + length + length % 2;
+    WebPChunkIterator profile;
+    if (WebPDemuxGetChunk(webp.get(), "ICCP", 1, &profile) == 0) {
+        throwCutOff(where);
     }
-    throwCutOff(where);
+    return {reinterpret_cast<const char*>(profile.chunk.bytes), qsizetype(profile.chunk.size)};
 }
 
 // A TIFF file in memory, open for libtiff.

@@ -141,11 +141,15 @@ class PartReader {
 public:
     PartReader(const QByteArray& bytes, const QString& name, const ModelSource& source,
                const CancelSwitch& cancelSwitch)
-        : name_(name), source_(source), cancelSwitch_(cancelSwitch), xml_(bytes) {}
+        : name_(name), source_(source), cancelSwitch_(cancelSwitch), xml_(&buffer_) {
+        buffer_.setData(bytes);
+        buffer_.open(QIODevice::ReadOnly);
+    }
 
     Part read() {
         while (!xml_.atEnd()) {
             if (xml_.readNext() == QXmlStreamReader::StartElement) {
+                attributes_ = xml_.attributes();
                 readElement();
             }
         }
@@ -336,7 +340,7 @@ private:
     // An attribute whatever its namespace: the production extension's path has one of its own. Null
     // where there is none.
     QString text(const char* name) const {
-        for (const QXmlStreamAttribute& attribute : xml_.attributes()) {
+        for (const QXmlStreamAttribute& attribute : attributes_) {
             if (attribute.name() == QLatin1String(name)) {
                 return attribute.value().toString();
             }
@@ -369,7 +373,9 @@ private:
     QString name_;
     const ModelSource& source_;
     const CancelSwitch& cancelSwitch_;
+    QBuffer buffer_; // from which Qt reads in pieces: given all bytes, it decodes all at once
     QXmlStreamReader xml_;
+    QXmlStreamAttributes attributes_; // of the element being read: Qt makes a new list at each call
     Part part_;
     Object* openObject_ = nullptr;
     PropertyGroup* openGroup_ = nullptr;

@@ -15,10 +15,10 @@ namespace dipwright {
 // Why a reader of our own: assimp 5.2.5 takes texture coordinates in the order of the points and
 // not by their index, does not read the pictures, ignores the unit and the parts that components
 // name, and ended the program at one of 400 packages in which three bytes had been changed.
-// lib3mf 1.8.1 reads all of this, and survived those packages; but its time to read doubles with
-// every object that places the one before twice, so that a file of a few kilobytes can keep it for
-// hours, where this reader counts first; its interface is gone from the 2.x that other systems
-// have; and the units, supports and materials would still be ours to apply.
+// lib3mf 1.8.1 is faster, but drops colours that stand after what shows them, refuses white space
+// as character references, and reads packages with materials and units that are not there; its time
+// doubles with every object that places the one before twice, where this reader counts first; and
+// its interface is gone from the 2.x that other systems have.
 TexturedMesh readThreeMf(const ModelSource& source, QStringList& warnings,
                          const CancelSwitch& cancelSwitch);
 

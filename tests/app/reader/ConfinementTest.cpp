@@ -157,10 +157,11 @@ private:
     static constexpr int outOfTime = 3, yes = 10, no = 11, unconfined = 12;
 
     // From now on this process and those that it starts are refused filters of their own, as by a
-    // system that has none.
+    // system that has none: by the call of its own, and by the older way.
     static void refuseFilters() {
         static sock_filter filter[] = {
             BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+            BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_seccomp, 3, 0),
             BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_prctl, 0, 3),
             BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args)), // its lower half
             BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, PR_SET_SECCOMP, 0, 1),

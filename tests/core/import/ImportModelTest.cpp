@@ -912,6 +912,9 @@ void ImportModelTest::absurdColladaIsRefused_data() {
     const QString more = QStringLiteral("more values than it can hold");
     const QByteArray count = "count=\"36\"";
     QTest::newRow("an empty array") << count << QByteArray("count=\"0\"") << fewer;
+    QTest::newRow("an array that is too short") << count << QByteArray("count=\"33\"") << fewer;
+    QTest::newRow("an offset beyond it")
+        << QByteArray("offset=\"0\" source") << QByteArray("offset=\"30\" source") << fewer;
     QTest::newRow("no count") << count << QByteArray() << fewer;
     QTest::newRow("no number") << count << QByteArray("count=\"many\"") << fewer;
     QTest::newRow("too wide a stride")

@@ -91,15 +91,18 @@ QByteArray bigEndian(quint32 number) {
 }
 
 // `packed`: what the chunk of the profile holds after its name and method.
-QByteArray pngWith(Kind kind, const QByteArray& packed) {
-    QBuffer png;
-    image(kind, pixels(kind)).save(&png, "png");
+QByteArray profileChunk(const QByteArray& packed) {
     const QByteArray chunk = QByteArray("iCCPown\0\0", 9) + packed;
     const auto sum =
         crc32(0, reinterpret_cast<const uchar*>(chunk.constData()), uInt(chunk.size()));
+    return bigEndian(quint32(chunk.size() - 4)) + chunk + bigEndian(quint32(sum));
+}
+
+QByteArray pngWith(Kind kind, const QByteArray& packed) {
+    QBuffer png;
+    image(kind, pixels(kind)).save(&png, "png");
     constexpr int header = 8 + 25; // signature and IHDR
-    return QByteArray(png.data())
-        .insert(header, bigEndian(quint32(chunk.size() - 4)) + chunk + bigEndian(quint32(sum)));
+    return QByteArray(png.data()).insert(header, profileChunk(packed));
 }
 
 QByteArray packed(const QByteArray& profile) {
@@ -293,6 +296,7 @@ private slots:
     void whatFollowsAPictureDoesNotMatter();
     void oddProfilesAreRefused_data();
     void oddProfilesAreRefused();
+    void profileIsFoundWhereLibpngDropsIt();
     void profileIsFoundBehindFillBytes();
     void profileIsFoundHoweverItsPartsAreNumbered();
     void profileOfWebpIsKeptTo();
@@ -483,6 +487,26 @@ void PictureColourTest::oddProfilesAreRefused() {
     QFETCH(QString, says);
     const QString sentence = refusal(file);
     QVERIFY2(sentence.contains(says) && sentence.contains("profile"), qPrintable(sentence));
+}
+
+void PictureColourTest::profileIsFoundWhereLibpngDropsIt() {
+    const QByteArray adobe = profileOf(Kind::Rgb);
+    const auto read = [](const QByteArray& file) {
+        return readPictures({{file, QStringLiteral("dropped")}}).front();
+    };
+    const QImage grey = image(Kind::Grey, pixels(Kind::Grey));
+    const auto inColour = [&](const QByteArray& profile) {
+        QByteArray file = fileOf(grey.convertToFormat(QImage::Format_RGB888), "png");
+        const qsizetype place = file.indexOf("IDAT") - 4;
+        return read(profile.isEmpty() ? file : file.insert(place, profileChunk(packed(profile))));
+    };
+    const QImage wanted = inColour(adobe);
+    QVERIFY(wanted != inColour({}));
+    QCOMPARE(read(pngFile(Kind::Grey, adobe)), wanted);
+    // Behind a palette.
+    QByteArray file = fileOf(grey.convertToFormat(QImage::Format_Indexed8), "png");
+    QVERIFY(file.contains("PLTE"));
+    QCOMPARE(read(file.insert(file.indexOf("IDAT") - 4, profileChunk(packed(adobe)))), wanted);
 }
 
 void PictureColourTest::profileIsFoundBehindFillBytes() {
