@@ -1,6 +1,7 @@
 // Cradles of whole jobs. Some need models that are not in the repository: those in ../shared beside
 // it. Without them these cases are skipped, and scripts/test counts them.
 #include "pipeline/JobCradles.h"
+#include "WholeSample.h"
 #include "cradle/CradleFiles.h"
 #include "import/ImportModel.h"
 #include "pipeline/Pipeline.h"
@@ -77,8 +78,10 @@ private slots:
     void bodiesAreHeld_data() {
         QTest::addColumn<QString>("model");
         QTest::newRow("turtle") << QString();
-        QTest::newRow("spot") << QStringLiteral("spot/spot_triangulated.obj");
-        QTest::newRow("penguin") << QStringLiteral("penguin/penguin.obj");
+        if (test::isWholeRun()) {
+            QTest::newRow("spot") << QStringLiteral("spot/spot_triangulated.obj");
+            QTest::newRow("penguin") << QStringLiteral("penguin/penguin.obj");
+        }
     }
 
     // The first dip's cradle keeps off the film; the second's may lie on the first's paint only
