@@ -1,4 +1,5 @@
 // The samples: that they are what the README says, and ready to dip.
+#include "TestFolders.h"
 #include "geometry/SurfaceQuery.h"
 #include "project/ProjectStore.h"
 
@@ -10,7 +11,7 @@ using namespace dipwright;
 namespace {
 
 Project sample(const char* name) {
-    return loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/%1.dipw").arg(QLatin1String(name)));
+    return loadProject(sampleFolder("/%1.dipw").arg(QLatin1String(name)));
 }
 
 bool isPixelFree(std::vector<std::uint32_t>& owner, std::size_t pixel, std::uint32_t triangle) {
