@@ -135,8 +135,8 @@ endfunction()
 # dipwright_schedule(NAME WAITS COST)
 #   Labels a test with the folders below tests in which its source lies (`ctest -L sheet`, `ctest -L
 #   core`), and says how many of ctest's slots it takes: two, or one where WAITS is true. scripts/test
-#   gives ctest two slots for each core, and two more, so that tests which wait run beside those that
-#   compute.
+#   gives ctest two slots for each core, and one more, so that a test which waits runs beside as many
+#   that compute as there are cores.
 function(dipwright_schedule name waits cost)
     file(RELATIVE_PATH labels "${PROJECT_SOURCE_DIR}/tests" "${CMAKE_CURRENT_SOURCE_DIR}")
     string(REPLACE "/" ";" labels "${labels}")
