@@ -132,19 +132,36 @@ function(dipwright_test_helper name)
     dipwright_precompile(${name} test)
 endfunction()
 
-# dipwright_test(NAME [ON_SCREEN] SOURCES … LINK … INSIDE … NEEDS … ENVIRONMENT … COST …)
+# dipwright_schedule(NAME WAITS COST)
+#   Labels a test with the folders below tests in which its source lies (`ctest -L sheet`, `ctest -L
+#   core`), and says how many of ctest's slots it takes: two, or one where WAITS is true. scripts/test
+#   gives ctest two slots for each core, and one more, so that a test which waits runs beside as many
+#   that compute as there are cores.
+function(dipwright_schedule name waits cost)
+    file(RELATIVE_PATH labels "${PROJECT_SOURCE_DIR}/tests" "${CMAKE_CURRENT_SOURCE_DIR}")
+    string(REPLACE "/" ";" labels "${labels}")
+    set(slots 2)
+    if(waits)
+        set(slots 1)
+        list(APPEND labels waits)
+    endif()
+    set_tests_properties(${name} PROPERTIES LABELS "${labels}" PROCESSORS ${slots} COST "${cost}")
+endfunction()
+
+# dipwright_test(NAME [ON_SCREEN] [WAITS] SOURCES … LINK … INSIDE … NEEDS … ENVIRONMENT … COST …)
 #   A Qt Test program: class NAME in NAME.cpp (and other SOURCES), built as NAME, which ctest runs by
 #   the name NAME: without a display, or ON_SCREEN on a screen of its own where there is xvfb-run.
 #   INSIDE names rooms whose private headers it sees as well, NEEDS targets that have to be there when
 #   it runs; ENVIRONMENT adds variables. COST is about how many seconds it takes, where that is more
-#   than ten: ctest starts the longest first.
+#   than ten: ctest starts the longest first. WAITS: it mostly waits, for other processes or for time to
+#   pass, and computes for less than half its time.
 find_program(DIPWRIGHT_XVFB_RUN xvfb-run)
 set(DIPWRIGHT_TEST_SECONDS 900)
 if(DIPWRIGHT_SANITIZE) # slows programs down up to twenty times
     set(DIPWRIGHT_TEST_SECONDS 7200)
 endif()
 function(dipwright_test name)
-    cmake_parse_arguments(TST "ON_SCREEN" "COST" "SOURCES;LINK;INSIDE;NEEDS;ENVIRONMENT" ${ARGN})
+    cmake_parse_arguments(TST "ON_SCREEN;WAITS" "COST" "SOURCES;LINK;INSIDE;NEEDS;ENVIRONMENT" ${ARGN})
     add_executable(${name} ${name}.cpp ${TST_SOURCES})
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
     target_link_libraries(${name} PRIVATE dipwright_test_options ${TST_LINK} ${TST_INSIDE})
@@ -163,6 +180,7 @@ function(dipwright_test name)
     endif()
     add_test(NAME ${name} COMMAND ${launcher} $<TARGET_FILE:${name}>)
     # Qt Test has a limit of five minutes a case of its own, which a busy machine can pass.
-    set_tests_properties(${name} PROPERTIES TIMEOUT ${DIPWRIGHT_TEST_SECONDS} COST "${TST_COST}"
+    dipwright_schedule(${name} ${TST_WAITS} "${TST_COST}")
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${DIPWRIGHT_TEST_SECONDS}
         ENVIRONMENT "${platform};QTEST_FUNCTION_TIMEOUT=${DIPWRIGHT_TEST_SECONDS}000;DIPWRIGHT_PLUGIN_PATH=${DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY};${TST_ENVIRONMENT}")
 endfunction()

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -49,27 +50,48 @@ Window windowRound(const cv::Mat& grey, const Eigen::Vector2d& place, const Eige
     return window;
 }
 
-// Parameters: place (2), directions (2), mean, contrast, blur and, of a bent board, how much each
-// of the two edges bends.
-double modelled(const Eigen::VectorXd& p, const Eigen::Vector2d& at) {
-    const Eigen::Vector2d from = at - p.head<2>();
-    const auto edge = [&](Eigen::Index which) {
-        const double x = std::cos(p[2 + which]), y = std::sin(p[2 + which]);
-        const double along = x * from.x() + y * from.y();
-        const double bend = p.size() > bends ? p[bends + which] / bendUnit : 0;
-        return std::erf((x * from.y() - y * from.x() - bend * along * along) / p[6]);
+// A corner as it is seen, by its parameters: place (2), directions (2), mean, contrast, blur and,
+// of a bent board, how much each of the two edges bends.
+class ModelledCorner {
+public:
+    explicit ModelledCorner(const Eigen::VectorXd& p)
+        : place_(p.head<2>()), mean_(p[4]), contrast_(p[5]),
+          blur_(p[6]), edges_{edge(p, 0), edge(p, 1)} {}
+
+    double at(const Eigen::Vector2d& place) const {
+        const Eigen::Vector2d from = place - place_;
+        return mean_ + contrast_ * across(edges_[0], from) * across(edges_[1], from);
+    }
+
+private:
+    struct Edge {
+        double x, y, bend;
     };
-    return p[4] + p[5] * edge(0) * edge(1);
-}
+    static Edge edge(const Eigen::VectorXd& p, Eigen::Index which) {
+        return {std::cos(p[2 + which]), std::sin(p[2 + which]),
+                p.size() > bends ? p[bends + which] / bendUnit : 0};
+    }
+    // From −1 on one side of the edge to 1 on the other.
+    double across(const Edge& line, const Eigen::Vector2d& from) const {
+        const double along = line.x * from.x() + line.y * from.y();
+        return std::erf((line.x * from.y() - line.y * from.x() - line.bend * along * along) /
+                        blur_);
+    }
+
+    Eigen::Vector2d place_;
+    double mean_, contrast_, blur_;
+    std::array<Edge, 2> edges_;
+};
 
 // Half of what the two dark and the two light quarters differ by, with the model's sign.
 double firstContrast(const Window& window, const Eigen::VectorXd& start) {
     double sum = 0, weight = 1e-9;
+    Eigen::VectorXd one = start;
+    one[4] = 0;
+    one[5] = 1;
+    const ModelledCorner corner(one);
     for (std::size_t i = 0; i < window.values.size(); ++i) {
-        Eigen::VectorXd one = start;
-        one[4] = 0;
-        one[5] = 1;
-        const double shape = modelled(one, window.places[i]);
+        const double shape = corner.at(window.places[i]);
         sum += shape * (window.values[i] - start[4]);
         weight += shape * shape;
     }
@@ -91,8 +113,9 @@ std::optional<Eigen::Vector2d> fittedCorner(const cv::Mat& grey, const Eigen::Ve
     start << 0, 0, std::atan2(right.y(), right.x()), std::atan2(down.y(), down.x()), mean, 0, 1.5;
     start[5] = firstContrast(window, start);
     const Residuals residuals = [&](const Eigen::VectorXd& p, Eigen::VectorXd& values) {
+        const ModelledCorner corner(p);
         for (std::size_t i = 0; i < window.values.size(); ++i) {
-            values[Eigen::Index(i)] = modelled(p, window.places[i]) - window.values[i];
+            values[Eigen::Index(i)] = corner.at(window.places[i]) - window.values[i];
         }
     };
     LeastSquaresFit fit = leastSquares(residuals, int(window.values.size()), start);

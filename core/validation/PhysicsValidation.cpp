@@ -546,6 +546,9 @@ std::vector<PhysicsResult> validatePhysics(const solver::SolverModule& module,
             makeBody(revolution.mesh, fieldResolution, Progress{nullptr, progress.cancelSwitch});
         for (const FilmKind& film : revolution.films) {
             for (const int cells : options.resolutions) {
+                if (options.isWanted && !options.isWanted(revolution.name, nameOf(film), cells)) {
+                    continue;
+                }
                 const double work = std::pow(double(cells), 3);
                 const Progress part = progress.part(done / total, (done + work) / total);
                 part(0, Text::tr("%1, %2 cells").arg(revolution.name).arg(cells));

@@ -10,6 +10,7 @@
 #include <QImage>
 #include <QJsonObject>
 #include <QString>
+#include <functional>
 #include <vector>
 
 namespace dipwright {
@@ -37,6 +38,8 @@ struct PhysicsOptions {
     std::vector<int> resolutions{15, 30, 60}; // cells in the contact radius
     double contactTravel = 0;                 // of a step, cells; 0: the solver's own
     int threads = 0;
+    // Which bodies of revolution are compared, in which film and at which resolution; empty: all.
+    std::function<bool(const QString& body, const QString& film, int cells)> isWanted;
 };
 
 // Spheres to 80°, spheroids, cones and the inside of a torus, elastic and viscous, some of them in

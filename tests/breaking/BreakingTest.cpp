@@ -3,10 +3,12 @@
 // is there at the next start, whole, and nothing else.
 //
 // DIPWRIGHT_BREAK_EVERYWHERE=1 breaks at every operation, =3/16 at the third and every sixteenth
-// from it; without, at a few of each case. The counts are told (scripts/break).
+// from it; without, at a few of each case, and at more of them in a whole run. The counts are told
+// (scripts/break).
 
 #include "CliProcess.h"
 #include "TestFolders.h"
+#include "WholeSample.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -24,9 +26,9 @@ using namespace dipwright::test;
 
 namespace {
 
-constexpr int mostGrowth = 4 * 1024;   // kB, in a long day: what libraries keep for later
-constexpr int pointsOfACase = 6;       // unless everywhere
-constexpr int operationsOfAStart = 16; // those that put right what was left, at least
+constexpr int mostGrowth = 4 * 1024;       // kB, in a long day: what libraries keep for later
+const int pointsOfACase = sampleOf(4, 12); // unless everywhere
+constexpr int operationsOfAStart = 16;     // those that put right what was left, at least
 
 bool isEverywhere() {
     return qEnvironmentVariableIsSet("DIPWRIGHT_BREAK_EVERYWHERE");

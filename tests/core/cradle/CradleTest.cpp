@@ -60,6 +60,12 @@ Cradle cradleOf(const LaidFilm& laid, const CradleSettings& wanted = settings(),
                       progress);
 }
 
+// Of the half painted ball, with the settings above.
+const Cradle& ballsCradle() {
+    static const Cradle cradle = cradleOf(*halfPainted());
+    return cradle;
+}
+
 void isSound(const Cradle& cradle) {
     QVERIFY(cradle.check.isClosed);
     QCOMPARE(cradle.check.parts, 1);
@@ -77,7 +83,7 @@ class CradleTest : public QObject {
 private slots:
     // In the pose frame the ball's middle is at (0, radius, 0).
     void aBallLiesInAPocketOfItsOwnForm() {
-        const Cradle cradle = cradleOf(*halfPainted());
+        const Cradle& cradle = ballsCradle();
         isSound(cradle);
         QVERIFY(cradle.notes.isEmpty());
         const Eigen::Vector3f middle(0, float(radius), 0);
@@ -100,7 +106,7 @@ private slots:
     // The cap that is 10 mm deep: its area is 2πρh, the bore's taken out, and a ball stands in it
     // as it can be tilted: its rim's radius over how far that is from the middle.
     void itSaysHowTheBallIsHeld() {
-        const CradleCheck check = cradleOf(*halfPainted()).check;
+        const CradleCheck& check = ballsCradle().check;
         const double cap = 2 * pi * radius * 10 - pi * 16;
         QVERIFY2(std::abs(check.seatArea / cap - 1) < 0.05,
                  qPrintable(QString::number(check.seatArea / cap)));
@@ -214,7 +220,7 @@ private slots:
 
         const DatumPins pins = datumPins(Sheet(), FilmSettings(), settings().pinSpan);
         QVERIFY(std::abs(pins.share - 80 / 285.0) < 1e-9);
-        const Cradle cradle = cradleOf(*halfPainted());
+        const Cradle& cradle = ballsCradle();
         for (const Eigen::Vector2d& pin : pins.pins) {
             double nearest = 1e3, farthest = 0;
             for (const Eigen::Vector3f& place : cradle.mesh.positions) {
@@ -236,7 +242,7 @@ private slots:
 
     void filesComeBackAsTheyWere() {
         QFETCH(QString, suffix);
-        const Cradle cradle = cradleOf(*halfPainted());
+        const Cradle& cradle = ballsCradle();
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("cradle.") + suffix);
         QFile file(path);
@@ -257,7 +263,7 @@ private slots:
     }
 
     void theJobIsEngraved() {
-        const Cradle cradle = cradleOf(*halfPainted());
+        const Cradle& cradle = ballsCradle();
         CradleSettings plain = settings();
         plain.engravingDepth = Millimetres(0);
         const Cradle bare = cradleOf(*halfPainted(), plain);
@@ -273,7 +279,7 @@ private slots:
     }
 
     void itIsTheSameForAnyNumberOfThreads() {
-        const QByteArray once = cradleStl(cradleOf(*halfPainted()));
+        const QByteArray once = cradleStl(ballsCradle());
         const ThreadLimit limit(1);
         QCOMPARE(cradleStl(cradleOf(*halfPainted())), once);
     }

@@ -1,6 +1,8 @@
 // The film's numbers found from photos of a part that was dipped with others than it was believed.
 #include "PhotographedPart.h"
+#include "RememberedDips.h"
 #include "TestFolders.h"
+#include "WholeSample.h"
 #include "base/Error.h"
 #include "inspection/JointFit.h"
 #include "inspection/SimulatedPlaces.h"
@@ -24,7 +26,8 @@ const SolverRegistry& registry() {
 }
 
 const solver::SolverModule& solverModule() {
-    return registry().module(QStringLiteral("pbd-cpu"));
+    static const test::RememberedDips module(registry().module(QStringLiteral("pbd-cpu")));
+    return module;
 }
 
 const std::vector<test::PhotoCamera>& cameras() {
@@ -121,10 +124,10 @@ private slots:
         QCOMPARE(fitted.doubt, QString());
     }
 
-    // 200 photos of one part, whose film is the fit's own, so that nothing but their noise is off:
+    // Many photos of one part, whose film is the fit's own, so that nothing but their noise is off:
     // the dips near it are simulated once, and film and camera fitted to each photo.
     void intervalsHoldTheTruthAsOftenAsTheySay() {
-        constexpr int photos = 200;
+        const int photos = test::sampleOf(50, 200);
         const FitPairs perfect = part_->pairs(cameras(), 8, 12, 0, 1);
         SimulatedPlaces places(part_->project(), part_->field(), perfect.printed, solverModule(),
                                perfect.where);

@@ -13,7 +13,7 @@ namespace {
 
 using Plane = std::vector<float>;
 
-// One direction of a Gaussian.
+// One direction of a Gaussian. Past the picture's edge its last pixel goes on.
 Plane blurred(const Plane& plane, int width, int height, double sigma, bool across) {
     const int reach = int(std::ceil(4 * sigma));
     std::vector<double> weights;
@@ -24,16 +24,21 @@ Plane blurred(const Plane& plane, int width, int height, double sigma, bool acro
     }
     Plane result(plane.size());
     parallelFor(0, height, [&](int y) {
-        for (int x = 0; x < width; ++x) {
-            double value = 0;
-            for (int i = -reach; i <= reach; ++i) {
-                const int column = across ? std::clamp(x + i, 0, width - 1) : x;
-                const int row = across ? y : std::clamp(y + i, 0, height - 1);
-                value += weights[std::size_t(i + reach)] / sum *
-                         double(plane[std::size_t(row) * std::size_t(width) + std::size_t(column)]);
+        const auto row = [&](int number) {
+            return plane.begin() + std::ptrdiff_t(std::clamp(number, 0, height - 1)) * width;
+        };
+        std::vector<float> wide(std::size_t(width + 2 * reach), *row(y));
+        std::copy_n(row(y), width, wide.begin() + reach);
+        std::fill_n(wide.end() - reach, reach, *(row(y) + width - 1));
+        std::vector<double> values(std::size_t(width), 0);
+        for (int i = -reach; i <= reach; ++i) {
+            const double weight = weights[std::size_t(i + reach)] / sum;
+            const float* const from = across ? &wide[std::size_t(i + reach)] : &*row(y + i);
+            for (std::size_t x = 0; x < values.size(); ++x) {
+                values[x] += weight * double(from[x]);
             }
-            result[std::size_t(y) * std::size_t(width) + std::size_t(x)] = float(value);
         }
+        std::copy(values.begin(), values.end(), result.begin() + std::ptrdiff_t(y) * width);
     });
     return result;
 }
@@ -99,12 +104,63 @@ Eigen::Vector3d PhotoLens::sight(const Eigen::Vector2d& pixel) const {
     return {plain.x() / focalLength, plain.y() / focalLength, 1};
 }
 
+namespace {
+
+// The light at the corners of all pixels, a row more and a column more than there are pixels.
+class Corners {
+public:
+    Corners(const PhotoLens& lens, const LightFrom& lightFrom)
+        : columns_(lens.size.width() + 1), rows_(lens.size.height() + 1),
+          light_(std::size_t(columns_) * std::size_t(rows_)) {
+        parallelFor(0, rows_, [&](int y) {
+            for (int x = 0; x < columns_; ++x) {
+                light_[index(x, y)] = float(lightFrom(lens.sight(Eigen::Vector2d(x, y))));
+            }
+        });
+    }
+
+    double mean(int x, int y) const {
+        return (double(light_[index(x, y)]) + double(light_[index(x + 1, y)]) +
+                double(light_[index(x, y + 1)]) + double(light_[index(x + 1, y + 1)])) /
+               4;
+    }
+    // In the pixel and the pixels round it.
+    bool isEven(int x, int y) const {
+        constexpr float most = 0.008F; // two of 255 levels
+        float least = 1, largest = 0;
+        for (int row = std::max(y - 1, 0); row <= std::min(y + 2, rows_ - 1); ++row) {
+            for (int column = std::max(x - 1, 0); column <= std::min(x + 2, columns_ - 1);
+                 ++column) {
+                least = std::min(least, light_[index(column, row)]);
+                largest = std::max(largest, light_[index(column, row)]);
+            }
+        }
+        return largest - least < most;
+    }
+
+private:
+    std::size_t index(int x, int y) const {
+        return std::size_t(y) * std::size_t(columns_) + std::size_t(x);
+    }
+
+    int columns_, rows_;
+    Plane light_;
+};
+
+} // namespace
+
 QImage photograph(const PhotoLens& lens, int samples, const LightFrom& lightFrom,
                   const PhotoLight& light) {
     const int width = lens.size.width(), height = lens.size.height();
+    const Corners corners(lens, lightFrom);
     Plane plane(std::size_t(width) * std::size_t(height));
     parallelFor(0, height, [&](int y) {
         for (int x = 0; x < width; ++x) {
+            float& level = plane[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+            if (corners.isEven(x, y)) {
+                level = float(corners.mean(x, y));
+                continue;
+            }
             // Within a pixel a lens is straight.
             const Eigen::Vector3d corner = lens.sight(Eigen::Vector2d(x, y));
             const Eigen::Vector3d right = lens.sight(Eigen::Vector2d(x + 1, y)) - corner;
@@ -114,8 +170,7 @@ QImage photograph(const PhotoLens& lens, int samples, const LightFrom& lightFrom
                 const double u = (i % samples + 0.5) / samples, v = (i / samples + 0.5) / samples;
                 sum += lightFrom(corner + u * right + v * down);
             }
-            plane[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
-                float(sum / (samples * samples));
+            level = float(sum / (samples * samples));
         }
     });
     return developed(std::move(plane), lens.size, light);

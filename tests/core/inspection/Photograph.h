@@ -31,7 +31,7 @@ struct PhotoLight {
 // How much light comes from there, 0 … 1; asked by many threads.
 using LightFrom = std::function<double(const Eigen::Vector3d& sight)>;
 
-// `samples` by `samples` rays a pixel.
+// `samples` by `samples` rays a pixel at edges; where light is even, those at the pixel's corners.
 QImage photograph(const PhotoLens& lens, int samples, const LightFrom& lightFrom,
                   const PhotoLight& light);
 

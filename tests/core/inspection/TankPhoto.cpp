@@ -107,9 +107,10 @@ QImage tankPhoto(const GrowingFilm& growing, double seconds, int jpegQuality) {
 }
 
 FloatingPage filmPage() {
-    WatchPage page;
+    const WatchPage page;
+    static const QImage print = printed(page);
     FloatingPage film;
-    film.print = printed(page);
+    film.print = print;
     film.size = page.paper;
     return film;
 }
@@ -118,8 +119,9 @@ FloatingPage cardPage() {
     WatchPage page;
     page.kind = BoardKind::Card;
     page.paper = {148, 210};
+    static const QImage print = printed(page);
     FloatingPage card;
-    card.print = printed(page);
+    card.print = print;
     card.size = page.paper;
     return card;
 }

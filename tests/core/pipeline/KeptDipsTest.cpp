@@ -4,6 +4,7 @@
 #include "TestFolders.h"
 
 #include "TestFiles.h"
+#include "WholeSample.h"
 #include "base/Error.h"
 #include "geometry/Shapes.h"
 #include "pipeline/Pipeline.h"
@@ -209,7 +210,7 @@ private slots:
         keepDips(result_, path_);
         const QByteArray whole = bytesOf(file_);
         std::mt19937 random(1);
-        for (int round = 0; round < 200; ++round) {
+        for (int round = 0; round < sampleOf(40, 200); ++round) {
             QByteArray damaged = whole;
             for (int flips = 0; flips < 3; ++flips) {
                 damaged[qsizetype(random() % std::uint32_t(whole.size()))] ^=

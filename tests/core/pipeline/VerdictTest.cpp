@@ -1,5 +1,6 @@
 // What a run says of its sheets, held against the full check: a body of each kind.
 #include "TestFolders.h"
+#include "WholeSample.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
 #include "pipeline/SheetCertainty.h"
@@ -103,7 +104,9 @@ private slots:
     void filmThatTwoFeetShareIsSomethingToLookAt() {
         const ImmersionResult result = run(onTwoFeet());
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Look at these places first"));
-        QVERIFY(!isCertain(fullCheck(onTwoFeet())));
+        if (test::isWholeRun()) { // the thumb has it in every run
+            QVERIFY(!isCertain(fullCheck(onTwoFeet())));
+        }
         QVERIFY(!result.verdict.places.empty());
     }
 

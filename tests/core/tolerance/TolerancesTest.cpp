@@ -231,9 +231,7 @@ private slots:
     }
 
     void contributionsAddUpToAll() {
-        ToleranceSettings settings = ToleranceSettings();
-        settings.samples = 0;
-        const DipTolerances found = tolerances(ball_, settings);
+        const DipTolerances& found = everythingOff();
         QCOMPARE(found.contributions.size(), contributorCount);
         double sum = 0;
         for (const Contribution& contribution : found.contributions) {
@@ -246,7 +244,7 @@ private slots:
     }
 
     void dipsWithEverythingOffComeToTheSame() {
-        const DipTolerances found = tolerances(ball_, ToleranceSettings());
+        const DipTolerances& found = everythingOff();
         QVERIFY(found.sampled);
         QCOMPARE(found.sampled->dips, 24);
         QVERIFY2(found.sampled->agrees(), qPrintable(QStringLiteral("%1, not %2")
@@ -296,7 +294,16 @@ private slots:
     }
 
 private:
+    // Of the ball, with the tolerances that every project begins with.
+    const DipTolerances& everythingOff() {
+        if (!everythingOff_) {
+            everythingOff_ = tolerances(ball_, ToleranceSettings());
+        }
+        return *everythingOff_;
+    }
+
     JobResult box_, ball_;
+    std::optional<DipTolerances> everythingOff_;
 };
 
 QTEST_MAIN(TolerancesTest)

@@ -1,0 +1,27 @@
+// A solver that dips alike but once: fits of one part begin with the same dips.
+#pragma once
+
+#include <dipwright/FilmSolver.h>
+
+#include <mutex>
+
+namespace dipwright::test {
+
+// Everything is `module`'s, of which it keeps a reference. All dips are to be of one body.
+class RememberedDips : public solver::SolverModule {
+public:
+    explicit RememberedDips(const solver::SolverModule& module) : module_(module) {}
+
+    const char* unavailableReason() const override { return module_.unavailableReason(); }
+    const char* device() const override { return module_.device(); }
+    std::unique_ptr<solver::FilmSolver> create() const override { return module_.create(); }
+    bool runBatch(std::span<solver::BatchItem> items, solver::CancelFunction cancelled,
+                  void* context) const override;
+
+private:
+    const solver::SolverModule& module_;
+    mutable std::mutex mutex_;
+    mutable std::vector<solver::BatchItem> known_;
+};
+
+} // namespace dipwright::test
