@@ -9,8 +9,6 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-# moc 6.4 stumbles over <concepts> of GCC 12 in C++20; it needs nothing from there.
-set(CMAKE_AUTOMOC_MOC_OPTIONS -D_GLIBCXX_CONCEPTS)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 set(DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin/plugins)
@@ -55,8 +53,11 @@ function(dipwright_library name)
         add_library(${name} STATIC ${LIB_SOURCES})
         target_link_libraries(${name} PUBLIC ${LIB_PUBLIC} PRIVATE dipwright_options ${LIB_PRIVATE})
         file(RELATIVE_PATH place "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
-        if(place MATCHES "^(core|app)/") # the others know no Qt
-            dipwright_precompile(${name})
+        if(place MATCHES "^app/(workbench|viewport)")
+            dipwright_precompile(${name} widgets)
+            dipwright_moc(${name})
+        elseif(place MATCHES "^(core|app)/") # the others know no Qt
+            dipwright_precompile(${name} core)
         endif()
     else()
         add_library(${name} INTERFACE)
@@ -77,15 +78,49 @@ function(dipwright_threads_meet_in)
     endif()
 endfunction()
 
-# Where a test finds what is built and what lies in the repository.
+# dipwright_moc(TARGET)
+#   Runs moc on every header of the current folder for TARGET. Not AUTOMOC: it has moc read all that a
+#   header includes, which takes fifty times as long and says the same.
+function(dipwright_moc target)
+    file(GLOB headers CONFIGURE_DEPENDS *.h)
+    set(includes "")
+    set(results "")
+    foreach(header IN LISTS headers)
+        cmake_path(GET header STEM name)
+        set(result ${CMAKE_CURRENT_BINARY_DIR}/${target}_moc/moc_${name}.cpp)
+        cmake_path(RELATIVE_PATH header BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${target}_moc)
+        add_custom_command(OUTPUT ${result} COMMAND Qt6::moc --no-notes -f${header} -o ${result}
+                ${CMAKE_CURRENT_SOURCE_DIR}/${name}.h
+            DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}.h VERBATIM)
+        list(APPEND results ${result})
+        string(APPEND includes "#include \"moc_${name}.cpp\"\n")
+    endforeach()
+    set(all ${CMAKE_CURRENT_BINARY_DIR}/${target}_moc/all.cpp)
+    file(CONFIGURE OUTPUT ${all} CONTENT "${includes}")
+    set_source_files_properties(${all} PROPERTIES OBJECT_DEPENDS "${results}")
+    target_sources(${target} PRIVATE ${all})
+endfunction()
+
+# dipwright_moc_source(TARGET SOURCE)
+#   Makes NAME.moc of SOURCE, NAME.cpp, which includes it at its end.
+function(dipwright_moc_source target source)
+    cmake_path(GET source STEM name)
+    set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_moc)
+    add_custom_command(OUTPUT ${folder}/${name}.moc
+        COMMAND Qt6::moc --no-notes -o ${folder}/${name}.moc ${CMAKE_CURRENT_SOURCE_DIR}/${source}
+        DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${source} VERBATIM)
+    set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${folder}/${name}.moc)
+    target_include_directories(${target} PRIVATE ${folder})
+endfunction()
+
+# How tests are compiled: they are measured by what they find, not by how fast they look for it.
+add_library(dipwright_test_compilation INTERFACE)
+target_link_libraries(dipwright_test_compilation INTERFACE dipwright_options)
+if(NOT MSVC AND NOT DIPWRIGHT_SANITIZE)
+    target_compile_options(dipwright_test_compilation INTERFACE $<$<CONFIG:Release>:-O1>)
+endif()
 add_library(dipwright_test_options INTERFACE)
-target_link_libraries(dipwright_test_options INTERFACE dipwright_options Qt6::Test)
-target_compile_definitions(dipwright_test_options INTERFACE
-    DIPWRIGHT_BINARY_FOLDER="${CMAKE_BINARY_DIR}/bin"
-    DIPWRIGHT_PLUGINS="${DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY}"
-    DIPWRIGHT_BAD_MODULES="${DIPWRIGHT_BAD_MODULE_FOLDER}"
-    DIPWRIGHT_RESOURCE_FOLDER="${PROJECT_SOURCE_DIR}/resources"
-    DIPWRIGHT_SAMPLE_FOLDER="${DIPWRIGHT_SAMPLE_FOLDER}")
+target_link_libraries(dipwright_test_options INTERFACE dipwright_test_compilation TestFolders Qt6::Test)
 
 # dipwright_test_helper(NAME SOURCES … LINK …)
 #   What several tests share, as a library of its file's name: NAME.cpp, and other SOURCES.
@@ -94,7 +129,7 @@ function(dipwright_test_helper name)
     add_library(${name} STATIC ${name}.cpp ${HLP_SOURCES})
     target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
     target_link_libraries(${name} PUBLIC ${HLP_LINK} PRIVATE dipwright_test_options)
-    dipwright_precompile(${name})
+    dipwright_precompile(${name} test)
 endfunction()
 
 # dipwright_test(NAME [ON_SCREEN] SOURCES … LINK … INSIDE … NEEDS … ENVIRONMENT … COST …)
@@ -111,10 +146,10 @@ endif()
 function(dipwright_test name)
     cmake_parse_arguments(TST "ON_SCREEN" "COST" "SOURCES;LINK;INSIDE;NEEDS;ENVIRONMENT" ${ARGN})
     add_executable(${name} ${name}.cpp ${TST_SOURCES})
-    set_target_properties(${name} PROPERTIES AUTOMOC ON
-        RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
     target_link_libraries(${name} PRIVATE dipwright_test_options ${TST_LINK} ${TST_INSIDE})
-    dipwright_precompile(${name})
+    dipwright_moc_source(${name} ${name}.cpp)
+    dipwright_precompile(${name} test)
     foreach(room IN LISTS TST_INSIDE)
         target_include_directories(${name} PRIVATE ${PROJECT_BINARY_DIR}/rooms/${room}/private)
     endforeach()

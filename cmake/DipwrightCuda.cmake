@@ -7,9 +7,15 @@ elseif(DIPWRIGHT_CUDA)
     include(CheckLanguage)
     check_language(CUDA)
     if(CMAKE_CUDA_COMPILER)
-        # Turing to Blackwell, and PTX for what comes after.
-        set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 86-real 89-real 90-real 100-real 120 CACHE STRING
-            "GPU architectures of the CUDA plugin")
+        option(DIPWRIGHT_EVERY_GPU "Build the CUDA plugin for all GPUs, not for this computer's alone" OFF)
+        execute_process(COMMAND nvidia-smi -L OUTPUT_VARIABLE gpus ERROR_QUIET)
+        if(DIPWRIGHT_EVERY_GPU) # Turing to Blackwell, and PTX for what comes after
+            set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 86-real 89-real 90-real 100-real 120)
+        elseif(gpus MATCHES "^GPU")
+            set(CMAKE_CUDA_ARCHITECTURES native)
+        else() # built here to run elsewhere
+            set(CMAKE_CUDA_ARCHITECTURES 90-real)
+        endif()
         enable_language(CUDA)
         if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION) # CMake 3.25 does not know that it speaks C++20
             set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)

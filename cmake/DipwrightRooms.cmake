@@ -38,8 +38,11 @@ function(dipwright_room target)
             cmake_path(GET header PARENT_PATH home)
             if(home STREQUAL folder)
                 # Touched only where it says something new, so that nothing is built again for it.
+                # Relative, so that a compiler cache finds it again from another checkout.
+                cmake_path(RELATIVE_PATH header BASE_DIRECTORY ${forwards}/${side}/${prefix}
+                    OUTPUT_VARIABLE there)
                 file(CONFIGURE OUTPUT ${forwards}/${side}/${prefix}/${file}
-                    CONTENT "#include \"${header}\"\n")
+                    CONTENT "#include \"${there}\"\n")
                 list(APPEND written ${forwards}/${side}/${prefix}/${file})
             endif()
         endforeach()

@@ -4,6 +4,7 @@
 //
 //     film_fit_bench [CELL]      cells of the fit, mm; those of the truth are three quarters of it
 #include "../core/inspection/PhotographedPart.h"
+#include "TestFolders.h"
 #include "base/Error.h"
 #include "solver/SolverRegistry.h"
 
@@ -50,7 +51,7 @@ int main(int argc, char** argv) {
     const QGuiApplication application(argc, argv);
     QTextStream out(stdout);
     const double cell = argc > 1 ? std::atof(argv[1]) : 1.5;
-    const SolverRegistry registry{QStringList{DIPWRIGHT_PLUGINS}};
+    const SolverRegistry registry{QStringList{pluginFolder()}};
     const solver::SolverModule& module = registry.module(QStringLiteral("pbd-cpu"));
     const auto cameras = test::camerasRound({{20, -35}, {140, -30}}, 280, 3.4, 4000);
     out << "height, hidden relaxation s, noise px, corners | off: swell X %, Y %, relaxation %, "

@@ -6,6 +6,7 @@
 // from it; without, at a few of each case. The counts are told (scripts/break).
 
 #include "CliProcess.h"
+#include "TestFolders.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -176,7 +177,7 @@ void BreakingTest::initTestCase() {
     QImage texture(16, 16, QImage::Format_RGB32);
     texture.fill(Qt::darkCyan);
     QVERIFY(texture.save(place_.path(QStringLiteral("a.png"))));
-    const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/tetrahedron.obj");
+    const QString model = sampleFolder("/models/tetrahedron.obj");
     const auto project = [&](const QString& name, const QStringList& more) {
         return QStringList{QStringLiteral("new"),       place_.path(name),
                            QStringLiteral("--model"),   model,

@@ -2,6 +2,7 @@
 // the window says so in a sentence and goes on, the unsaved work is kept, and what is saved when
 // the folder is there again is all of it. Run with tests/breaking/BreakFiles.c preloaded.
 #include "Patience.h"
+#include "TestFolders.h"
 #include "WindowDriver.h"
 #include "project/ProjectStore.h"
 
@@ -45,7 +46,7 @@ void VanishedFolderTest::init() {
     folder_ = std::make_unique<QTemporaryDir>();
     job_ = path(QStringLiteral("server/job.dipw"));
     QVERIFY(QDir().mkpath(path(QStringLiteral("server"))));
-    QVERIFY(QFile::copy(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/tetrahedron.dipw"), job_));
+    QVERIFY(QFile::copy(sampleFolder("/tetrahedron.dipw"), job_));
     QVERIFY(QFile::setPermissions(job_, QFile::ReadOwner | QFile::WriteOwner));
     qputenv("DIPWRIGHT_BREAK_BELOW", QFile::encodeName(path(QStringLiteral("server"))));
     workbench_ = std::make_unique<Workbench>(path(QStringLiteral("recovery")));

@@ -1,6 +1,7 @@
 // The films on the GPU against those on the CPU and against the reference solvers. Skipped where
 // there is no GPU.
 
+#include "TestFolders.h"
 #include "dip/Dip.h"
 #include "geometry/Shapes.h"
 #include "paper/reference/PlainPaperFilm.h"
@@ -44,7 +45,7 @@ Body bodyNamed(const QString& name) {
     if (name == QLatin1String("cone")) {
         return bodyOf(coneMesh(pi / 4, 40, 256));
     }
-    const Project project = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw"));
+    const Project project = loadProject(sampleFolder("/turtle.dipw"));
     return bodyOf(*project.model, project.immersions.front());
 }
 

@@ -1,6 +1,7 @@
 // What the targets of libFuzzer have learned (corpus/NAME, by scripts/fuzz --keep), given to them
 // by the ordinary build: whatever is read is refused by Error or accepted. Files named fault-… are
 // what a mended fault was found with.
+#include "TestFolders.h"
 #include <QDir>
 #include <QtTest>
 
@@ -14,7 +15,7 @@ DIPWRIGHT_FUZZED
 
 namespace {
 
-const QDir corpus(QStringLiteral(DIPWRIGHT_CORPUS_FOLDER));
+const QDir corpus(sourceFolder("/tests/fuzz/corpus"));
 
 #define FUZZED(name) {QStringLiteral(#name), fuzz_##name},
 const std::map<QString, int (*)(const unsigned char*, std::size_t)> targets{DIPWRIGHT_FUZZED};

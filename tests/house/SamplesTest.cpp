@@ -1,4 +1,5 @@
 // The samples: that they are what the README says, ready to dip, and to be printed.
+#include "TestFolders.h"
 #include "geometry/SurfaceQuery.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/SmallerFilm.h"
@@ -12,7 +13,7 @@ using namespace dipwright;
 namespace {
 
 Project sample(const char* name) {
-    return loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/%1.dipw").arg(QLatin1String(name)));
+    return loadProject(sampleFolder("/%1.dipw").arg(QLatin1String(name)));
 }
 
 bool isPixelFree(std::vector<std::uint32_t>& owner, std::size_t pixel, std::uint32_t triangle) {
@@ -58,7 +59,7 @@ int sharedPixels(const TexturedMesh& model, int side) {
 
 // What comes of a sample's own job, but for the sheet's resolution.
 const JobResult& resultOf(const QByteArray& name) {
-    static const SolverRegistry registry{QStringList{DIPWRIGHT_PLUGINS}};
+    static const SolverRegistry registry{QStringList{pluginFolder()}};
     static std::map<QByteArray, JobResult> results;
     if (!results.count(name)) {
         Project project = sample(name.constData());

@@ -1,11 +1,12 @@
 #include "SourceTree.h"
+#include "TestFolders.h"
 
 #include <QDirIterator>
 #include <QFile>
 #include <QTest>
 
 QDir sourceTree() {
-    return {QStringLiteral(DIPWRIGHT_SOURCE_FOLDER)};
+    return {sourceFolder()};
 }
 
 QString textOf(const QString& file) {

@@ -1,6 +1,7 @@
 // Modules that misbehave are listed with their reason, and never bring the program down.
 
 #include "PluginFolder.h"
+#include "TestFolders.h"
 #include "base/Error.h"
 #include "dip/Dip.h"
 #include "geometry/Shapes.h"
@@ -25,7 +26,7 @@ using namespace dipwright::test;
 namespace {
 
 QString builtModule(const QString& name) {
-    return QStringLiteral(DIPWRIGHT_BAD_MODULES "/") + PluginFolder::moduleName(name);
+    return badModuleFolder("/") + PluginFolder::moduleName(name);
 }
 
 // What the program load_solvers says of a folder, in a life of its own.

@@ -1,5 +1,6 @@
 // The production film on the CPU against the reference solver.
 #include "ProductionDips.h"
+#include "TestFolders.h"
 #include "geometry/Shapes.h"
 #include "production/reference/ReferenceFilm.h"
 #include "project/ProjectStore.h"
@@ -12,7 +13,7 @@ using namespace dipwright::test;
 namespace {
 
 Body turtle() {
-    const Project project = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw"));
+    const Project project = loadProject(sampleFolder("/turtle.dipw"));
     return {posedBody(*project.model, project.immersions.front()),
             buildDistanceField(project.model->mesh, 128, {})};
 }

@@ -1,5 +1,6 @@
 // The artwork of a project, laid on it from the command line.
 #include "CliProcess.h"
+#include "TestFolders.h"
 
 #include <QFile>
 #include <QImage>
@@ -18,7 +19,7 @@ class ArtworkCommandTest : public QObject {
 private slots:
     void init() {
         QFile::remove(job_);
-        QVERIFY(QFile::copy(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/sphere.dipw"), job_));
+        QVERIFY(QFile::copy(sampleFolder("/sphere.dipw"), job_));
         QVERIFY(QFile::setPermissions(job_, QFile::ReadOwner | QFile::WriteOwner));
         QImage logo(40, 20, QImage::Format_RGB32);
         logo.fill(Qt::red);

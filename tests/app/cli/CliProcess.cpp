@@ -1,4 +1,5 @@
 #include "CliProcess.h"
+#include "TestFolders.h"
 
 #include <QProcess>
 
@@ -11,7 +12,7 @@ QList<QByteArray> Outcome::errorLines() const {
 }
 
 QString cliPath() {
-    return QStringLiteral(DIPWRIGHT_BINARY_FOLDER "/dipwright-cli");
+    return binaryFolder("/dipwright-cli");
 }
 
 Outcome cli(const QStringList& arguments, const QStringList& environment) {

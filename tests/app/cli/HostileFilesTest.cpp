@@ -3,6 +3,7 @@
 #include "HostileFiles.h"
 #include "CliProcess.h"
 #include "TestFiles.h"
+#include "TestFolders.h"
 
 #include <QDir>
 #include <QtTest>
@@ -15,7 +16,7 @@ using namespace dipwright::test;
 
 namespace {
 
-const QDir shared(QStringLiteral(DIPWRIGHT_SHARED_HOSTILE));
+const QDir shared(sharedFolder("/data/hostile"));
 
 // The system ends what computes for longer than `seconds`.
 Outcome cliWithin(int seconds, const QStringList& arguments) {

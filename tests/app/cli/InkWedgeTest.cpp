@@ -1,6 +1,7 @@
 // A printer's own inks on stretched film, from the wedge to the sheet, on the command line.
 #include "CliProcess.h"
 #include "PaperMeasure.h"
+#include "TestFolders.h"
 #include "TestProfiles.h"
 
 #include <QDir>
@@ -89,7 +90,7 @@ private slots:
         QVERIFY(wrote(in("readings.csv"), readings));
         QCOMPARE(cli({"profile", "wedge", "Film", in("readings.csv")}).exitCode, 0);
         const QString job = in("job.dipw");
-        QVERIFY(QFile::copy(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/sphere.dipw"), job));
+        QVERIFY(QFile::copy(sampleFolder("/sphere.dipw"), job));
         QVERIFY(QFile::setPermissions(job, QFile::ReadOwner | QFile::WriteOwner));
         QCOMPARE(cli({"profile", "use", "film", "Film", job}).exitCode, 0);
         const QStringList coarse{"--set", "film.points=40x57", "--set", "sheet.dpi=60", "--quiet"};

@@ -3,6 +3,7 @@
 #include "../../core/inspection/PhotographedPart.h"
 #include "CliProcess.h"
 #include "TestFiles.h"
+#include "TestFolders.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 #include "solver/SolverRegistry.h"
@@ -42,7 +43,7 @@ private slots:
         QStandardPaths::setTestModeEnabled(true);
         QVERIFY(folder_.isValid());
         qputenv("DIPWRIGHT_PROFILE_PATH", path("profiles").toLocal8Bit());
-        const SolverRegistry registry{QStringList{DIPWRIGHT_PLUGINS}};
+        const SolverRegistry registry{QStringList{pluginFolder()}};
         const PhotographedPart part(eggToFit(1, 2.6), hidden, 2.6,
                                     registry.module(QStringLiteral("pbd-cpu")));
         const auto cameras = camerasRound({{20, -35}, {140, -30}}, 280, 3.4, 2000);

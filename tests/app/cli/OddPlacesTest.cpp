@@ -1,6 +1,7 @@
 // Names and places that systems allow and nobody thinks of: what can be done is done, what cannot
 // is refused in one line.
 #include "CliProcess.h"
+#include "TestFolders.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -12,8 +13,8 @@ using namespace dipwright::test;
 
 namespace {
 
-const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/tetrahedron.obj");
-const QString sample = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/tetrahedron.dipw");
+const QString model = sampleFolder("/models/tetrahedron.obj");
+const QString sample = sampleFolder("/tetrahedron.dipw");
 const QStringList small{"--set", "film.points=17x17", "--set",          "body.sdf_resolution=64",
                         "--set", "sheet.dpi=40",      "--no-certainty", "--quiet"};
 

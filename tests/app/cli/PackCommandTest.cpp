@@ -1,5 +1,6 @@
 // `dipwright-cli pack` as a print shop types it: what comes out is what each job alone would be.
 #include "CliProcess.h"
+#include "TestFolders.h"
 
 #include <QImage>
 #include <QJsonArray>
@@ -13,7 +14,7 @@ using dipwright::test::Outcome;
 
 namespace {
 
-const QString turtle = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw");
+const QString turtle = sampleFolder("/turtle.dipw");
 const QStringList coarse{
     "--set", "film.points=41x58", "--set", "body.sdf_resolution=64", "--dpi", "100", "--quiet"};
 

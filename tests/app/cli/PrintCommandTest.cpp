@@ -3,6 +3,7 @@
 #include "CliProcess.h"
 #include "PaperMeasure.h"
 #include "PrivateCups.h"
+#include "TestFolders.h"
 
 #include "base/Units.h"
 
@@ -15,7 +16,7 @@ using dipwright::test::Outcome;
 
 namespace {
 
-const QString turtle = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw");
+const QString turtle = sampleFolder("/turtle.dipw");
 // Coarse, to be quick: what is tried here is the way to the paper.
 const QStringList coarse{"--set",  "film.preset=A4",         "--set", "film.points=41x58",
                          "--set",  "body.sdf_resolution=64", "--set", "sheet.dpi=150",

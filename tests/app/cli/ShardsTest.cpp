@@ -2,6 +2,7 @@
 // of a cluster does.
 
 #include "CliProcess.h"
+#include "TestFolders.h"
 
 #include <QFile>
 #include <QProcess>
@@ -17,8 +18,7 @@ class ShardsTest : public QObject {
 private slots:
     void initTestCase() {
         for (const char* name : {"single.dipw", "parts.dipw"}) {
-            QVERIFY(QFile::copy(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/tetrahedron.dipw"),
-                                path(QLatin1String(name))));
+            QVERIFY(QFile::copy(sampleFolder("/tetrahedron.dipw"), path(QLatin1String(name))));
             QVERIFY(QFile::setPermissions(path(QLatin1String(name)),
                                           QFile::ReadOwner | QFile::WriteOwner));
         }

@@ -4,6 +4,7 @@
 
 #include "CliProcess.h"
 #include "PrivateSlurm.h"
+#include "TestFolders.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -32,8 +33,7 @@ private slots:
             QSKIP("no Slurm here: install slurm-wlm and munge");
         }
         for (const char* name : {"single.dipw", "job.dipw"}) {
-            QVERIFY(QFile::copy(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/tetrahedron.dipw"),
-                                path(QLatin1String(name))));
+            QVERIFY(QFile::copy(sampleFolder("/tetrahedron.dipw"), path(QLatin1String(name))));
             QVERIFY(QFile::setPermissions(path(QLatin1String(name)),
                                           QFile::ReadOwner | QFile::WriteOwner));
         }

@@ -1,6 +1,7 @@
 // Two who write one file: the second is told, and nothing of the first's work is lost.
 
 #include "CliProcess.h"
+#include "TestFolders.h"
 #include "disk/FileLock.h"
 #include "disk/ResultFolder.h"
 #include "disk/Unfinished.h"
@@ -76,7 +77,7 @@ private:
 void WritersTest::init() {
     folder_ = std::make_unique<QTemporaryDir>();
     job_ = path(QStringLiteral("job.dipw"));
-    QVERIFY(QFile::copy(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/tetrahedron.dipw"), job_));
+    QVERIFY(QFile::copy(sampleFolder("/tetrahedron.dipw"), job_));
     QVERIFY(QFile::setPermissions(job_, QFile::ReadOwner | QFile::WriteOwner));
 }
 
@@ -84,7 +85,7 @@ void WritersTest::whatIsOpenElsewhereIsNotWritten_data() {
     QTest::addColumn<QString>("words");
     QTest::newRow("optimize") << "optimize JOB --immersions 1 --candidates 6";
     QTest::newRow("use") << "profile use film DIPPED JOB";
-    QTest::newRow("new") << "new JOB --model " DIPWRIGHT_SAMPLE_FOLDER "/models/sphere.obj";
+    QTest::newRow("new") << "new JOB --model " + sampleFolder("/models/sphere.obj");
 }
 
 void WritersTest::whatIsOpenElsewhereIsNotWritten() {

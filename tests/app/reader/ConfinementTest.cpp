@@ -1,5 +1,6 @@
 // What a process can still do that is about to read a foreign file.
 #include "reader/Confinement.h"
+#include "TestFolders.h"
 
 #include "base/Budgets.h"
 
@@ -139,7 +140,7 @@ private slots:
                 environment.insert(QStringLiteral("DIPWRIGHT_READ_UNCONFINED"), unconfinedToo);
             }
             program.setProcessEnvironment(environment);
-            program.start(QStringLiteral(DIPWRIGHT_BINARY_FOLDER "/dipwright-cli"),
+            program.start(binaryFolder("/dipwright-cli"),
                           {QStringLiteral("new"), folder.filePath(name), QStringLiteral("--model"),
                            model, QStringLiteral("--size-mm"), QStringLiteral("40")});
             program.waitForFinished(-1);

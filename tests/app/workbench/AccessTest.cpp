@@ -2,6 +2,7 @@
 // and can be read: in all windows and dialogs, in both themes.
 #include "Contrast.h"
 #include "Patience.h"
+#include "TestFolders.h"
 #include "WindowDriver.h"
 #include "dialogs/CalibrationDialog.h"
 #include "dialogs/GuideWindow.h"
@@ -117,9 +118,8 @@ private slots:
 
     void aProjectAndItsResults() {
         WindowDriver driver(*window_);
-        QVERIFY(driver.create(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj"),
-                              QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png"), 90,
-                              [](Project& project) {
+        QVERIFY(driver.create(sampleFolder("/models/turtle.obj"),
+                              sampleFolder("/models/turtle.png"), 90, [](Project& project) {
                                   project.film.columns = 28;
                                   project.film.rows = 40;
                                   project.fieldResolution = 64;

@@ -3,6 +3,7 @@
 // Run with --edit FOLDER MODEL, this program is the one that gets killed: it edits an untitled
 // project and says so when its recovery copy is on the disk.
 #include "Patience.h"
+#include "TestFolders.h"
 #include "WindowDriver.h"
 #include "document/Recovery.h"
 #include "project/ProjectStore.h"
@@ -55,7 +56,7 @@ class CrashTest : public QObject {
 private slots:
     void workIsRestoredAfterAKill() {
         const QTemporaryDir folder;
-        const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
+        const QString model = sampleFolder("/models/turtle.obj");
         QProcess editor;
         editor.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         editor.start(QApplication::applicationFilePath(),

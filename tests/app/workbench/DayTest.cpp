@@ -1,6 +1,7 @@
 // A whole day with the real window: new, run, scrub, read, change, undo, save, close, reopen, and
 // the files that cannot be opened.
 #include "Patience.h"
+#include "TestFolders.h"
 #include "WindowDriver.h"
 #include "base/Error.h"
 #include "dialogs/SnapshotsDialog.h"
@@ -29,8 +30,8 @@ using namespace dipwright;
 
 namespace {
 
-const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
-const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png");
+const QString model = sampleFolder("/models/turtle.obj");
+const QString texture = sampleFolder("/models/turtle.png");
 
 void makeTwoCoarseDips(Project& project) {
     makeCoarse(project);

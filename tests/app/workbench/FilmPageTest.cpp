@@ -3,6 +3,7 @@
 #include "InspectionWindow.h"
 #include "Patience.h"
 #include "TankPhoto.h"
+#include "TestFolders.h"
 #include "panels/NumberBox.h"
 #include "panels/PicturePanel.h"
 #include "project/ProfileLibrary.h"
@@ -37,7 +38,7 @@ private slots:
             QVERIFY(tankPhoto(truth, seconds, 85).save(files_.last()));
         }
         window_ = std::make_unique<InspectionWindow>(home_.path());
-        QVERIFY(window_->open(loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/sphere.dipw"))));
+        QVERIFY(window_->open(loadProject(sampleFolder("/sphere.dipw"))));
         window_->show(window_->page<FilmPage>());
     }
 

@@ -2,6 +2,7 @@
 // on, a notice when another solver took over, pictures exported as they are shown.
 #include "Patience.h"
 #include "PluginFolder.h"
+#include "TestFolders.h"
 #include "WindowDriver.h"
 #include "dialogs/CertaintyDialog.h"
 #include "dialogs/GuideWindow.h"
@@ -43,13 +44,13 @@ using test::PluginFolder;
 
 namespace {
 
-const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
-const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png");
+const QString model = sampleFolder("/models/turtle.obj");
+const QString texture = sampleFolder("/models/turtle.png");
 
 // A GPU solver that every run prefers and that fails as soon as it steps.
 void addFailingGpu(const PluginFolder& folder) {
     const QString name = QStringLiteral("advance");
-    folder.add(name, QStringLiteral(DIPWRIGHT_BAD_MODULES "/") + PluginFolder::moduleName(name));
+    folder.add(name, badModuleFolder("/") + PluginFolder::moduleName(name));
     QJsonObject description = PluginFolder::description(name);
     description[QLatin1String("device")] = QStringLiteral("gpu");
     description[QLatin1String("priority")] = 1000;

@@ -2,6 +2,7 @@
 #include "InspectionWindow.h"
 #include "PartPhoto.h"
 #include "Patience.h"
+#include "TestFolders.h"
 #include "inspect/BuiltPage.h"
 #include "inspect/PartPage.h"
 #include "panels/NumberBox.h"
@@ -37,7 +38,7 @@ class InspectionPageTest : public QObject {
 private slots:
     void initTestCase() {
         window_ = std::make_unique<InspectionWindow>(home_.path());
-        Project sphere = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/sphere.dipw"));
+        Project sphere = loadProject(sampleFolder("/sphere.dipw"));
         makeCoarse(sphere);
         QVERIFY(window_->open(sphere));
         QVERIFY(window_->driver().run());

@@ -4,6 +4,7 @@
 #include "PaperMeasure.h"
 #include "Patience.h"
 #include "PrivateCups.h"
+#include "TestFolders.h"
 
 #include "panels/PicturePanel.h"
 #include "project/ProjectStore.h"
@@ -30,7 +31,7 @@ class PackDialogTest : public QObject {
 
     // The sample ball, small and coarse.
     QString ball(const QString& name) {
-        Project project = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/sphere.dipw"));
+        Project project = loadProject(sampleFolder("/sphere.dipw"));
         project.name = name;
         setByPath(project, QStringLiteral("film.size_mm"), QStringLiteral("120x120"));
         setByPath(project, QStringLiteral("film.points"), QStringLiteral("31x31"));

@@ -1,6 +1,7 @@
 // What planners expect of a window: results that are there when a project is opened again, a queue,
 // a smaller film proposed, the body handled by menu and keys, help where one is.
 #include "Patience.h"
+#include "TestFolders.h"
 #include "WindowDriver.h"
 #include "compare/CompareWindow.h"
 #include "dialogs/GuideWindow.h"
@@ -33,8 +34,8 @@ using namespace dipwright;
 
 namespace {
 
-const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
-const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png");
+const QString model = sampleFolder("/models/turtle.obj");
+const QString texture = sampleFolder("/models/turtle.png");
 
 Eigen::Vector3d inWorld(const Immersion& immersion, const Eigen::Vector3d& ofModel) {
     return rotationMatrix(immersion.rotation) * ofModel;

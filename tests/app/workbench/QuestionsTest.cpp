@@ -2,6 +2,7 @@
 // answered by clicks, and that it shows such names as they are. DIPWRIGHT_PICTURES=FOLDER keeps the
 // screen at each question.
 #include "Patience.h"
+#include "TestFolders.h"
 #include "WindowDriver.h"
 #include "disk/FileLock.h"
 #include "panels/NoticeBar.h"
@@ -26,7 +27,7 @@ using namespace dipwright;
 
 namespace {
 
-const QString sample = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/tetrahedron.dipw");
+const QString sample = sampleFolder("/tetrahedron.dipw");
 
 void keepScreen(const QString& name) {
     const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES");

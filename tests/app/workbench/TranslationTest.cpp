@@ -1,4 +1,5 @@
 // The translations are complete, keep their places for values, and stand for the texts of today.
+#include "TestFolders.h"
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -10,7 +11,7 @@
 
 namespace {
 
-const QString sources = QStringLiteral(DIPWRIGHT_SOURCES);
+const QString sources = sourceFolder();
 
 struct Message {
     QString context, source;

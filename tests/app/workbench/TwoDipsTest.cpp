@@ -4,6 +4,7 @@
 #include "PaperMeasure.h"
 #include "Patience.h"
 #include "PrivateCups.h"
+#include "TestFolders.h"
 #include "WindowDriver.h"
 #include "panels/ProjectTree.h"
 #include "panels/ResultsPanel.h"
@@ -20,8 +21,8 @@ using namespace dipwright;
 
 namespace {
 
-const QString model = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.obj");
-const QString texture = QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/models/turtle.png");
+const QString model = sampleFolder("/models/turtle.obj");
+const QString texture = sampleFolder("/models/turtle.png");
 
 // The second immersion is the window's to add.
 void makeCoarseDip(Project& project) {

@@ -1,6 +1,7 @@
 // Cradles of whole jobs. Some need models that are not in the repository: those in ../shared beside
 // it. Without them these cases are skipped, and scripts/test counts them.
 #include "pipeline/JobCradles.h"
+#include "TestFolders.h"
 #include "cradle/CradleFiles.h"
 #include "import/ImportModel.h"
 #include "pipeline/Pipeline.h"
@@ -13,10 +14,10 @@ using namespace dipwright;
 
 namespace {
 
-const QDir shared(QStringLiteral(DIPWRIGHT_SHARED_MODELS));
+const QDir shared(sharedFolder("/data/models"));
 
 Project turtle() {
-    Project project = loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/turtle.dipw"));
+    Project project = loadProject(sampleFolder("/turtle.dipw"));
     project.sheet.resolution = DotsPerInch(50);
     return project;
 }
@@ -37,7 +38,7 @@ Project twoDipsOf(const QString& model) {
 }
 
 JobResult resultOf(const Project& project) {
-    static const SolverRegistry registry{QStringList{DIPWRIGHT_PLUGINS}};
+    static const SolverRegistry registry{QStringList{pluginFolder()}};
     JobOptions options;
     options.estimatesCertainty = false;
     return runJob(project, registry, options, nullptr, {});

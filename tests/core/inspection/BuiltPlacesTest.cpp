@@ -1,6 +1,7 @@
 // Where the film lies on a dipped part, told on the sheet.
 #include "inspection/BuiltPlaces.h"
 #include "PhotographedPart.h"
+#include "TestFolders.h"
 #include "correction/SheetCorrection.h"
 #include "solver/SolverRegistry.h"
 
@@ -12,7 +13,7 @@ using namespace dipwright;
 namespace {
 
 const solver::SolverModule& solverModule() {
-    static const SolverRegistry plugins{QStringList{DIPWRIGHT_PLUGINS}};
+    static const SolverRegistry plugins{QStringList{pluginFolder()}};
     return plugins.module(QStringLiteral("pbd-cpu"));
 }
 

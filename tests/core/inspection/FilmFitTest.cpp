@@ -1,5 +1,6 @@
 // The film's numbers found from photos of a part that was dipped with others than it was believed.
 #include "PhotographedPart.h"
+#include "TestFolders.h"
 #include "base/Error.h"
 #include "inspection/JointFit.h"
 #include "inspection/SimulatedPlaces.h"
@@ -17,7 +18,7 @@ namespace {
 const test::Hidden hidden{1.062, 1.045, 4, 1.3, -0.9, 1.6};
 
 const SolverRegistry& registry() {
-    static const SolverRegistry plugins{QStringList{DIPWRIGHT_PLUGINS}};
+    static const SolverRegistry plugins{QStringList{pluginFolder()}};
     return plugins;
 }
 

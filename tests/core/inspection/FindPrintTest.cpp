@@ -1,6 +1,7 @@
 // Corners of a print found in photos of a body, of which every number is known.
 #include "inspection/FindPrint.h"
 #include "PartPhoto.h"
+#include "TestFolders.h"
 #include "base/Error.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
@@ -309,7 +310,7 @@ private slots:
         layer.size = {Millimetres(across * square), Millimetres(down * square)};
         project.artwork.base = Qt::white;
         project.artwork.layers = {layer};
-        const SolverRegistry registry(QStringList{DIPWRIGHT_PLUGINS});
+        const SolverRegistry registry(QStringList{pluginFolder()});
         JobOptions options;
         options.estimatesCertainty = false;
         const JobResult job = runJob(project, registry, options, nullptr, {});
@@ -337,7 +338,7 @@ void FindPrintTest::theJobsChessboardIsCarriedToTheBody() {
     Project inTank = project;
     inTank.film.swellX = inTank.film.swellY = 1.015;
     inTank.immersions[0].offset = {Millimetres(0.8), Millimetres(0)};
-    const SolverRegistry registry(QStringList{DIPWRIGHT_PLUGINS});
+    const SolverRegistry registry(QStringList{pluginFolder()});
     JobOptions options;
     options.chessboard = true;
     options.estimatesCertainty = false;

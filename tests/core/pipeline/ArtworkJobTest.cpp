@@ -1,4 +1,5 @@
 // Artwork from the project to the sheet: what it paints, what it makes anew, what it leaves alone.
+#include "TestFolders.h"
 #include "artwork/PaintArtwork.h"
 #include "base/Error.h"
 #include "base/WideColour.h"
@@ -91,7 +92,7 @@ class ArtworkJobTest : public QObject {
 private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
-        registry_ = std::make_unique<SolverRegistry>(QStringList{DIPWRIGHT_PLUGINS});
+        registry_ = std::make_unique<SolverRegistry>(QStringList{pluginFolder()});
         bare_ = run(ballJob());
         spotted_ = run(spottedJob(), &bare_);
     }

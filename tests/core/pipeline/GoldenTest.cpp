@@ -1,5 +1,6 @@
 // Projects of every version of the file format, made by the program of that version, run as ever.
 
+#include "TestFolders.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
 #include "project/ProjectStore.h"
@@ -42,7 +43,7 @@ private slots:
     void runsAsEver();
 
 private:
-    const QDir golden_{QStringLiteral(DIPWRIGHT_GOLDEN_FOLDER)};
+    const QDir golden_{sourceFolder("/tests/core/project/golden")};
 };
 
 void GoldenTest::everyVersionHasAProject() {

@@ -1,5 +1,6 @@
 // Several bodies dipped at once through one film: each is painted from its own place of it, and
 // neighbours draw the film between them away from each other.
+#include "TestFolders.h"
 #include "TexturedBall.h"
 #include "dip/JigModel.h"
 #include "pipeline/Pipeline.h"
@@ -63,7 +64,7 @@ class JigJobTest : public QObject {
 private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
-        registry_ = std::make_unique<SolverRegistry>(QStringList{DIPWRIGHT_PLUGINS});
+        registry_ = std::make_unique<SolverRegistry>(QStringList{pluginFolder()});
     }
 
     void eachIsPaintedFromItsOwnPlace() {

@@ -1,6 +1,7 @@
 // Dips kept beside a project: the same sheets as dipped anew, for as long as nothing that they
 // depend on has changed, within their room, and never worse than none.
 #include "pipeline/KeptDips.h"
+#include "TestFolders.h"
 
 #include "TestFiles.h"
 #include "base/Error.h"
@@ -61,7 +62,7 @@ class KeptDipsTest : public QObject {
 private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
-        registry_ = std::make_unique<SolverRegistry>(QStringList{DIPWRIGHT_PLUGINS});
+        registry_ = std::make_unique<SolverRegistry>(QStringList{pluginFolder()});
         job_ = ballJob();
         result_ = runJob(job_, *registry_, {}, nullptr, {});
         path_ = folder_.filePath(QStringLiteral("ball.dipw"));

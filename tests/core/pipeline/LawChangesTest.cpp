@@ -1,5 +1,6 @@
 // How much a sheet depends on laws of ours, on balls of which it is known.
 #include "pipeline/LawChanges.h"
+#include "TestFolders.h"
 
 #include "geometry/Shapes.h"
 #include "pipeline/Pipeline.h"
@@ -122,7 +123,7 @@ private:
         });
     }
 
-    const SolverRegistry registry_{QStringList{DIPWRIGHT_PLUGINS}};
+    const SolverRegistry registry_{QStringList{pluginFolder()}};
     ImmersionResult whole_, shallow_;
 };
 

@@ -2,6 +2,7 @@
 #include "pipeline/Pipeline.h"
 #include "PluginFolder.h"
 #include "TestFiles.h"
+#include "TestFolders.h"
 #include "TexturedBall.h"
 #include "base/Error.h"
 #include "disk/ResultFolder.h"
@@ -44,7 +45,7 @@ QByteArray sha256(const QByteArray& bytes) {
 }
 
 QString builtModule(const QString& name) {
-    return QStringLiteral(DIPWRIGHT_BAD_MODULES "/") + PluginFolder::moduleName(name);
+    return badModuleFolder("/") + PluginFolder::moduleName(name);
 }
 
 } // namespace
@@ -62,7 +63,7 @@ private slots:
 
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
-        registry_ = std::make_unique<SolverRegistry>(QStringList{DIPWRIGHT_PLUGINS});
+        registry_ = std::make_unique<SolverRegistry>(QStringList{pluginFolder()});
         job_ = ballJob();
         first_ = runJob(job_, *registry_, {}, nullptr, {});
     }
@@ -180,9 +181,8 @@ private slots:
 
     void anotherSolverDipsAnew() {
         const PluginFolder folder;
-        folder.add(QStringLiteral("twin"),
-                   QStringLiteral(DIPWRIGHT_PLUGINS "/") + PluginFolder::moduleName("pbd-cpu"));
-        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        folder.add(QStringLiteral("twin"), pluginFolder("/") + PluginFolder::moduleName("pbd-cpu"));
+        const SolverRegistry registry({folder.path(), pluginFolder()});
         Project job = job_;
         job.process.solver = QStringLiteral("twin"); // the same module under another name
         const JobResult result = runJob(job, registry, {}, &first_, {});
@@ -271,7 +271,7 @@ private slots:
         description[QLatin1String("device")] = QStringLiteral("gpu");
         description[QLatin1String("priority")] = 1000;
         folder.describe(description);
-        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        const SolverRegistry registry({folder.path(), pluginFolder()});
         const JobResult result = runJob(job_, registry, {}, nullptr, {});
         QCOMPARE(result.solver.id, QStringLiteral("pbd-cpu"));
         QVERIFY2(result.notes.size() == 1 && result.notes[0].contains("The solver advance"),
@@ -290,7 +290,7 @@ private slots:
         folder.add(QStringLiteral("device"), builtModule(QStringLiteral("device")));
         description[QLatin1String("device")] = QStringLiteral("gpu");
         folder.describe(description);
-        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        const SolverRegistry registry({folder.path(), pluginFolder()});
         Project job = job_;
         job.process.solver = QStringLiteral("device");
         QVERIFY(validateJob(job, registry).join('\n').contains("The CPU takes over"));
@@ -303,7 +303,7 @@ private slots:
     void aCpuThatFailsIsAnError() {
         const PluginFolder folder;
         folder.add(QStringLiteral("advance"), builtModule(QStringLiteral("advance")));
-        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        const SolverRegistry registry({folder.path(), pluginFolder()});
         JobOptions options;
         options.solver = QStringLiteral("advance");
         QVERIFY_EXCEPTION_THROWN(runJob(job_, registry, options, nullptr, {}), Error);
@@ -491,7 +491,8 @@ private slots:
                                  "import json, jsonschema, sys\n"
                                  "jsonschema.Draft202012Validator(json.load(open(sys.argv[1])))"
                                  ".validate(json.load(open(sys.argv[2])))",
-                                 DIPWRIGHT_TICKET_SCHEMA, home.filePath("ticket.json")});
+                                 sourceFolder("/resources/schemas/ticket.schema.json"),
+                                 home.filePath("ticket.json")});
         QVERIFY(schema.waitForFinished());
         QVERIFY2(schema.exitCode() == 0, schema.readAllStandardError().constData());
     }

@@ -1,5 +1,6 @@
 // Needs models that are not in the repository: those in ../shared beside it. Without them its cases
 // are skipped, and scripts/test counts them.
+#include "TestFolders.h"
 #include "artwork/PaintArtwork.h"
 #include "import/ImportModel.h"
 #include "pipeline/SheetCertainty.h"
@@ -12,7 +13,7 @@ using namespace dipwright;
 
 namespace {
 
-const QDir models(QStringLiteral(DIPWRIGHT_SHARED_MODELS));
+const QDir models(sharedFolder("/data/models"));
 
 ImportedModel importSpot() {
     ImportOptions options;
@@ -105,7 +106,7 @@ private slots:
         applyPreset(project, QStringLiteral("production"));
         project.immersions = {Immersion{}};
         project.model = std::make_shared<const TexturedMesh>(importSpot().model);
-        const SolverRegistry registry{QStringList{DIPWRIGHT_PLUGINS}};
+        const SolverRegistry registry{QStringList{pluginFolder()}};
         const auto certainty = sheetCertainty(project, registry, {});
         const double step = certainty[0].halfStep.distance.percentile95;
         const double spacing = certainty[0].halfSpacing.distance.percentile95;

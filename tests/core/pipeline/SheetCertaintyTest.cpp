@@ -1,5 +1,6 @@
 // How far sheets move when they are computed more finely, and that the user is told.
 #include "pipeline/SheetCertainty.h"
+#include "TestFolders.h"
 
 #include "PluginFolder.h"
 #include "base/Error.h"
@@ -16,7 +17,7 @@ using namespace dipwright;
 namespace {
 
 Project sample(const char* name) {
-    return loadProject(QStringLiteral(DIPWRIGHT_SAMPLE_FOLDER "/%1.dipw").arg(name));
+    return loadProject(sampleFolder("/%1.dipw").arg(name));
 }
 
 // The sample sphere on a small film.
@@ -107,11 +108,10 @@ private slots:
         const test::PluginFolder folder;
         QJsonObject description = test::PluginFolder::description(QStringLiteral("device"));
         folder.add(QStringLiteral("device"),
-                   QStringLiteral(DIPWRIGHT_BAD_MODULES "/") +
-                       test::PluginFolder::moduleName(QStringLiteral("device")));
+                   badModuleFolder("/") + test::PluginFolder::moduleName(QStringLiteral("device")));
         description[QLatin1String("device")] = QStringLiteral("gpu");
         folder.describe(description);
-        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        const SolverRegistry registry({folder.path(), pluginFolder()});
         Project project = sphereOn(25);
         project.process.solver = QStringLiteral("device");
         const auto certainty = sheetCertainty(project, registry, {});
@@ -166,7 +166,7 @@ private slots:
     }
 
 private:
-    const SolverRegistry registry_{QStringList{DIPWRIGHT_PLUGINS}};
+    const SolverRegistry registry_{QStringList{pluginFolder()}};
     std::vector<ImmersionCertainty> coarse_;
 };
 

@@ -1,6 +1,7 @@
 // Who computes, and who takes over from a GPU that is missing or fails.
 #include "pipeline/SolverChoice.h"
 #include "PluginFolder.h"
+#include "TestFolders.h"
 
 #include <QtTest>
 
@@ -20,7 +21,7 @@ void addGpu(const PluginFolder& folder, const char* module, const QString& path)
 }
 
 QString cpuModule() {
-    return QStringLiteral(DIPWRIGHT_PLUGINS "/") + PluginFolder::moduleName("pbd-cpu");
+    return pluginFolder("/") + PluginFolder::moduleName("pbd-cpu");
 }
 
 } // namespace
@@ -30,7 +31,7 @@ class SolverChoiceTest : public QObject {
 
 private slots:
     void autoIsTheIdThatItStandsFor() {
-        const SolverRegistry registry({DIPWRIGHT_PLUGINS});
+        const SolverRegistry registry({pluginFolder()});
         const SolverChoice choice = chooseSolver(QStringLiteral("auto"), registry);
         QCOMPARE(choice.solver.id, QStringLiteral("pbd-cpu"));
         QVERIFY(choice.notes.isEmpty());
@@ -39,9 +40,8 @@ private slots:
 
     void theCpuIsChosenForAGpuThatIsNotThere() {
         const PluginFolder folder;
-        addGpu(folder, "device",
-               QStringLiteral(DIPWRIGHT_BAD_MODULES "/") + PluginFolder::moduleName("device"));
-        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        addGpu(folder, "device", badModuleFolder("/") + PluginFolder::moduleName("device"));
+        const SolverRegistry registry({folder.path(), pluginFolder()});
         const SolverChoice choice = chooseSolver(QStringLiteral("device"), registry);
         QCOMPARE(choice.solver.id, QStringLiteral("pbd-cpu"));
         QCOMPARE(choice.notes.size(), 1);
@@ -53,7 +53,7 @@ private slots:
     void workIsDoneAgainWhereAGpuFails() {
         const PluginFolder folder;
         addGpu(folder, "gpu", cpuModule());
-        const SolverRegistry registry({folder.path(), DIPWRIGHT_PLUGINS});
+        const SolverRegistry registry({folder.path(), pluginFolder()});
         SolverChoice choice = chooseSolver(QStringLiteral("auto"), registry);
         QCOMPARE(choice.solver.id, QStringLiteral("gpu"));
         int tried = 0;
@@ -75,7 +75,7 @@ private slots:
     }
 
     void aCpuThatFailsIsAnError() {
-        const SolverRegistry registry({DIPWRIGHT_PLUGINS});
+        const SolverRegistry registry({pluginFolder()});
         SolverChoice choice = chooseSolver(QStringLiteral("pbd-cpu"), registry);
         const auto work = [](const solver::SolverModule&) -> int {
             throw Error(QStringLiteral("No"), QStringLiteral("here"));

@@ -1,4 +1,5 @@
 // What a run says of its sheets, held against the full check: a body of each kind.
+#include "TestFolders.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
 #include "pipeline/SheetCertainty.h"
@@ -127,7 +128,7 @@ private:
         return all.join(' ');
     }
 
-    const SolverRegistry registry_{QStringList{DIPWRIGHT_PLUGINS}};
+    const SolverRegistry registry_{QStringList{pluginFolder()}};
 };
 
 QTEST_MAIN(VerdictTest)

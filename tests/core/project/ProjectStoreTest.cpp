@@ -2,6 +2,7 @@
 #include "HostileZip.h"
 #include "SampleProject.h"
 #include "TestFiles.h"
+#include "TestFolders.h"
 
 #include "base/Error.h"
 #include "project/ProjectStore.h"
@@ -284,7 +285,7 @@ private slots:
     }
 
     void theGoldenProjectOfEveryVersionOpens() {
-        const QDir golden(QStringLiteral(DIPWRIGHT_GOLDEN_FOLDER));
+        const QDir golden(sourceFolder("/tests/core/project/golden"));
         for (int version = 1; version <= projectVersion; ++version) {
             const Project project =
                 loadProject(golden.filePath(QStringLiteral("version-%1.dipw").arg(version)));
@@ -297,7 +298,7 @@ private slots:
     }
 
     void theFirstGoldenProjectIsAsItWas() {
-        const Project project = loadProject(QDir(QStringLiteral(DIPWRIGHT_GOLDEN_FOLDER))
+        const Project project = loadProject(QDir(sourceFolder("/tests/core/project/golden"))
                                                 .filePath(QStringLiteral("version-1.dipw")));
         QCOMPARE(project.name, QStringLiteral("golden"));
         QCOMPARE(project.immersions[1].rotation[0].value(), 180.0);

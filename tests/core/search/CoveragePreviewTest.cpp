@@ -1,6 +1,7 @@
 // Coverage by the body's shape alone, against what is plain to see and against dips.
 #include "search/CoveragePreview.h"
 #include "SearchSubjects.h"
+#include "TestFolders.h"
 #include "dip/Coverage.h"
 #include "solver/SolverRegistry.h"
 
@@ -32,7 +33,7 @@ class CoveragePreviewTest : public QObject {
 private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
-        registry_ = std::make_unique<SolverRegistry>(QStringList{DIPWRIGHT_PLUGINS});
+        registry_ = std::make_unique<SolverRegistry>(QStringList{pluginFolder()});
     }
 
     void aBallIsPaintedUpToTheOverhang() {

@@ -1,6 +1,7 @@
 // The pose search, on bodies whose best poses are plain to see.
 #include "search/PoseSearch.h"
 #include "SearchSubjects.h"
+#include "TestFolders.h"
 #include "base/Error.h"
 #include "parallel/Threads.h"
 #include "solver/SolverRegistry.h"
@@ -50,7 +51,7 @@ class PoseSearchTest : public QObject {
 private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
-        registry_ = std::make_unique<SolverRegistry>(QStringList{DIPWRIGHT_PLUGINS});
+        registry_ = std::make_unique<SolverRegistry>(QStringList{pluginFolder()});
         board_ = subjectOf(boxMesh({6, 40, 40})); // its broad faces towards ±X
     }
 

@@ -1,5 +1,6 @@
 // How far colours land off their places for what is off, where that is known.
 #include "DippedByHand.h"
+#include "TestFolders.h"
 #include "geometry/Shapes.h"
 #include "parallel/Threads.h"
 #include "pipeline/JobTolerances.h"
@@ -53,7 +54,7 @@ Project ball() {
 }
 
 const SolverRegistry& registry() {
-    static const SolverRegistry plugins{QStringList{DIPWRIGHT_PLUGINS}};
+    static const SolverRegistry plugins{QStringList{pluginFolder()}};
     return plugins;
 }
 
