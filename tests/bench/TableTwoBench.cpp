@@ -151,6 +151,12 @@ void measure(const Case& one, const QString& folder, const QString& solver, QTex
     }
     Project project = loadProject(path);
     project.immersions.resize(1);
+    // As docs/inspection.md has its figures: A4 of 120 × 170 points, all of the body dipped.
+    project.film = {};
+    project.process.depth.reset();
+    if (one.sample == QLatin1String("tetrahedron")) {
+        project.immersions[0].rotation = {Degrees(180), Degrees(0), Degrees(0)}; // point first
+    }
     project.sheet.resolution = DotsPerInch(72);
     const QSizeF sheet(project.film.width.value(), project.film.height.value());
     const auto meant = dipped(project, solver), done = dipped(made(project), solver);

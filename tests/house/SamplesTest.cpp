@@ -1,8 +1,10 @@
-// The samples: that they are what the README says, and ready to dip.
+// The samples: that they are what the README says, ready to dip, and to be printed.
 #include "TestFolders.h"
 #include "base/Units.h"
 #include "geometry/SurfaceQuery.h"
 #include "model/TexturedMesh.h"
+#include "pipeline/Pipeline.h"
+#include "pipeline/SmallerFilm.h"
 #include "project/Project.h"
 #include "project/ProjectStore.h"
 
@@ -59,6 +61,40 @@ int sharedPixels(const TexturedMesh& model, int side) {
     return shared;
 }
 
+// What comes of a sample's own job, but for the sheet's resolution.
+const JobResult& resultOf(const QByteArray& name) {
+    static const SolverRegistry registry{QStringList{pluginFolder()}};
+    static std::map<QByteArray, JobResult> results;
+    if (!results.count(name)) {
+        Project project = sample(name.constData());
+        project.sheet.resolution = DotsPerInch(72);
+        JobOptions options;
+        options.solver = QStringLiteral("pbd-cpu");
+        results[name] = runJob(project, registry, options, nullptr, {});
+    }
+    return results[name];
+}
+
+// How much two pictures of a sheet differ where they differ most, in grey levels over 3 × 3 mm.
+int largestDifference(const QImage& a, const QImage& b, const FilmSettings& film) {
+    const QSize coarse(int(film.width.value() / 3), int(film.height.value() / 3));
+    const auto blurred = [&](const QImage& image) {
+        return image.convertToFormat(QImage::Format_RGB32)
+            .scaled(coarse, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+            .convertToFormat(QImage::Format_Grayscale8);
+    };
+    const QImage left = blurred(a);
+    const QImage right = blurred(b);
+    int largest = 0;
+    for (int y = 0; y < coarse.height(); ++y) {
+        for (int x = 0; x < coarse.width(); ++x) {
+            largest =
+                std::max(largest, std::abs(qGray(left.pixel(x, y)) - qGray(right.pixel(x, y))));
+        }
+    }
+    return largest;
+}
+
 std::size_t chartCount(const TexturedMesh& model) {
     return std::set<std::uint32_t>(model.chart.begin(), model.chart.end()).size();
 }
@@ -72,6 +108,10 @@ private Q_SLOTS:
     void haveTheirSizes();
     void areCleanBodies_data() { haveTheirSizes_data(); }
     void areCleanBodies();
+    void filmSuitsTheBody_data() { haveTheirSizes_data(); }
+    void filmSuitsTheBody();
+    void aFlippedSheetIsSeen_data() { haveTheirSizes_data(); }
+    void aFlippedSheetIsSeen();
     void turtleIsDippedTwice();
     void turtleHasNoPlaceTwiceInItsTexture();
 };
@@ -113,6 +153,30 @@ void SamplesTest::areCleanBodies() {
     QCOMPARE(model.textures.front().size(), QSize(2048, 2048));
 }
 
+void SamplesTest::filmSuitsTheBody() {
+    QFETCH(QByteArray, name);
+    const JobResult& result = resultOf(name);
+    QVERIFY(result.project.film.resolution == FilmResolution::Automatic);
+    QVERIFY(!smallerFilm(result).has_value());
+    for (const ImmersionResult& dip : result.immersions) {
+        const QString told = verdictText(dip.immersion.name, dip.verdict);
+        QVERIFY2(dip.verdict.advice == Advice::Print, qPrintable(told));
+    }
+}
+
+void SamplesTest::aFlippedSheetIsSeen() {
+    QFETCH(QByteArray, name);
+    const JobResult& result = resultOf(name);
+    for (const ImmersionResult& dip : result.immersions) {
+        const QImage& sheet = dip.sheet.image;
+        for (const QImage& flipped : {sheet.mirrored(true, false), sheet.mirrored(false, true),
+                                      sheet.mirrored(true, true)}) {
+            const int difference = largestDifference(sheet, flipped, result.project.film);
+            QVERIFY2(difference > 40, qPrintable(QString::number(difference)));
+        }
+    }
+}
+
 void SamplesTest::turtleIsDippedTwice() {
     const Project project = sample("turtle");
     QCOMPARE(project.immersions.size(), std::size_t(2));
@@ -124,5 +188,5 @@ void SamplesTest::turtleHasNoPlaceTwiceInItsTexture() {
     QCOMPARE(sharedPixels(*sample("turtle").model, 1024), 0);
 }
 
-QTEST_GUILESS_MAIN(SamplesTest)
+QTEST_MAIN(SamplesTest)
 #include "SamplesTest.moc"

@@ -51,7 +51,8 @@ public:
         Immersion immersion;
     };
     const Body& body(const QString& name);
-    // The sample turtle's project, and its file. Throws Error where the samples are not installed.
+    // The sample turtle's project on an A4 film of 120 × 170 points, and its file. Throws Error
+    // where the samples are not installed.
     static QString turtleFile();
     static Project turtle();
 

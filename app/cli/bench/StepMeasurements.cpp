@@ -133,7 +133,9 @@ QString BenchBodies::turtleFile() {
 }
 
 Project BenchBodies::turtle() {
-    return loadProject(turtleFile());
+    Project project = loadProject(turtleFile());
+    project.film = {}; // A4 of 120 × 170 points, so that figures can be compared over the years
+    return project;
 }
 
 std::vector<StepRow> measureTableOne(const BenchSolver& solver, BenchBodies& bodies, int rows,

@@ -74,7 +74,9 @@ void paintFace(QPainter& painter, std::size_t face) {
     painter.save();
     painter.translate(middle);
     painter.scale(1, -1);
-    paintLetters(painter, QPointF(0, 0), 14, QChar(char16_t('A' + face)));
+    // None that a flip or a turn makes look right again.
+    constexpr std::array<char16_t, 4> letters{u'F', u'G', u'P', u'R'};
+    paintLetters(painter, QPointF(0, 0), 14, QChar(letters[face]));
     painter.restore();
 }
 

@@ -211,7 +211,7 @@ Colour withFace(Colour colour, const Vector3f& place) {
                  std::max(smoothStep(0.25F, 0.45F, toMouth), 1 - smoothStep(0, 0.5F, toEnd)));
 }
 
-// The maker's mark for the belly: 1 where ink is. Right side up for who looks from below, head up.
+// The maker's mark, 1 where ink is: an R, which no flip and no turn makes look right again.
 QImage makersMark() {
     QImage image(1000, 1000, QImage::Format_Grayscale8);
     image.fill(Qt::black);
@@ -221,20 +221,24 @@ QImage makersMark() {
     painter.drawEllipse(QPointF(500, 500), 455, 455);
     painter.setPen(Qt::NoPen);
     painter.setBrush(Qt::white);
-    paintLetters(painter, QPointF(510, 500), 480, QStringLiteral("D"));
+    paintLetters(painter, QPointF(510, 500), 480, QStringLiteral("R"));
     return image;
 }
 
+// On the belly and on the middle plate of the back, right side up for who looks at it, head up.
 Colour withMark(const Colour& colour, const Vector3f& place) {
     static const QImage mark = makersMark();
-    constexpr float size = 22; // mm
-    const Vector2f centre(0, 1);
-    const int x = int((0.5F + (place.x() - centre.x()) / size) * float(mark.width()));
-    const int y = int((0.5F - (place.z() - centre.y()) / size) * float(mark.height()));
-    if (place.y() > -rimBottom - 2 || !mark.valid(x, y)) {
+    const bool above = place.y() > 0;
+    const float size = above ? 9 : 22; // mm
+    const Vector2f centre(0, above ? -3 : 1);
+    const float right = above ? -place.x() : place.x(); // seen from outside
+    const int x = int(std::floor((0.5F + (right - centre.x()) / size) * float(mark.width())));
+    const int y = int(std::floor((0.5F - (place.z() - centre.y()) / size) * float(mark.height())));
+    if (!mark.valid(x, y)) {
         return colour;
     }
-    return mixed(colour, {46, 84, 84}, float(qGray(mark.pixel(x, y))) / 255);
+    const Colour ink = above ? outline : Colour{46, 84, 84};
+    return mixed(colour, ink, float(qGray(mark.pixel(x, y))) / 255);
 }
 
 // Shell where the shell is the nearer part, with a dark line of even width round it.

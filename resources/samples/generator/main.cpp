@@ -4,6 +4,7 @@
 #include "Samples.h"
 #include "base/Error.h"
 #include "import/ImportModel.h"
+#include "project/FilmSizes.h"
 #include "project/Project.h"
 #include "project/ProjectStore.h"
 #include "settings/Immersion.h"
@@ -16,11 +17,13 @@ namespace {
 
 using namespace dipwright;
 
+// The film is as large as the dips need, with a rim of 20 mm or more (pipeline/SmallerFilm.h).
 struct Sample {
     QString name;
     TexturedMesh (*model)();
     std::vector<Immersion> immersions;
-    Degrees overhang{20};
+    QSizeF film; // mm
+    ProcessSettings process;
 };
 
 Immersion immersion(const QString& name, double x, double y, double z) {
@@ -28,18 +31,28 @@ Immersion immersion(const QString& name, double x, double y, double z) {
 }
 
 std::vector<Sample> allSamples() {
+    ProcessSettings shallow; // sharp edges and steep faces would ask for far finer film
+    shallow.depth = Millimetres(2);
+    ProcessSettings clinging; // so that the two dips meet round the flippers
+    clinging.overhang = Degrees(25);
     return {
         {QStringLiteral("sphere"),
          samples::sphere,
-         {immersion(QStringLiteral("Front"), 90, 180, 0)}},
+         {immersion(QStringLiteral("Front"), 90, 180, 0)},
+         {180, 180},
+         {}},
         {QStringLiteral("tetrahedron"),
          samples::tetrahedron,
-         {immersion(QStringLiteral("Point first"), 180, 0, 0)}},
+         {immersion(QStringLiteral("Face F"), 0, 180, 0),
+          immersion(QStringLiteral("Face P"), -109.5, 0, 0)},
+         {110, 110},
+         shallow},
         {QStringLiteral("turtle"),
          samples::turtle,
          {immersion(QStringLiteral("Belly"), 0, 0, 0),
           immersion(QStringLiteral("Shell"), 0, 0, 180)},
-         Degrees(25)}, // film that clings, so that the two dips meet round the flippers
+         filmSize(QStringLiteral("A5")),
+         clinging},
     };
 }
 
@@ -56,8 +69,10 @@ void write(const Sample& sample, const QDir& folder) {
     project.name = sample.name.left(1).toUpper() + sample.name.mid(1);
     project.date = QStringLiteral("2026-01-01"); // the same file whenever it is made
     applyPreset(project, QStringLiteral("production"));
+    resizeFilm(project.film, Millimetres(sample.film.width()), Millimetres(sample.film.height()));
+    project.film.resolution = FilmResolution::Automatic;
     project.immersions = sample.immersions;
-    project.process.overhang = sample.overhang;
+    project.process = sample.process;
     project.model =
         std::make_shared<const TexturedMesh>(importModel(folder.filePath(source), {}, {}).model);
     project.modelOrigin.source = source;

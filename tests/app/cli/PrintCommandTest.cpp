@@ -18,8 +18,9 @@ namespace {
 
 const QString turtle = sampleFolder("/turtle.dipw");
 // Coarse, to be quick: what is tried here is the way to the paper.
-const QStringList coarse{"--set", "film.points=41x58", "--set",  "body.sdf_resolution=64",
-                         "--set", "sheet.dpi=150",     "--quiet"};
+const QStringList coarse{"--set",  "film.preset=A4",         "--set", "film.points=41x58",
+                         "--set",  "body.sdf_resolution=64", "--set", "sheet.dpi=150",
+                         "--quiet"};
 
 // From 0 to 100 mm on the ruler of a calibration page, as received; 0 where there is none.
 double calibrationRuler(const QString& path, bool across, int ticksWanted) {
@@ -187,7 +188,7 @@ void PrintCommandTest::filesKeepToWhatThePrinterReaches() {
         cli({"profile", "set", "printer", "Inset", "--set", "margins_mm=12;12;12;12"}).exitCode ==
         0);
     const auto write = [&](const QString& path, const QStringList& more) {
-        return cli(QStringList{"print", turtle, "--immersion", "1", "--to", path} + more + coarse);
+        return cli(QStringList{"print", turtle, "--immersion", "1", "--to", path} + coarse + more);
     };
     const QString pdf = folder_.filePath("inset.pdf");
     QCOMPARE(write(pdf, {"--profile", "Inset", "--accept-clipping"}).exitCode, 0);

@@ -25,6 +25,7 @@ Project sample(const char* name) {
 // The sample sphere on a small film.
 Project sphereOn(int points) {
     Project project = sample("sphere");
+    project.film = {}; // evenly spaced points
     project.film.width = project.film.height = Millimetres(160);
     project.film.columns = project.film.rows = points;
     project.fieldResolution = 64;
