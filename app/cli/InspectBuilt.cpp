@@ -1,4 +1,5 @@
 #include "cli/InspectBuilt.h"
+#include "model/TexturedMesh.h"
 
 #include "base/Png.h"
 #include "cli/Arguments.h"

@@ -1,4 +1,5 @@
 #include "cli/InspectPart.h"
+#include "model/TexturedMesh.h"
 
 #include "cli/Arguments.h"
 #include "disk/SmallFile.h"

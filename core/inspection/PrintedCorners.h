@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dip/LaidFilm.h"
+#include "model/TexturedMesh.h"
 
 #include <QSizeF>
 #include <vector>

@@ -157,8 +157,8 @@ QImage evenWhite(const QImage& picture, double tint) {
 }
 
 // Of the artwork's spot inks. Keeps references to its arguments.
-std::vector<SpotPlate> spotPlates(const TextureInputs& inputs, const Progress& progress) {
-    std::vector<SpotPlate> plates;
+std::vector<SpotAppearance> spotPlates(const TextureInputs& inputs, const Progress& progress) {
+    std::vector<SpotAppearance> plates;
     for (const ArtworkLayer& layer : inputs.paint.artwork.spots()) {
         plates.emplace_back([&inputs, &progress, spot = layer.spot] {
             return paintSpot(*inputs.paint.model, inputs.paint.artwork, spot,

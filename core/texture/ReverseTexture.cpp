@@ -498,7 +498,7 @@ ReverseTexture reverseTexture(const LaidFilm& laid, const SurfaceAppearance& app
     ReverseTextureOptions tints = options;
     tints.white = 0;
     tints.keepsWanted = false;
-    for (const SpotPlate& spot : options.spots) {
+    for (const SpotAppearance& spot : options.spots) {
         const SurfaceAppearance plate = spot();
         result.spots.push_back(tintsOf(reversed(laid, plate, Shown::Plate, tints, progress).image));
     }

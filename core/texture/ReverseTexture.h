@@ -18,7 +18,7 @@
 namespace dipwright {
 
 // What the body is to show in a spot ink: grey of 1 − its tint in linear light.
-using SpotPlate = std::function<SurfaceAppearance()>;
+using SpotAppearance = std::function<SurfaceAppearance()>;
 
 struct ReverseTextureOptions {
     QSize pixels;     // of the whole film
@@ -28,7 +28,7 @@ struct ReverseTextureOptions {
     double white = 0; // tint that a white layer is to have on the body, 0 … 1; 0: no layer
     bool keepsWanted = false; // what colour is to show, and how far the film stretches there
     // Made when their turn comes, one at a time: each is as large as the body's texture.
-    std::vector<SpotPlate> spots = {};
+    std::vector<SpotAppearance> spots = {};
 };
 
 struct ReverseTexture {

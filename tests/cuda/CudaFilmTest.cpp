@@ -5,6 +5,7 @@
 #include "dip/Dip.h"
 #include "film/FilmGrid.h"
 #include "geometry/Shapes.h"
+#include "model/TexturedMesh.h"
 #include "paper/reference/PlainPaperFilm.h"
 #include "production/reference/ReferenceFilm.h"
 #include "project/Project.h"

@@ -4,6 +4,7 @@
 #include "WholeSample.h"
 #include "film/FilmGrid.h"
 #include "geometry/Shapes.h"
+#include "model/TexturedMesh.h"
 #include "production/reference/ReferenceFilm.h"
 #include "project/Project.h"
 #include "project/ProjectStore.h"

@@ -1,4 +1,5 @@
 #include "cli/bench/Measurements.h"
+#include "model/TexturedMesh.h"
 
 #include "base/Bytes.h"
 #include "base/Error.h"

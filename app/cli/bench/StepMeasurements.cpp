@@ -1,5 +1,6 @@
 #include "cli/bench/Measurements.h"
 #include "film/FilmGrid.h"
+#include "model/TexturedMesh.h"
 #include "project/Project.h"
 
 #include "base/Error.h"
