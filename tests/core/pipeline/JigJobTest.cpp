@@ -66,11 +66,11 @@ private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
         registry_ = std::make_unique<SolverRegistry>(QStringList{pluginFolder()});
+        far_ = run(twoBalls(110), *registry_);
     }
 
     void eachIsPaintedFromItsOwnPlace() {
-        const JobResult result = run(twoBalls(110), *registry_);
-        const QImage sheet = result.immersions.front().texture->image;
+        const QImage sheet = far_.immersions.front().texture->image;
         std::size_t red = 0, blue = 0, astray = 0;
         for (int y = 0; y < sheet.height(); ++y) {
             for (int x = 0; x < sheet.width(); ++x) {
@@ -88,12 +88,11 @@ private slots:
 
     // Far from each other they are painted as each by itself.
     void farNeighboursDoNotMatter() {
-        const JobResult two = run(twoBalls(110), *registry_);
         Project alone = jobOf({part(QStringLiteral("Red"), QColor(220, 20, 20), 0)});
         alone.immersions[0].offset[0] = Millimetres(-55);
         const JobResult one = run(alone, *registry_);
         for (const bool right : {false, true}) {
-            const double together = filmTo(two.immersions.front(), -55, right);
+            const double together = filmTo(far_.immersions.front(), -55, right);
             // The film knows where the body is on the water, the body does not.
             const auto laid = one.immersions.front().laid->place(
                 one.immersions.front()
@@ -124,6 +123,7 @@ private slots:
 
 private:
     std::unique_ptr<SolverRegistry> registry_;
+    JobResult far_; // two balls far from each other
 };
 
 QTEST_MAIN(JigJobTest)
