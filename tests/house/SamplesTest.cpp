@@ -6,6 +6,7 @@
 #include "project/ProjectStore.h"
 
 #include <QtTest>
+#include <map>
 #include <set>
 
 using namespace dipwright;
