@@ -9,7 +9,11 @@
 #include "project/ProjectStore.h"
 
 #include <QtTest>
+<<<<<<< HEAD
 #include <cmath>
+=======
+#include <map>
+>>>>>>> samples
 #include <set>
 
 using namespace dipwright;
