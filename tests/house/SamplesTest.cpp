@@ -9,11 +9,8 @@
 #include "project/ProjectStore.h"
 
 #include <QtTest>
-<<<<<<< HEAD
 #include <cmath>
-=======
 #include <map>
->>>>>>> samples
 #include <set>
 
 using namespace dipwright;
