@@ -39,8 +39,8 @@ constexpr qsizetype largestProfile = 16 << 20; // bytes
                 where);
 }
 
-// PNG (ISO/IEC 15948), chunk iCCP: name, 0, method 0, zlib stream. libpng drops profiles that are
-// read here: of RGB in a grey picture, and behind a palette.
+// PNG (ISO/IEC 15948), chunk iCCP: name, 0, method 0, zlib stream. libpng drops one of RGB in a
+// grey picture, which is read here.
 QByteArray profileOfPng(const QByteArray& file, const QString& where) {
     qsizetype at = 8;
     while (at + 12 <= file.size()) {
